@@ -1,0 +1,18 @@
+# What voxc is built on; docs/dependencies.md says why each is here.
+find_package(Vulkan 1.3 REQUIRED)
+find_package(Threads REQUIRED)
+find_path(VOXC_XXHASH_INCLUDE xxhash.h REQUIRED)
+
+# The compiler.
+find_package(LLVM 19.1 REQUIRED CONFIG)
+find_package(Clang REQUIRED CONFIG PATHS "${LLVM_DIR}/../clang" NO_DEFAULT_PATH)
+find_package(SPIRV-Tools REQUIRED CONFIG)
+find_package(SPIRV-Tools-opt REQUIRED CONFIG)
+find_package(glslang 12 REQUIRED CONFIG)
+find_package(Boost 1.74 REQUIRED)
+find_package(assimp REQUIRED CONFIG)
+find_path(VOXC_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
+
+# The tools.
+find_package(CLI11 REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)

@@ -1,0 +1,84 @@
+// The level IR: a hybrid format as a list of levels with their parameters and attributes.
+#pragma once
+
+#include "voxc/IR/LevelKind.h"
+#include "voxc/Support/Diagnostic.h"
+#include "voxc/Support/Geometry.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// An attribute set to one of its kind's values; defaults are never stored.
+struct Attribute {
+  const AttributeKind *kind;
+  std::size_t value; ///< Index into kind->values, at least 1.
+
+  bool operator==(const Attribute &) const = default;
+};
+
+/// One level: a base format, its parameters in the order of its kind, and its attributes in that order too.
+struct Level {
+  const LevelKind *kind = nullptr;
+  std::vector<std::uint32_t> parameters;
+  std::vector<Attribute> attributes;
+  SourceRange range; ///< Where it was written, for diagnostics; not compared.
+
+  /// log2 of the cells along each axis.
+  Int3 log2Size() const;
+  /// The value of the parameter with this role, or 0 if the kind has none.
+  std::uint32_t parameter(ParameterRole role) const;
+  bool isCubic() const;
+  /// The value of an attribute: its default if it was not set or does not apply.
+  std::string_view attribute(const AttributeKind &kind) const;
+  /// Sets an attribute that the kind takes; a default value removes it. True if the level changed.
+  bool setAttribute(const AttributeKind &kind, std::string_view value);
+
+  bool operator==(const Level &other) const {
+    return kind == other.kind && parameters == other.parameters && attributes == other.attributes;
+  }
+};
+
+/// A hybrid format: levels from the highest (level 1) to the lowest.
+struct Format {
+  std::vector<Level> levels;
+
+  /// log2 of the voxels along each axis of the whole format.
+  Int3 log2Extent() const;
+  /// Voxels along each axis of the whole format.
+  Int3 extent() const;
+  /// log2 of the voxels along a side of a cell of levels[index]: 0 for the last level.
+  int log2CellSide(std::size_t index) const;
+
+  bool operator==(const Format &) const = default;
+};
+
+/// Parses a format string such as "R(4, 4, 4) G(8)" (contract, section 3). Every error in it is reported.
+/// The result is verified; it is only meaningful if no error was added to `diagnostics`.
+Format parseFormat(std::string_view text, Diagnostics &diagnostics);
+
+/// Parses a format string, or IR text if it starts with the word `format`; errors come rendered.
+Expected<Format> parseFormat(std::string_view text, std::string_view name = "format");
+
+/// The format as a string of the grammar; attributes have no spelling there and are left out.
+std::string toString(const Format &format);
+
+/// Checks every rule of the contract's section 3 on the levels; ranges are those of the levels.
+void verify(const Format &format, Diagnostics &diagnostics);
+
+/// Parses IR text; see docs/ir.md for its grammar. The result is verified.
+Format parseIr(std::string_view text, Diagnostics &diagnostics);
+
+/// Prints canonical IR text: parsing it gives the same format, printing that the same text.
+std::string printIr(const Format &format);
+
+/// The format without its walk attributes: what a volume is stored as.
+Format storageFormat(Format format);
+
+/// 64-bit digest of the canonical text of the format's storage; a kernel carries that of the volumes it fits.
+std::uint64_t storageDigest(const Format &format);
+
+} // namespace voxc

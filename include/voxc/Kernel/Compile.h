@@ -1,0 +1,26 @@
+// From a format to a kernel: GLSL to SPIR-V, validated always, optimised by choice.
+#pragma once
+
+#include "voxc/Plan/Plan.h"
+#include "voxc/Trace/Kernel.h"
+
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+struct KernelOptions {
+  Addressing addressing = Addressing::Buffer;
+  bool optimise = false; ///< spirv-opt -O: may help a GPU's driver; lavapipe is slower with it.
+};
+
+/// Emits, compiles and validates the kernel of `format`. An error here is a defect of voxc and says so.
+Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options = {});
+
+/// Compiles GLSL that `emitIntersect` made of `plan`.
+Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise = false);
+
+/// The module as SPIR-V assembly.
+Expected<std::string> disassemble(const Kernel &kernel);
+
+} // namespace voxc

@@ -1,0 +1,47 @@
+// Passes over the level IR: free functions, registered by name in one table (lib/Passes/PassRegistry.cpp).
+#pragma once
+
+#include "voxc/IR/Format.h"
+#include "voxc/Support/Diagnostic.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+enum class PassResult { Changed, Unchanged };
+
+/// A pass: its name is also its flag (`--whole-level-dedup`).
+struct Pass {
+  std::string_view name;
+  AttributeEffect effect; ///< Walk passes may be applied to any volume.
+  std::string_view summary;
+  std::string_view details; ///< A paragraph for `voxc-opt --help-passes` and docs/passes.md.
+  PassResult (*run)(Format &format, Diagnostics &diagnostics);
+};
+
+/// All passes, in the order of the documentation.
+std::span<const Pass> passes();
+
+/// The pass of this name, or null.
+const Pass *findPass(std::string_view name);
+
+struct PipelineOptions {
+  bool verifyEach = true;
+  /// Called after each pass with the format as it then is, the result, and the seconds it took.
+  std::function<void(const Pass &, const Format &, PassResult, double seconds)> afterEach;
+};
+
+/// Runs passes by name, in order. Errors: an unknown pass (naming those there are), a pass that does not
+/// apply without being wrong leaves the format unchanged; one that would be wrong is an error.
+Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options = {});
+
+// Each pass's contract stands in its own file of lib/Passes.
+PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
+PassResult restartSv(Format &format, Diagnostics &diagnostics);
+PassResult stripWalk(Format &format, Diagnostics &diagnostics);
+
+} // namespace voxc

@@ -1,0 +1,67 @@
+// The plan: what each level loads, how it descends, how it steps and which predicate decides. Every text that
+// voxc generates is printed from it; no emitter looks at a choice that is not written here.
+#pragma once
+
+#include "voxc/IR/Format.h"
+#include "voxc/Trace/Kernel.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// How the walk of a level finds the cell around a point. Each value is a file of shaders-runtime/walk.
+enum class Descent {
+  Index,    ///< Arithmetic on the cell's coordinates: a grid.
+  Distance, ///< The same, and the cell's distance allows several steps without a lookup.
+  Single,   ///< The sub-volume is one cell: a tree of depth 0.
+  Stack,    ///< Down a tree from the common ancestor of this cell and the last, kept in a stack.
+  Restart,  ///< Down a tree from its root, each time.
+};
+
+/// Which arithmetic orders the faces that a ray crosses. Each value is a file of shaders-runtime/step.
+enum class Predicate {
+  Float32, ///< Plain float32: wrong only by rounding at a boundary.
+};
+
+/// Which nodes of a tree may be shared when it is built.
+enum class Sharing {
+  None,      ///< Nothing is looked up: an octree.
+  SubVolume, ///< Equal nodes of one sub-volume.
+  Level,     ///< Equal nodes of all sub-volumes of the level.
+};
+
+/// One level, with every choice made.
+struct LevelPlan {
+  int number = 1; ///< From 1, the highest.
+  const LevelKind *kind = nullptr;
+  Int3 log2Size;            ///< log2 of the cells along each axis.
+  int log2CellSide = 0;     ///< log2 of the voxels along a cell's side.
+  std::uint32_t reach = 0;  ///< Largest stored distance; 0 if the kind stores none.
+  Descent descent = Descent::Index;
+  Sharing sharing = Sharing::None;
+};
+
+struct Plan {
+  Format format;
+  Addressing addressing = Addressing::Buffer;
+  Predicate predicate = Predicate::Float32;
+  std::vector<LevelPlan> levels;
+};
+
+struct PlanOptions {
+  Addressing addressing = Addressing::Buffer;
+};
+
+/// Makes every choice for a verified format.
+Plan makePlan(const Format &format, const PlanOptions &options = {});
+
+/// The plan as text, one line a level; for people and tests.
+std::string printPlan(const Plan &plan);
+
+std::string_view toString(Descent descent);
+std::string_view toString(Predicate predicate);
+std::string_view toString(Sharing sharing);
+
+} // namespace voxc

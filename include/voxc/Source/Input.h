@@ -1,0 +1,41 @@
+// Opening an INPUT as it is written on a command line (contract, section 7).
+#pragma once
+
+#include "voxc/Source/VoxelSource.h"
+#include "voxc/Support/Progress.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// How an input becomes voxels.
+struct InputOptions {
+  int resolution = 0;                            ///< Voxels on a mesh's longest axis; 0: what the format holds.
+  Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};     ///< What the format holds; an input must fit into it.
+  std::optional<std::array<double, 6>> bounds;   ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
+  bool zUp = false;                              ///< The mesh's up is +z: it is turned to +y.
+  Progress progress;
+};
+
+/// An opened input.
+struct Input {
+  std::unique_ptr<VoxelSource> source;
+  std::uint64_t triangles = 0;        ///< Of a mesh, after instancing; else 0.
+  double loadSeconds = 0;             ///< Reading the file.
+  double voxelizeSeconds = 0;         ///< Making voxels of triangles or points.
+  std::string provenance;             ///< The options that matter, for `VolumeInfo::provenance`.
+  std::vector<std::string> warnings;  ///< One sentence each.
+};
+
+/// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx),
+/// "grid:WxHxD:FILE", or "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis).
+/// Errors: unknown kind (naming those there are), unreadable, broken, or larger than the format.
+Expected<Input> openInput(const std::string &input, const InputOptions &options);
+
+} // namespace voxc

@@ -1,0 +1,50 @@
+// Where voxels come from: one interface for meshes, grids, points, procedures and finished volumes.
+#pragma once
+
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Geometry.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace voxc {
+
+/// Packs a voxel's colour: R in the low byte (contract, section 2).
+constexpr std::uint32_t rgba(std::uint32_t r, std::uint32_t g, std::uint32_t b, std::uint32_t a = 255) {
+  return r | g << 8 | b << 16 | a << 24;
+}
+
+/// A finite set of coloured voxels, asked in Morton order.
+///
+/// A builder asks for aligned cubes so that their Morton codes never fall: for each it first asks `empty`,
+/// and then either leaves the cube or asks for cubes inside it. A source may thus drop what lies behind.
+/// Cubes may reach outside `extent()`; whatever is outside is empty.
+class VoxelSource {
+public:
+  virtual ~VoxelSource() = default;
+
+  /// Voxels on each axis; every voxel lies in [0, extent). At most 2^21 an axis.
+  virtual Int3 extent() const = 0;
+
+  /// True only if `cube` (aligned) holds no voxel. May be false for an empty cube; must be cheap.
+  virtual bool empty(const Cube &cube) = 0;
+
+  /// Writes the 8^log2Side words of the aligned `cube` (log2Side <= 3) to `words`, in Morton order; 0 is
+  /// "empty", anything else RGBA8 with R in the low byte.
+  virtual void read(const Cube &cube, std::uint32_t *words) = 0;
+
+  /// Maps voxel coordinates to those of the model that the voxels were made from.
+  virtual Transform voxelToModel() const { return {}; }
+
+  /// Set when reading failed; a builder stops and passes it on.
+  virtual std::optional<Error> failure() const { return std::nullopt; }
+};
+
+/// A source made of a function of the coordinates, which returns the voxel's word; `empty` may be left out.
+std::unique_ptr<VoxelSource> makeFunctionSource(Int3 extent,
+                                                std::function<std::uint32_t(Int3)> voxel,
+                                                std::function<bool(const Cube &)> empty = {});
+
+} // namespace voxc

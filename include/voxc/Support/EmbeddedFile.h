@@ -1,0 +1,20 @@
+// Files that were compiled into the library as text (cmake/VoxcEmbed.cmake), so that nothing must be found at run time.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace voxc {
+
+struct EmbeddedFile {
+  std::string_view path; ///< Below its folder: "level/raw.glsl".
+  std::string_view text;
+};
+
+/// The files of shaders-runtime.
+std::span<const EmbeddedFile> shaderFiles();
+
+/// The files of construct-runtime.
+std::span<const EmbeddedFile> constructFiles();
+
+} // namespace voxc

@@ -1,0 +1,60 @@
+// Whole files: mapped for reading, and written so that a name never holds half a file.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace voxc {
+
+/// A regular file mapped into memory, read only; unmapped on destruction.
+class MappedFile {
+public:
+  /// Errors: `Input` if `path` is missing, unreadable, a directory or another thing that is not a file.
+  static Expected<MappedFile> open(const std::string &path);
+  ~MappedFile();
+  MappedFile(MappedFile &&) noexcept;
+  MappedFile &operator=(MappedFile &&) noexcept;
+
+  std::span<const std::byte> bytes() const { return {data_, size_}; }
+
+private:
+  MappedFile() = default;
+  const std::byte *data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// A file under a temporary name beside `path`, which takes its place on `commit` and else disappears.
+class OutputFile {
+public:
+  /// Errors: `Environment` if nothing can be written there; `Input` if `path` is a directory.
+  static Expected<OutputFile> create(const std::string &path);
+  ~OutputFile();
+  OutputFile(OutputFile &&) noexcept;
+  OutputFile &operator=(OutputFile &&) = delete;
+
+  /// Appends bytes. Error: `Environment`, such as a full disk.
+  Expected<void> write(const void *data, std::size_t size);
+  /// Flushes and renames to the final name.
+  Expected<void> commit();
+
+private:
+  OutputFile() = default;
+  std::string path_;
+  std::string temporary_;
+  std::FILE *file_ = nullptr;
+};
+
+/// The text of a file. Errors as `MappedFile::open`.
+Expected<std::string> readTextFile(const std::string &path);
+
+/// Writes a whole file through `OutputFile`.
+Expected<void> writeFile(const std::string &path, std::string_view bytes);
+
+} // namespace voxc

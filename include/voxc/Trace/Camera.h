@@ -1,0 +1,35 @@
+// A pinhole camera in voxel space, and the rays through its pixels.
+#pragma once
+
+#include "voxc/Support/Geometry.h"
+#include "voxc/Trace/Ray.h"
+
+#include <array>
+#include <vector>
+
+namespace voxc {
+
+using Double3 = std::array<double, 3>;
+
+/// Where a picture is taken from. `look` is a point; `up` need not be orthogonal to the view.
+struct Camera {
+  Double3 eye{};
+  Double3 look{};
+  Double3 up{0, 1, 0};
+  double verticalFov = 60; ///< Degrees, in (0, 180).
+  int width = 1280;
+  int height = 720;
+};
+
+/// A camera that sees all of a box of voxels from above a corner.
+Camera frameExtent(Int3 extent, int width, int height);
+
+/// A camera given as in cameras.json: position in a volume scaled to [0, 100]^3 by its longest axis, yaw and
+/// pitch in degrees.
+Camera cameraFromAngles(Int3 extent, Double3 position, double pitch, double yaw, double verticalFov, int width,
+                        int height);
+
+/// One ray a pixel, rows from the top; directions are unit length up to rounding.
+std::vector<Ray> cameraRays(const Camera &camera);
+
+} // namespace voxc

@@ -1,0 +1,46 @@
+// A compiled intersection kernel: SPIR-V that says which volumes it fits.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// How a kernel reaches the words of a volume.
+enum class Addressing {
+  Buffer,   ///< One storage buffer: the smallest code, up to the device's maxStorageBufferRange.
+  Segments, ///< Device addresses of segments of 2^28 words each: up to 16 GiB.
+};
+
+/// Words in a segment of `Addressing::Segments`.
+inline constexpr std::uint64_t kSegmentWords = std::uint64_t{1} << 28;
+
+std::string_view toString(Addressing addressing);
+
+/// Invocations in a workgroup of every kernel; local_size_x of the GLSL.
+inline constexpr std::uint32_t kWorkgroupSize = 64;
+
+/// SPIR-V with its voxc facts, which travel inside the module as an OpModuleProcessed string:
+/// "voxc kernel 1 storage=<16 hex digits> addressing=<buffer|segments>".
+///
+/// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each), 1 the hits (6 words each),
+/// 2 the words (`Buffer`), or a table of up to 16 64-bit segment addresses (`Segments`). Push constants:
+/// uint first_ray, uint ray_count. Specialization constant 0 (bool): count lookups.
+struct Kernel {
+  std::vector<std::uint32_t> spirv;
+  std::uint64_t storageDigest = 0;
+  Addressing addressing = Addressing::Buffer;
+
+  /// Reads the facts out of a module. Errors: not SPIR-V, truncated, or not made by voxc.
+  static Expected<Kernel> fromSpirv(std::vector<std::uint32_t> spirv);
+  static Expected<Kernel> load(const std::string &path);
+};
+
+/// The facts as the module's string.
+std::string kernelFacts(std::uint64_t storageDigest, Addressing addressing);
+
+} // namespace voxc

@@ -1,0 +1,25 @@
+// Pictures of hits: shaded by face, or as a map of the lookups that each ray took.
+#pragma once
+
+#include "voxc/Trace/Ray.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace voxc {
+
+/// Pixels in rows from the top, RGBA8 with R in the low byte, opaque.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> pixels;
+};
+
+/// The voxels' colours, shaded by the face that each ray entered so that shapes read; the sky elsewhere.
+Picture shade(std::span<const Ray> rays, std::span<const Hit> hits, int width, int height);
+
+/// Lookups a ray as colours, with a legend that names the scale.
+Picture heatmap(std::span<const Hit> hits, int width, int height);
+
+} // namespace voxc

@@ -1,0 +1,26 @@
+// Rays and hits, as they lie in ray files, hit files and device buffers (contract, sections 6 and 7).
+#pragma once
+
+#include <cstdint>
+
+namespace voxc {
+
+/// A ray in voxel space; its direction need not be unit length. 24 bytes, little-endian float32.
+struct Ray {
+  float origin[3];
+  float direction[3];
+};
+
+/// The first voxel that is hit; a miss is -1, -1, -1, 0, 0. 24 bytes, little-endian.
+struct Hit {
+  std::int32_t voxel[3];
+  std::uint32_t rgba;
+  float t;             ///< Smallest t with the point in the voxel; 0 if the origin lies in it.
+  std::uint32_t steps; ///< Lookups made, if they were counted; else 0.
+
+  bool isHit() const { return voxel[0] >= 0; }
+};
+
+static_assert(sizeof(Ray) == 24 && sizeof(Hit) == 24);
+
+} // namespace voxc

@@ -1,0 +1,88 @@
+// Tracing rays through a volume: the devices there are, and a tracer bound to one device, kernel and volume.
+#pragma once
+
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Progress.h"
+#include "voxc/Trace/Kernel.h"
+#include "voxc/Trace/Ray.h"
+#include "voxc/Volume/Volume.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// A device that can trace, and what bears on which kernel it takes.
+struct DeviceInfo {
+  std::string name;
+  std::string driver;     ///< Name and version of the driver.
+  std::string apiVersion; ///< Of Vulkan: "1.3.230".
+  std::string kind;       ///< "discrete gpu", "integrated gpu", "virtual gpu", "cpu" or "other".
+  std::uint64_t memoryBytes = 0;           ///< Of its largest heap.
+  std::uint64_t maxStorageBufferBytes = 0; ///< Volumes above this need `Addressing::Segments`.
+  std::uint64_t maxAllocationBytes = 0;
+  bool usable = false;    ///< Vulkan 1.2 with a compute queue.
+  bool deviceAddresses = false;
+};
+
+/// Every Vulkan device of this machine; empty if there is none or no loader.
+std::vector<DeviceInfo> listDevices();
+
+/// A device opened for tracing. Destroy after every tracer made on it.
+class Device {
+public:
+  /// Opens the first usable device whose name contains `name` (any case), best kind first; "" takes the best.
+  /// Error: `Environment`, naming the devices there are.
+  static Expected<Device> open(std::string_view name = {});
+  ~Device();
+  Device(Device &&) noexcept;
+  Device &operator=(Device &&) noexcept;
+
+  const DeviceInfo &info() const;
+  /// The addressing that a volume of so many words needs here.
+  Addressing addressingFor(std::uint64_t words) const;
+
+  struct State;
+  State &state() { return *state_; }
+
+private:
+  explicit Device(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+struct TraceOptions {
+  bool countSteps = false;
+  unsigned repeat = 1; ///< Traces the rays so often; times of every repeat are kept.
+  Progress progress;
+};
+
+/// Seconds of one repeat over all rays, from submission to the end of waiting; uploads are apart.
+struct TraceTime {
+  double wall = 0;
+  double cpu = 0;    ///< Of the whole process.
+  double device = 0; ///< By the device's timestamps; 0 where it has none.
+};
+
+struct TraceReport {
+  std::vector<TraceTime> repeats;
+  double firstDispatch = 0; ///< Wall seconds of the first dispatch on this tracer, which may compile; 0 later.
+  double transfer = 0;      ///< Wall seconds of copying rays in and hits out.
+};
+
+/// Traces rays through one volume. A back end implements this; Vulkan is the first.
+class Tracer {
+public:
+  virtual ~Tracer() = default;
+  /// Traces rays[i] into hits[i]; both have the same size. Errors: `Environment` from the device.
+  virtual Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                      const TraceOptions &options = {}) = 0;
+};
+
+/// Uploads `volume` and prepares `kernel` on `device`. Errors: the kernel was made for other storage
+/// (`Input`), the volume does not fit the device or a feature is missing (`Environment`).
+Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume);
+
+} // namespace voxc

@@ -1,0 +1,62 @@
+// A volume: the words of one scene in one format, in memory or mapped from a .hvx file.
+#pragma once
+
+#include "voxc/IR/Format.h"
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Geometry.h"
+#include "voxc/Support/Progress.h"
+#include "voxc/Volume/SubVolume.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// What a volume says of itself beside its words; kept in the file's header.
+struct VolumeInfo {
+  Format format;                  ///< Its storage: no walk attributes.
+  Int3 extent;                    ///< Of the input, in voxels; the rest of the format is padding.
+  Transform voxelToModel;
+  std::uint64_t voxels = 0;       ///< Non-empty ones.
+  std::string provenance;         ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
+};
+
+/// An immutable volume. Cheap to move; the words live as long as it does.
+class Volume {
+public:
+  /// Takes words made by a builder; they are trusted.
+  Volume(VolumeInfo info, std::vector<std::uint32_t> words);
+  ~Volume();
+  Volume(Volume &&) noexcept;
+  Volume &operator=(Volume &&) noexcept;
+
+  /// Maps a .hvx file. Everything in it is checked, every reachable offset too unless `trusted`, before the
+  /// volume is handed out. Errors: no such file, not a .hvx, truncated, a wrong checksum, a broken structure.
+  static Expected<Volume> load(const std::string &path, bool trusted = false);
+
+  /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was.
+  Expected<void> save(const std::string &path) const;
+
+  const VolumeInfo &info() const;
+  const Format &format() const { return info().format; }
+  std::span<const std::uint32_t> words() const;
+
+  /// The voxel's word, and the side of the aligned cube around it that holds the same; 0 outside the format.
+  Lookup lookup(Int3 voxel) const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Proves that every word reachable from the root is in range and well-formed: safe for any kernel of the format.
+Expected<void> checkStructure(const Format &format, std::span<const std::uint32_t> words);
+
+/// Calls `cube` for every maximal uniform cube that the volume stores, in Morton order: together all its voxels.
+void decode(const Volume &volume, const std::function<void(const Cube &cube, std::uint32_t word)> &cube);
+
+} // namespace voxc

@@ -1,0 +1,59 @@
+// Instantiation of runtime files for levels.
+#include "RuntimeFile.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace voxc {
+namespace {
+
+bool isIdentifier(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::string count(int log2, std::string_view unit) {
+  const std::int64_t number = std::int64_t{1} << log2;
+  return std::to_string(number) + " " + std::string(unit) + (number == 1 ? "" : "s");
+}
+
+} // namespace
+
+std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_view path) {
+  const auto found = std::ranges::find(files, path, &EmbeddedFile::path);
+  assert(found != files.end() && "a runtime file that a table row names is not embedded");
+  return found->text;
+}
+
+std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan &level) {
+  const bool last = level.number == static_cast<int>(plan.levels.size());
+  const std::string next = last ? "voxel" : "level_" + std::to_string(level.number + 1);
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    // An underscore separates words too, so that LEVEL_N_DEPTH is LEVEL, N and DEPTH.
+    std::size_t end = begin;
+    while (end < text.size() && isIdentifier(text[end]))
+      ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    if (word == "N")
+      result += std::to_string(level.number);
+    else if (word == "NEXT")
+      result += next;
+    else if (word == "KIND")
+      result += level.kind->name;
+    else
+      result += word;
+    if (end < text.size())
+      result += text[end];
+    begin = end + 1;
+  }
+  return result;
+}
+
+std::string levelComment(const LevelPlan &level) {
+  const Int3 size = level.log2Size;
+  std::string text = "\n// Level " + std::to_string(level.number) + ": " + std::string(level.kind->name) + ", ";
+  text += std::to_string(1 << size.x) + " x " + std::to_string(1 << size.y) + " x " + count(size.z, "cell");
+  return text + " of " + count(level.log2CellSide, "voxel") + " a side.\n";
+}
+
+} // namespace voxc

@@ -1,0 +1,23 @@
+// Runtime files as templates: a file that speaks of level N is instantiated for each level that uses it.
+#pragma once
+
+#include "voxc/Plan/Plan.h"
+#include "voxc/Support/EmbeddedFile.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+/// The text of a runtime file, which must exist.
+std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_view path);
+
+/// `text` for one level. Identifiers (or parts of them between underscores) are replaced: N by the level's number, NEXT
+/// by "level_<number + 1>" or, in the last level, "voxel", KIND by the kind's name.
+std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan &level);
+
+/// "// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side." and an empty line before it.
+std::string levelComment(const LevelPlan &level);
+
+} // namespace voxc

@@ -1,0 +1,122 @@
+// Parsing of a level's parameters.
+#include "LevelParser.h"
+
+#include <charconv>
+
+namespace voxc {
+namespace {
+
+std::optional<Argument> parseNumber(Lexer &lexer, Diagnostics &diagnostics) {
+  const Token token = lexer.peek();
+  if (token.kind != TokenKind::Number) {
+    diagnostics.error(token.range, "found " + quoted(token) + " where a number should be");
+    return std::nullopt;
+  }
+  lexer.next();
+  Argument argument{0, token.range};
+  const char *end = token.text.data() + token.text.size();
+  const auto [stop, problem] = std::from_chars(token.text.data(), end, argument.value);
+  if (problem == std::errc::result_out_of_range && stop == end) {
+    diagnostics.error(token.range, quoted(token) + " is too large; the largest number here is 4294967295");
+    return std::nullopt;
+  }
+  if (problem != std::errc() || stop != end) {
+    diagnostics.error(token.range, quoted(token) + " is not a number; write a whole number such as 4");
+    return std::nullopt;
+  }
+  return argument;
+}
+
+/// A number, or "N^3", which stands for three.
+bool parseArgument(Lexer &lexer, std::vector<Argument> &arguments, Diagnostics &diagnostics) {
+  const auto argument = parseNumber(lexer, diagnostics);
+  if (!argument)
+    return false;
+  arguments.push_back(*argument);
+  if (!lexer.accept('^'))
+    return true;
+  const Token power = lexer.next();
+  if (power.text != "3") {
+    diagnostics.error(power.range, "found " + quoted(power) + " after '^'; only cubes, such as 4^3, can be written so");
+    return false;
+  }
+  arguments.back().range.end = power.range.end;
+  arguments.insert(arguments.end(), 2, arguments.back());
+  return true;
+}
+
+void skipPastParenthesis(Lexer &lexer) {
+  while (lexer.peek().kind != TokenKind::End && !lexer.accept(')'))
+    lexer.next();
+}
+
+} // namespace
+
+std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &diagnostics) {
+  if (!lexer.accept('(')) {
+    diagnostics.error(lexer.peek().range, "found " + quoted(lexer.peek()) + " where '(' should be");
+    return std::nullopt;
+  }
+  std::vector<Argument> arguments;
+  if (lexer.accept(')'))
+    return arguments;
+  while (true) {
+    if (!parseArgument(lexer, arguments, diagnostics))
+      break;
+    if (lexer.accept(')'))
+      return arguments;
+    if (!lexer.accept(',')) {
+      diagnostics.error(lexer.peek().range, "found " + quoted(lexer.peek()) + " where ',' or ')' should be");
+      break;
+    }
+  }
+  skipPastParenthesis(lexer);
+  return std::nullopt;
+}
+
+std::string signature(const LevelKind &kind) {
+  std::string text(1, kind.letter);
+  const char *separator = "(";
+  for (const ParameterKind &parameter : kind.parameters) {
+    text += separator + std::string(parameter.name);
+    separator = ", ";
+  }
+  return text + ')';
+}
+
+bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceRange head,
+                   Diagnostics &diagnostics) {
+  const auto kinds = level.kind->parameters;
+  const std::string right = "; it is written " + signature(*level.kind);
+  const auto letter = std::string(1, level.kind->letter);
+  if (arguments.size() < kinds.size()) {
+    diagnostics.error({head.begin, level.range.end}, letter + " has " + std::to_string(arguments.size()) +
+                                                         " of " + std::to_string(kinds.size()) +
+                                                         " parameters" + right);
+    return false;
+  }
+  if (arguments.size() > kinds.size()) {
+    diagnostics.error({arguments[kinds.size()].range.begin, arguments.back().range.end},
+                      letter + " takes " + std::to_string(kinds.size()) + " parameter" +
+                          (kinds.size() == 1 ? "" : "s") + ", not " + std::to_string(arguments.size()) + right);
+    return false;
+  }
+  bool inRange = true;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const auto [value, range] = arguments[i];
+    const bool isSize = kinds[i].role != ParameterRole::Reach;
+    if (isSize && value > kMaxLog2Extent) {
+      diagnostics.error(range, "2^" + std::to_string(value) + " cells are too many for " +
+                                   std::string(kinds[i].name) + "; sizes are log2 and at most " +
+                                   std::to_string(kMaxLog2Extent));
+      inRange = false;
+    } else if (!isSize && value < 1) {
+      diagnostics.error(range, "the largest distance " + std::string(kinds[i].name) + " must be at least 1");
+      inRange = false;
+    }
+    level.parameters.push_back(value);
+  }
+  return inRange;
+}
+
+} // namespace voxc

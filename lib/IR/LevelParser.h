@@ -1,0 +1,29 @@
+// What format strings and IR text share: a level's parameters in parentheses.
+#pragma once
+
+#include "Lexer.h"
+
+#include "voxc/IR/Format.h"
+
+#include <optional>
+
+namespace voxc {
+
+/// One parameter as written; of "4^3", three.
+struct Argument {
+  std::uint32_t value;
+  SourceRange range;
+};
+
+/// Parses '(' numbers ')' and, for grids, "N^3". After an error the tokens up to the ')' are skipped, and nothing is
+/// returned.
+std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &diagnostics);
+
+/// Checks the count against the kind's parameters and sets them. `head` is the range of the level's name.
+bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceRange head,
+                   Diagnostics &diagnostics);
+
+/// How a kind is written: "R(W, H, D)".
+std::string signature(const LevelKind &kind);
+
+} // namespace voxc

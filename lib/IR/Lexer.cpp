@@ -1,0 +1,54 @@
+// Splitting of format strings and IR text into tokens.
+#include "Lexer.h"
+
+namespace voxc {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+} // namespace
+
+void Lexer::skipBlanks() {
+  while (position_ < text_.size()) {
+    if (isBlank(text_[position_]))
+      ++position_;
+    else if (text_.substr(position_, 2) == "//")
+      position_ = std::min(text_.find('\n', position_), text_.size());
+    else
+      return;
+  }
+}
+
+void Lexer::advance() {
+  skipBlanks();
+  const std::size_t begin = position_;
+  const auto run = [&](auto &&belongs) {
+    do
+      ++position_;
+    while (position_ < text_.size() && belongs(text_[position_]));
+  };
+  TokenKind kind = TokenKind::End;
+  if (begin < text_.size()) {
+    const char first = text_[begin];
+    if (isLetter(first)) {
+      kind = TokenKind::Word;
+      run([](char c) { return isLetter(c) || isDigit(c) || c == '-' || c == '_'; });
+    } else if (isDigit(first) || first == '-') {
+      kind = TokenKind::Number;
+      run([](char c) { return isLetter(c) || isDigit(c) || c == '.' || c == '-'; });
+    } else {
+      kind = TokenKind::Punctuation;
+      // A character outside ASCII is several bytes; carets shall stand under all of them.
+      run([](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
+    }
+  }
+  token_ = {kind, {begin, position_}, text_.substr(begin, position_ - begin)};
+}
+
+std::string quoted(const Token &token) {
+  return token.kind == TokenKind::End ? "the end" : "'" + std::string(token.text) + "'";
+}
+
+} // namespace voxc

@@ -1,0 +1,59 @@
+// The rules that every format keeps, whatever made it (contract, section 3).
+#include "voxc/IR/Format.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace voxc {
+namespace {
+
+std::string sizeText(Int3 log2) {
+  return "2^" + std::to_string(log2.x) + " x 2^" + std::to_string(log2.y) + " x 2^" + std::to_string(log2.z);
+}
+
+void verifyCubic(const Level &level, std::size_t index, Diagnostics &diagnostics) {
+  if (index > 0 && !level.isCubic())
+    diagnostics.error(level.range, "level " + std::to_string(index + 1) + " has " + sizeText(level.log2Size()) +
+                                       " cells; every level but the first must be a cube");
+}
+
+/// A grid whose cells alone need more words than offsets can name cannot hold even one voxel.
+void verifyWords(const Level &level, Diagnostics &diagnostics) {
+  if (level.kind->arrangement != Arrangement::Grid)
+    return;
+  const Int3 size = level.log2Size();
+  const int log2Words = size.x + size.y + size.z + (level.kind->wordsPerCell == 2 ? 1 : 0);
+  // 2^32 words would leave none for the root's offset.
+  if (log2Words < 32)
+    return;
+  std::string message = "one sub-volume of " + sizeText(size) + " cells takes 2^" + std::to_string(log2Words) +
+                        " words; a volume holds fewer than 2^32";
+  const auto isPower = [](std::int32_t n) { return n > 1 && (n & (n - 1)) == 0; };
+  if (isPower(size.x) && isPower(size.y) && isPower(size.z))
+    message += " (sizes are log2: " + std::to_string(size.x) + " cells are written " +
+               std::to_string(std::bit_width(static_cast<std::uint32_t>(size.x)) - 1) + ")";
+  diagnostics.error(level.range, message);
+}
+
+void verifyExtent(const Format &format, Diagnostics &diagnostics) {
+  const Int3 extent = format.log2Extent();
+  const int longest = std::max({extent.x, extent.y, extent.z});
+  if (longest > kMaxLog2Extent)
+    diagnostics.error({format.levels.front().range.begin, format.levels.back().range.end},
+                      "the levels have " + sizeText(extent) + " voxels in all; an axis may have at most 2^" +
+                          std::to_string(kMaxLog2Extent));
+}
+
+} // namespace
+
+void verify(const Format &format, Diagnostics &diagnostics) {
+  if (format.levels.empty())
+    return diagnostics.error({}, "the format has no level");
+  for (std::size_t i = 0; i < format.levels.size(); ++i) {
+    verifyCubic(format.levels[i], i, diagnostics);
+    verifyWords(format.levels[i], diagnostics);
+  }
+  verifyExtent(format, diagnostics);
+}
+
+} // namespace voxc

@@ -1,0 +1,30 @@
+// From a format to a kernel: the stages in their order.
+#include "voxc/Kernel/Compile.h"
+
+#include "Stages.h"
+
+#include "voxc/Emit/Emit.h"
+
+namespace voxc {
+
+Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise) {
+  auto module = glslToSpirv(glsl);
+  if (module && optimise)
+    module = optimiseSpirv(*module);
+  if (!module)
+    return module.error();
+  const std::uint64_t digest = storageDigest(plan.format);
+  SpirvWords finished = addModuleProcessed(*module, kernelFacts(digest, plan.addressing));
+  if (auto valid = validateSpirv(finished); !valid)
+    return valid.error();
+  return Kernel{std::move(finished), digest, plan.addressing};
+}
+
+Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options) {
+  const Plan plan = makePlan(format, {options.addressing});
+  return compileGlsl(emitIntersect(plan), plan, options.optimise);
+}
+
+Expected<std::string> disassemble(const Kernel &kernel) { return disassembleSpirv(kernel.spirv); }
+
+} // namespace voxc

@@ -1,0 +1,30 @@
+// The stages from GLSL to a finished module; each takes the words of the one before.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+using SpirvWords = std::vector<std::uint32_t>;
+
+/// GLSL of a compute shader to SPIR-V 1.5 for Vulkan 1.2 (glslang).
+Expected<SpirvWords> glslToSpirv(std::string_view glsl);
+
+/// Makes the module say `facts` in an OpModuleProcessed of its own.
+SpirvWords addModuleProcessed(const SpirvWords &module, std::string_view facts);
+
+/// spirv-opt -O.
+Expected<SpirvWords> optimiseSpirv(const SpirvWords &module);
+
+/// spirv-val for Vulkan 1.2.
+Expected<void> validateSpirv(const SpirvWords &module);
+
+/// spirv-dis.
+Expected<std::string> disassembleSpirv(const SpirvWords &module);
+
+} // namespace voxc

@@ -1,0 +1,49 @@
+// The table of level kinds and of the attributes that they take.
+#include "Kinds.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+constexpr std::array<const LevelKind *, 4> kKinds = {&kRaw, &kDistance, &kSvo, &kSvdag};
+
+constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
+constexpr std::array<std::string_view, 2> kWalkValues = {"stack", "restart"};
+
+} // namespace
+
+const AttributeKind kDedupAttribute = {
+    "dedup", AttributeEffect::Storage, kDedupValues,
+    "which equal nodes share storage: those of one sub-volume, or of the whole level"};
+
+const AttributeKind kWalkAttribute = {
+    "walk", AttributeEffect::Walk, kWalkValues,
+    "how a lookup finds its node: from the last lookup's ancestors on a stack, or from the root each time"};
+
+std::span<const LevelKind *const> levelKinds() { return kKinds; }
+
+const LevelKind *findLevelKind(char letter) {
+  const auto found = std::ranges::find(kKinds, letter, [](const LevelKind *kind) { return kind->letter; });
+  return found == kKinds.end() ? nullptr : *found;
+}
+
+const LevelKind *findLevelKind(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, [](const LevelKind *kind) { return kind->name; });
+  return found == kKinds.end() ? nullptr : *found;
+}
+
+void checkMasks(WordReader &words, NodeMasks masks, int height) {
+  const std::uint32_t valid = masks.word & 0xff;
+  const std::uint32_t leaf = masks.word >> 8;
+  if (leaf > 0xff)
+    words.fail("a node's masks use bits that have no meaning");
+  else if (valid == 0)
+    words.fail("a node has no child");
+  else if ((leaf & ~valid) != 0)
+    words.fail("a node has a leaf that is empty");
+  else if (height == 1 && leaf != valid)
+    words.fail("a node of cells has a child that is not a leaf");
+}
+
+} // namespace voxc

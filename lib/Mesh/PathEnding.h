@@ -1,0 +1,20 @@
+// What a file's name says about its kind.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+/// The ending of a path's last part with its dot, in lower case; empty if it has none.
+inline std::string pathEnding(std::string_view path) {
+  const std::string_view name = path.substr(path.find_last_of('/') + 1);
+  const std::size_t dot = name.find_last_of('.');
+  std::string ending(dot == std::string_view::npos ? std::string_view() : name.substr(dot));
+  for (char &c : ending)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+} // namespace voxc

@@ -1,0 +1,16 @@
+// Triangle meshes from PLY files.
+#pragma once
+
+#include "Mesh/PlyReader.h"
+#include "voxc/Mesh/TriangleMesh.h"
+
+namespace voxc {
+
+/// True if the file holds faces: it is a mesh, not points.
+bool hasFaces(const PlyHeader &header);
+
+/// Reads vertices with their colours, and faces as fans of triangles. Errors: as `PlyReader::readRows`, no
+/// x, y, z, an index outside the vertices, triangle strips instead of faces.
+Expected<TriangleMesh> readPlyMesh(PlyReader &reader);
+
+} // namespace voxc

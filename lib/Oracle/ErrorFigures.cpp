@@ -1,0 +1,141 @@
+// How far a kernel's hits are from the oracle's, and which differences rounding explains.
+#include "voxc/Oracle/Oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+constexpr std::size_t kMaxExamples = 16;
+constexpr double kRelativeMargin = 0x1p-20;
+
+Int3 voxelOf(const Hit &hit) { return {hit.voxel[0], hit.voxel[1], hit.voxel[2]}; }
+
+/// A reported t as a number: what is beyond float32, or no number at all, counts as 2^128.
+double timeOf(const Hit &hit) { return std::isfinite(hit.t) ? double{hit.t} : 0x1p128; }
+
+/// The distance from |t| to the next float32 above it.
+double unitInLastPlace(const Hit &hit) {
+  if (!std::isfinite(hit.t))
+    return 0x1p104;
+  const double next = std::nextafter(hit.t, std::numeric_limits<float>::infinity());
+  return (std::isfinite(next) ? next : 0x1p128) - hit.t;
+}
+
+double length(const float (&direction)[3]) {
+  return std::hypot(double{direction[0]}, double{direction[1]}, double{direction[2]});
+}
+
+/// When the ray meets a voxel's cell, grown by `margin` on every side; +inf if it does not.
+double meets(const Ray &ray, Int3 voxel, double margin) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  double enter = 0, leave = kNever;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double origin = ray.origin[axis], direction = ray.direction[axis];
+    const double low = voxel[axis] - margin, high = voxel[axis] + 1 + margin;
+    if (direction == 0) {
+      if (origin < low || origin > high)
+        return kNever;
+      continue;
+    }
+    const double a = (low - origin) / direction, b = (high - origin) / direction;
+    enter = std::max(enter, direction > 0 ? a : b);
+    leave = std::min(leave, direction > 0 ? b : a);
+  }
+  return enter <= leave ? enter : kNever;
+}
+
+double marginFor(const Ray &ray, const Hit &exact, const Hit &hit) {
+  double scale = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    scale = std::max(
+        {scale, std::abs(double{ray.origin[axis]}), double(exact.voxel[axis]), double(hit.voxel[axis])});
+  return scale * kRelativeMargin;
+}
+
+bool areNeighbours(const Hit &a, const Hit &b) {
+  const Int3 apart = voxelOf(a) - voxelOf(b);
+  return std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) <= 1;
+}
+
+/// The rule of `ErrorFigures::boundary` for a ray on which the two hits differ.
+bool isExplained(const Oracle &oracle, const Ray &ray, const Hit &exact, const Hit &hit) {
+  if (exact.isHit() && hit.isHit() && areNeighbours(exact, hit))
+    return true;
+  const double margin = marginFor(ray, exact, hit);
+  double reached = std::numeric_limits<double>::infinity();
+  if (hit.isHit()) {
+    reached = meets(ray, voxelOf(hit), margin);
+    if (std::isinf(reached) || oracle.voxel(voxelOf(hit)) == 0)
+      return false;
+  }
+  return !exact.isHit() || (hit.isHit() && reached <= meets(ray, voxelOf(exact), margin)) ||
+         std::isinf(meets(ray, voxelOf(exact), -margin));
+}
+
+/// Adds up figures, ray by ray.
+class Comparison {
+public:
+  explicit Comparison(const Oracle &oracle) : oracle_(oracle) {}
+
+  void add(const Ray &ray, const Hit &hit) {
+    const Hit exact = oracle_.trace(ray);
+    const bool same = exact.isHit() == hit.isHit() && (!exact.isHit() || voxelOf(exact) == voxelOf(hit));
+    if (!same)
+      addDifference(ray, exact, hit);
+    else if (exact.isHit())
+      addTimes(ray, exact, hit);
+    ++figures_.rays;
+  }
+
+  ErrorFigures figures() && {
+    figures_.rmsDt = sameVoxel_ == 0 ? 0 : std::sqrt(sumOfSquares_ / static_cast<double>(sameVoxel_));
+    return std::move(figures_);
+  }
+
+private:
+  void addDifference(const Ray &ray, const Hit &exact, const Hit &hit) {
+    ++(!hit.isHit() ? figures_.missed : !exact.isHit() ? figures_.ghost : figures_.wrong);
+    figures_.boundary += isExplained(oracle_, ray, exact, hit);
+    addExample();
+  }
+
+  void addTimes(const Ray &ray, const Hit &exact, const Hit &hit) {
+    const double difference = std::abs(timeOf(hit) - timeOf(exact));
+    const double distance = difference * length(ray.direction);
+    figures_.maxDt = std::max(figures_.maxDt, distance);
+    figures_.maxUlpDt = std::max(figures_.maxUlpDt, difference / unitInLastPlace(exact));
+    sumOfSquares_ += distance * distance;
+    ++sameVoxel_;
+    if (exact.rgba != hit.rgba) {
+      ++figures_.colour;
+      addExample();
+    }
+  }
+
+  void addExample() {
+    if (figures_.examples.size() < kMaxExamples)
+      figures_.examples.push_back(figures_.rays);
+  }
+
+  const Oracle &oracle_;
+  ErrorFigures figures_;
+  double sumOfSquares_ = 0;
+  std::uint64_t sameVoxel_ = 0;
+};
+
+} // namespace
+
+ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits) {
+  Comparison comparison(oracle);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    comparison.add(rays[i], hits[i]);
+  return std::move(comparison).figures();
+}
+
+} // namespace voxc

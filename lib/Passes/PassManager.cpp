@@ -1,0 +1,46 @@
+// Running passes by name, each followed by the verifier.
+#include "voxc/Passes/Pass.h"
+
+#include <chrono>
+
+namespace voxc {
+namespace {
+
+Error unknownPass(const std::string &name) {
+  std::string known;
+  for (const Pass &pass : passes())
+    known += (known.empty() ? "" : ", ") + std::string(pass.name);
+  return Error::usage("'" + name + "' is no pass; the passes are " + known);
+}
+
+Expected<void> verifyAfter(const Pass &pass, const Format &format) {
+  Diagnostics diagnostics;
+  verify(format, diagnostics);
+  if (!diagnostics.hasErrors())
+    return {};
+  return Error::input("pass " + std::string(pass.name) + " left a wrong format: " + diagnostics.all().front().message);
+}
+
+} // namespace
+
+Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options) {
+  for (const std::string &name : names) {
+    const Pass *pass = findPass(name);
+    if (!pass)
+      return unknownPass(name);
+    Diagnostics diagnostics;
+    const auto start = std::chrono::steady_clock::now();
+    const PassResult result = pass->run(format, diagnostics);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (diagnostics.hasErrors())
+      return toError(diagnostics, toString(format), name);
+    if (options.afterEach)
+      options.afterEach(*pass, format, result, seconds.count());
+    if (options.verifyEach)
+      if (auto verified = verifyAfter(*pass, format); !verified)
+        return verified.error();
+  }
+  return {};
+}
+
+} // namespace voxc

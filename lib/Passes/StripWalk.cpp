@@ -1,0 +1,16 @@
+// strip-walk: removes what concerns the kernel alone, which leaves the format as volumes store it.
+//
+// Contract: removes every attribute whose effect is Walk. Idempotent.
+#include "voxc/Passes/Pass.h"
+
+namespace voxc {
+
+PassResult stripWalk(Format &format, Diagnostics &) {
+  Format stripped = storageFormat(format);
+  if (stripped == format)
+    return PassResult::Unchanged;
+  format = std::move(stripped);
+  return PassResult::Changed;
+}
+
+} // namespace voxc

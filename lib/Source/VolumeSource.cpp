@@ -1,0 +1,48 @@
+// A finished volume as a source, to convert it to another format.
+#include "voxc/Source/Sources.h"
+
+#include "Source/CubeTools.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+class VolumeSource final : public VoxelSource {
+public:
+  explicit VolumeSource(std::shared_ptr<const Volume> volume) : volume_(std::move(volume)) {}
+
+  Int3 extent() const override { return volume_->info().extent; }
+  Transform voxelToModel() const override { return volume_->info().voxelToModel; }
+
+  bool empty(const Cube &cube) override {
+    if (isOutside(cube, extent()))
+      return true;
+    const Lookup found = volume_->lookup(cube.low);
+    return found.value == 0 && found.log2Side >= cube.log2Side;
+  }
+
+  void read(const Cube &cube, std::uint32_t *words) override {
+    const std::uint64_t count = cellCount(cube.log2Side);
+    for (std::uint64_t index = 0; index < count;) {
+      const Lookup found = volume_->lookup(cube.low + mortonCell(index));
+      // Morton order enters an aligned cube at its low corner, and leaves it when it is done.
+      const std::uint64_t same = cellCount(std::min(found.log2Side, cube.log2Side));
+      std::fill_n(words + index, std::min(same, count - index), found.value);
+      index += same;
+    }
+  }
+
+private:
+  std::shared_ptr<const Volume> volume_;
+};
+
+} // namespace
+
+std::unique_ptr<VoxelSource> makeVolumeSource(std::shared_ptr<const Volume> volume) {
+  return std::make_unique<VolumeSource>(std::move(volume));
+}
+
+} // namespace voxc

@@ -1,0 +1,84 @@
+// Collecting diagnostics and rendering them with the line and carets.
+#include "voxc/Support/Diagnostic.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+std::string_view label(Severity severity) {
+  switch (severity) {
+  case Severity::Error:
+    return "error";
+  case Severity::Warning:
+    return "warning";
+  case Severity::Note:
+    return "note";
+  }
+  return "";
+}
+
+/// The line of `text` that an offset lies in.
+struct Line {
+  std::size_t number = 1;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+Line lineAt(std::string_view text, std::size_t offset) {
+  Line line;
+  line.number += static_cast<std::size_t>(std::count(text.begin(), text.begin() + offset, '\n'));
+  const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
+  line.begin = before == std::string_view::npos ? 0 : before + 1;
+  line.end = std::min(text.find('\n', offset), text.size());
+  return line;
+}
+
+/// Blanks below the text before the range, then a caret below each of its characters.
+std::string carets(std::string_view text, const Line &line, SourceRange range) {
+  std::string result;
+  for (std::size_t i = line.begin; i < range.begin; ++i)
+    result += text[i] == '\t' ? '\t' : ' ';
+  const std::size_t end = std::min(range.end, line.end);
+  result.append(std::max<std::size_t>(end > range.begin ? end - range.begin : 0, 1), '^');
+  return result;
+}
+
+} // namespace
+
+void Diagnostics::error(SourceRange range, std::string message) {
+  all_.push_back({Severity::Error, range, std::move(message)});
+}
+
+void Diagnostics::note(SourceRange range, std::string message) {
+  all_.push_back({Severity::Note, range, std::move(message)});
+}
+
+bool Diagnostics::hasErrors() const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [](const Diagnostic &diagnostic) { return diagnostic.severity == Severity::Error; });
+}
+
+std::string render(const Diagnostics &diagnostics, std::string_view text, std::string_view name) {
+  std::string result;
+  for (const Diagnostic &diagnostic : diagnostics.all()) {
+    SourceRange range = diagnostic.range;
+    range.begin = std::min(range.begin, text.size());
+    const Line line = lineAt(text, range.begin);
+    result += std::string(name) + ':' + std::to_string(line.number) + ':' +
+              std::to_string(range.begin - line.begin + 1) + ": " + std::string(label(diagnostic.severity)) +
+              ": " + diagnostic.message + "\n  " +
+              std::string(text.substr(line.begin, line.end - line.begin)) + "\n  " + carets(text, line, range) +
+              '\n';
+  }
+  return result;
+}
+
+Error toError(const Diagnostics &diagnostics, std::string_view text, std::string_view name) {
+  std::string message = render(diagnostics, text, name);
+  if (!message.empty())
+    message.pop_back();
+  return Error::input(std::move(message));
+}
+
+} // namespace voxc

@@ -1,0 +1,124 @@
+// Mapping of input files, and output files that replace their target only when complete.
+#include "voxc/Support/File.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace voxc {
+namespace {
+
+std::string reason() { return std::strerror(errno); }
+
+/// Closes a descriptor on every way out.
+struct Descriptor {
+  int value;
+  ~Descriptor() {
+    if (value >= 0)
+      ::close(value);
+  }
+};
+
+bool isDirectory(const std::string &path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+} // namespace
+
+Expected<MappedFile> MappedFile::open(const std::string &path) {
+  Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  struct stat status {};
+  if (file.value < 0 || ::fstat(file.value, &status) != 0)
+    return Error::input("cannot read '" + path + "': " + reason());
+  if (!S_ISREG(status.st_mode))
+    return Error::input("'" + path + "' is not a regular file");
+  MappedFile mapped;
+  mapped.size_ = static_cast<std::size_t>(status.st_size);
+  if (mapped.size_ == 0)
+    return mapped;
+  void *address = ::mmap(nullptr, mapped.size_, PROT_READ, MAP_PRIVATE, file.value, 0);
+  if (address == MAP_FAILED)
+    return Error::environment("cannot map '" + path + "': " + reason());
+  mapped.data_ = static_cast<const std::byte *>(address);
+  return mapped;
+}
+
+MappedFile::~MappedFile() {
+  if (data_)
+    ::munmap(const_cast<std::byte *>(data_), size_);
+}
+
+MappedFile::MappedFile(MappedFile &&other) noexcept
+    : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+
+MappedFile &MappedFile::operator=(MappedFile &&other) noexcept {
+  std::swap(data_, other.data_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
+Expected<OutputFile> OutputFile::create(const std::string &path) {
+  if (isDirectory(path))
+    return Error::input("'" + path + "' is a directory; name a file to write");
+  OutputFile output;
+  output.path_ = path;
+  output.temporary_ = path + ".XXXXXX";
+  const int descriptor = ::mkstemp(output.temporary_.data());
+  if (descriptor < 0) {
+    output.temporary_.clear();
+    return Error::environment("cannot write '" + path + "': " + reason());
+  }
+  // mkstemp makes the file private; the final file shall have the permissions of an ordinary one.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666 & ~mask);
+  output.file_ = ::fdopen(descriptor, "wb");
+  return output;
+}
+
+OutputFile::OutputFile(OutputFile &&other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})),
+      file_(std::exchange(other.file_, nullptr)) {}
+
+OutputFile::~OutputFile() {
+  if (file_)
+    std::fclose(file_);
+  if (!temporary_.empty())
+    ::unlink(temporary_.c_str());
+}
+
+Expected<void> OutputFile::write(const void *data, std::size_t size) {
+  if (std::fwrite(data, 1, size, file_) != size)
+    return Error::environment("cannot write '" + path_ + "': " + reason());
+  return {};
+}
+
+Expected<void> OutputFile::commit() {
+  const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+  if (!closed || std::rename(temporary_.c_str(), path_.c_str()) != 0)
+    return Error::environment("cannot write '" + path_ + "': " + reason());
+  temporary_.clear();
+  return {};
+}
+
+Expected<std::string> readTextFile(const std::string &path) {
+  auto file = MappedFile::open(path);
+  if (!file)
+    return file.error();
+  return std::string(reinterpret_cast<const char *>(file->bytes().data()), file->bytes().size());
+}
+
+Expected<void> writeFile(const std::string &path, std::string_view bytes) {
+  auto output = OutputFile::create(path);
+  if (!output)
+    return output.error();
+  if (auto written = output->write(bytes.data(), bytes.size()); !written)
+    return written.error();
+  return output->commit();
+}
+
+} // namespace voxc

@@ -1,0 +1,68 @@
+// What kernels may ask of a device beyond plain Vulkan 1.2.
+#include "Capabilities.h"
+
+#include "Spirv.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+/// A capability of SPIR-V that follows from a core feature of Vulkan.
+struct CoreFeature {
+  std::uint32_t capability;
+  std::string_view name;
+  VkBool32 VkPhysicalDeviceFeatures::*feature;
+};
+
+constexpr CoreFeature kCoreFeatures[] = {
+    {10, "64-bit floats", &VkPhysicalDeviceFeatures::shaderFloat64},
+    {11, "64-bit integers", &VkPhysicalDeviceFeatures::shaderInt64},
+    {22, "16-bit integers", &VkPhysicalDeviceFeatures::shaderInt16},
+};
+
+constexpr std::uint32_t kShader = 1;
+constexpr std::uint32_t kPhysicalStorageBufferAddresses = 5347;
+
+Error missing(const PhysicalDevice &device, std::string_view what) {
+  return Error::environment("this kernel needs " + std::string(what) + ", which " + device.info.name +
+                            " lacks");
+}
+
+Expected<void> checkCapability(const PhysicalDevice &device, std::uint32_t capability) {
+  if (capability == kShader)
+    return {};
+  if (capability == kPhysicalStorageBufferAddresses && device.info.deviceAddresses)
+    return {};
+  if (capability == kPhysicalStorageBufferAddresses)
+    return missing(device, "device addresses and 64-bit integers");
+  const auto *row = std::ranges::find(kCoreFeatures, capability, &CoreFeature::capability);
+  if (row == std::end(kCoreFeatures))
+    return Error::environment("this kernel needs SPIR-V's capability " + std::to_string(capability) +
+                              ", which voxc enables on no device");
+  if (!(device.features.*row->feature))
+    return missing(device, row->name);
+  return {};
+}
+
+} // namespace
+
+VkPhysicalDeviceFeatures kernelFeatures(const VkPhysicalDeviceFeatures &available) {
+  VkPhysicalDeviceFeatures features{};
+  for (const CoreFeature &row : kCoreFeatures)
+    features.*row.feature = available.*row.feature;
+  return features;
+}
+
+Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const std::uint32_t> spirv) {
+  Expected<void> outcome;
+  auto check = [&](const spirv::Instruction &instruction) {
+    if (outcome && instruction.opcode == spirv::kOpCapability && !instruction.operands.empty())
+      outcome = checkCapability(device, instruction.operands[0]);
+  };
+  if (auto visited = spirv::forEachInstruction(spirv, check); !visited)
+    return visited;
+  return outcome;
+}
+
+} // namespace voxc

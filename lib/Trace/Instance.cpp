@@ -1,0 +1,20 @@
+// The connection to Vulkan.
+#include "Instance.h"
+
+namespace voxc {
+
+std::optional<Instance> Instance::create() {
+  if (!loadVulkan())
+    return std::nullopt;
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.pApplicationName = "voxc";
+  application.apiVersion = VK_API_VERSION_1_2;
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pApplicationInfo = &application;
+  VkInstance instance = VK_NULL_HANDLE;
+  if (vkCreateInstance(&info, nullptr, &instance) != VK_SUCCESS)
+    return std::nullopt;
+  return Instance(instance);
+}
+
+} // namespace voxc

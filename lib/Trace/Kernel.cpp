@@ -1,0 +1,137 @@
+// Kernels: the facts that voxc leaves in a module, written and read.
+#include "voxc/Trace/Kernel.h"
+
+#include "Spirv.h"
+
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+namespace voxc {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "modules and volumes are mapped as they are");
+
+constexpr std::string_view kFactsPrefix = "voxc kernel ";
+constexpr std::string_view kFactsVersion = "1";
+
+struct AddressingName {
+  Addressing addressing;
+  std::string_view name;
+};
+
+constexpr AddressingName kAddressingNames[] = {
+    {Addressing::Buffer, "buffer"},
+    {Addressing::Segments, "segments"},
+};
+
+std::optional<Addressing> parseAddressing(std::string_view text) {
+  for (const AddressingName &row : kAddressingNames)
+    if (row.name == text)
+      return row.addressing;
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> parseDigest(std::string_view text) {
+  std::uint64_t digest = 0;
+  auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), digest, 16);
+  if (text.size() != 16 || problem != std::errc{} || end != text.data() + text.size())
+    return std::nullopt;
+  return digest;
+}
+
+/// Takes the text up to the next blank off the front of `text`.
+std::string_view takeWord(std::string_view &text) {
+  std::size_t blank = text.find(' ');
+  std::string_view word = text.substr(0, blank);
+  text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
+  return word;
+}
+
+/// Takes the next word off `text` and returns what follows `key` in it; nothing if it does not start so.
+std::optional<std::string_view> takeValue(std::string_view &text, std::string_view key) {
+  std::string_view word = takeWord(text);
+  if (!word.starts_with(key))
+    return std::nullopt;
+  return word.substr(key.size());
+}
+
+Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
+  std::string_view rest = facts.substr(kFactsPrefix.size());
+  std::string_view version = takeWord(rest);
+  if (version != kFactsVersion)
+    return Error::input("this kernel has version " + std::string(version.substr(0, 16)) +
+                        ", but this voxc reads version " + std::string(kFactsVersion) + ": compile it again");
+  std::optional<std::uint64_t> digest;
+  std::optional<Addressing> addressing;
+  if (auto value = takeValue(rest, "storage="))
+    digest = parseDigest(*value);
+  if (auto value = takeValue(rest, "addressing="))
+    addressing = parseAddressing(*value);
+  if (!digest || !addressing || !rest.empty())
+    return Error::input("this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
+                        "addressing=<buffer|segments>\"");
+  kernel.storageDigest = *digest;
+  kernel.addressing = *addressing;
+  return {};
+}
+
+} // namespace
+
+std::string_view toString(Addressing addressing) {
+  auto row = std::ranges::find(kAddressingNames, addressing, &AddressingName::addressing);
+  return row->name;
+}
+
+std::string kernelFacts(std::uint64_t storageDigest, Addressing addressing) {
+  std::array<char, 17> digits;
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(storageDigest));
+  std::string facts(kFactsPrefix);
+  facts.append(kFactsVersion).append(" storage=").append(digits.data());
+  return facts.append(" addressing=").append(toString(addressing));
+}
+
+Expected<Kernel> Kernel::fromSpirv(std::vector<std::uint32_t> spirv) {
+  std::optional<std::string> facts;
+  auto findFacts = [&](const spirv::Instruction &instruction) {
+    if (facts || instruction.opcode != spirv::kOpModuleProcessed)
+      return;
+    auto text = spirv::literalString(instruction.operands);
+    if (text && text->starts_with(kFactsPrefix))
+      facts = std::move(text);
+  };
+  if (auto visited = spirv::forEachInstruction(spirv, findFacts); !visited)
+    return visited.error();
+  if (!facts)
+    return Error::input("this SPIR-V module was not made by voxc: it does not say which volumes it fits");
+  Kernel kernel;
+  if (auto parsed = parseFacts(*facts, kernel); !parsed)
+    return parsed.error();
+  kernel.spirv = std::move(spirv);
+  return kernel;
+}
+
+Expected<Kernel> Kernel::load(const std::string &path) {
+  auto file = MappedFile::open(path);
+  if (!file)
+    return file.error();
+  std::span<const std::byte> bytes = file->bytes();
+  if (bytes.size() % sizeof(std::uint32_t) != 0)
+    return Error::input(path + " is not SPIR-V: its " + std::to_string(bytes.size()) +
+                        " bytes are no multiple of 4");
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  if (!words.empty())
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+  auto kernel = fromSpirv(std::move(words));
+  if (!kernel)
+    return Error::input(path + ": " + kernel.error().message);
+  return kernel;
+}
+
+} // namespace voxc

@@ -1,0 +1,122 @@
+// What Vulkan says of each device before one is opened.
+#include "PhysicalDevice.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace voxc {
+namespace {
+
+struct DeviceKind {
+  VkPhysicalDeviceType type;
+  std::string_view name;
+};
+
+/// From the best kind to the worst.
+constexpr DeviceKind kDeviceKinds[] = {
+    {VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, "discrete gpu"},
+    {VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU, "integrated gpu"},
+    {VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU, "virtual gpu"},
+    {VK_PHYSICAL_DEVICE_TYPE_CPU, "cpu"},
+    {VK_PHYSICAL_DEVICE_TYPE_OTHER, "other"},
+};
+
+std::string versionText(std::uint32_t version) {
+  return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) +
+         "." + std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+bool findQueueFamily(PhysicalDevice &device) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device.handle, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device.handle, &count, families.data());
+  for (std::uint32_t family = 0; family < count; ++family) {
+    if (!(families[family].queueFlags & VK_QUEUE_COMPUTE_BIT))
+      continue;
+    device.queueFamily = family;
+    device.timestampBits = families[family].timestampValidBits;
+    return true;
+  }
+  return false;
+}
+
+void describeKind(PhysicalDevice &device, VkPhysicalDeviceType type) {
+  const auto *row = std::ranges::find(kDeviceKinds, type, &DeviceKind::type);
+  device.rank = static_cast<int>(row - kDeviceKinds);
+  device.info.kind = row == std::end(kDeviceKinds) ? "other" : row->name;
+}
+
+void describeMemory(PhysicalDevice &device) {
+  vkGetPhysicalDeviceMemoryProperties(device.handle, &device.memory);
+  for (std::uint32_t heap = 0; heap < device.memory.memoryHeapCount; ++heap)
+    device.info.memoryBytes =
+        std::max<std::uint64_t>(device.info.memoryBytes, device.memory.memoryHeaps[heap].size);
+}
+
+/// What only a device of Vulkan 1.2 answers.
+void describeVersion12(PhysicalDevice &device) {
+  VkPhysicalDeviceMaintenance3Properties maintenance{
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  driver.pNext = &maintenance;
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+  properties.pNext = &driver;
+  vkGetPhysicalDeviceProperties2(device.handle, &properties);
+  device.info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
+  device.info.maxAllocationBytes = maintenance.maxMemoryAllocationSize;
+
+  VkPhysicalDeviceBufferDeviceAddressFeatures addresses{
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES};
+  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  features.pNext = &addresses;
+  vkGetPhysicalDeviceFeatures2(device.handle, &features);
+  device.features = features.features;
+  device.info.deviceAddresses = addresses.bufferDeviceAddress && features.features.shaderInt64;
+}
+
+PhysicalDevice describe(VkPhysicalDevice handle) {
+  PhysicalDevice device{.handle = handle};
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(handle, &properties);
+  device.limits = properties.limits;
+  device.info.name = properties.deviceName;
+  device.info.apiVersion = versionText(properties.apiVersion);
+  device.info.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
+  describeKind(device, properties.deviceType);
+  describeMemory(device);
+  bool computes = findQueueFamily(device);
+  if (properties.apiVersion >= VK_API_VERSION_1_2) {
+    describeVersion12(device);
+    device.info.usable = computes;
+  }
+  return device;
+}
+
+} // namespace
+
+std::vector<PhysicalDevice> physicalDevices(const Instance &instance) {
+  std::uint32_t count = 0;
+  if (vkEnumeratePhysicalDevices(instance.get(), &count, nullptr) != VK_SUCCESS)
+    return {};
+  std::vector<VkPhysicalDevice> handles(count);
+  // VK_INCOMPLETE can only mean that a device was plugged in meanwhile.
+  if (vkEnumeratePhysicalDevices(instance.get(), &count, handles.data()) < VK_SUCCESS)
+    return {};
+  handles.resize(count);
+  std::vector<PhysicalDevice> devices;
+  std::ranges::transform(handles, std::back_inserter(devices), describe);
+  return devices;
+}
+
+std::vector<DeviceInfo> listDevices() {
+  auto instance = Instance::create();
+  if (!instance)
+    return {};
+  std::vector<DeviceInfo> infos;
+  for (PhysicalDevice &device : physicalDevices(*instance))
+    infos.push_back(std::move(device.info));
+  return infos;
+}
+
+} // namespace voxc

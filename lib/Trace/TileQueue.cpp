@@ -1,0 +1,105 @@
+// Runs a kernel over the rays on the device in tiles.
+#include "TileQueue.h"
+
+#include "Clock.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint64_t kMaxTileRays = std::uint64_t{1} << 20;
+
+} // namespace
+
+TileQueue::TileQueue(Device::State &device, std::array<Slot, 2> slots)
+    : device_(&device), slots_(std::move(slots)) {
+  std::uint64_t groups = device.physical.limits.maxComputeWorkGroupCount[0];
+  tileRays_ = static_cast<std::uint32_t>(std::min(kMaxTileRays, groups * kWorkgroupSize));
+}
+
+Expected<TileQueue> TileQueue::create(Device::State &device) {
+  auto first = createSlot(device);
+  if (!first)
+    return first.error();
+  auto second = createSlot(device);
+  if (!second)
+    return second.error();
+  return TileQueue(device, {std::move(*first), std::move(*second)});
+}
+
+Expected<TileQueue::Slot> TileQueue::createSlot(Device::State &device) {
+  auto commands = Commands::create(device);
+  if (!commands)
+    return commands.error();
+  auto timestamps = Timestamps::create(device);
+  if (!timestamps)
+    return timestamps.error();
+  return Slot{std::move(*commands), std::move(*timestamps)};
+}
+
+Expected<TraceTime> TileQueue::run(const TilePass &pass) {
+  double wall = wallSeconds();
+  double cpu = processCpuSeconds();
+  auto span = runTiles(pass);
+  if (!span)
+    return span.error();
+  TraceTime time{.wall = wallSeconds() - wall, .cpu = processCpuSeconds() - cpu};
+  time.device = Timestamps::seconds(*device_, span->begin.value_or(span->end), span->end);
+  return time;
+}
+
+Expected<TileQueue::Span> TileQueue::runTiles(const TilePass &pass) {
+  Span span;
+  Expected<void> outcome;
+  std::size_t turn = 0;
+  for (std::uint32_t first = 0; outcome && first < pass.rays; first += tileRays_) {
+    Slot &slot = slots_[turn++ % 2];
+    outcome = finish(slot, pass, span);
+    if (outcome)
+      outcome = start(slot, pass, first, std::min(tileRays_, pass.rays - first));
+  }
+  // Whatever happened, nothing may be in flight on return: the caller frees or reuses what it works on.
+  for (std::size_t rest = 0; rest < slots_.size(); ++rest) {
+    auto finished = finish(slots_[turn++ % 2], pass, span);
+    if (outcome)
+      outcome = std::move(finished);
+  }
+  if (!outcome)
+    return outcome.error();
+  return span;
+}
+
+Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t first, std::uint32_t count) {
+  auto commands = slot.commands.begin();
+  if (!commands)
+    return commands.error();
+  slot.timestamps.recordBegin(*commands);
+  pass.pipeline->recordDispatch(*commands, pass.countSteps, first, count);
+  slot.timestamps.recordEnd(*commands);
+  if (first + count == pass.rays)
+    recordBarrier(*commands);
+  if (auto submitted = slot.commands.submit(); !submitted)
+    return submitted;
+  slot.raysInFlight = count;
+  return {};
+}
+
+Expected<void> TileQueue::finish(Slot &slot, const TilePass &pass, Span &span) {
+  std::uint32_t rays = std::exchange(slot.raysInFlight, 0);
+  if (rays == 0)
+    return {};
+  if (auto waited = slot.commands.wait(); !waited)
+    return waited;
+  auto ticks = slot.timestamps.read();
+  if (!ticks)
+    return ticks.error();
+  span.begin = span.begin.value_or(ticks->begin);
+  span.end = ticks->end;
+  if (!pass.tileDone(rays))
+    return Error::interrupted();
+  return {};
+}
+
+} // namespace voxc

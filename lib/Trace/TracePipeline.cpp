@@ -1,0 +1,132 @@
+// A kernel as Vulkan pipelines.
+#include "TracePipeline.h"
+
+#include <array>
+
+namespace voxc {
+namespace {
+
+/// The kernel's bindings: rays, hits, and words or their table.
+constexpr std::uint32_t kBindings = 3;
+
+struct PushConstants {
+  std::uint32_t firstRay;
+  std::uint32_t rayCount;
+};
+
+constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(PushConstants)};
+
+Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
+  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  info.codeSize = spirv.size_bytes();
+  info.pCode = spirv.data();
+  return createObject<ShaderModuleHandle>(device.device, vkCreateShaderModule, info, "take the kernel");
+}
+
+} // namespace
+
+Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel) {
+  TracePipeline pipeline(device);
+  auto module = createModule(device, kernel.spirv);
+  if (!module)
+    return module.error();
+  pipeline.module_ = std::move(*module);
+  if (auto created = pipeline.createLayouts(); !created)
+    return created.error();
+  if (auto created = pipeline.createSet(); !created)
+    return created.error();
+  return pipeline;
+}
+
+Expected<void> TracePipeline::createLayouts() {
+  std::array<VkDescriptorSetLayoutBinding, kBindings> bindings{};
+  for (std::uint32_t index = 0; index < kBindings; ++index)
+    bindings[index] = {index, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+  VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  setInfo.bindingCount = kBindings;
+  setInfo.pBindings = bindings.data();
+  auto setLayout = createObject<SetLayoutHandle>(device_->device, vkCreateDescriptorSetLayout, setInfo,
+                                                 "create a descriptor layout");
+  if (!setLayout)
+    return setLayout.error();
+  setLayout_ = std::move(*setLayout);
+  VkDescriptorSetLayout set = setLayout_.get();
+  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &set;
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &kPushRange;
+  auto layout = createObject<PipelineLayoutHandle>(device_->device, vkCreatePipelineLayout, info,
+                                                   "create a pipeline layout");
+  if (!layout)
+    return layout.error();
+  layout_ = std::move(*layout);
+  return {};
+}
+
+Expected<void> TracePipeline::createSet() {
+  VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBindings};
+  VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  poolInfo.maxSets = 1;
+  poolInfo.poolSizeCount = 1;
+  poolInfo.pPoolSizes = &size;
+  auto pool = createObject<DescriptorPoolHandle>(device_->device, vkCreateDescriptorPool, poolInfo,
+                                                 "create a descriptor pool");
+  if (!pool)
+    return pool.error();
+  pool_ = std::move(*pool);
+  VkDescriptorSetLayout layout = setLayout_.get();
+  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  info.descriptorPool = pool_.get();
+  info.descriptorSetCount = 1;
+  info.pSetLayouts = &layout;
+  if (VkResult result = vkAllocateDescriptorSets(device_->device, &info, &set_); result != VK_SUCCESS)
+    return vulkanError("allocate a descriptor set", result);
+  return {};
+}
+
+void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words) {
+  const Buffer *buffers[kBindings] = {&rays, &hits, &words};
+  std::array<VkDescriptorBufferInfo, kBindings> infos{};
+  std::array<VkWriteDescriptorSet, kBindings> writes{};
+  for (std::uint32_t index = 0; index < kBindings; ++index) {
+    infos[index] = {buffers[index]->get(), 0, buffers[index]->bytes()};
+    writes[index].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    writes[index].dstSet = set_;
+    writes[index].dstBinding = index;
+    writes[index].descriptorCount = 1;
+    writes[index].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    writes[index].pBufferInfo = &infos[index];
+  }
+  vkUpdateDescriptorSets(device_->device, kBindings, writes.data(), 0, nullptr);
+}
+
+Expected<void> TracePipeline::prepare(bool countSteps) {
+  VkBool32 count = countSteps;
+  VkSpecializationMapEntry entry{0, 0, sizeof count};
+  VkSpecializationInfo specialization{1, &entry, sizeof count, &count};
+  VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.module = module_.get();
+  info.stage.pName = "main";
+  info.stage.pSpecializationInfo = &specialization;
+  info.layout = layout_.get();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  VkResult result = vkCreateComputePipelines(device_->device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  if (result != VK_SUCCESS)
+    return vulkanError("compile the kernel", result);
+  variants_[countSteps] = PipelineHandle(device_->device, pipeline);
+  return {};
+}
+
+void TracePipeline::recordDispatch(VkCommandBuffer commands, bool countSteps, std::uint32_t firstRay,
+                                   std::uint32_t rayCount) const {
+  PushConstants constants{firstRay, rayCount};
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[countSteps].get());
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
+  vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof constants, &constants);
+  vkCmdDispatch(commands, (rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
+}
+
+} // namespace voxc

@@ -1,0 +1,42 @@
+// A kernel as Vulkan pipelines, with the buffers bound that it reads and writes.
+#pragma once
+
+#include "Buffer.h"
+
+#include "voxc/Trace/Kernel.h"
+
+#include <cstdint>
+#include <span>
+
+namespace voxc {
+
+class TracePipeline {
+public:
+  static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel);
+
+  /// Binds the buffers of the kernel's interface; nothing that uses the old ones may be running.
+  void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words);
+
+  /// Whether the variant that counts lookups, or the one that does not, is made already.
+  bool isPrepared(bool countSteps) const { return static_cast<bool>(variants_[countSteps]); }
+  /// Makes a variant, which may compile for long.
+  Expected<void> prepare(bool countSteps);
+  /// Records the tracing of the bound rays [firstRay, firstRay + rayCount) by a prepared variant.
+  void recordDispatch(VkCommandBuffer commands, bool countSteps, std::uint32_t firstRay,
+                      std::uint32_t rayCount) const;
+
+private:
+  explicit TracePipeline(Device::State &device) : device_(&device) {}
+  Expected<void> createLayouts();
+  Expected<void> createSet();
+
+  Device::State *device_;
+  ShaderModuleHandle module_;
+  SetLayoutHandle setLayout_;
+  PipelineLayoutHandle layout_;
+  DescriptorPoolHandle pool_;
+  VkDescriptorSet set_ = VK_NULL_HANDLE; ///< Belongs to the pool.
+  PipelineHandle variants_[2];           ///< Without and with counting.
+};
+
+} // namespace voxc

@@ -1,0 +1,33 @@
+// Copies between the host and device buffers: straight where the host sees them, through a staging buffer
+// else.
+#pragma once
+
+#include "Buffer.h"
+#include "Commands.h"
+
+#include <optional>
+#include <span>
+
+namespace voxc {
+
+class Transfer {
+public:
+  static Expected<Transfer> create(Device::State &device);
+
+  /// Copies `bytes` to the start of `buffer`, which must hold them. Returns when they are there.
+  Expected<void> upload(std::span<const std::byte> bytes, Buffer &buffer);
+  /// Copies the start of `buffer` into `bytes`.
+  Expected<void> download(const Buffer &buffer, std::span<std::byte> bytes);
+
+private:
+  Transfer(Device::State &device, Commands commands) : device_(&device), commands_(std::move(commands)) {}
+  Expected<Buffer *> staging(std::optional<Buffer> &buffer, Placement placement);
+  Expected<void> copy(const Buffer &from, const Buffer &to, const VkBufferCopy &region);
+
+  Device::State *device_;
+  Commands commands_;
+  std::optional<Buffer> uploadStaging_;   ///< Made when first needed.
+  std::optional<Buffer> downloadStaging_; ///< Made when first needed.
+};
+
+} // namespace voxc

@@ -1,0 +1,152 @@
+// A tracer on a Vulkan device.
+#include "VulkanTracer.h"
+
+#include "Capabilities.h"
+#include "Clock.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint64_t kMaxBatchRays = std::uint64_t{4} << 20;
+
+/// The rays whose buffers every limit of the device allows.
+std::uint64_t batchRays(const DeviceInfo &device) {
+  std::uint64_t bytes = std::min(device.maxStorageBufferBytes, device.maxAllocationBytes);
+  return std::min(kMaxBatchRays, bytes / sizeof(Ray));
+}
+
+Expected<void> checkFit(const Kernel &kernel, const Volume &volume) {
+  if (kernel.storageDigest == storageDigest(volume.format()))
+    return {};
+  return Error::input(
+      "this kernel was made for another format than the volume's: compile one with `voxc compile "
+      "'" +
+      toString(volume.format()) + "' --emit=spirv` and the passes that the volume was built with");
+}
+
+} // namespace
+
+/// What one call of `trace` carries along.
+struct VulkanTracer::Work {
+  const TraceOptions &options;
+  TraceReport report;
+  double totalRays = 0; ///< Over all repeats.
+  double doneRays = 0;
+
+  bool advance(std::uint32_t rays) {
+    doneRays += rays;
+    options.progress.at("trace", doneRays / totalRays);
+    return !options.progress.stopped();
+  }
+};
+
+VulkanTracer::VulkanTracer(Device::State &device, Transfer transfer, VolumeWords words,
+                           TracePipeline pipeline, TileQueue tiles)
+    : device_(&device), transfer_(std::move(transfer)), words_(std::move(words)),
+      pipeline_(std::move(pipeline)), tiles_(std::move(tiles)) {}
+
+Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, const Kernel &kernel,
+                                                       const Volume &volume) {
+  if (auto fits = checkFit(kernel, volume); !fits)
+    return fits.error();
+  if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
+    return capable.error();
+  auto transfer = Transfer::create(device);
+  if (!transfer)
+    return transfer.error();
+  auto words = VolumeWords::upload(device, *transfer, volume.words(), kernel.addressing);
+  if (!words)
+    return words.error();
+  auto pipeline = TracePipeline::create(device, kernel);
+  if (!pipeline)
+    return pipeline.error();
+  auto tiles = TileQueue::create(device);
+  if (!tiles)
+    return tiles.error();
+  return std::unique_ptr<Tracer>(new VulkanTracer(device, std::move(*transfer), std::move(*words),
+                                                  std::move(*pipeline), std::move(*tiles)));
+}
+
+Expected<TraceReport> VulkanTracer::trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                          const TraceOptions &options) {
+  if (rays.size() != hits.size())
+    return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
+                        std::to_string(hits.size()) + " hits");
+  Work work{options, {}};
+  work.report.repeats.resize(std::max(options.repeat, 1u));
+  work.totalRays = static_cast<double>(rays.size()) * static_cast<double>(work.report.repeats.size());
+  std::uint64_t batch = std::min<std::uint64_t>(batchRays(device_->info()), rays.size());
+  if (auto reserved = reserve(batch); !reserved)
+    return reserved.error();
+  for (std::uint64_t first = 0; first < rays.size(); first += batch) {
+    std::uint64_t count = std::min(batch, rays.size() - first);
+    if (auto traced = traceBatch(rays.subspan(first, count), hits.subspan(first, count), work); !traced)
+      return traced.error();
+  }
+  return work.report;
+}
+
+Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
+  if (rays * sizeof(Ray) <= (rays_ ? rays_->bytes() : 0))
+    return {};
+  auto raysBuffer = Buffer::create(*device_, {.what = "the rays", .bytes = rays * sizeof(Ray)});
+  if (!raysBuffer)
+    return raysBuffer.error();
+  auto hitsBuffer = Buffer::create(*device_, {.what = "the hits", .bytes = rays * sizeof(Hit)});
+  if (!hitsBuffer)
+    return hitsBuffer.error();
+  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, words_.binding());
+  rays_.emplace(std::move(*raysBuffer));
+  hits_.emplace(std::move(*hitsBuffer));
+  return {};
+}
+
+Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit> hits, Work &work) {
+  double uploadBegin = wallSeconds();
+  if (auto uploaded = transfer_.upload(std::as_bytes(rays), *rays_); !uploaded)
+    return uploaded;
+  work.report.transfer += wallSeconds() - uploadBegin;
+  auto count = static_cast<std::uint32_t>(rays.size());
+  if (auto warm = warmUp(count, work); !warm)
+    return warm;
+  TilePass pass{&pipeline_, work.options.countSteps, count,
+                [&work](std::uint32_t done) { return work.advance(done); }};
+  for (TraceTime &repeat : work.report.repeats) {
+    auto time = tiles_.run(pass);
+    if (!time)
+      return time.error();
+    repeat.wall += time->wall;
+    repeat.cpu += time->cpu;
+    repeat.device += time->device;
+  }
+  double downloadBegin = wallSeconds();
+  auto downloaded = transfer_.download(*hits_, std::as_writable_bytes(hits));
+  work.report.transfer += wallSeconds() - downloadBegin;
+  return downloaded;
+}
+
+Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
+  bool countSteps = work.options.countSteps;
+  if (pipeline_.isPrepared(countSteps))
+    return {};
+  // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
+  // both.
+  double begin = wallSeconds();
+  if (auto prepared = pipeline_.prepare(countSteps); !prepared)
+    return prepared;
+  auto time = tiles_.run({&pipeline_, countSteps, std::min(rays, kWorkgroupSize)});
+  if (!time)
+    return time.error();
+  work.report.firstDispatch = wallSeconds() - begin;
+  return {};
+}
+
+Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume) {
+  return VulkanTracer::create(device.state(), kernel, volume);
+}
+
+} // namespace voxc

@@ -1,0 +1,39 @@
+// A tracer on a Vulkan device.
+#pragma once
+
+#include "TileQueue.h"
+#include "Transfer.h"
+#include "VolumeWords.h"
+
+#include <optional>
+
+namespace voxc {
+
+/// Streams rays through the device in batches that its buffers hold.
+class VulkanTracer final : public Tracer {
+public:
+  static Expected<std::unique_ptr<Tracer>> create(Device::State &device, const Kernel &kernel,
+                                                  const Volume &volume);
+
+  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+                              const TraceOptions &options) override;
+
+private:
+  struct Work;
+
+  VulkanTracer(Device::State &device, Transfer transfer, VolumeWords words, TracePipeline pipeline,
+               TileQueue tiles);
+  Expected<void> reserve(std::uint64_t rays);
+  Expected<void> traceBatch(std::span<const Ray> rays, std::span<Hit> hits, Work &work);
+  Expected<void> warmUp(std::uint32_t rays, Work &work);
+
+  Device::State *device_;
+  Transfer transfer_;
+  VolumeWords words_;
+  std::optional<Buffer> rays_; ///< Of one batch; made when first needed.
+  std::optional<Buffer> hits_;
+  TracePipeline pipeline_;
+  TileQueue tiles_;
+};
+
+} // namespace voxc

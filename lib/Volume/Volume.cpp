@@ -1,0 +1,62 @@
+// Volumes: words in memory or in a mapped file, and what is known of them.
+#include "voxc/Volume/Volume.h"
+
+#include "VolumeFile.h"
+
+#include "voxc/Support/File.h"
+
+#include <optional>
+
+namespace voxc {
+
+struct Volume::State {
+  VolumeInfo info;
+  std::vector<std::uint32_t> owned;
+  std::optional<MappedFile> mapped;
+  std::span<const std::uint32_t> words; ///< Of `owned`, or inside `mapped`.
+};
+
+Volume::Volume(VolumeInfo info, std::vector<std::uint32_t> words) : state_(std::make_unique<State>()) {
+  state_->info = std::move(info);
+  state_->owned = std::move(words);
+  state_->words = state_->owned;
+}
+
+Volume::~Volume() = default;
+Volume::Volume(Volume &&) noexcept = default;
+Volume &Volume::operator=(Volume &&) noexcept = default;
+
+const VolumeInfo &Volume::info() const { return state_->info; }
+std::span<const std::uint32_t> Volume::words() const { return state_->words; }
+
+Expected<Volume> Volume::load(const std::string &path, bool trusted) {
+  auto file = MappedFile::open(path);
+  if (!file)
+    return file.error();
+  auto contents = parseVolumeFile(file->bytes(), path);
+  if (!contents)
+    return contents.error();
+  if (contents->words.empty())
+    return Error::input("'" + path + "' has no words; even an empty volume has one");
+  if (!trusted)
+    if (auto checked = checkStructure(contents->info.format, contents->words); !checked)
+      return Error::input("'" + path + "': " + checked.error().message);
+  Volume volume(std::move(contents->info), {});
+  volume.state_->mapped = std::move(*file);
+  volume.state_->words = contents->words;
+  return volume;
+}
+
+Expected<void> Volume::save(const std::string &path) const {
+  auto file = OutputFile::create(path);
+  if (!file)
+    return file.error();
+  const std::string header = volumeFileHeader(info(), words());
+  if (auto written = file->write(header.data(), header.size()); !written)
+    return written.error();
+  if (auto written = file->write(words().data(), words().size_bytes()); !written)
+    return written.error();
+  return file->commit();
+}
+
+} // namespace voxc

@@ -1,0 +1,11 @@
+layout(local_size_x = 64) in;
+
+// Count the lookups of each ray; off, it costs nothing.
+layout(constant_id = 0) const bool COUNT_LOOKUPS = false;
+
+// Six floats a ray: origin, direction.
+layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { float ray_floats[]; };
+// Six words a hit: voxel, rgba, t, lookups.
+layout(std430, set = 0, binding = 1) writeonly restrict buffer Hits { uint hit_words[]; };
+// The rays of this dispatch.
+layout(push_constant) uniform Tile { uint first_ray; uint ray_count; };

@@ -1,0 +1,43 @@
+# Tests of the tools: each file says in its RUN lines what is run and what must come out.
+import os
+import shutil
+
+import lit.formats
+
+config.name = "voxc"
+config.test_format = lit.formats.ShTest(execute_external=False)
+config.suffixes = [".test", ".vir"]
+config.test_source_root = os.path.dirname(__file__)
+config.test_exec_root = os.path.join(config.voxc_binary_dir, "test")
+config.excludes = ["Inputs"]
+
+bin_dir = os.path.join(config.voxc_binary_dir, "bin")
+shared_dir = os.environ.get("VOXC_SHARED", os.path.join(config.voxc_source_dir, "..", "shared"))
+config.environment["PATH"] = os.pathsep.join([config.llvm_tools_dir, config.environment["PATH"]])
+
+# Longer names first: lit replaces them in this order, and %voxc begins the others.
+for tool in ["voxc-opt", "voxc-trace", "voxc"]:
+    config.substitutions.append(("%" + tool + r"\b", os.path.join(bin_dir, tool)))
+config.substitutions += [
+    ("%shared", os.path.normpath(shared_dir)),
+    ("%source", config.voxc_source_dir),
+    ("%build", config.voxc_binary_dir),
+    ("%cmake", config.cmake),
+    ("%cxx", config.cxx),
+]
+
+if os.path.isdir(shared_dir):
+    config.available_features.add("shared")
+if config.sanitized:
+    config.available_features.add("sanitized")
+    config.environment["ASAN_OPTIONS"] = "detect_leaks=0"
+
+# Kernels run on lavapipe, whatever else this machine has, under the validation layer, whose messages go to stdout.
+lavapipe = "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"
+config.environment["MESA_SHADER_CACHE_DISABLE"] = "true"
+config.environment["VK_ICD_FILENAMES"] = lavapipe
+config.environment["VK_INSTANCE_LAYERS"] = "VK_LAYER_KHRONOS_validation"
+if os.path.exists(lavapipe):
+    config.available_features.add("vulkan")
+if shutil.which("readelf"):
+    config.available_features.add("readelf")

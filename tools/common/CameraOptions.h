@@ -1,0 +1,33 @@
+// The options that say where a picture is taken from.
+#pragma once
+
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Geometry.h"
+#include "voxc/Trace/Camera.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace voxc::tool {
+
+/// As they were written; empty or 0 is the default.
+struct CameraOptions {
+  /// "EX,EY,EZ:LX,LY,LZ" (eye and a point looked at, in voxels) or "FILE.json:NAME" (a camera of a camera
+  /// file, docs/cli.md); by default the camera frames the whole volume.
+  std::string camera;
+  std::string size; ///< "WIDTHxHEIGHT"; by default the camera file's, or 1280x720.
+  double fov = 0;   ///< Vertical field of view in degrees; by default the camera's, 90 in files, else 60.
+};
+
+/// Adds --camera, --size and --fov to a command.
+void addCameraOptions(CLI::App &command, CameraOptions &options);
+
+/// The camera for a volume of `extent` voxels. Errors: `Usage` for a malformed option, `Input` for a camera
+/// file that is missing or broken, naming the cameras there are.
+Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent);
+
+/// "WIDTHxHEIGHT" as two integers in [1, 32768].
+Expected<std::array<int, 2>> parseSize(const std::string &text);
+
+} // namespace voxc::tool

@@ -1,0 +1,14 @@
+// Pictures as PNG files.
+#pragma once
+
+#include "voxc/Support/Error.h"
+#include "voxc/Trace/Picture.h"
+
+#include <string>
+
+namespace voxc::tool {
+
+/// Writes `picture` to `path` ("-" is standard output), whole or not at all. Errors: `Environment`.
+Expected<void> writePng(const std::string &path, const Picture &picture);
+
+} // namespace voxc::tool

@@ -1,0 +1,41 @@
+// Figures of a run as JSON (docs/statistics.md lists the keys).
+#pragma once
+
+#include "Json.h"
+
+#include "voxc/Support/Error.h"
+#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/Tracer.h"
+#include "voxc/Volume/Volume.h"
+
+#include <chrono>
+#include <span>
+#include <string>
+
+namespace voxc::tool {
+
+/// Seconds since it was made.
+class Stopwatch {
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// Adds format, extent, words, bytes and voxels.
+void addVolumeFigures(Json &figures, const Volume &volume);
+
+/// Adds device, rays, hits, repeats, seconds, cpu_seconds, device_seconds and the speeds, first_dispatch_seconds,
+/// transfer_seconds and, if lookups were `counted`, steps_per_ray. The speeds are those of the fastest repeat.
+void addTraceFigures(Json &figures, const TraceReport &report, std::span<const Hit> hits,
+                     const std::string &device, bool counted);
+
+/// The largest memory of this process so far, in bytes.
+std::uint64_t peakResidentBytes();
+
+/// Adds peak_rss_bytes and writes the figures to `path`: "-" is standard output, "" writes nothing.
+Expected<void> writeStatistics(const std::string &path, Json figures);
+
+} // namespace voxc::tool

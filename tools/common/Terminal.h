@@ -1,0 +1,36 @@
+// What a person at a terminal sees while work goes on: a progress bar, and Ctrl-C that stops in good order.
+#pragma once
+
+#include "voxc/Support/Progress.h"
+
+#include <chrono>
+#include <string>
+
+namespace voxc::tool {
+
+/// A bar on standard error that is drawn over itself and removed at the end. It shows nothing if it is told to
+/// be quiet or standard error is no terminal.
+class ProgressBar {
+public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar &) = delete;
+  ProgressBar &operator=(const ProgressBar &) = delete;
+
+  /// For work that may report from any one thread at a time; its `stop` is the flag of `catchInterrupts`.
+  /// It must not outlive the bar.
+  Progress progress();
+  /// Removes the bar, so that other text can be printed.
+  void clear();
+
+private:
+  using Clock = std::chrono::steady_clock;
+  void draw(std::string_view stage, double fraction);
+
+  bool visible_;
+  bool drawn_ = false;
+  std::string stage_;
+  Clock::time_point lastDraw_{};
+};
+
+} // namespace voxc::tool

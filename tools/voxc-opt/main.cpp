@@ -1,0 +1,78 @@
+// voxc-opt: runs passes over IR text and prints the IR that comes out.
+#include "common/Command.h"
+#include "frontend/FormatArgument.h"
+#include "frontend/PassOptions.h"
+#include "voxc/Passes/Pass.h"
+
+#include <cstdio>
+#include <string>
+
+namespace {
+
+using namespace voxc;
+using namespace voxc::tool;
+
+struct Options {
+  std::string input = "-";
+  PassOptions passes;
+  bool printAfterAll = false;
+  bool timePasses = false;
+  bool verifyEach = true;
+  bool helpPasses = false;
+};
+
+void declare(CLI::App &app, Options &options) {
+  app.set_version_flag("--version", versionText());
+  app.add_option("INPUT", options.input, "File with IR or a format string; - for standard input")
+      ->capture_default_str();
+  app.add_flag("--print-after-all", options.printAfterAll, "Print the IR to standard error after each pass");
+  app.add_flag("--time-passes", options.timePasses, "Print each pass's time to standard error");
+  app.add_flag("--verify-each,!--no-verify-each", options.verifyEach,
+               "Verify the IR after each pass (the default)");
+  app.add_flag("--help-passes", options.helpPasses, "Describe the passes and exit");
+  options.passes.declare(app, PassChoice::All);
+}
+
+void describePasses() {
+  for (const Pass &pass : passes())
+    std::printf("--%s (%s)\n  %s\n\n%s\n\n", std::string(pass.name).c_str(),
+                pass.effect == AttributeEffect::Storage ? "storage" : "walk",
+                std::string(pass.summary).c_str(), std::string(pass.details).c_str());
+}
+
+void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
+              double seconds) {
+  const bool changed = result == PassResult::Changed;
+  if (options.printAfterAll)
+    std::fprintf(stderr, "-- after %s%s\n%s", std::string(pass.name).c_str(), changed ? "" : " (unchanged)",
+                 changed ? printIr(format).c_str() : "");
+  if (options.timePasses)
+    std::fprintf(stderr, "%10.6f s  %s\n", seconds, std::string(pass.name).c_str());
+}
+
+Expected<void> optimise(const Options &options) {
+  if (options.helpPasses) {
+    describePasses();
+    return {};
+  }
+  Expected<Format> format = readFormatFile(options.input);
+  if (!format)
+    return format.error();
+  PipelineOptions pipeline{.verifyEach = options.verifyEach, .afterEach = {}};
+  pipeline.afterEach = [&](const Pass &pass, const Format &changed, PassResult result, double seconds) {
+    tellPass(options, pass, changed, result, seconds);
+  };
+  if (Expected<void> passed = options.passes.apply(*format, pipeline); !passed)
+    return passed;
+  std::fputs(printIr(*format).c_str(), stdout);
+  return {};
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  CLI::App app{"Runs passes over the level IR of a format", "voxc-opt"};
+  Options options;
+  declare(app, options);
+  return runTool(app, argc, argv, [&] { return optimise(options); });
+}

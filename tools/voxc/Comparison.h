@@ -1,0 +1,26 @@
+// Comparing two voxel sources voxel by voxel.
+#pragma once
+
+#include "voxc/Source/VoxelSource.h"
+#include "voxc/Support/Progress.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace voxc::tool {
+
+/// How the voxels of a volume differ from those of its input.
+struct VoxelDifferences {
+  std::uint64_t equal = 0;   ///< Non-empty in both, with the same word.
+  std::uint64_t missing = 0; ///< In the input alone.
+  std::uint64_t surplus = 0; ///< In the volume alone.
+  std::uint64_t changed = 0; ///< Another word.
+  std::optional<Int3> first; ///< The first that differs, in Morton order.
+
+  bool none() const { return missing == 0 && surplus == 0 && changed == 0; }
+};
+
+/// Reads both sources to their ends. Errors: that of a source that fails, or `Interrupted`.
+Expected<VoxelDifferences> compareVoxels(VoxelSource &volume, VoxelSource &input, const Progress &progress);
+
+} // namespace voxc::tool

@@ -1,0 +1,62 @@
+// voxc devices: what this machine can trace on.
+#include "Figures.h"
+#include "Subcommand.h"
+
+#include "common/Statistics.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <cstdio>
+
+namespace voxc::tool {
+
+namespace {
+
+Json describe(const DeviceInfo &device) {
+  return {{"name", device.name},
+          {"kind", device.kind},
+          {"driver", device.driver},
+          {"vulkan", device.apiVersion},
+          {"memory_bytes", device.memoryBytes},
+          {"max_storage_buffer_bytes", device.maxStorageBufferBytes},
+          {"max_allocation_bytes", device.maxAllocationBytes},
+          {"usable", device.usable},
+          {"device_addresses", device.deviceAddresses}};
+}
+
+void print(const DeviceInfo &device) {
+  std::printf("%s (%s)\n", device.name.c_str(), device.kind.c_str());
+  std::printf("  driver %s, Vulkan %s\n", device.driver.c_str(), device.apiVersion.c_str());
+  std::printf("  %.1f GiB of memory; one storage buffer holds %.1f MiB; device addresses: %s\n",
+              double(device.memoryBytes) / (1 << 30), double(device.maxStorageBufferBytes) / (1 << 20),
+              device.deviceAddresses ? "yes" : "no");
+  if (!device.usable)
+    std::printf("  not usable: voxc needs Vulkan 1.2 and a compute queue\n");
+}
+
+class DevicesCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override { addCommonOptions(app, common_); }
+
+  Expected<void> run() override {
+    const std::vector<DeviceInfo> devices = listDevices();
+    if (devices.empty())
+      return Error::environment(
+          "no Vulkan device found; install a driver, such as Debian's mesa-vulkan-drivers");
+    Json figures{{"devices", Json::array()}};
+    for (const DeviceInfo &device : devices) {
+      figures["devices"].push_back(describe(device));
+      if (tellsOnStdout(common_))
+        print(device);
+    }
+    return writeStatistics(common_.stats, figures);
+  }
+
+private:
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeDevicesCommand() { return std::make_unique<DevicesCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,75 @@
+// Options of inputs.
+#include "InputArguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+namespace voxc::tool {
+
+void addInputArguments(CLI::App &app, InputArguments &arguments) {
+  app.add_option("--resolution", arguments.resolution,
+                 "Voxels on the longest axis; default: what the format holds")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << kMaxLog2Extent));
+  app.add_option("--bounds", arguments.bounds, "Crops a mesh to this box of model space")
+      ->type_name("X0,Y0,Z0,X1,Y1,Z1")
+      ->delimiter(',')
+      ->expected(6);
+  app.add_option("--up", arguments.up, "The mesh's axis that points up: y (default) or z")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"y", "z"}));
+}
+
+namespace {
+
+/// The value of `key` in blank-separated "key=value" words, or "".
+std::string_view valueOf(std::string_view words, std::string_view key) {
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    if (word.size() > key.size() && word.starts_with(key) && word[key.size()] == '=')
+      return word.substr(key.size() + 1);
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+  }
+  return {};
+}
+
+/// The numbers of a comma-separated list, up to the first that is none.
+template <typename Number> std::vector<Number> parseNumbers(std::string_view text) {
+  std::vector<Number> numbers;
+  Number number;
+  const char *const end = text.data() + text.size();
+  for (const char *at = text.data(); at < end;) {
+    const auto [next, failure] = std::from_chars(at, end, number);
+    if (failure != std::errc())
+      break;
+    numbers.push_back(number);
+    at = next == end ? end : next + 1;
+  }
+  return numbers;
+}
+
+} // namespace
+
+void fillFromProvenance(InputArguments &arguments, std::string_view provenance) {
+  const std::vector<int> resolution = parseNumbers<int>(valueOf(provenance, "resolution"));
+  if (arguments.resolution == 0 && resolution.size() == 1)
+    arguments.resolution = resolution.front();
+  const std::vector<double> bounds = parseNumbers<double>(valueOf(provenance, "bounds"));
+  if (arguments.bounds.empty() && bounds.size() == 6)
+    arguments.bounds = bounds;
+  if (arguments.up.empty())
+    arguments.up = valueOf(provenance, "up");
+}
+
+InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
+  InputOptions options;
+  options.resolution = arguments.resolution;
+  options.formatExtent = formatExtent;
+  options.zUp = arguments.up == "z";
+  if (!arguments.bounds.empty())
+    std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
+  return options;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,30 @@
+// The options that say how an input becomes voxels.
+#pragma once
+
+#include "voxc/Source/Input.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc::tool {
+
+/// As they were written; what was left out is the library's default.
+struct InputArguments {
+  int resolution = 0;         ///< 0: what the format holds.
+  std::vector<double> bounds; ///< Empty, or six numbers.
+  std::string up;             ///< "y", "z", or empty.
+};
+
+/// Adds --resolution, --bounds and --up to a command.
+void addInputArguments(CLI::App &app, InputArguments &arguments);
+
+/// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").
+void fillFromProvenance(InputArguments &arguments, std::string_view provenance);
+
+/// The options for an input that shall fit into `formatExtent`.
+InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent);
+
+} // namespace voxc::tool

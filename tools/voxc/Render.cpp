@@ -1,0 +1,63 @@
+// voxc render: a picture of a volume.
+#include "Figures.h"
+#include "Rendering.h"
+#include "Subcommand.h"
+#include "VolumeArgument.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+
+namespace voxc::tool {
+
+namespace {
+
+class RenderCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override {
+    volume_.declare(app);
+    rendering_.declare(app);
+    tracing_.declare(app);
+    volume_.declareWalkPasses(app);
+    addCommonOptions(app, common_);
+  }
+
+  Expected<void> run() override {
+    if (Expected<void> writable = rendering_.checkOutput(); !writable)
+      return writable;
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (Expected<void> rendered = render(bar.progress(), figures); !rendered)
+      return rendered;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+private:
+  Expected<void> render(const Progress &progress, Json &figures) {
+    const Stopwatch watch;
+    Expected<Volume> volume = volume_.load();
+    if (!volume)
+      return volume.error();
+    addVolumeFigures(figures, *volume);
+    figures["load_seconds"] = watch.seconds();
+    Expected<Format> format = volume_.kernelFormat(*volume);
+    if (!format)
+      return format.error();
+    if (Expected<void> opened = tracing_.openDevice(); !opened)
+      return opened;
+    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
+      return prepared;
+    return rendering_.render(*volume, tracing_, progress, figures);
+  }
+
+  VolumeArgument volume_;
+  Rendering rendering_;
+  Tracing tracing_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeRenderCommand() { return std::make_unique<RenderCommand>(); }
+
+} // namespace voxc::tool

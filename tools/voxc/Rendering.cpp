@@ -1,0 +1,38 @@
+// Pictures for the driver.
+#include "Rendering.h"
+
+#include "Outputs.h"
+
+#include "common/Png.h"
+#include "voxc/Trace/Picture.h"
+
+#include <vector>
+
+namespace voxc::tool {
+
+void Rendering::declare(CLI::App &app) {
+  app.add_option("-o,--output", output_, "Picture to write, as PNG")->type_name("P.png")->required();
+  app.add_flag("--heatmap", heatmap_, "Show the lookups that each ray took, with a legend");
+  addCameraOptions(app, camera_);
+}
+
+Expected<void> Rendering::checkOutput() const { return checkOutputFile(output_); }
+
+Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const Progress &progress,
+                                 Json &figures) const {
+  Expected<Camera> camera = makeCamera(camera_, volume.info().extent);
+  if (!camera)
+    return camera.error();
+  const std::vector<Ray> rays = cameraRays(*camera);
+  std::vector<Hit> hits(rays.size());
+  if (Expected<void> traced =
+          tracing.trace(rays, hits, {.countSteps = heatmap_, .progress = progress}, figures);
+      !traced)
+    return traced;
+  figures["width"] = camera->width;
+  figures["height"] = camera->height;
+  return writePng(output_, heatmap_ ? heatmap(hits, camera->width, camera->height)
+                                    : shade(rays, hits, camera->width, camera->height));
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,30 @@
+// From a prepared volume to a picture file: what `render` and `run` share.
+#pragma once
+
+#include "Tracing.h"
+
+#include "common/CameraOptions.h"
+#include "voxc/Support/Progress.h"
+
+#include <string>
+
+namespace voxc::tool {
+
+class Rendering {
+public:
+  /// Adds --output, --heatmap and the camera's options to a command.
+  void declare(CLI::App &app);
+
+  /// Looks at the output's path, before any work.
+  Expected<void> checkOutput() const;
+  /// Traces the camera's rays and writes the picture. Its figures are added.
+  Expected<void> render(const Volume &volume, Tracing &tracing, const Progress &progress,
+                        Json &figures) const;
+
+private:
+  std::string output_;
+  bool heatmap_ = false;
+  CameraOptions camera_;
+};
+
+} // namespace voxc::tool

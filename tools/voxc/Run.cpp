@@ -1,0 +1,67 @@
+// voxc run: compiles, builds and renders in one go.
+#include "Building.h"
+#include "Figures.h"
+#include "Outputs.h"
+#include "Rendering.h"
+#include "Subcommand.h"
+
+#include "common/Terminal.h"
+
+namespace voxc::tool {
+
+namespace {
+
+class RunCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override {
+    building_.declare(app);
+    building_.defaultInput(app, "builtin:terrain");
+    rendering_.declare(app);
+    app.add_option("--volume", volumePath_, "Keeps the volume too")->type_name("V.hvx");
+    tracing_.declare(app);
+    addCommonOptions(app, common_);
+  }
+
+  Expected<void> run() override {
+    if (Expected<void> writable = rendering_.checkOutput(); !writable)
+      return writable;
+    if (Expected<void> writable = checkOutputFile(volumePath_); !writable)
+      return writable;
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (Expected<void> rendered = buildAndRender(bar, figures); !rendered)
+      return rendered;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+private:
+  Expected<void> buildAndRender(ProgressBar &bar, Json &figures) {
+    Expected<Format> format = building_.readFormat();
+    if (!format)
+      return format.error();
+    if (Expected<void> opened = tracing_.openDevice(); !opened)
+      return opened;
+    Expected<Volume> volume = building_.build(*format, common_, bar.progress(), figures);
+    if (!volume)
+      return volume.error();
+    if (!volumePath_.empty())
+      if (Expected<void> saved = saveVolume(*volume, volumePath_, figures); !saved)
+        return saved;
+    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
+      return prepared;
+    return rendering_.render(*volume, tracing_, bar.progress(), figures);
+  }
+
+  Building building_;
+  Rendering rendering_;
+  Tracing tracing_;
+  std::string volumePath_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeRunCommand() { return std::make_unique<RunCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,31 @@
+// A command of the driver: its options and what it does. Each command is one file, and a row of the table in
+// main.cpp.
+#pragma once
+
+#include "common/Command.h"
+#include "voxc/Support/Error.h"
+
+#include <memory>
+
+namespace voxc::tool {
+
+class Subcommand {
+public:
+  virtual ~Subcommand() = default;
+  /// Adds the command's options to `app`.
+  virtual void declare(CLI::App &app) = 0;
+  /// Does the command's work, once the options are parsed.
+  virtual Expected<void> run() = 0;
+};
+
+std::unique_ptr<Subcommand> makeCompileCommand();
+std::unique_ptr<Subcommand> makeBuildCommand();
+std::unique_ptr<Subcommand> makeRenderCommand();
+std::unique_ptr<Subcommand> makeRunCommand();
+std::unique_ptr<Subcommand> makeTraceCommand();
+std::unique_ptr<Subcommand> makeVerifyCommand();
+std::unique_ptr<Subcommand> makeExportCommand();
+std::unique_ptr<Subcommand> makeInfoCommand();
+std::unique_ptr<Subcommand> makeDevicesCommand();
+
+} // namespace voxc::tool

@@ -1,0 +1,93 @@
+// voxc trace: the hits of the rays of a file.
+#include "Figures.h"
+#include "Outputs.h"
+#include "Subcommand.h"
+#include "Tracing.h"
+#include "VolumeArgument.h"
+
+#include "common/Files.h"
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+
+#include <vector>
+
+namespace voxc::tool {
+
+namespace {
+
+class TraceCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override {
+    volume_.declare(app);
+    app.add_option("--rays", rays_,
+                   "Rays to trace: float32 origin and direction, 24 bytes each; - for standard input")
+        ->type_name("R.bin")
+        ->required();
+    app.add_option("-o,--output", output_,
+                   "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each; - for "
+                   "standard "
+                   "output")
+        ->type_name("H.bin")
+        ->required();
+    app.add_option("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")
+        ->type_name("N")
+        ->check(CLI::Range(1u, 1000000u))
+        ->capture_default_str();
+    app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
+    tracing_.declare(app);
+    volume_.declareWalkPasses(app);
+    addCommonOptions(app, common_);
+  }
+
+  Expected<void> run() override {
+    if (output_ == "-" && common_.stats == "-")
+      return Error::usage("hits and figures cannot both go to standard output; give one of them a file");
+    if (Expected<void> writable = checkOutputFile(output_); !writable)
+      return writable;
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    options_.progress = bar.progress();
+    if (Expected<void> traced = trace(figures); !traced)
+      return traced;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+private:
+  Expected<void> trace(Json &figures) {
+    const Stopwatch watch;
+    Expected<Volume> volume = volume_.load();
+    if (!volume)
+      return volume.error();
+    addVolumeFigures(figures, *volume);
+    figures["load_seconds"] = watch.seconds();
+    Expected<Format> format = volume_.kernelFormat(*volume);
+    if (!format)
+      return format.error();
+    Expected<std::vector<Ray>> rays = readRays(rays_);
+    if (!rays)
+      return rays.error();
+    if (Expected<void> opened = tracing_.openDevice(); !opened)
+      return opened;
+    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
+      return prepared;
+
+    std::vector<Hit> hits(rays->size());
+    if (Expected<void> traced = tracing_.trace(*rays, hits, options_, figures); !traced)
+      return traced;
+    return writeHits(output_, hits);
+  }
+
+  VolumeArgument volume_;
+  std::string rays_;
+  std::string output_;
+  TraceOptions options_;
+  Tracing tracing_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeTraceCommand() { return std::make_unique<TraceCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,48 @@
+// Devices, kernels and tracers for the driver.
+#include "Tracing.h"
+
+#include "common/Statistics.h"
+#include "voxc/Kernel/Compile.h"
+
+namespace voxc::tool {
+
+void Tracing::declare(CLI::App &app) {
+  app.add_option("--device", deviceName_, "Trace on the device whose name contains this; see 'voxc devices'")
+      ->type_name("NAME");
+  app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+}
+
+Expected<void> Tracing::openDevice() {
+  Expected<Device> device = Device::open(deviceName_);
+  if (!device)
+    return device.error();
+  device_ = std::make_unique<Device>(std::move(*device));
+  return {};
+}
+
+Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json &figures) {
+  const Stopwatch watch;
+  const Addressing addressing = device_->addressingFor(volume.words().size());
+  Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing, .optimise = optimise_});
+  if (!kernel)
+    return kernel.error();
+  figures["kernel_seconds"] = watch.seconds();
+  figures["addressing"] = toString(addressing);
+
+  Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume);
+  if (!tracer)
+    return tracer.error();
+  tracer_ = std::move(*tracer);
+  return {};
+}
+
+Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+                              Json &figures) {
+  Expected<TraceReport> report = tracer_->trace(rays, hits, options);
+  if (!report)
+    return report.error();
+  addTraceFigures(figures, *report, hits, device_->info().name, options.countSteps);
+  return {};
+}
+
+} // namespace voxc::tool

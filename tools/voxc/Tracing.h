@@ -1,0 +1,36 @@
+// From a volume to hits: what every command that traces shares.
+#pragma once
+
+#include "common/Json.h"
+#include "voxc/IR/Format.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace voxc::tool {
+
+class Tracing {
+public:
+  /// Adds --device and --spirv-opt to a command.
+  void declare(CLI::App &app);
+
+  /// Opens the device; asked first, so that its absence is told before long work.
+  Expected<void> openDevice();
+  /// Compiles the kernel that walks `volume` as `format` says, and uploads the volume. Its figures are added.
+  Expected<void> prepare(const Volume &volume, const Format &format, Json &figures);
+  /// Traces rays through the prepared volume. The trace's figures are added.
+  Expected<void> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+                       Json &figures);
+
+private:
+  std::string deviceName_;
+  bool optimise_ = false;
+  std::unique_ptr<Device> device_; // Outlives the tracer.
+  std::unique_ptr<Tracer> tracer_;
+};
+
+} // namespace voxc::tool

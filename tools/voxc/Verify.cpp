@@ -1,0 +1,190 @@
+// voxc verify: a volume's structure, its losslessness, and its kernel against the exact oracle.
+#include "Comparison.h"
+#include "Figures.h"
+#include "InputArguments.h"
+#include "Subcommand.h"
+#include "Tracing.h"
+#include "VolumeArgument.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "voxc/Oracle/HardRays.h"
+#include "voxc/Oracle/Oracle.h"
+#include "voxc/Source/Sources.h"
+
+#include <cinttypes>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+namespace {
+
+void printHit(const char *name, const Hit &hit) {
+  if (hit.isHit())
+    std::printf("    %s (%d, %d, %d) at t = %.9g\n", name, hit.voxel[0], hit.voxel[1], hit.voxel[2],
+                double(hit.t));
+  else
+    std::printf("    %s nothing\n", name);
+}
+
+void printExample(std::uint64_t index, const Ray &ray, const Hit &kernel, const Hit &oracle) {
+  std::printf("  ray %" PRIu64 " from (%.9g, %.9g, %.9g) along (%.9g, %.9g, %.9g)\n", index,
+              double(ray.origin[0]), double(ray.origin[1]), double(ray.origin[2]), double(ray.direction[0]),
+              double(ray.direction[1]), double(ray.direction[2]));
+  printHit("kernel", kernel);
+  printHit("oracle", oracle);
+}
+
+void printErrors(const ErrorFigures &error) {
+  std::printf("kernel       %12s %8s %8s %8s %8s %8s %12s %12s %8s\n", "rays", "missed", "ghost", "wrong",
+              "colour", "boundary", "max_dt", "rms_dt", "max_ulp");
+  std::printf("             %12" PRIu64 " %8" PRIu64 " %8" PRIu64 " %8" PRIu64 " %8" PRIu64 " %8" PRIu64
+              " %12.3g %12.3g %8.3g\n",
+              error.rays, error.missed, error.ghost, error.wrong, error.colour, error.boundary, error.maxDt,
+              error.rmsDt, error.maxUlpDt);
+}
+
+Json errorJson(const ErrorFigures &error) {
+  return {{"rays", error.rays},    {"missed", error.missed}, {"ghost", error.ghost},
+          {"wrong", error.wrong},  {"colour", error.colour}, {"boundary", error.boundary},
+          {"max_dt", error.maxDt}, {"rms_dt", error.rmsDt},  {"max_ulp_dt", error.maxUlpDt}};
+}
+
+class VerifyCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override;
+  Expected<void> run() override;
+
+private:
+  Expected<void> checkVoxels(const std::shared_ptr<const Volume> &volume, const Progress &progress);
+  Expected<void> checkKernel(const Volume &volume, const Progress &progress);
+  bool accepts(const ErrorFigures &error) const;
+  void fail(std::string what) { failures_.push_back(std::move(what)); }
+
+  VolumeArgument volume_;
+  std::string against_;
+  InputArguments inputArguments_;
+  std::size_t rays_ = 100000;
+  std::uint64_t seed_ = 1;
+  bool allowBoundary_ = false;
+  Tracing tracing_;
+  CommonOptions common_;
+
+  Json figures_;
+  std::vector<std::string> failures_;
+};
+
+void VerifyCommand::declare(CLI::App &app) {
+  volume_.declare(app);
+  app.add_option("--against", against_, "Compare with this input, voxel by voxel, both ways")
+      ->type_name("INPUT");
+  addInputArguments(app, inputArguments_);
+  app.add_option("--rays", rays_, "Rays to trace by the kernel and by the oracle; 0 needs no device")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 30))
+      ->capture_default_str();
+  app.add_option("--seed", seed_, "Another number makes other rays")->type_name("N")->capture_default_str();
+  app.add_flag("--allow-boundary", allowBoundary_,
+               "Accept, but still count, differences that float rounding at a cell's boundary explains");
+  tracing_.declare(app);
+  volume_.declareWalkPasses(app);
+  addCommonOptions(app, common_);
+}
+
+Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &volume,
+                                          const Progress &progress) {
+  InputArguments arguments = inputArguments_;
+  fillFromProvenance(arguments, volume->info().provenance);
+  InputOptions options = makeInputOptions(arguments, volume->format().extent());
+  options.progress = progress;
+  Expected<Input> input = openInput(against_, options);
+  if (!input)
+    return input.error();
+  const std::unique_ptr<VoxelSource> decoded = makeVolumeSource(volume);
+  Expected<VoxelDifferences> found = compareVoxels(*decoded, *input->source, progress);
+  if (!found)
+    return found.error();
+
+  if (tellsOnStdout(common_))
+    std::printf("losslessness %" PRIu64 " voxels equal, %" PRIu64 " missing, %" PRIu64 " surplus, %" PRIu64
+                " changed\n",
+                found->equal, found->missing, found->surplus, found->changed);
+  figures_["voxel_differences"] = {{"equal", found->equal},
+                                   {"missing", found->missing},
+                                   {"surplus", found->surplus},
+                                   {"changed", found->changed}};
+  if (!found->none())
+    fail("the volume differs from '" + against_ + "', first at voxel (" + std::to_string(found->first->x) +
+         ", " + std::to_string(found->first->y) + ", " + std::to_string(found->first->z) + ")");
+  if (volume->info().extent != input->source->extent())
+    fail("the volume's extent differs from that of '" + against_ + "'");
+  return {};
+}
+
+bool VerifyCommand::accepts(const ErrorFigures &error) const {
+  return error.clean() ||
+         (allowBoundary_ && error.colour == 0 && error.missed + error.ghost + error.wrong == error.boundary);
+}
+
+Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &progress) {
+  Expected<Format> format = volume_.kernelFormat(volume);
+  if (!format)
+    return format.error();
+  if (Expected<void> opened = tracing_.openDevice(); !opened)
+    return opened;
+  if (Expected<void> prepared = tracing_.prepare(volume, *format, figures_); !prepared)
+    return prepared;
+  const std::vector<Ray> rays = verifyRays(volume.info().extent, rays_, seed_);
+  std::vector<Hit> hits(rays.size());
+  if (Expected<void> traced = tracing_.trace(rays, hits, {.progress = progress}, figures_); !traced)
+    return traced;
+
+  const Oracle oracle(volume);
+  const ErrorFigures error = compare(oracle, rays, hits);
+  figures_["error"] = errorJson(error);
+  if (tellsOnStdout(common_)) {
+    printErrors(error);
+    for (const std::uint64_t index : error.examples)
+      printExample(index, rays[index], hits[index], oracle.trace(rays[index]));
+  }
+  if (!accepts(error))
+    fail("the kernel's hits differ from the oracle's on " +
+         std::to_string(error.missed + error.ghost + error.wrong + error.colour) + " of " +
+         std::to_string(error.rays) + " rays");
+  return {};
+}
+
+Expected<void> VerifyCommand::run() {
+  ProgressBar bar(common_.quiet);
+  Expected<Volume> loaded = volume_.load();
+  if (!loaded)
+    return loaded.error();
+  const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+  addVolumeFigures(figures_, *volume);
+  if (tellsOnStdout(common_))
+    std::printf("structure    %zu words, every offset proven in range\n", volume->words().size());
+  if (!against_.empty())
+    if (Expected<void> checked = checkVoxels(volume, bar.progress()); !checked)
+      return checked;
+  if (rays_ > 0)
+    if (Expected<void> checked = checkKernel(*volume, bar.progress()); !checked)
+      return checked;
+  bar.clear();
+
+  if (Expected<void> written = writeStatistics(common_.stats, figures_); !written)
+    return written;
+  if (failures_.empty())
+    return {};
+  std::string message = failures_.front();
+  for (std::size_t i = 1; i < failures_.size(); ++i)
+    message += "; " + failures_[i];
+  return Error::input(message);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeVerifyCommand() { return std::make_unique<VerifyCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,22 @@
+// Loading volumes for the driver.
+#include "VolumeArgument.h"
+
+namespace voxc::tool {
+
+void VolumeArgument::declare(CLI::App &app) {
+  app.add_option("VOLUME", path_, "A .hvx file")->required();
+  app.add_flag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
+}
+
+void VolumeArgument::declareWalkPasses(CLI::App &app) { walkPasses_.declare(app, PassChoice::WalkOnly); }
+
+Expected<Volume> VolumeArgument::load() const { return Volume::load(path_, trusted_); }
+
+Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
+  Format format = volume.format();
+  if (Expected<void> passed = walkPasses_.apply(format); !passed)
+    return passed.error();
+  return format;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,30 @@
+// The V.hvx argument of the commands that take a finished volume.
+#pragma once
+
+#include "frontend/PassOptions.h"
+#include "voxc/Volume/Volume.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace voxc::tool {
+
+class VolumeArgument {
+public:
+  /// Adds VOLUME and --trusted to a command.
+  void declare(CLI::App &app);
+  /// Adds the walk passes, for a command that traces the volume.
+  void declareWalkPasses(CLI::App &app);
+
+  Expected<Volume> load() const;
+  /// The format that a kernel of `volume` shall walk.
+  Expected<Format> kernelFormat(const Volume &volume) const;
+
+private:
+  std::string path_;
+  bool trusted_ = false;
+  PassOptions walkPasses_;
+};
+
+} // namespace voxc::tool

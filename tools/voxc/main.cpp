@@ -1,0 +1,50 @@
+// voxc: the driver. A thin client of the libraries; each command is a file of this folder.
+#include "Subcommand.h"
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace voxc;
+using namespace voxc::tool;
+
+struct CommandKind {
+  const char *name;
+  const char *summary;
+  std::unique_ptr<Subcommand> (*make)();
+};
+
+constexpr CommandKind kCommands[] = {
+    {"compile", "Write the code that is generated for a format", makeCompileCommand},
+    {"build", "Voxelize an input and construct its volume", makeBuildCommand},
+    {"render", "Render a picture of a volume", makeRenderCommand},
+    {"run", "Compile, build and render in one go", makeRunCommand},
+    {"trace", "Trace the rays of a file through a volume", makeTraceCommand},
+    {"verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
+    {"export", "Decode a volume to a dense grid, points or MagicaVoxel", makeExportCommand},
+    {"info", "Describe a volume", makeInfoCommand},
+    {"devices", "List the devices that can trace", makeDevicesCommand},
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+  CLI::App app{"A compiler for hybrid voxel formats", "voxc"};
+  app.set_version_flag("--version", versionText());
+  app.require_subcommand(1);
+
+  std::vector<std::pair<CLI::App *, std::unique_ptr<Subcommand>>> commands;
+  for (const CommandKind &kind : kCommands) {
+    CLI::App *subcommand = app.add_subcommand(kind.name, kind.summary);
+    commands.emplace_back(subcommand, kind.make()).second->declare(*subcommand);
+  }
+
+  return runTool(app, argc, argv, [&]() -> Expected<void> {
+    for (auto &[subcommand, command] : commands)
+      if (subcommand->parsed())
+        return command->run();
+    return {};
+  });
+}
