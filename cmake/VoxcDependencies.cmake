@@ -5,7 +5,7 @@ find_path(VOXC_XXHASH_INCLUDE xxhash.h REQUIRED)
 
 # The compiler.
 find_package(LLVM 19.1 REQUIRED CONFIG)
-find_package(Clang REQUIRED CONFIG PATHS "${LLVM_DIR}/../clang" NO_DEFAULT_PATH)
+find_package(Clang REQUIRED CONFIG PATHS "${LLVM_LIBRARY_DIR}/cmake/clang" NO_DEFAULT_PATH)
 find_package(SPIRV-Tools REQUIRED CONFIG)
 find_package(SPIRV-Tools-opt REQUIRED CONFIG)
 find_package(glslang 12 REQUIRED CONFIG)

@@ -13,5 +13,12 @@ function(voxc_embed target name root)
             -P "${VOXC_EMBED_SCRIPT}"
     DEPENDS ${inputs} "${VOXC_EMBED_SCRIPT}"
     VERBATIM)
-  target_sources(${target} PRIVATE "${output}")
+  # The command is known in this folder alone and the target stands in another: a target of its own joins them.
+  add_custom_target(${target}-${name} DEPENDS "${output}")
+  add_dependencies(${target} ${target}-${name})
+  # A custom command serves targets of its own folder alone; the object library carries its result to `target`.
+  add_library(${name} OBJECT "${output}")
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/include")
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${name}>)
 endfunction()

@@ -1,6 +1,7 @@
 # Tests of the tools: each file says in its RUN lines what is run and what must come out.
 import os
 import shutil
+import sys
 
 import lit.formats
 
@@ -24,6 +25,8 @@ config.substitutions += [
     ("%build", config.voxc_binary_dir),
     ("%cmake", config.cmake),
     ("%cxx", config.cxx),
+    ("%exits", f"{sys.executable} {os.path.join(config.test_source_root, 'exits.py')}"),
+    ("%python", sys.executable),
 ]
 
 if os.path.isdir(shared_dir):

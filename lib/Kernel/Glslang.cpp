@@ -1,7 +1,7 @@
 // GLSL to SPIR-V with glslang, in this process.
 #include "Stages.h"
 
-#include <SPIRV/GlslangToSpv.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 

@@ -112,8 +112,8 @@ private:
       for (unsigned corner = 0; corner < 3; ++corner)
         if (face.mIndices[corner] >= part.mNumVertices)
           return false;
-      mesh_.triangles.push_back({{base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]},
-                                 part.mMaterialIndex});
+      mesh_.triangles.push_back(
+          {{base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]}, part.mMaterialIndex});
     }
     return true;
   }

@@ -30,7 +30,8 @@ BoxTriangleTest::BoxTriangleTest(const std::array<Double3, 3> &triangle) : trian
 
   for (const Double3 &unit : kUnits)
     addAxis(unit);
-  const std::array<Double3, 3> edges{difference(triangle[1], triangle[0]), difference(triangle[2], triangle[1]),
+  const std::array<Double3, 3> edges{difference(triangle[1], triangle[0]),
+                                     difference(triangle[2], triangle[1]),
                                      difference(triangle[0], triangle[2])};
   addAxis(cross(edges[0], edges[1]));
   for (const Double3 &edge : edges)

@@ -15,8 +15,9 @@ struct VoxelBox {
 
 /// A triangle in voxels, prepared for testing many boxes.
 ///
-/// Any axis on which the shadows of two convex bodies are apart proves them apart, so it does no harm that the
-/// axes are rounded: only the shadows' own rounding counts, and the interval of the triangle is widened by it.
+/// Any axis on which the shadows of two convex bodies are apart proves them apart, so it does no harm that
+/// the axes are rounded: only the shadows' own rounding counts, and the interval of the triangle is widened
+/// by it.
 class BoxTriangleTest {
 public:
   explicit BoxTriangleTest(const std::array<Double3, 3> &triangle);

@@ -25,8 +25,9 @@ bool isComplete(const Texture &texture) {
 
 bool hasValidIndices(const TriangleMesh &mesh, const Triangle &triangle) {
   return triangle.material < mesh.materials.size() &&
-         std::all_of(triangle.vertices.begin(), triangle.vertices.end(),
-                     [&](std::uint32_t vertex) { return vertex < mesh.positions.size(); });
+         std::all_of(
+             triangle.vertices.begin(), triangle.vertices.end(),
+             [&](std::uint32_t vertex) { return vertex < mesh.positions.size(); });
 }
 
 bool isOnePerVertex(const TriangleMesh &mesh, std::size_t count) {

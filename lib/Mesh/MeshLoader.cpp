@@ -3,8 +3,8 @@
 
 #include "Mesh/AssimpMesh.h"
 #include "Mesh/MeshCheck.h"
-#include "Mesh/PlyMesh.h"
 #include "Mesh/PathEnding.h"
+#include "Mesh/PlyMesh.h"
 #include "voxc/Support/File.h"
 
 namespace voxc {

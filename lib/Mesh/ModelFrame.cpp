@@ -72,8 +72,8 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
   frame.extent_ = extentAt(size, longest, resolution);
   if (!fits(frame.extent_, options.maxExtent))
     return Error::input("at resolution " + std::to_string(resolution) + " the model takes " +
-                        toText(frame.extent_) + " voxels, but the format holds " +
-                        toText(options.maxExtent) + "; lower the resolution or enlarge the format");
+                        toText(frame.extent_) + " voxels, but the format holds " + toText(options.maxExtent) +
+                        "; lower the resolution or enlarge the format");
   // A single point, or bounds so small that their inverse overflows, has no scale of its own.
   const double scale = resolution / longest;
   frame.scale_ = longest > 0 && std::isfinite(scale) ? scale : 1;

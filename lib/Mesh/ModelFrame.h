@@ -34,7 +34,7 @@ struct FrameOptions {
   Bounds bounds;      ///< In the model's own axes.
   int resolution = 0; ///< Voxels on the longest axis; 0: as many as fit into `maxExtent`.
   Int3 maxExtent;
-  bool zUp = false;   ///< Turns the model's +z to +y.
+  bool zUp = false; ///< Turns the model's +z to +y.
 };
 
 /// Maps model coordinates to voxels: the low corner of the turned bounds goes to (0, 0, 0), and their longest

@@ -98,7 +98,8 @@ bool PlyReader::readList(const PlyProperty &property, double length, std::vector
   if (length < 0 || length > static_cast<double>(capacity(leastSize(property.type))))
     return false;
   list.resize(static_cast<std::size_t>(length));
-  return std::all_of(list.begin(), list.end(), [&](double &value) { return readValue(property.type, value); });
+  return std::all_of(list.begin(), list.end(),
+                     [&](double &value) { return readValue(property.type, value); });
 }
 
 bool PlyReader::readValue(PlyType type, double &value) {

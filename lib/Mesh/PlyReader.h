@@ -28,7 +28,8 @@ public:
   /// Calls `visit(element, index, row)` for every row, in the order of the file, until it returns an error.
   /// Before the first row of an element, its count is known to fit into the rest of the file. Errors: a
   /// truncated file, a number that is not one, a list of negative length; they name the path.
-  using Visit = std::function<Expected<void>(const PlyElement &element, std::uint64_t index, const PlyRow &row)>;
+  using Visit =
+      std::function<Expected<void>(const PlyElement &element, std::uint64_t index, const PlyRow &row)>;
   Expected<void> readRows(const Visit &visit);
 
   /// An error about this file.

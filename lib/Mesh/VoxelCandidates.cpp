@@ -19,7 +19,8 @@ bool VoxelCandidates::before(const Candidate &a, const Candidate &b) {
   return std::tie(a.code, a.distance, a.rank) < std::tie(b.code, b.distance, b.rank);
 }
 
-void VoxelCandidates::add(std::uint64_t code, double distanceSquared, std::uint32_t rank, std::uint32_t word) {
+void VoxelCandidates::add(std::uint64_t code, double distanceSquared, std::uint32_t rank,
+                          std::uint32_t word) {
   if (candidates_.size() >= std::max(kSmallest, 2 * sorted_))
     compact();
   const double rounded = std::fmin(std::round(distanceSquared * 0x1p30), 0x1p32 - 1);

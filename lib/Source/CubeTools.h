@@ -1,4 +1,5 @@
-// What every source needs to know of cubes: whether they reach into the extent, and their cells in Morton order.
+// What every source needs to know of cubes: whether they reach into the extent, and their cells in Morton
+// order.
 #pragma once
 
 #include "voxc/Support/Geometry.h"

@@ -73,7 +73,8 @@ std::unique_ptr<VoxelSource> makeGridSource(Int3 extent, std::vector<std::uint32
 
 Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::string &path) {
   if (!isValid(extent))
-    return Error::input("a grid of " + toText(extent) + " cells is not possible: each axis takes 1 to 2097152");
+    return Error::input("a grid of " + toText(extent) +
+                        " cells is not possible: each axis takes 1 to 2097152");
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file)
     return Error::input("'" + path + "' cannot be read");

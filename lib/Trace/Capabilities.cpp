@@ -35,7 +35,7 @@ Expected<void> checkCapability(const PhysicalDevice &device, std::uint32_t capab
   if (capability == kPhysicalStorageBufferAddresses && device.info.deviceAddresses)
     return {};
   if (capability == kPhysicalStorageBufferAddresses)
-    return missing(device, "device addresses and 64-bit integers");
+    return missing(device, "device addresses");
   const auto *row = std::ranges::find(kCoreFeatures, capability, &CoreFeature::capability);
   if (row == std::end(kCoreFeatures))
     return Error::environment("this kernel needs SPIR-V's capability " + std::to_string(capability) +

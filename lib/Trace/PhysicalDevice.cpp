@@ -72,7 +72,7 @@ void describeVersion12(PhysicalDevice &device) {
   features.pNext = &addresses;
   vkGetPhysicalDeviceFeatures2(device.handle, &features);
   device.features = features.features;
-  device.info.deviceAddresses = addresses.bufferDeviceAddress && features.features.shaderInt64;
+  device.info.deviceAddresses = addresses.bufferDeviceAddress;
 }
 
 PhysicalDevice describe(VkPhysicalDevice handle) {

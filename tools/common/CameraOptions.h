@@ -7,14 +7,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <string>
 
 namespace voxc::tool {
 
 /// As they were written; empty or 0 is the default.
 struct CameraOptions {
-  /// "EX,EY,EZ:LX,LY,LZ" (eye and a point looked at, in voxels) or "FILE.json:NAME" (a camera of a camera
-  /// file, docs/cli.md); by default the camera frames the whole volume.
+  /// "EX,EY,EZ:LX,LY,LZ" (eye and a point looked at, in voxels) or "FILE.json:NAME" (see CameraFile.h); by
+  /// default the camera frames the whole volume.
   std::string camera;
   std::string size; ///< "WIDTHxHEIGHT"; by default the camera file's, or 1280x720.
   double fov = 0;   ///< Vertical field of view in degrees; by default the camera's, 90 in files, else 60.
@@ -27,7 +28,7 @@ void addCameraOptions(CLI::App &command, CameraOptions &options);
 /// file that is missing or broken, naming the cameras there are.
 Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent);
 
-/// "WIDTHxHEIGHT" as two integers in [1, 32768].
+/// "WIDTHxHEIGHT" as two integers from 1 to 32768. Error: `Usage`.
 Expected<std::array<int, 2>> parseSize(const std::string &text);
 
 } // namespace voxc::tool

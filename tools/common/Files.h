@@ -1,5 +1,4 @@
-// Files as the tools read and write them: whole, little-endian, and never half-written. "-" is standard input or
-// output.
+// Files of the tools: rays and hits, and outputs. "-" is standard input or output.
 #pragma once
 
 #include "voxc/Support/Error.h"
@@ -13,18 +12,15 @@
 
 namespace voxc::tool {
 
-/// The whole file as text. Errors: `Input` if there is none or it cannot be read.
-Expected<std::string> readText(const std::string &path);
-
-/// Writes a file under a temporary name beside it and renames it: `path` is whole, or as it was.
-/// Errors: `Environment` if it cannot be created, written or renamed.
+/// Writes a whole file, or nothing: `path` is whole, or as it was. Errors: `Environment` if it cannot be
+/// written.
 Expected<void> writeBytes(const std::string &path, std::span<const std::byte> bytes);
 Expected<void> writeText(const std::string &path, std::string_view text);
 
-/// A ray file: 24 bytes a ray. Errors: unreadable, or not a multiple of 24 bytes (`Input`).
+/// A ray file: 24 bytes a ray. Errors: `Input` if it is unreadable or no multiple of 24 bytes.
 Expected<std::vector<Ray>> readRays(const std::string &path);
 
-/// A hit file: 24 bytes a hit.
+/// A hit file: 24 bytes a hit. Errors as `writeBytes`.
 Expected<void> writeHits(const std::string &path, std::span<const Hit> hits);
 
 } // namespace voxc::tool

@@ -1,4 +1,4 @@
-// Figures of a run as JSON (docs/statistics.md lists the keys).
+// Figures of a run as JSON.
 #pragma once
 
 #include "Json.h"
@@ -27,8 +27,9 @@ private:
 /// Adds format, extent, words, bytes and voxels.
 void addVolumeFigures(Json &figures, const Volume &volume);
 
-/// Adds device, rays, hits, repeats, seconds, cpu_seconds, device_seconds and the speeds, first_dispatch_seconds,
-/// transfer_seconds and, if lookups were `counted`, steps_per_ray. The speeds are those of the fastest repeat.
+/// Adds device, rays, hits, repeats, seconds, cpu_seconds, device_seconds where the device has a clock, the
+/// three speeds that follow from them, first_dispatch_seconds, transfer_seconds and, if lookups were
+/// `counted`, steps_per_ray. Each time is the smallest of the repeats.
 void addTraceFigures(Json &figures, const TraceReport &report, std::span<const Hit> hits,
                      const std::string &device, bool counted);
 

@@ -8,8 +8,8 @@
 
 namespace voxc::tool {
 
-/// A bar on standard error that is drawn over itself and removed at the end. It shows nothing if it is told to
-/// be quiet or standard error is no terminal.
+/// A bar on standard error that is drawn over itself and removed at the end. It shows nothing if it is told
+/// to be quiet or standard error is no terminal.
 class ProgressBar {
 public:
   explicit ProgressBar(bool quiet);

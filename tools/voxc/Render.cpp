@@ -22,8 +22,8 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = rendering_.checkOutput(); !writable)
-      return writable;
+    if (Expected<void> checked = rendering_.check(); !checked)
+      return checked;
     Json figures;
     ProgressBar bar(common_.quiet);
     if (Expected<void> rendered = render(bar.progress(), figures); !rendered)

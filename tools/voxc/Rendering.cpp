@@ -16,7 +16,13 @@ void Rendering::declare(CLI::App &app) {
   addCameraOptions(app, camera_);
 }
 
-Expected<void> Rendering::checkOutput() const { return checkOutputFile(output_); }
+Expected<void> Rendering::check() const {
+  if (Expected<void> writable = checkOutputFile(output_); !writable)
+    return writable;
+  // Whatever the volume's extent will be, the options are right or wrong for any.
+  Expected<Camera> camera = makeCamera(camera_, {1, 1, 1});
+  return camera ? Expected<void>() : camera.error();
+}
 
 Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const Progress &progress,
                                  Json &figures) const {

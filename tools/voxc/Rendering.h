@@ -15,8 +15,8 @@ public:
   /// Adds --output, --heatmap and the camera's options to a command.
   void declare(CLI::App &app);
 
-  /// Looks at the output's path, before any work.
-  Expected<void> checkOutput() const;
+  /// Looks at the output's path and the camera's options, before any work.
+  Expected<void> check() const;
   /// Traces the camera's rays and writes the picture. Its figures are added.
   Expected<void> render(const Volume &volume, Tracing &tracing, const Progress &progress,
                         Json &figures) const;

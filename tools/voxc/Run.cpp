@@ -23,8 +23,8 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = rendering_.checkOutput(); !writable)
-      return writable;
+    if (Expected<void> checked = rendering_.check(); !checked)
+      return checked;
     if (Expected<void> writable = checkOutputFile(volumePath_); !writable)
       return writable;
     Json figures;

@@ -7,9 +7,10 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -79,23 +80,20 @@ inline float roundToFloat(const Rational &t) {
 }
 
 /// The hit of a ray on a list of voxels.
-inline Hit bruteForce(const std::vector<Voxel> &voxels, Int3 extent, const Ray &ray) {
+inline Hit bruteForce(const std::vector<Voxel> &voxels, const Ray &ray) {
   Hit hit{{-1, -1, -1}, 0, 0, 0};
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(ray.origin[axis]) || !std::isfinite(ray.direction[axis]))
       return hit;
-  std::vector<std::optional<std::optional<Interval>>> known[3]; // By cell, each computed once.
-  for (int axis = 0; axis < 3; ++axis)
-    known[axis].resize(static_cast<std::size_t>(extent[axis]));
-
+  std::map<int, std::optional<Interval>> known[3]; // By cell, each computed once.
   std::optional<End> first;
   for (const Voxel &voxel : voxels) {
     Interval times;
     for (int axis = 0; axis < 3 && !isEmpty(times); ++axis) {
-      auto &cached = known[axis][static_cast<std::size_t>(voxel.cell[axis])];
-      if (!cached)
-        cached = timesIn(ray.origin[axis], ray.direction[axis], voxel.cell[axis]);
-      times = *cached ? intersection(times, **cached) : Interval{{Rational(1)}, {Rational(0)}};
+      auto [cached, isNew] = known[axis].try_emplace(voxel.cell[axis]);
+      if (isNew)
+        cached->second = timesIn(ray.origin[axis], ray.direction[axis], voxel.cell[axis]);
+      times = cached->second ? intersection(times, *cached->second) : Interval{{Rational(1)}, {Rational(0)}};
     }
     if (isEmpty(times) || (first && !startsSooner(times.low, *first)))
       continue;

@@ -1,0 +1,45 @@
+// Clipping a source to an extent.
+#include "Source/ClippedSource.h"
+
+#include "Source/CubeTools.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+class ClippedSource final : public VoxelSource {
+public:
+  ClippedSource(std::unique_ptr<VoxelSource> source, Int3 extent) : source_(std::move(source)) {
+    for (int axis = 0; axis < 3; ++axis)
+      extent_[axis] = std::min(extent[axis], source_->extent()[axis]);
+  }
+
+  Int3 extent() const override { return extent_; }
+  Transform voxelToModel() const override { return source_->voxelToModel(); }
+  std::optional<Error> failure() const override { return source_->failure(); }
+
+  bool empty(const Cube &cube) override { return isOutside(cube, extent_) || source_->empty(cube); }
+
+  void read(const Cube &cube, std::uint32_t *words) override {
+    source_->read(cube, words);
+    forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
+      if (!contains(extent_, cell))
+        words[index] = 0;
+    });
+  }
+
+private:
+  std::unique_ptr<VoxelSource> source_;
+  Int3 extent_;
+};
+
+} // namespace
+
+std::unique_ptr<VoxelSource> clip(std::unique_ptr<VoxelSource> source, Int3 extent) {
+  return std::make_unique<ClippedSource>(std::move(source), extent);
+}
+
+} // namespace voxc

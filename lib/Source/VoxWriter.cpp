@@ -1,0 +1,155 @@
+// MagicaVoxel files: chunks of four letters, the size of their content, and that of their children.
+#include "Source/VoxWriter.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+constexpr int kModelSide = 256;
+constexpr std::size_t kMaxColours = 255;
+
+/// The content of a chunk: little-endian words and strings.
+class Bytes {
+public:
+  Bytes &word(std::uint32_t value) {
+    for (int shift = 0; shift < 32; shift += 8)
+      text_.push_back(static_cast<char>(value >> shift & 255));
+    return *this;
+  }
+  Bytes &text(std::string_view value) {
+    text_ += value;
+    return *this;
+  }
+  Bytes &string(std::string_view value) { return word(static_cast<std::uint32_t>(value.size())).text(value); }
+  Bytes &chunk(std::string_view name, const Bytes &content) {
+    return text(name).word(static_cast<std::uint32_t>(content.text_.size())).word(0).text(content.text_);
+  }
+  const std::string &text() const { return text_; }
+
+private:
+  std::string text_;
+};
+
+/// The voxels of one model, each a word of x, y, z and colour index from the low byte.
+struct Model {
+  Int3 low;
+  std::vector<std::uint32_t> voxels;
+};
+
+class Scene {
+public:
+  explicit Scene(Int3 extent) : extent_(extent) {}
+
+  void add(Int3 voxel, std::uint32_t colour) {
+    const auto [entry, isNew] = indices_.try_emplace(colour, static_cast<std::uint32_t>(colours_.size() + 1));
+    if (isNew)
+      colours_.push_back(colour);
+    if (colours_.size() > kMaxColours)
+      return;
+    const Int3 turned{voxel.x, extent_.z - 1 - voxel.z, voxel.y};
+    const Int3 block = turned >> 8;
+    Model &model = models_[mortonCode(block)];
+    model.low = block * kModelSide;
+    const Int3 cell = turned - model.low;
+    model.voxels.push_back(static_cast<std::uint32_t>(cell.x | cell.y << 8 | cell.z << 16) | entry->second
+                                                                                                 << 24);
+  }
+
+  std::size_t colourCount() const { return colours_.size(); }
+
+  std::string file() const {
+    Bytes children;
+    addModels(children);
+    addGraph(children);
+    addPalette(children);
+    Bytes whole;
+    whole.text("VOX ").word(150).text("MAIN").word(0);
+    whole.word(static_cast<std::uint32_t>(children.text().size())).text(children.text());
+    return whole.text();
+  }
+
+private:
+  Int3 sizeOf(const Model &model) const {
+    const Int3 rest = Int3{extent_.x, extent_.z, extent_.y} - model.low;
+    return {std::min(rest.x, kModelSide), std::min(rest.y, kModelSide), std::min(rest.z, kModelSide)};
+  }
+
+  void addModels(Bytes &children) const {
+    for (const auto &[code, model] : models_) {
+      const Int3 size = sizeOf(model);
+      Bytes content;
+      content.word(static_cast<std::uint32_t>(model.voxels.size()));
+      for (const std::uint32_t voxel : model.voxels)
+        content.word(voxel);
+      children.chunk("SIZE", Bytes()
+                                 .word(static_cast<std::uint32_t>(size.x))
+                                 .word(static_cast<std::uint32_t>(size.y))
+                                 .word(static_cast<std::uint32_t>(size.z)));
+      children.chunk("XYZI", content);
+    }
+  }
+
+  /// A transform of node `id`: its child, and where the child's middle lies.
+  static Bytes transform(std::uint32_t id, std::uint32_t child, Int3 middle) {
+    const std::string place =
+        std::to_string(middle.x) + " " + std::to_string(middle.y) + " " + std::to_string(middle.z);
+    constexpr std::uint32_t kNone = 0xffffffff; // No reserved id, no layer.
+    return Bytes().word(id).word(0).word(child).word(kNone).word(kNone).word(1).word(1).string("_t").string(
+        place);
+  }
+
+  /// Nodes: 0 is the root, 1 a group, then a transform and a shape for each model.
+  void addGraph(Bytes &children) const {
+    const auto count = static_cast<std::uint32_t>(models_.size());
+    Bytes group;
+    group.word(1).word(0).word(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+      group.word(2 + 2 * i);
+    children.chunk("nTRN", transform(0, 1, {})).chunk("nGRP", group);
+    std::uint32_t i = 0;
+    for (const auto &[code, model] : models_) {
+      const Int3 half = sizeOf(model) >> 1;
+      children.chunk("nTRN", transform(2 + 2 * i, 3 + 2 * i, model.low + half));
+      children.chunk("nSHP", Bytes().word(3 + 2 * i).word(0).word(1).word(i).word(0));
+      ++i;
+    }
+  }
+
+  void addPalette(Bytes &children) const {
+    Bytes palette;
+    for (std::size_t i = 0; i < 256; ++i)
+      palette.word(i < colours_.size() ? colours_[i] : 0);
+    children.chunk("RGBA", palette);
+  }
+
+  Int3 extent_;
+  std::map<std::uint64_t, Model> models_; ///< By the Morton code of their block.
+  std::vector<std::uint32_t> colours_;
+  std::unordered_map<std::uint32_t, std::uint32_t> indices_;
+};
+
+} // namespace
+
+Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file) {
+  // Sizes of chunks are 32-bit; a voxel takes a word.
+  constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
+  if (volume.info().voxels > kMaxVoxels)
+    return Error::input("a .vox file cannot hold " + std::to_string(volume.info().voxels) +
+                        " voxels; at most 536870912 fit");
+  Scene scene(volume.info().extent);
+  forEachVoxel(volume, [&](Int3 voxel, std::uint32_t word) { scene.add(voxel, word); });
+  if (scene.colourCount() > kMaxColours)
+    return Error::input("a .vox file holds at most 255 colours, but the volume has " +
+                        std::to_string(scene.colourCount()));
+  const std::string bytes = scene.file();
+  return file.write(bytes.data(), bytes.size());
+}
+
+} // namespace voxc

@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Writes the help texts that help.test expects, from the tools of a build folder; look at the difference before a commit.
+set -euo pipefail
+readonly bin="${1:-build/release}/bin" inputs="$(dirname "$0")/Inputs"
+for tool in voxc voxc-opt voxc-trace; do "$bin/$tool" --help >"$inputs/help-$tool.txt"; done
+for command in compile build render run trace verify export info devices; do
+  "$bin/voxc" "$command" --help >"$inputs/help-$command.txt"
+done

@@ -1,0 +1,81 @@
+// Camera files.
+#include "CameraFile.h"
+
+#include "Json.h"
+
+#include "voxc/Support/File.h"
+
+#include <cmath>
+
+namespace voxc::tool {
+namespace {
+
+std::optional<double> number(const Json &object, const char *key) {
+  auto entry = object.find(key);
+  if (entry == object.end() || !entry->is_number() || !std::isfinite(entry->get<double>()))
+    return std::nullopt;
+  return entry->get<double>();
+}
+
+/// The numbers of an array of exactly so many.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbers(const Json &object, const char *key) {
+  auto entry = object.find(key);
+  if (entry == object.end() || !entry->is_array() || entry->size() != count)
+    return std::nullopt;
+  std::array<double, count> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(*entry)[i].is_number())
+      return std::nullopt;
+    values[i] = (*entry)[i].template get<double>();
+  }
+  return values;
+}
+
+Error noSuchCamera(const std::string &path, const std::string &name, const Json &cameras) {
+  std::string names;
+  for (const auto &[key, camera] : cameras.items())
+    names += (names.empty() ? "" : ", ") + key;
+  return Error::input(path + " has no camera \"" + name + "\"; it has: " + names);
+}
+
+Expected<FileCamera> parseCamera(const Json &entry, const std::string &where) {
+  if (!entry.is_object())
+    return Error::input(where + " should be an object with position, pitch and yaw");
+  auto position = numbers<3>(entry, "position");
+  auto pitch = number(entry, "pitch");
+  auto yaw = number(entry, "yaw");
+  if (!position || !pitch || !yaw)
+    return Error::input(where + " should have a position of 3 numbers, a pitch and a yaw in degrees");
+  FileCamera camera{.position = *position, .pitch = *pitch, .yaw = *yaw};
+  if (entry.contains("fov")) {
+    camera.fov = number(entry, "fov").value_or(0);
+    if (!(camera.fov > 0 && camera.fov < 180))
+      return Error::input(where + " should have a fov between 0 and 180 degrees");
+  }
+  return camera;
+}
+
+} // namespace
+
+Expected<FileCamera> readCamera(const std::string &path, const std::string &name) {
+  auto text = readTextFile(path);
+  if (!text)
+    return text.error();
+  Json file = Json::parse(*text, nullptr, false);
+  if (!file.is_object() || !file.contains("cameras") || !file["cameras"].is_object())
+    return Error::input(path + " is no camera file: it should be a JSON object with an object \"cameras\"");
+  const Json &cameras = file["cameras"];
+  if (!cameras.contains(name))
+    return noSuchCamera(path, name, cameras);
+  auto camera = parseCamera(cameras[name], path + ": camera \"" + name + "\"");
+  if (!camera)
+    return camera;
+  auto size = numbers<2>(file, "size");
+  if (size && (*size)[0] >= 1 && (*size)[0] <= kMaxPictureSide && (*size)[1] >= 1 &&
+      (*size)[1] <= kMaxPictureSide)
+    camera->size = {int((*size)[0]), int((*size)[1])};
+  return camera;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,132 @@
+// The options that say where a picture is taken from.
+#include "CameraOptions.h"
+
+#include "CameraFile.h"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace voxc::tool {
+namespace {
+
+constexpr const char *kCameraForms = "EX,EY,EZ:LX,LY,LZ or FILE.json:NAME";
+
+/// Splits at each separator; n separators give n + 1 parts.
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at; (at = text.find(separator)) != std::string_view::npos; text.remove_prefix(at + 1))
+    parts.push_back(text.substr(0, at));
+  parts.push_back(text);
+  return parts;
+}
+
+template <typename Number> std::optional<Number> parseNumber(std::string_view text) {
+  Number value{};
+  auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc{} || end != text.data() + text.size())
+    return std::nullopt;
+  return value;
+}
+
+std::optional<Double3> parsePoint(std::string_view text) {
+  std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() != 3)
+    return std::nullopt;
+  Double3 point;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto value = parseNumber<double>(parts[axis]);
+    if (!value || !std::isfinite(*value))
+      return std::nullopt;
+    point[axis] = *value;
+  }
+  return point;
+}
+
+/// The camera of "eye:look"; nothing if the text is not of this form.
+std::optional<Camera> parsePoints(std::string_view text) {
+  std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() != 2)
+    return std::nullopt;
+  auto eye = parsePoint(parts[0]);
+  auto look = parsePoint(parts[1]);
+  if (!eye || !look)
+    return std::nullopt;
+  return Camera{.eye = *eye, .look = *look};
+}
+
+Expected<Camera> cameraFromFile(const std::string &text, Int3 extent, std::array<int, 2> size,
+                                bool sizeGiven) {
+  // The file's own name may hold colons; a camera's may not.
+  std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos)
+    return Error::usage("--camera \"" + text + "\" is not understood: it should be " + kCameraForms);
+  auto camera = readCamera(text.substr(0, colon), text.substr(colon + 1));
+  if (!camera)
+    return camera.error();
+  if (!sizeGiven)
+    size = camera->size.value_or(size);
+  return cameraFromAngles(extent, camera->position, camera->pitch, camera->yaw, camera->fov, size[0],
+                          size[1]);
+}
+
+Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, std::array<int, 2> size) {
+  if (options.camera.empty())
+    return frameExtent(extent, size[0], size[1]);
+  if (auto camera = parsePoints(options.camera)) {
+    if (camera->eye == camera->look)
+      return Error::usage("--camera \"" + options.camera + "\" looks nowhere: its two points should differ");
+    camera->width = size[0];
+    camera->height = size[1];
+    return *camera;
+  }
+  return cameraFromFile(options.camera, extent, size, !options.size.empty());
+}
+
+} // namespace
+
+void addCameraOptions(CLI::App &command, CameraOptions &options) {
+  command
+      .add_option("--camera", options.camera,
+                  "Eye and a point looked at, in voxels, or a camera of a camera file; the default sees the "
+                  "whole volume")
+      ->type_name("EX,EY,EZ:LX,LY,LZ|FILE:NAME");
+  command
+      .add_option("--size", options.size,
+                  "Pixels of the picture; the default is the camera file's, or 1280x720")
+      ->type_name("WxH");
+  command.add_option("--fov", options.fov, "Vertical field of view; the default is the camera's")
+      ->type_name("DEGREES");
+}
+
+Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent) {
+  Camera defaults;
+  std::array<int, 2> size = {defaults.width, defaults.height};
+  if (!options.size.empty()) {
+    auto parsed = parseSize(options.size);
+    if (!parsed)
+      return parsed.error();
+    size = *parsed;
+  }
+  if (options.fov != 0 && !(options.fov > 0 && options.fov < 180))
+    return Error::usage("--fov should lie between 0 and 180 degrees");
+  auto camera = placeCamera(options, extent, size);
+  if (camera && options.fov != 0)
+    camera->verticalFov = options.fov;
+  return camera;
+}
+
+Expected<std::array<int, 2>> parseSize(const std::string &text) {
+  std::vector<std::string_view> parts = split(text, 'x');
+  if (parts.size() == 2) {
+    auto width = parseNumber<int>(parts[0]);
+    auto height = parseNumber<int>(parts[1]);
+    auto inRange = [](std::optional<int> side) { return side && *side >= 1 && *side <= kMaxPictureSide; };
+    if (inRange(width) && inRange(height))
+      return std::array<int, 2>{*width, *height};
+  }
+  return Error::usage("--size \"" + text + "\" should be WIDTHxHEIGHT, two numbers from 1 to " +
+                      std::to_string(kMaxPictureSide));
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,79 @@
+// How every command is run.
+#include "Command.h"
+
+#include <csignal>
+#include <iostream>
+
+namespace voxc::tool {
+namespace {
+
+constexpr int kUsageExit = 2;
+constexpr int kDefectExit = 70;
+
+struct ExitCode {
+  ErrorKind kind;
+  int code;
+};
+
+constexpr ExitCode kExitCodes[] = {
+    {ErrorKind::Input, 1},
+    {ErrorKind::Usage, kUsageExit},
+    {ErrorKind::Environment, 3},
+    {ErrorKind::Interrupted, 130},
+};
+
+/// CLI11 tells of wrong arguments, but also of --help and --version, by throwing.
+int parseFailure(CLI::App &app, const CLI::ParseError &failure) {
+  return app.exit(failure, std::cout, std::cerr) == 0 ? 0 : kUsageExit;
+}
+
+} // namespace
+
+void addCommonOptions(CLI::App &command, CommonOptions &options) {
+  command.add_option("--stats", options.stats, "Write figures as JSON; - for standard output")
+      ->type_name("FILE");
+  command.add_flag("--quiet", options.quiet, "No progress and no notes");
+  command.set_version_flag("--version", versionText());
+}
+
+int runTool(CLI::App &app, int argc, char **argv, const std::function<Expected<void>()> &body) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &failure) {
+    return parseFailure(app, failure);
+  }
+  // A closed pipe is an error of one write, and is told as such.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    Expected<void> outcome = body();
+    if (outcome)
+      return 0;
+    printError(outcome.error());
+    return exitCode(outcome.error().kind);
+  } catch (const std::bad_alloc &) {
+    Error error = Error::environment("out of memory");
+    printError(error);
+    return exitCode(error.kind);
+  }
+}
+
+int exitCode(ErrorKind kind) {
+  for (const ExitCode &row : kExitCodes)
+    if (row.kind == kind)
+      return row.code;
+  return kDefectExit;
+}
+
+void printError(const Error &error) {
+  // Diagnostics come rendered, with their own "error:" and several lines.
+  bool rendered = error.message.find('\n') != std::string::npos;
+  std::cerr << (rendered ? "" : "voxc: error: ") << error.message;
+  if (!error.message.ends_with('\n'))
+    std::cerr << '\n';
+}
+
+void printNote(std::string_view text) { std::cerr << "voxc: " << text << '\n'; }
+
+std::string versionText() { return "voxc " VOXC_VERSION; }
+
+} // namespace voxc::tool

@@ -1,0 +1,76 @@
+// Figures of a run as JSON.
+#include "Statistics.h"
+
+#include "Files.h"
+
+#include <algorithm>
+#include <sys/resource.h>
+
+namespace voxc::tool {
+namespace {
+
+/// Millions of rays a second; 0 where nothing was measured.
+double mraysPer(double rays, double seconds) { return seconds > 0 ? rays / seconds * 1e-6 : 0; }
+
+double smallest(const std::vector<TraceTime> &repeats, double TraceTime::*clock) {
+  if (repeats.empty())
+    return 0;
+  return std::ranges::min(repeats, {}, clock).*clock;
+}
+
+double stepsPerRay(std::span<const Hit> hits) {
+  double steps = 0;
+  for (const Hit &hit : hits)
+    steps += hit.steps;
+  return hits.empty() ? 0 : steps / static_cast<double>(hits.size());
+}
+
+} // namespace
+
+void addVolumeFigures(Json &figures, const Volume &volume) {
+  Int3 extent = volume.info().extent;
+  figures["format"] = toString(volume.format());
+  figures["extent"] = {extent.x, extent.y, extent.z};
+  figures["words"] = volume.words().size();
+  figures["bytes"] = volume.words().size_bytes();
+  figures["voxels"] = volume.info().voxels;
+}
+
+void addTraceFigures(Json &figures, const TraceReport &report, std::span<const Hit> hits,
+                     const std::string &device, bool counted) {
+  double rays = static_cast<double>(hits.size());
+  double seconds = smallest(report.repeats, &TraceTime::wall);
+  double cpuSeconds = smallest(report.repeats, &TraceTime::cpu);
+  double deviceSeconds = smallest(report.repeats, &TraceTime::device);
+  figures["device"] = device;
+  figures["rays"] = hits.size();
+  figures["hits"] = std::ranges::count_if(hits, &Hit::isHit);
+  figures["repeats"] = report.repeats.size();
+  figures["seconds"] = seconds;
+  figures["cpu_seconds"] = cpuSeconds;
+  figures["mrays_per_s"] = mraysPer(rays, seconds);
+  figures["mrays_per_cpu_s"] = mraysPer(rays, cpuSeconds);
+  if (deviceSeconds > 0) {
+    figures["device_seconds"] = deviceSeconds;
+    figures["mrays_per_device_s"] = mraysPer(rays, deviceSeconds);
+  }
+  figures["first_dispatch_seconds"] = report.firstDispatch;
+  figures["transfer_seconds"] = report.transfer;
+  if (counted)
+    figures["steps_per_ray"] = stepsPerRay(hits);
+}
+
+std::uint64_t peakResidentBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+Expected<void> writeStatistics(const std::string &path, Json figures) {
+  if (path.empty())
+    return {};
+  figures["peak_rss_bytes"] = peakResidentBytes();
+  return writeText(path, figures.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,147 @@
+// The tracer: many rays, none, and what it refuses.
+#include "voxc/Trace/Tracer.h"
+#include "voxc/Kernel/Compile.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+
+namespace voxc {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint32_t kRed = 0xff0000ff;
+
+Format format(const char *text) {
+  auto parsed = parseFormat(text);
+  EXPECT_TRUE(parsed);
+  return *parsed;
+}
+
+/// 4x4x4 voxels of which (2, 1, 3) alone is there.
+Volume oneVoxel() {
+  std::vector<std::uint32_t> words(1 + 64);
+  words[0] = 1;
+  words[1 + 2 + 4 * (1 + 4 * 3)] = kRed;
+  return Volume({.format = format("R(2, 2, 2)"), .extent = {4, 4, 4}, .voxels = 1}, std::move(words));
+}
+
+/// Looks along z at column (x, y).
+Ray rayAt(int x, int y) { return {{float(x) + 0.5f, float(y) + 0.5f, -2}, {0, 0, 1}}; }
+
+class TracerTest : public testing::Test {
+protected:
+  void SetUp() override {
+    auto device = Device::open();
+    if (!device)
+      GTEST_SKIP() << device.error().message;
+    device_.emplace(std::move(*device));
+  }
+
+  std::unique_ptr<Tracer> tracer(Addressing addressing = Addressing::Buffer) {
+    auto kernel = compileKernel(volume_.format(), {.addressing = addressing});
+    EXPECT_TRUE(kernel) << kernel.error().message;
+    auto made = createTracer(*device_, *kernel, volume_);
+    EXPECT_TRUE(made) << made.error().message;
+    return std::move(*made);
+  }
+
+  Volume volume_ = oneVoxel();
+  std::optional<Device> device_;
+};
+
+TEST_F(TracerTest, HitsAndMisses) {
+  for (Addressing addressing : {Addressing::Buffer, Addressing::Segments}) {
+    if (addressing == Addressing::Segments && !device_->info().deviceAddresses)
+      continue;
+    std::vector<Ray> rays = {rayAt(2, 1), rayAt(2, 2)};
+    std::vector<Hit> hits(2);
+    auto report = tracer(addressing)->trace(rays, hits);
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(hits[0].voxel[2], 3);
+    EXPECT_EQ(hits[0].rgba, kRed);
+    EXPECT_EQ(hits[0].t, 5);
+    EXPECT_EQ(hits[0].steps, 0u);
+    EXPECT_FALSE(hits[1].isHit());
+  }
+}
+
+TEST_F(TracerTest, NoRaysAreTracedAtOnce) {
+  auto report = tracer()->trace({}, {}, {.repeat = 3});
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->repeats.size(), 3u);
+}
+
+TEST_F(TracerTest, LookupsAreCountedOnRequest) {
+  std::vector<Ray> rays = {rayAt(2, 1)};
+  std::vector<Hit> hits(1);
+  auto made = tracer();
+  ASSERT_TRUE(made->trace(rays, hits, {.countSteps = true}));
+  EXPECT_GT(hits[0].steps, 0u);
+  ASSERT_TRUE(made->trace(rays, hits));
+  EXPECT_EQ(hits[0].steps, 0u);
+}
+
+TEST_F(TracerTest, RaysKeepTheirOrderOverTilesAndBatches) {
+  // More than four tiles, and so more than one batch; 7 is prime to every size in between.
+  std::vector<Ray> rays((std::size_t{4} << 20) + 12345);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    rays[i] = i % 7 == 3 ? rayAt(2, 1) : rayAt(0, 0);
+  std::vector<Hit> hits(rays.size());
+  auto report = tracer()->trace(rays, hits);
+  ASSERT_TRUE(report) << report.error().message;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    wrong += hits[i].isHit() != (i % 7 == 3);
+  EXPECT_EQ(wrong, 0u);
+}
+
+TEST_F(TracerTest, LaterTracesMayHaveMoreRays) {
+  auto made = tracer();
+  for (std::size_t count : {1u, 1000u, 10u}) {
+    std::vector<Ray> rays(count, rayAt(2, 1));
+    std::vector<Hit> hits(count);
+    ASSERT_TRUE(made->trace(rays, hits));
+    EXPECT_TRUE(std::ranges::all_of(hits, &Hit::isHit));
+  }
+}
+
+TEST_F(TracerTest, StopsWhenAsked) {
+  std::atomic<bool> stop = true;
+  std::vector<Ray> rays(100, rayAt(2, 1));
+  std::vector<Hit> hits(rays.size());
+  auto report = tracer()->trace(rays, hits, {.progress = {.stop = &stop}});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().kind, ErrorKind::Interrupted);
+}
+
+TEST_F(TracerTest, ProgressEndsAtOne) {
+  std::vector<Ray> rays(100, rayAt(2, 1));
+  std::vector<Hit> hits(rays.size());
+  double last = 0;
+  TraceOptions options{.repeat = 2};
+  options.progress.report = [&](std::string_view, double fraction) { last = fraction; };
+  ASSERT_TRUE(tracer()->trace(rays, hits, options));
+  EXPECT_EQ(last, 1);
+}
+
+TEST_F(TracerTest, RaysAndHitsMustMatch) {
+  std::vector<Ray> rays(2, rayAt(0, 0));
+  std::vector<Hit> hits(1);
+  EXPECT_FALSE(tracer()->trace(rays, hits));
+}
+
+TEST_F(TracerTest, KernelsOfOtherStorageAreRefused) {
+  auto kernel = compileKernel(format("S(2)"));
+  ASSERT_TRUE(kernel) << kernel.error().message;
+  auto made = createTracer(*device_, *kernel, volume_);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().kind, ErrorKind::Input);
+  EXPECT_THAT(made.error().message, HasSubstr("R(2, 2, 2)"));
+}
+
+} // namespace
+} // namespace voxc
