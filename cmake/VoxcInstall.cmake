@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the package that `find_package(voxc)` finds: voxc::runtime needs Vulkan alone,
+# What `cmake --install` puts where, and the package that `find_package(voxc)` finds: voxc::runtime needs nothing more,
 # voxc::compiler also the compiler's libraries, which are looked for only if that component is asked for.
 include(CMakePackageConfigHelpers)
 set(packageDirectory "${CMAKE_INSTALL_LIBDIR}/cmake/voxc")

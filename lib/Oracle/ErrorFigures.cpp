@@ -1,6 +1,8 @@
 // How far a kernel's hits are from the oracle's, and which differences rounding explains.
 #include "voxc/Oracle/Oracle.h"
 
+#include "ExactRay.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -65,6 +67,8 @@ bool areNeighbours(const Hit &a, const Hit &b) {
 
 /// The rule of `ErrorFigures::boundary` for a ray on which the two hits differ.
 bool isExplained(const Oracle &oracle, const Ray &ray, const Hit &exact, const Hit &hit) {
+  if (!isFinite(ray))
+    return false;
   if (exact.isHit() && hit.isHit() && areNeighbours(exact, hit))
     return true;
   const double margin = marginFor(ray, exact, hit);

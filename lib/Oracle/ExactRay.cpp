@@ -3,10 +3,10 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 namespace voxc {
@@ -70,6 +70,11 @@ float nearer(const Fraction &time, float below, float above) {
 }
 
 } // namespace
+
+bool isFinite(const Ray &ray) {
+  const auto finite = [](float component) { return std::isfinite(component); };
+  return std::ranges::all_of(ray.origin, finite) && std::ranges::all_of(ray.direction, finite);
+}
 
 Moment ExactRay::crossing(int axis, int face) const {
   return {axis, face, direction(axis) < 0, std::abs((face - origin(axis)) / direction(axis))};

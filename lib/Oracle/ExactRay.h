@@ -7,6 +7,9 @@
 
 namespace voxc {
 
+/// Whether all six components are finite; of other rays nothing is asked but that they miss.
+bool isFinite(const Ray &ray);
+
 /// When a ray's cell changes: at the time at which the ray's coordinate on `axis` is `face`, or just after
 /// it. Without an axis it is the ray's start. Only moments at t >= 0 are ever made.
 struct Moment {

@@ -2,8 +2,6 @@
 #include "ExactWalk.h"
 #include "ExactRay.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace voxc {
@@ -68,11 +66,6 @@ std::optional<Moment> leaveCube(const ExactRay &ray, const Cube &cube) {
 
 Int3 cellAt(const ExactRay &ray, const Moment &moment) {
   return {ray.cell(0, moment), ray.cell(1, moment), ray.cell(2, moment)};
-}
-
-bool isFinite(const Ray &ray) {
-  const auto finite = [](float component) { return std::isfinite(component); };
-  return std::ranges::all_of(ray.origin, finite) && std::ranges::all_of(ray.direction, finite);
 }
 
 } // namespace

@@ -11,8 +11,10 @@ class RandomSource {
 public:
   explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
 
-  /// A whole number in [low, high].
+  /// A whole number in [low, high]; low, if that is empty.
   int integer(int low, int high) {
+    if (high <= low)
+      return low;
     const auto choices = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
     return static_cast<int>(low + static_cast<std::int64_t>(engine_() % choices));
   }

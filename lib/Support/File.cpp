@@ -22,9 +22,17 @@ struct Descriptor {
   }
 };
 
-bool isDirectory(const std::string &path) {
+/// The type bits of what stands at `path`, or 0 if nothing does.
+mode_t typeOf(const std::string &path) {
   struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+  return ::stat(path.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
+}
+
+/// mkstemp makes a file private; the final file shall have the permissions of an ordinary one.
+void makeOrdinary(int descriptor) {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, 0666 & ~mask);
 }
 
 } // namespace
@@ -62,20 +70,22 @@ MappedFile &MappedFile::operator=(MappedFile &&other) noexcept {
 }
 
 Expected<OutputFile> OutputFile::create(const std::string &path) {
-  if (isDirectory(path))
+  const mode_t type = typeOf(path);
+  if (type == S_IFDIR)
     return Error::input("'" + path + "' is a directory; name a file to write");
   OutputFile output;
   output.path_ = path;
-  output.temporary_ = path + ".XXXXXX";
-  const int descriptor = ::mkstemp(output.temporary_.data());
+  // A pipe or a device is written to, never replaced by a file.
+  const bool replaces = type == 0 || type == S_IFREG;
+  output.temporary_ = replaces ? path + ".XXXXXX" : "";
+  const int descriptor =
+      replaces ? ::mkstemp(output.temporary_.data()) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) {
     output.temporary_.clear();
     return Error::environment("cannot write '" + path + "': " + reason());
   }
-  // mkstemp makes the file private; the final file shall have the permissions of an ordinary one.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(descriptor, 0666 & ~mask);
+  if (replaces)
+    makeOrdinary(descriptor);
   output.file_ = ::fdopen(descriptor, "wb");
   return output;
 }
@@ -99,7 +109,7 @@ Expected<void> OutputFile::write(const void *data, std::size_t size) {
 
 Expected<void> OutputFile::commit() {
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-  if (!closed || std::rename(temporary_.c_str(), path_.c_str()) != 0)
+  if (!closed || (!temporary_.empty() && std::rename(temporary_.c_str(), path_.c_str()) != 0))
     return Error::environment("cannot write '" + path_ + "': " + reason());
   temporary_.clear();
   return {};

@@ -57,12 +57,13 @@ void step_over(const Ray ray, inout Walk walk, ivec3 corner, int side) {
 void march(const Ray ray, inout Walk walk, ivec3 low, ivec3 cell, ivec3 log2_size, int log2_cell, uint distance) {
   int left = int(distance);
   Crossing crossing;
-  do {
+  // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
+  while (left > 0) {
     crossing = leave_cube(ray, low + (cell << log2_cell), 1 << log2_cell);
     cell += crossing.step;
     ivec3 moved = abs(crossing.step);
-    left -= moved.x + moved.y + moved.z;
-  } while (left > 0 && in_grid(cell, log2_size));
+    left = in_grid(cell, log2_size) ? left - (moved.x + moved.y + moved.z) : 0;
+  }
   land(ray, walk, crossing, low + (cell << log2_cell), 1 << log2_cell);
 }
 

@@ -24,6 +24,7 @@ struct Options {
 void declare(CLI::App &app, Options &options) {
   app.set_version_flag("--version", versionText());
   app.add_option("INPUT", options.input, "File with IR or a format string; - for standard input")
+      ->type_name("")
       ->capture_default_str();
   app.add_flag("--print-after-all", options.printAfterAll, "Print the IR to standard error after each pass");
   app.add_flag("--time-passes", options.timePasses, "Print each pass's time to standard error");

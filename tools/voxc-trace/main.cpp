@@ -53,9 +53,10 @@ void addOptions(CLI::App &app, Options &options) {
 }
 
 Expected<void> checkUsage(const Options &options) {
-  bool pictureOptions = options.heatmap || !options.camera.camera.empty() || !options.camera.size.empty();
+  const CameraOptions &camera = options.camera;
+  bool pictureOptions = options.heatmap || !camera.camera.empty() || !camera.size.empty() || camera.fov != 0;
   if (!options.rays.empty() && pictureOptions)
-    return Error::usage("--rays writes hits: --camera, --size and --heatmap are for pictures");
+    return Error::usage("--rays writes hits: --camera, --size, --fov and --heatmap are for pictures");
   if (options.output == "-" && options.common.stats == "-")
     return Error::usage("-o and --stats cannot both write to standard output");
   return {};

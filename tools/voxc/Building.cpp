@@ -10,9 +10,12 @@
 namespace voxc::tool {
 
 void Building::declare(CLI::App &app) {
-  app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")->required();
+  app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
+      ->required()
+      ->type_name("");
   app.add_option("INPUT", input_, "A mesh, points, a .hvx volume, grid:WxHxD:FILE or builtin:NAME[:N]")
-      ->required();
+      ->required()
+      ->type_name("");
   addInputArguments(app, inputArguments_);
   passes_.declare(app, PassChoice::All);
 }

@@ -85,6 +85,10 @@ std::vector<std::string> artefactNames() {
   return names;
 }
 
+std::vector<std::string> addressingNames() {
+  return {std::string(toString(Addressing::Buffer)), std::string(toString(Addressing::Segments))};
+}
+
 const ArtefactKind &findArtefact(const std::string &name) {
   return *std::ranges::find_if(kArtefacts, [&](const ArtefactKind &kind) { return name == kind.name; });
 }
@@ -113,20 +117,22 @@ private:
 };
 
 void CompileCommand::declare(CLI::App &app) {
-  app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")->required();
+  app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
+      ->required()
+      ->type_name("");
   app.add_option("-o,--output", folder_, "Folder to write to, or - to print one kind")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--emit", kinds_, "What to write, separated by commas")
+  app.add_option("--emit", kinds_,
+                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, separated by commas")
       ->delimiter(',')
       ->type_name("KINDS")
-      ->check(CLI::IsMember(artefactNames()).description("ir, plan, construct, glsl, spirv, spvasm"))
-      ->capture_default_str();
+      ->check(CLI::IsMember(artefactNames()).description(""))
+      ->default_str("construct,glsl");
   app.add_option("--addressing", addressing_,
                  "How the kernel reaches the words: in one buffer, or in segments")
-      ->type_name("KIND")
-      ->check(CLI::IsMember(
-          {std::string(toString(Addressing::Buffer)), std::string(toString(Addressing::Segments))}))
+      ->type_name("buffer|segments")
+      ->check(CLI::IsMember(addressingNames()).description(""))
       ->capture_default_str();
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
   passes_.declare(app, PassChoice::All);

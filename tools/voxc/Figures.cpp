@@ -12,6 +12,12 @@ namespace {
 std::string plainText(const Json &value) {
   if (value.is_string())
     return value.get<std::string>();
+  if (value.is_array()) {
+    std::string text;
+    for (const Json &element : value)
+      text += (text.empty() ? "" : ", ") + plainText(element);
+    return text;
+  }
   if (!value.is_number_float())
     return value.dump();
   char text[32];

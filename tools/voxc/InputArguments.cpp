@@ -11,14 +11,14 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
   app.add_option("--resolution", arguments.resolution,
                  "Voxels on the longest axis; default: what the format holds")
       ->type_name("N")
-      ->check(CLI::Range(1, 1 << kMaxLog2Extent));
+      ->check(CLI::Range(1, 1 << kMaxLog2Extent).description(""));
   app.add_option("--bounds", arguments.bounds, "Crops a mesh to this box of model space")
       ->type_name("X0,Y0,Z0,X1,Y1,Z1")
       ->delimiter(',')
       ->expected(6);
   app.add_option("--up", arguments.up, "The mesh's axis that points up: y (default) or z")
       ->type_name("AXIS")
-      ->check(CLI::IsMember({"y", "z"}));
+      ->check(CLI::IsMember({"y", "z"}).description(""));
 }
 
 namespace {

@@ -31,7 +31,7 @@ public:
         ->required();
     app.add_option("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")
         ->type_name("N")
-        ->check(CLI::Range(1u, 1000000u))
+        ->check(CLI::Range(1u, 1000000u).description(""))
         ->capture_default_str();
     app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
     tracing_.declare(app);

@@ -83,7 +83,7 @@ void VerifyCommand::declare(CLI::App &app) {
   addInputArguments(app, inputArguments_);
   app.add_option("--rays", rays_, "Rays to trace by the kernel and by the oracle; 0 needs no device")
       ->type_name("N")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 30))
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 30).description(""))
       ->capture_default_str();
   app.add_option("--seed", seed_, "Another number makes other rays")->type_name("N")->capture_default_str();
   app.add_flag("--allow-boundary", allowBoundary_,

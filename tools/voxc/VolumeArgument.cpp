@@ -4,7 +4,7 @@
 namespace voxc::tool {
 
 void VolumeArgument::declare(CLI::App &app) {
-  app.add_option("VOLUME", path_, "A .hvx file")->required();
+  app.add_option("VOLUME", path_, "A .hvx file")->required()->type_name("");
   app.add_flag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
 }
 

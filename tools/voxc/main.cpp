@@ -1,6 +1,9 @@
 // voxc: the driver. A thin client of the libraries; each command is a file of this folder.
 #include "Subcommand.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -28,6 +31,19 @@ constexpr CommandKind kCommands[] = {
     {"devices", "List the devices that can trace", makeDevicesCommand},
 };
 
+/// CLI11 says only that a command is missing where one is misspelt.
+bool isUnknownCommand(std::string_view word) {
+  return !word.starts_with('-') &&
+         std::ranges::find(kCommands, word, &CommandKind::name) == std::end(kCommands);
+}
+
+Error unknownCommand(std::string_view word) {
+  std::string names;
+  for (const CommandKind &kind : kCommands)
+    names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return Error::usage("'" + std::string(word) + "' is no command; the commands are " + names);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -41,6 +57,10 @@ int main(int argc, char **argv) {
     commands.emplace_back(subcommand, kind.make()).second->declare(*subcommand);
   }
 
+  if (argc > 1 && isUnknownCommand(argv[1])) {
+    printError(unknownCommand(argv[1]));
+    return exitCode(ErrorKind::Usage);
+  }
   return runTool(app, argc, argv, [&]() -> Expected<void> {
     for (auto &[subcommand, command] : commands)
       if (subcommand->parsed())

@@ -48,8 +48,8 @@ TriangleMesh withMaterials(const std::vector<std::array<float, 4>> &colours) {
 
 TEST(Colour, NearestTriangleWins) {
   TriangleMesh mesh = withMaterials({{1, 0, 0, 1}, {0, 1, 0, 1}});
-  addSquare(mesh, 0.1f, 0);
-  addSquare(mesh, 0.6f, 1);
+  addSquare(mesh, 0.45f, 0);
+  addSquare(mesh, 0.499f, 1);
   for (const auto &[code, word] : voxelized(mesh))
     EXPECT_EQ(word, kGreen);
 }

@@ -37,12 +37,12 @@ inline std::vector<ExactPoint> clipPolygon(const std::vector<ExactPoint> &polygo
 }
 
 /// True if the closed triangle and the closed voxel, widened by `margin` on each side, have a common point.
-inline bool touchesExactly(const ExactTriangle &triangle, Int3 voxel, const Rational &margin) {
+inline bool touchesExactly(const ExactTriangle &triangle, Int3 voxel, double margin) {
   std::vector<ExactPoint> polygon(triangle.begin(), triangle.end());
   for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    polygon = clipPolygon(polygon, i, 1, voxel[axis] - margin);
-    polygon = clipPolygon(polygon, i, -1, voxel[axis] + 1 + margin);
+    polygon = clipPolygon(polygon, i, 1, voxel[axis] - Rational(margin));
+    polygon = clipPolygon(polygon, i, -1, voxel[axis] + 1 + Rational(margin));
   }
   return !polygon.empty();
 }

@@ -1,12 +1,12 @@
 // The classes of hard rays are what they say, repeatable, and aimed at the grid.
 #include "voxc/Oracle/HardRays.h"
 
+#include "../../lib/Oracle/ExactRay.h"
 #include "../../lib/Oracle/ExactWalk.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace voxc::test {
@@ -16,11 +16,6 @@ constexpr Int3 kExtent{32, 16, 8};
 
 bool equal(const std::vector<Ray> &a, const std::vector<Ray> &b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Ray)) == 0;
-}
-
-bool isFinite(const Ray &ray) {
-  const auto finite = [](float component) { return std::isfinite(component); };
-  return std::ranges::all_of(ray.origin, finite) && std::ranges::all_of(ray.direction, finite);
 }
 
 TEST(HardRays, SameArgumentsGiveTheSameRays) {

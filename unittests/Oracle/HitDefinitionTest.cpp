@@ -130,11 +130,9 @@ TEST(HitDefinition, NonFiniteComponentIsAMiss) {
 
 TEST(HitDefinition, TimeBeyondFloatIsInfinityAndTheHitStands) {
   expectHit(gridOf({{5, 0, 0}}), {{-1e6f, 0, 0}, {kSmallest, 0, 0}}, {5, 0, 0}, kInfinity);
-  // The largest finite t, and the first that rounds to infinity: 2^128 - 2^103 is halfway, a tie.
-  expectHit(gridOf({{0, 0, 0}}), {{-std::ldexp(1.0f, 24) + 1, 0, 0}, {std::ldexp(1.0f, -104), 0, 0}},
-            {0, 0, 0}, kLargest);
-  expectHit(gridOf({{1, 0, 0}}), {{-std::ldexp(1.0f, 24) + 1, 0, 0}, {std::ldexp(1.0f, -104), 0, 0}},
-            {1, 0, 0}, kInfinity);
+  // The largest finite t; then 2^128 - 2^103, halfway to 2^128, a tie that goes to the even side.
+  expectHit(gridOf({{0, 0, 0}}), {{-0x1.fffffep23f, 0, 0}, {0x1p-104f, 0, 0}}, {0, 0, 0}, kLargest);
+  expectHit(gridOf({{1, 0, 0}}), {{-0x1.fffffep24f, 0, 0}, {0x1p-103f, 0, 0}}, {1, 0, 0}, kInfinity);
 }
 
 TEST(HitDefinition, TimeIsRoundedToNearestEven) {

@@ -177,6 +177,17 @@ TEST_F(OracleFigures, RoundingExplainsAVoxelBarelyMetOrMissed) {
   EXPECT_EQ(figuresOf(oracle_, {{past(5), hitAt({5, 4, 4}, 3.5f)}}).boundary, 0u);
 }
 
+TEST_F(OracleFigures, NothingExplainsAHitOfANonFiniteRay) {
+  for (float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    for (int component = 0; component < 6; ++component) {
+      Ray ray = kDown;
+      (component < 3 ? ray.origin[component] : ray.direction[component - 3]) = bad;
+      const ErrorFigures figures = figuresOf(oracle_, {{ray, hitAt({1, 1, 1}, 3)}});
+      EXPECT_EQ(figures.ghost, 1u);
+      EXPECT_EQ(figures.boundary, 0u);
+    }
+}
+
 TEST_F(OracleFigures, RoundingExplainsWhatLiesBehindAVoxelBarelyMet) {
   // Down past the pillar at x = 5 to the floor: its top is 4 above.
   const auto down = [](float x) { return Ray{{x, 8, 4.5f}, {0, -1, 0}}; };
@@ -185,6 +196,15 @@ TEST_F(OracleFigures, RoundingExplainsWhatLiesBehindAVoxelBarelyMet) {
   EXPECT_EQ(figuresOf(oracle_, {{down(4.5f), hitAt({4, 1, 4}, 6)}}).boundary, 0u);
   EXPECT_EQ(figuresOf(oracle_, {{down(5), hitAt({4, 5, 4}, 2)}}).boundary, 1u);
   EXPECT_EQ(figuresOf(oracle_, {{down(5.5f), hitAt({4, 5, 4}, 2)}}).boundary, 0u);
+}
+
+TEST_F(OracleFigures, RoundingExplainsAVoxelBarelyMissedOnTheWay) {
+  // Exactly over the pillar's top edge at (5, 6), then well into the floor at (6.5, 2).
+  const auto over = [](float x) { return Ray{{x, 9, 4.5f}, {0.75f, -2, 0}}; };
+  const Hit pillar = hitAt({4, 5, 4}, 1.5f);
+  const ErrorFigures figures = figuresOf(oracle_, {{over(3.875f), pillar}, {over(3.9f), pillar}});
+  EXPECT_EQ(figures.wrong, 2u);
+  EXPECT_EQ(figures.boundary, 1u);
 }
 
 } // namespace

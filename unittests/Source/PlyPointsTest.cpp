@@ -87,10 +87,10 @@ TEST_F(PlyPoints, ReadsEveryTypeOfProperty) {
 
 TEST_F(PlyPoints, FirstOfDuplicatesWinsAndWordZeroIsDropped) {
   const std::string properties = std::string(kIndexProperties) + "property uchar alpha\n";
-  auto input =
-      open(header("ascii", "4", properties) + "1 1 1 0 0 0 0\n1 1 1 9 9 9 9\n2 0 0 0 0 0 0\n1 1 1 8 8 8 8\n");
+  auto input = open(header("ascii", "5", properties) +
+                    "1 1 1 0 0 0 0\n1 1 1 5 5 5 5\n2 0 0 0 0 0 0\n1 1 1 3 3 3 3\n1 1 1 8 8 8 8\n");
   ASSERT_TRUE(input);
-  EXPECT_EQ(voxelsOf(*input->source), (Voxels{{mortonCode({1, 1, 1}), 0x09090909}}));
+  EXPECT_EQ(voxelsOf(*input->source), (Voxels{{mortonCode({1, 1, 1}), 0x05050505}}));
   ASSERT_EQ(input->warnings.size(), 1u);
   EXPECT_NE(input->warnings[0].find("2 points"), std::string::npos);
 }

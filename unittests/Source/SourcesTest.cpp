@@ -123,6 +123,16 @@ TEST(Sources, GridIsConsistentAndComplete) {
   }
 }
 
+TEST(Sources, GridFindsAVoxelInItsFarCorner) {
+  for (const Int3 extent : {Int3{70, 1, 1}, Int3{1, 65, 2}, Int3{9, 9, 9}, Int3{1, 1, 1}}) {
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(extent.x * extent.y * extent.z));
+    words.back() = 5;
+    const auto source = makeGridSource(extent, words);
+    EXPECT_EQ(voxelsOf(*source), (Voxels{{mortonCode(extent - Int3{1, 1, 1}), 5}}));
+    EXPECT_FALSE(source->empty({{}, 10}));
+  }
+}
+
 TEST(Sources, SortedVoxelsComeBackInAnyOrder) {
   std::mt19937 random(3);
   Voxels voxels;

@@ -39,15 +39,16 @@ struct ErrorFigures {
   std::uint64_t wrong = 0;  ///< Another voxel.
   std::uint64_t colour = 0; ///< The right voxel with another word.
   /// Of missed, ghost and wrong: those that rounding at a cell's boundary explains. Let e be 2^-20 times the
-  /// largest of 1, the origin's coordinates and those of the voxels at stake (16 half-ulps of float32 there). A
-  /// difference is explained if the two voxels are neighbours (one cell apart at most on each axis), or else if
-  /// - the kernel's voxel, if it hits, is not empty, and the ray meets its cell grown by e on every side; and
-  /// - the oracle's voxel, if it hits, is met no sooner than the kernel's, both grown by e; or the ray does not
-  ///   meet its cell shrunk by e on every side, so that the kernel may have passed it by.
+  /// largest of 1, the origin's coordinates and those of the voxels at stake (16 half-ulps of float32 there).
+  /// A difference on a finite ray is explained if the two voxels are neighbours, one cell apart at most on
+  /// each axis. Or else it is if these two hold:
+  /// - the kernel's voxel, if it hits, is not empty, and the ray meets its cell grown by e on every side;
+  /// - the oracle's voxel, if it hits, is met no sooner than the kernel's, both grown by e; or else its cell
+  ///   shrunk by e on every side is not met at all: the kernel may have passed it by.
   std::uint64_t boundary = 0;
-  double maxDt = 0;         ///< In voxels: t times the direction's length, where both hit the same voxel.
+  double maxDt = 0; ///< In voxels: t times the direction's length, where both hit the same voxel.
   double rmsDt = 0;
-  double maxUlpDt = 0;      ///< In units in the last place of the oracle's t. A t beyond float32 counts as 2^128.
+  double maxUlpDt = 0; ///< In units in the last place of the oracle's t. A t beyond float32 counts as 2^128.
   std::vector<std::uint64_t> examples; ///< Indices of the first rays that differ, at most 16.
 
   bool clean() const { return missed == 0 && ghost == 0 && wrong == 0 && colour == 0; }

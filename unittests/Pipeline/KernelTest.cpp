@@ -1,0 +1,128 @@
+// Generated kernels against the oracle, for every format, walk and addressing.
+#include "RandomFormat.h"
+#include "Scenes.h"
+#include "TestLength.h"
+
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Emit/Emit.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Oracle/HardRays.h"
+#include "voxc/Oracle/Oracle.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace voxc {
+namespace {
+
+/// The software device, on which these figures were found; others are not tested here.
+class Kernels : public ::testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    if (auto device = Device::open("llvmpipe"))
+      device_ = new Device(std::move(*device));
+  }
+  static void TearDownTestSuite() {
+    delete device_;
+    device_ = nullptr;
+  }
+  void SetUp() override {
+    if (!device_)
+      GTEST_SKIP() << "there is no llvmpipe device";
+  }
+
+  static std::vector<Hit> hitsOf(const Volume &volume, const Format &format, Addressing addressing,
+                                 std::span<const Ray> rays) {
+    auto kernel = compileKernel(format, {addressing});
+    EXPECT_TRUE(kernel) << kernel.error().message;
+    auto tracer = createTracer(*device_, *kernel, volume);
+    EXPECT_TRUE(tracer) << tracer.error().message;
+    std::vector<Hit> hits(rays.size());
+    const auto report = (*tracer)->trace(rays, hits);
+    EXPECT_TRUE(report) << report.error().message;
+    return hits;
+  }
+
+  /// Every difference from the oracle must be float rounding at a cell's boundary, and rare.
+  static void expectHits(const Format &format, const test::Scene &scene, Addressing addressing, std::uint64_t seed) {
+    const auto constructor = Constructor::compile(format);
+    ASSERT_TRUE(constructor) << constructor.error().message;
+    const auto built = constructor->build(*scene.source());
+    ASSERT_TRUE(built) << built.error().message;
+    const auto rays = verifyRays(scene.extent, 2000, seed);
+    const auto hits = hitsOf(built->volume, format, addressing, rays);
+    const ErrorFigures figures = compare(Oracle(built->volume), rays, hits);
+    const std::uint64_t wrong = figures.missed + figures.ghost + figures.wrong;
+    EXPECT_EQ(figures.colour, 0u) << printIr(format) << scene.name;
+    EXPECT_EQ(wrong, figures.boundary) << printIr(format) << scene.name << ", ray "
+                                       << (figures.examples.empty() ? 0 : figures.examples[0]);
+    EXPECT_LE(wrong, 20u) << printIr(format) << scene.name;
+  }
+
+  static Device *device_;
+};
+
+Device *Kernels::device_ = nullptr;
+
+TEST_F(Kernels, AgreeWithTheOracleOnBaseFormats) {
+  for (const char *text : {"R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "R(2,3,1)", "D(1,4,2,9)", "S(0)", "G(0)"}) {
+    const Format format = *parseFormat(text);
+    for (const test::Scene &scene : test::hardScenes(format.extent()))
+      expectHits(format, scene, Addressing::Buffer, 1);
+  }
+}
+
+TEST_F(Kernels, AgreeWithTheOracleOnRandomFormats) {
+  std::mt19937 random(11);
+  for (int i = 0; i < test::rounds(10); ++i) {
+    const Format format = test::randomFormat(random, test::pick(random, 4, 6));
+    const auto scenes = test::hardScenes(format.extent());
+    const auto addressing = random() % 2 ? Addressing::Buffer : Addressing::Segments;
+    expectHits(format, scenes[random() % scenes.size()], addressing, random());
+    expectHits(format, scenes[random() % scenes.size()], addressing, random());
+  }
+}
+
+TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
+  Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
+  const test::Scene scene = test::hardScenes(format.extent())[6];
+  const auto built = Constructor::compile(format)->build(*scene.source());
+  const auto rays = verifyRays(scene.extent, 20000, 3);
+  const auto stack = hitsOf(built->volume, format, Addressing::Buffer, rays);
+  const auto segments = hitsOf(built->volume, format, Addressing::Segments, rays);
+  Diagnostics diagnostics;
+  ASSERT_EQ(restartSv(format, diagnostics), PassResult::Changed);
+  const auto restart = hitsOf(built->volume, format, Addressing::Buffer, rays);
+  const auto bytes = stack.size() * sizeof(Hit);
+  EXPECT_EQ(std::memcmp(stack.data(), restart.data(), bytes), 0);
+  EXPECT_EQ(std::memcmp(stack.data(), segments.data(), bytes), 0);
+}
+
+TEST_F(Kernels, FitOnlyTheStorageTheyWereMadeFor) {
+  const Format format = *parseFormat("R(1^3) G(2)");
+  const auto built = Constructor::compile(format)->build(**makeBuiltinSource("full", 8));
+  const auto other = compileKernel(*parseFormat("R(2^3) G(1)"));
+  const auto refused = createTracer(*device_, *other, built->volume);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Input);
+  const auto restart = compileKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) walk=restart }"));
+  EXPECT_TRUE(createTracer(*device_, *restart, built->volume)) << "a walk does not change storage";
+}
+
+TEST(Kernel, IsValidForEveryBaseFormatAndOptimised) {
+  for (const char *text : {"R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "R(1^3) S(1) D(1^3,2) G(1)"})
+    for (const bool optimise : {false, true})
+      for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments}) {
+        const auto kernel = compileKernel(*parseFormat(text), {addressing, optimise});
+        ASSERT_TRUE(kernel) << kernel.error().message;
+        const auto read = Kernel::fromSpirv(kernel->spirv);
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->storageDigest, storageDigest(*parseFormat(text)));
+        EXPECT_EQ(read->addressing, addressing);
+      }
+}
+
+} // namespace
+} // namespace voxc

@@ -1,0 +1,138 @@
+// The .hvx file and its loader, which trusts nothing.
+#include "voxc/Support/File.h"
+#include "voxc/Volume/Volume.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <unistd.h>
+
+namespace voxc {
+namespace {
+
+using ::testing::HasSubstr;
+
+class VolumeFile : public ::testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("voxc-volume-file-" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder_);
+    path_ = folder_ / "volume.hvx";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// One voxel, 9, at (1, 0, 0) of G(1).
+  static Volume small() {
+    VolumeInfo info;
+    info.format = *parseFormat("G(1)");
+    info.extent = {2, 1, 1};
+    info.voxels = 1;
+    info.provenance = "resolution=2";
+    info.voxelToModel.rows[3] = -1.5;
+    return Volume(std::move(info), {2, 9, 0x0202, 1});
+  }
+
+  std::string errorOf(const std::string &bytes, bool trusted = false) {
+    EXPECT_TRUE(writeFile(path_, bytes));
+    const auto loaded = Volume::load(path_, trusted);
+    return loaded ? "no error" : loaded.error().message;
+  }
+
+  std::filesystem::path folder_;
+  std::string path_;
+};
+
+TEST_F(VolumeFile, RoundTrips) {
+  const Volume saved = small();
+  ASSERT_TRUE(saved.save(path_));
+  const auto loaded = Volume::load(path_);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->format(), saved.format());
+  EXPECT_EQ(loaded->info().extent, saved.info().extent);
+  EXPECT_EQ(loaded->info().voxelToModel, saved.info().voxelToModel);
+  EXPECT_EQ(loaded->info().voxels, 1u);
+  EXPECT_EQ(loaded->info().provenance, "resolution=2");
+  EXPECT_TRUE(std::ranges::equal(loaded->words(), saved.words()));
+  EXPECT_EQ(loaded->lookup({1, 0, 0}).value, 9u);
+  EXPECT_EQ(loaded->lookup({0, 0, 0}).value, 0u);
+  EXPECT_EQ(loaded->lookup({2, 0, 0}).value, 0u);
+}
+
+TEST_F(VolumeFile, NoticesEveryFlippedBit) {
+  ASSERT_TRUE(small().save(path_));
+  const std::string whole = *readTextFile(path_);
+  for (std::size_t at = 0; at < whole.size(); ++at)
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string flipped = whole;
+      flipped[at] = static_cast<char>(flipped[at] ^ 1 << bit);
+      ASSERT_NE(errorOf(flipped), "no error") << "byte " << at << ", bit " << bit;
+    }
+}
+
+TEST_F(VolumeFile, NoticesEveryLength) {
+  ASSERT_TRUE(small().save(path_));
+  const std::string whole = *readTextFile(path_);
+  for (std::size_t length = 0; length < whole.size(); length += length < 200 ? 1 : 61)
+    ASSERT_NE(errorOf(whole.substr(0, length)), "no error") << length;
+  EXPECT_THAT(errorOf(whole + "more"), HasSubstr("surplus"));
+  EXPECT_THAT(errorOf(""), HasSubstr("not a .hvx volume"));
+}
+
+TEST_F(VolumeFile, LeavesTheOldFileIfItCannotBeWritten) {
+  EXPECT_FALSE(small().save(folder_));
+  EXPECT_FALSE(small().save(folder_ / "none" / "v.hvx"));
+}
+
+std::string structureOf(const char *format, std::vector<std::uint32_t> words) {
+  const auto checked = checkStructure(*parseFormat(format), words);
+  return checked ? "sound" : checked.error().message;
+}
+
+TEST(Structure, AcceptsWhatBuildersWrite) {
+  EXPECT_EQ(structureOf("G(1)", {2, 9, 0x0202, 1}), "sound");
+  EXPECT_EQ(structureOf("R(1,0,0)", {1, 0, 5}), "sound");
+  EXPECT_EQ(structureOf("R(1,0,0)", {0}), "sound");
+}
+
+TEST(Structure, RefusesWhatWouldLeadAstray) {
+  EXPECT_THAT(structureOf("R(1,0,0)", {}), HasSubstr("1 to 2^32 words"));
+  EXPECT_THAT(structureOf("R(1,0,0)", {2, 0, 5}), HasSubstr("a raw grid"));
+  EXPECT_THAT(structureOf("R(1,0,0)", {0, 0, 5}), HasSubstr("word 0"));
+  EXPECT_THAT(structureOf("G(1)", {9, 9, 0x0202, 1}), HasSubstr("leads to word 9"));
+  EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0202, 7}), HasSubstr("a leaf at word 7"));
+  EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0202}), HasSubstr("a node of a DAG"));
+  EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0002, 1}), HasSubstr("not a leaf"));
+  EXPECT_THAT(structureOf("G(2)", {1, 0x0203, 1, 1}), HasSubstr("broken"));
+  EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0302, 1}), HasSubstr("leaf that is empty"));
+  EXPECT_THAT(structureOf("G(1)", {2, 0, 0x0202, 1}), HasSubstr("empty or malformed"));
+  EXPECT_THAT(structureOf("S(1)", {3, 9, 1, 1, 0x0202}), HasSubstr("empty or malformed"));
+  EXPECT_THAT(structureOf("S(1)", {3, 9, 0, 0xffffffff, 0xffff}), HasSubstr("a leaf"));
+  EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 9, 1, 0, 1}), HasSubstr("has a distance"));
+  EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 9, 0, 0, 4}), HasSubstr("outside 1..3"));
+  EXPECT_THAT(structureOf("R(1,0,0) R(0^3)", {1, 3, 99, 7}), HasSubstr("leads to word 99"));
+}
+
+TEST(Structure, EndsQuicklyWhateverTheFileTiesTogether) {
+  // 20 nodes, each of eight pointers to the next: 8^20 paths, but few nodes.
+  std::vector<std::uint32_t> words = {0};
+  std::uint32_t child = 1;
+  words.push_back(5);
+  for (int height = 1; height <= 20; ++height) {
+    const auto node = static_cast<std::uint32_t>(words.size());
+    words.push_back(height == 1 ? 0xffff : 0x00ff);
+    words.insert(words.end(), 8, child);
+    child = node;
+  }
+  words[0] = child;
+  EXPECT_EQ(structureOf("G(20)", words), "sound");
+  // Grids that overlap would make a small file ask for much work.
+  std::vector<std::uint32_t> grids(1 + 512 + 4096 + 512, 1);
+  grids[0] = 1;
+  for (std::uint32_t i = 0; i < 512; ++i)
+    grids[1 + i] = 513 + i;
+  EXPECT_THAT(structureOf("R(3^3) R(4^3)", grids), HasSubstr("overlap"));
+}
+
+} // namespace
+} // namespace voxc
