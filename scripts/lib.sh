@@ -39,6 +39,6 @@ install_packages() {
 # build PRESET: configures and builds build/PRESET.
 build() {
   say "Building build/$1"
-  cmake --preset "$1" --log-level=WARNING
+  cmake --preset "$1" >/dev/null
   cmake --build --preset "$1"
 }

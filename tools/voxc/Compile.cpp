@@ -171,6 +171,9 @@ Expected<void> CompileCommand::write(const std::vector<OutputText> &outputs) con
 Expected<void> CompileCommand::run() {
   if (folder_ == "-" && kinds_.size() != 1)
     return Error::usage("-o - prints one kind, but --emit names " + std::to_string(kinds_.size()));
+  if (folder_ == "-")
+    if (Expected<void> free = checkOutput(folder_, common_); !free)
+      return free;
   Expected<Format> format = readFormat(format_);
   if (!format)
     return format.error();

@@ -9,14 +9,22 @@ namespace voxc::tool {
 namespace fs = std::filesystem;
 
 Expected<void> checkOutputFile(const std::string &path) {
-  if (path.empty() || path == "-")
-    return {};
+  if (path == "-")
+    return Error::usage("a volume cannot go to standard output; name a file");
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
     return Error::input("output '" + path + "' is a directory; name a file");
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, ignored))
     return Error::input("output '" + path + "' lies in a folder that does not exist; make it first");
+  return {};
+}
+
+Expected<void> checkOutput(const std::string &path, const CommonOptions &common) {
+  if (path != "-")
+    return checkOutputFile(path);
+  if (common.stats == "-")
+    return Error::usage("data and figures cannot both go to standard output; give one of them a file");
   return {};
 }
 

@@ -1,15 +1,18 @@
 // Looking at where results shall go before any work is done for them.
 #pragma once
 
+#include "common/Command.h"
 #include "voxc/Support/Error.h"
 
 #include <string>
 
 namespace voxc::tool {
 
-/// Whether `path` can become a file: "-" and "" always; not a directory, and its folder exists.
-/// Errors: `Input`.
+/// Whether `path` can become a file: not a directory, and its folder exists. Errors: `Input`; `Usage` for "-".
 Expected<void> checkOutputFile(const std::string &path);
+
+/// The same, but "-" is standard output, unless the figures go there.
+Expected<void> checkOutput(const std::string &path, const CommonOptions &common);
 
 /// Makes the folder `path` with its parents if it is not there. Errors: `Input` if it is a file,
 /// `Environment`.

@@ -22,7 +22,7 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> checked = rendering_.check(); !checked)
+    if (Expected<void> checked = rendering_.check(common_); !checked)
       return checked;
     Json figures;
     ProgressBar bar(common_.quiet);

@@ -16,8 +16,8 @@ void Rendering::declare(CLI::App &app) {
   addCameraOptions(app, camera_);
 }
 
-Expected<void> Rendering::check() const {
-  if (Expected<void> writable = checkOutputFile(output_); !writable)
+Expected<void> Rendering::check(const CommonOptions &common) const {
+  if (Expected<void> writable = checkOutput(output_, common); !writable)
     return writable;
   // Whatever the volume's extent will be, the options are right or wrong for any.
   Expected<Camera> camera = makeCamera(camera_, {1, 1, 1});

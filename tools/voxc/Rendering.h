@@ -4,6 +4,7 @@
 #include "Tracing.h"
 
 #include "common/CameraOptions.h"
+#include "common/Command.h"
 #include "voxc/Support/Progress.h"
 
 #include <string>
@@ -16,7 +17,7 @@ public:
   void declare(CLI::App &app);
 
   /// Looks at the output's path and the camera's options, before any work.
-  Expected<void> check() const;
+  Expected<void> check(const CommonOptions &common) const;
   /// Traces the camera's rays and writes the picture. Its figures are added.
   Expected<void> render(const Volume &volume, Tracing &tracing, const Progress &progress,
                         Json &figures) const;

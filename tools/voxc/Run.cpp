@@ -23,10 +23,11 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> checked = rendering_.check(); !checked)
+    if (Expected<void> checked = rendering_.check(common_); !checked)
       return checked;
-    if (Expected<void> writable = checkOutputFile(volumePath_); !writable)
-      return writable;
+    if (!volumePath_.empty())
+      if (Expected<void> writable = checkOutputFile(volumePath_); !writable)
+        return writable;
     Json figures;
     ProgressBar bar(common_.quiet);
     if (Expected<void> rendered = buildAndRender(bar, figures); !rendered)

@@ -40,9 +40,7 @@ public:
   }
 
   Expected<void> run() override {
-    if (output_ == "-" && common_.stats == "-")
-      return Error::usage("hits and figures cannot both go to standard output; give one of them a file");
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
+    if (Expected<void> writable = checkOutput(output_, common_); !writable)
       return writable;
     Json figures;
     ProgressBar bar(common_.quiet);

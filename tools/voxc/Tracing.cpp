@@ -29,9 +29,11 @@ Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json
   figures["kernel_seconds"] = watch.seconds();
   figures["addressing"] = toString(addressing);
 
+  const Stopwatch upload;
   Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume);
   if (!tracer)
     return tracer.error();
+  figures["upload_seconds"] = upload.seconds();
   tracer_ = std::move(*tracer);
   return {};
 }
