@@ -14,6 +14,7 @@ void Rendering::declare(CLI::App &app) {
   app.add_option("-o,--output", output_, "Picture to write, as PNG")->type_name("P.png")->required();
   app.add_flag("--heatmap", heatmap_, "Show the lookups that each ray took, with a legend");
   addCameraOptions(app, camera_);
+  check_.declare(app);
 }
 
 Expected<void> Rendering::check(const CommonOptions &common) const {
@@ -35,6 +36,7 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const P
           tracing.trace(rays, hits, {.countSteps = heatmap_, .progress = progress}, figures);
       !traced)
     return traced;
+  check_.run(volume, rays, hits, figures);
   figures["width"] = camera->width;
   figures["height"] = camera->height;
   return writePng(output_, heatmap_ ? heatmap(hits, camera->width, camera->height)

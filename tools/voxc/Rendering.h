@@ -1,6 +1,7 @@
 // From a prepared volume to a picture file: what `render` and `run` share.
 #pragma once
 
+#include "ErrorCheck.h"
 #include "Tracing.h"
 
 #include "common/CameraOptions.h"
@@ -13,7 +14,7 @@ namespace voxc::tool {
 
 class Rendering {
 public:
-  /// Adds --output, --heatmap and the camera's options to a command.
+  /// Adds --output, --heatmap, --check and the camera's options to a command.
   void declare(CLI::App &app);
 
   /// Looks at the output's path and the camera's options, before any work.
@@ -26,6 +27,7 @@ private:
   std::string output_;
   bool heatmap_ = false;
   CameraOptions camera_;
+  ErrorCheck check_;
 };
 
 } // namespace voxc::tool

@@ -1,4 +1,5 @@
 // voxc trace: the hits of the rays of a file.
+#include "ErrorCheck.h"
 #include "Figures.h"
 #include "Outputs.h"
 #include "Subcommand.h"
@@ -34,6 +35,7 @@ public:
         ->check(CLI::Range(1u, 1000000u).description(""))
         ->capture_default_str();
     app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
+    check_.declare(app);
     tracing_.declare(app);
     volume_.declareWalkPasses(app);
     addCommonOptions(app, common_);
@@ -73,6 +75,7 @@ private:
     std::vector<Hit> hits(rays->size());
     if (Expected<void> traced = tracing_.trace(*rays, hits, options_, figures); !traced)
       return traced;
+    check_.run(*volume, *rays, hits, figures);
     return writeHits(output_, hits);
   }
 
@@ -80,6 +83,7 @@ private:
   std::string rays_;
   std::string output_;
   TraceOptions options_;
+  ErrorCheck check_;
   Tracing tracing_;
   CommonOptions common_;
 };

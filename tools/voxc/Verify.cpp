@@ -1,5 +1,6 @@
 // voxc verify: a volume's structure, its losslessness, and its kernel against the exact oracle.
 #include "Comparison.h"
+#include "ErrorCheck.h"
 #include "Figures.h"
 #include "InputArguments.h"
 #include "Subcommand.h"
@@ -44,12 +45,6 @@ void printErrors(const ErrorFigures &error) {
               " %12.3g %12.3g %8.3g\n",
               error.rays, error.missed, error.ghost, error.wrong, error.colour, error.boundary, error.maxDt,
               error.rmsDt, error.maxUlpDt);
-}
-
-Json errorJson(const ErrorFigures &error) {
-  return {{"rays", error.rays},    {"missed", error.missed}, {"ghost", error.ghost},
-          {"wrong", error.wrong},  {"colour", error.colour}, {"boundary", error.boundary},
-          {"max_dt", error.maxDt}, {"rms_dt", error.rmsDt},  {"max_ulp_dt", error.maxUlpDt}};
 }
 
 class VerifyCommand final : public Subcommand {
@@ -164,7 +159,8 @@ Expected<void> VerifyCommand::run() {
   const auto volume = std::make_shared<const Volume>(std::move(*loaded));
   addVolumeFigures(figures_, *volume);
   if (tellsOnStdout(common_))
-    std::printf("structure    %zu words, every offset proven in range\n", volume->words().size());
+    std::printf("structure    %zu words, %s\n", volume->words().size(),
+                volume_.trusted() ? "trusted" : "every offset proven in range");
   if (!against_.empty())
     if (Expected<void> checked = checkVoxels(volume, bar.progress()); !checked)
       return checked;

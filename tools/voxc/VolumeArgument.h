@@ -18,6 +18,8 @@ public:
   void declareWalkPasses(CLI::App &app);
 
   Expected<Volume> load() const;
+  /// Whether offsets were left unproven.
+  bool trusted() const { return trusted_; }
   /// The format that a kernel of `volume` shall walk.
   Expected<Format> kernelFormat(const Volume &volume) const;
 

@@ -1,0 +1,36 @@
+// Checking a sample of traced rays.
+#include "ErrorCheck.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace voxc::tool {
+
+Json errorJson(const ErrorFigures &error) {
+  return {{"rays", error.rays},    {"missed", error.missed}, {"ghost", error.ghost},
+          {"wrong", error.wrong},  {"colour", error.colour}, {"boundary", error.boundary},
+          {"max_dt", error.maxDt}, {"rms_dt", error.rmsDt},  {"max_ulp_dt", error.maxUlpDt}};
+}
+
+void ErrorCheck::declare(CLI::App &app) {
+  app.add_option("--check", sample_, "Rays, evenly spread, whose hits are compared with the exact oracle's")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
+                     Json &figures) const {
+  const std::size_t count = std::min(sample_, rays.size());
+  if (count == 0)
+    return;
+  std::vector<Ray> sampledRays(count);
+  std::vector<Hit> sampledHits(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * rays.size() / count;
+    sampledRays[i] = rays[at];
+    sampledHits[i] = hits[at];
+  }
+  figures["error"] = errorJson(compare(Oracle(volume), sampledRays, sampledHits));
+}
+
+} // namespace voxc::tool

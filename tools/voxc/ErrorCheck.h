@@ -1,0 +1,31 @@
+// A speed beside its error: some of the rays that were traced, checked against the exact oracle.
+#pragma once
+
+#include "common/Json.h"
+#include "voxc/Oracle/Oracle.h"
+#include "voxc/Trace/Ray.h"
+#include "voxc/Volume/Volume.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace voxc::tool {
+
+/// The error figures as the JSON object `error`.
+Json errorJson(const ErrorFigures &error);
+
+class ErrorCheck {
+public:
+  /// Adds --check to a command.
+  void declare(CLI::App &app);
+
+  /// Checks the sample, evenly spread over the rays, and adds `error`; with --check 0 nothing.
+  void run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits, Json &figures) const;
+
+private:
+  std::size_t sample_ = 1000;
+};
+
+} // namespace voxc::tool
