@@ -16,7 +16,8 @@ struct Voxel {
 /// What the program that builds a volume offers to the code that arranges it.
 struct Host {
   void *self;
-  /// True only if the aligned cube of 2^log2_side voxels a side holds no voxel. Always true once building has failed.
+  /// True only if the aligned cube of 2^log2_side voxels a side holds no voxel. Always true once building has
+  /// failed.
   bool (*is_empty)(void *self, Voxel low, int log2_side);
   /// Writes the 512 voxels of the aligned cube of 8 voxels a side, in Morton order.
   void (*read_brick)(void *self, Voxel low, uint32_t *voxels);
@@ -32,9 +33,7 @@ struct Host {
 };
 
 /// Spreads the low three bits of a coordinate to every third bit.
-constexpr unsigned spread3(int i) {
-  return static_cast<unsigned>((i & 1) | (i & 2) << 2 | (i & 4) << 4);
-}
+constexpr unsigned spread3(int i) { return static_cast<unsigned>((i & 1) | (i & 2) << 2 | (i & 4) << 4); }
 
 /// One run over the voxels of a source, in Morton order.
 class Build {
@@ -108,15 +107,18 @@ struct GridCell {
 
 /// The low corner of child i = x + 2y + 4z of a cube whose children are 2^log2_side a side.
 constexpr Voxel child_low(Voxel low, int i, int log2_side) {
-  return {low.x + ((i & 1) << log2_side), low.y + ((i >> 1 & 1) << log2_side), low.z + ((i >> 2 & 1) << log2_side)};
+  return {low.x + ((i & 1) << log2_side), low.y + ((i >> 1 & 1) << log2_side),
+          low.z + ((i >> 2 & 1) << log2_side)};
 }
 
-/// Visits the cells of a grid in Morton order of its bounding cube, as far as they may hold voxels: cells outside a
-/// grid that is no cube are skipped a whole aligned cube at a time, and so are empty ones. `cell` is the low corner,
-/// in cells, of the 2^height cells a side to visit.
+/// Visits the cells of a grid in Morton order of its bounding cube, as far as they may hold voxels: cells
+/// outside a grid that is no cube are skipped a whole aligned cube at a time, and so are empty ones. `cell`
+/// is the low corner, in cells, of the 2^height cells a side to visit.
 template <typename Visit>
-void for_each_cell(Build &build, Voxel low, GridSize size, int log2_cell, Voxel cell, int height, Visit &visit) {
-  const Voxel corner = {low.x + (cell.x << log2_cell), low.y + (cell.y << log2_cell), low.z + (cell.z << log2_cell)};
+void for_each_cell(Build &build, Voxel low, GridSize size, int log2_cell, Voxel cell, int height,
+                   Visit &visit) {
+  const Voxel corner = {low.x + (cell.x << log2_cell), low.y + (cell.y << log2_cell),
+                        low.z + (cell.z << log2_cell)};
   if (size.excludes(cell) || build.is_empty(corner, height + log2_cell))
     return;
   if (height == 0) {
@@ -133,7 +135,8 @@ struct Node {
   enum Kind { Empty, Leaf, Inner };
 
   Kind kind = Empty;
-  uint32_t value = 0; ///< Leaf: the terminating integer. Inner: the node's offset (G), or its first child's (S).
+  uint32_t value =
+      0; ///< Leaf: the terminating integer. Inner: the node's offset (G), or its first child's (S).
   uint32_t masks = 0; ///< Inner: bit i says that child i is not empty, bit 8 + i that it is a leaf.
 
   /// A cell's terminating integer as a node: 0 is empty.

@@ -20,7 +20,8 @@ struct Scene {
 };
 
 inline std::uint32_t hashed(Int3 cell) {
-  std::uint32_t h = static_cast<std::uint32_t>(cell.x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(cell.y) * 0x85ebca77u ^
+  std::uint32_t h = static_cast<std::uint32_t>(cell.x) * 0x9e3779b1u ^
+                    static_cast<std::uint32_t>(cell.y) * 0x85ebca77u ^
                     static_cast<std::uint32_t>(cell.z) * 0xc2b2ae3du;
   h ^= h >> 15;
   h *= 0x2c1b3c6du;

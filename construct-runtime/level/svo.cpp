@@ -1,5 +1,7 @@
+Node construct_level_N_node(Build &build, Voxel low, int height);
+
 // Writes the children that are not empty as one block; the node itself joins the block of its parent.
-Node write_level_N_children(Build &build, const Node (&children)[8]) {
+Node write_level_N_node(Build &build, const Node (&children)[8]) {
   uint32_t block[16];
   uint64_t words = 0;
   for (const Node &child : children) {
@@ -9,20 +11,6 @@ Node write_level_N_children(Build &build, const Node (&children)[8]) {
     block[words++] = child.masks;
   }
   return words == 0 ? Node{} : Node{Node::Inner, build.append(block, words), masks_of(children)};
-}
-
-// The node over the 2^height cells a side at `low`.
-Node construct_level_N_node(Build &build, Voxel low, int height) {
-  if (build.is_empty(low, height + LEVEL_N_LOG2_CELL))
-    return {};
-  if (height == 0)
-    return Node::leaf(construct_NEXT(build, low));
-  Node children[8];
-  for (int i = 0; i < 8; ++i)
-    children[i] = construct_level_N_node(build, child_low(low, i, height - 1 + LEVEL_N_LOG2_CELL), height - 1);
-  if (height < LEVEL_N_DEPTH && are_equal_leaves(children))
-    return children[0];
-  return write_level_N_children(build, children);
 }
 
 uint32_t construct_level_N(Build &build, Voxel low) {

@@ -81,14 +81,16 @@ std::uint32_t BuildHost::append(std::span<const std::uint32_t> words) {
   if (failure_)
     return 1;
   if (offset + words.size() > kMaxWords) {
-    fail(Error::input("the volume needs more than 2^32 words (16 GiB), the most that offsets can reach; after " +
-                      std::to_string(voxels_) + " voxels it had " + std::to_string(offset) + " words"));
+    fail(Error::input(
+        "the volume needs more than 2^32 words (16 GiB), the most that offsets can reach; after " +
+        std::to_string(voxels_) + " voxels it had " + std::to_string(offset) + " words"));
     return 1;
   }
   try {
     words_.insert(words_.end(), words.begin(), words.end());
   } catch (const std::bad_alloc &) {
-    fail(Error::environment("out of memory for the volume's words after " + std::to_string(offset) + " of them"));
+    fail(Error::environment("out of memory for the volume's words after " + std::to_string(offset) +
+                            " of them"));
     return 1;
   }
   return static_cast<std::uint32_t>(offset);
@@ -110,7 +112,8 @@ std::uint32_t BuildHost::intern(unsigned level, std::span<const std::uint32_t> w
 std::uint32_t *BuildHost::allocate(std::uint64_t count) {
   if (failure_)
     return nullptr;
-  // calloc takes large zeroed memory from the system untouched, so that a sparse grid costs what is written to it.
+  // calloc takes large zeroed memory from the system untouched, so that a sparse grid costs what is written
+  // to it.
   auto *words = static_cast<std::uint32_t *>(std::calloc(count, sizeof(std::uint32_t)));
   if (!words) {
     fail(Error::environment("out of memory for a grid of " + std::to_string(count) + " words"));

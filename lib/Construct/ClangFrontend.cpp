@@ -18,17 +18,25 @@ namespace {
 
 /// cc1's arguments for freestanding C++20 on this very processor.
 std::vector<std::string> arguments(const std::string &mainFile) {
-  std::vector<std::string> list = {
-      "-triple",      llvm::sys::getDefaultTargetTriple(),
-      "-emit-obj",    "-x",
-      "c++",          "-std=c++20",
-      "-O2",          "-ffreestanding",
-      "-nostdsysteminc", "-ffp-contract=off",
-      "-fgnuc-version=4.2.1", "-vectorize-loops",
-      "-vectorize-slp", "-mrelocation-model",
-      "pic",          "-pic-level",
-      "2",            "-target-cpu",
-      llvm::sys::getHostCPUName().str()};
+  std::vector<std::string> list = {"-triple",
+                                   llvm::sys::getDefaultTargetTriple(),
+                                   "-emit-obj",
+                                   "-x",
+                                   "c++",
+                                   "-std=c++20",
+                                   "-O2",
+                                   "-ffreestanding",
+                                   "-nostdsysteminc",
+                                   "-ffp-contract=off",
+                                   "-fgnuc-version=4.2.1",
+                                   "-vectorize-loops",
+                                   "-vectorize-slp",
+                                   "-mrelocation-model",
+                                   "pic",
+                                   "-pic-level",
+                                   "2",
+                                   "-target-cpu",
+                                   llvm::sys::getHostCPUName().str()};
   for (const auto &feature : llvm::sys::getHostCPUFeatures()) {
     list.emplace_back("-target-feature");
     list.push_back((feature.getValue() ? "+" : "-") + feature.getKey().str());
@@ -76,7 +84,8 @@ Expected<std::unique_ptr<llvm::Module>> compileToModule(const std::vector<Memory
     return Error::input("clang rejects the construction code: " + logStream.str());
 
   std::unique_ptr<llvm::Module> module = action.takeModule();
-  // Debian's LLVM has no assertions: a broken module would crash the code generator instead of being reported.
+  // Debian's LLVM has no assertions: a broken module would crash the code generator instead of being
+  // reported.
   if (!module || llvm::verifyModule(*module, &logStream))
     return Error::input("clang made a broken module of the construction code: " + logStream.str());
   return module;

@@ -5,31 +5,21 @@
 #include "Jit.h"
 
 #include "voxc/Emit/Emit.h"
-
-#include <chrono>
+#include "voxc/Support/Stopwatch.h"
 
 namespace voxc {
 namespace {
 
 using ConstructFunction = std::uint32_t (*)(const construct::Host *);
 
-/// Seconds since it was made.
-class Stopwatch {
-public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
-
 Expected<void> checkFits(Int3 extent, const Format &format) {
   const Int3 limit = format.extent();
   for (int axis = 0; axis < 3; ++axis)
     if (extent[axis] < 0 || extent[axis] > limit[axis])
-      return Error::input("the input has " + std::to_string(extent.x) + " x " + std::to_string(extent.y) + " x " +
-                          std::to_string(extent.z) + " voxels; the format holds " + std::to_string(limit.x) +
-                          " x " + std::to_string(limit.y) + " x " + std::to_string(limit.z));
+      return Error::input("the input has " + std::to_string(extent.x) + " x " + std::to_string(extent.y) +
+                          " x " + std::to_string(extent.z) + " voxels; the format holds " +
+                          std::to_string(limit.x) + " x " + std::to_string(limit.y) + " x " +
+                          std::to_string(limit.z));
   return {};
 }
 

@@ -10,7 +10,9 @@
 namespace voxc {
 namespace {
 
-std::uint64_t hashOf(std::span<const std::uint32_t> node) { return XXH3_64bits(node.data(), node.size_bytes()); }
+std::uint64_t hashOf(std::span<const std::uint32_t> node) {
+  return XXH3_64bits(node.data(), node.size_bytes());
+}
 
 std::uint16_t tagOf(std::uint64_t hash) { return static_cast<std::uint16_t>(hash >> 48); }
 

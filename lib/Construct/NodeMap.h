@@ -8,8 +8,8 @@
 
 namespace voxc {
 
-/// Maps the contents of nodes to their offsets. Entries hold no copy of a node, only where it lies; a leaf (1 word) and
-/// an inner node (2 to 9) differ in length, which is part of the key.
+/// Maps the contents of nodes to their offsets. Entries hold no copy of a node, only where it lies; a leaf (1
+/// word) and an inner node (2 to 9) differ in length, which is part of the key.
 class NodeMap {
 public:
   /// The offset of a node with these contents, if one is known. `written` are the volume's words so far.
@@ -25,8 +25,8 @@ public:
 private:
   struct Entry {
     std::uint32_t offset;
-    std::uint16_t tag;        ///< Bits of the hash, compared before the words.
-    std::uint8_t length;      ///< In words; 0 marks a free entry.
+    std::uint16_t tag;   ///< Bits of the hash, compared before the words.
+    std::uint8_t length; ///< In words; 0 marks a free entry.
     std::uint8_t reserved;
   };
 

@@ -1,4 +1,5 @@
-// Printing a plan as intersect.glsl: the runtime files that it names, in order of use, with each level's constants.
+// Printing a plan as intersect.glsl: the runtime files that it names, in order of use, with each level's
+// constants.
 #include "RuntimeFile.h"
 
 #include "voxc/Emit/Emit.h"
@@ -35,8 +36,10 @@ private:
     text_ = "#version 460\n// intersect.glsl: first hits of rays with volumes of the format " +
             toString(plan_.format) + ".\n";
     if (plan_.addressing == Addressing::Segments)
-      text_ += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : require\n";
-    text_ += "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + intVector(plan_.format.extent()) + ";\n";
+      text_ += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
+               "require\n";
+    text_ +=
+        "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + intVector(plan_.format.extent()) + ";\n";
   }
 
   /// A file that does not depend on a level, once.

@@ -51,7 +51,8 @@ std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan
 
 std::string levelComment(const LevelPlan &level) {
   const Int3 size = level.log2Size;
-  std::string text = "\n// Level " + std::to_string(level.number) + ": " + std::string(level.kind->name) + ", ";
+  std::string text =
+      "\n// Level " + std::to_string(level.number) + ": " + std::string(level.kind->name) + ", ";
   text += std::to_string(1 << size.x) + " x " + std::to_string(1 << size.y) + " x " + count(size.z, "cell");
   return text + " of " + count(level.log2CellSide, "voxel") + " a side.\n";
 }

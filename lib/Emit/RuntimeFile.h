@@ -13,8 +13,8 @@ namespace voxc {
 /// The text of a runtime file, which must exist.
 std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_view path);
 
-/// `text` for one level. Identifiers (or parts of them between underscores) are replaced: N by the level's number, NEXT
-/// by "level_<number + 1>" or, in the last level, "voxel", KIND by the kind's name.
+/// `text` for one level. Identifiers (or parts of them between underscores) are replaced: N by the level's
+/// number, NEXT by "level_<number + 1>" or, in the last level, "voxel", KIND by the kind's name.
 std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan &level);
 
 /// "// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side." and an empty line before it.

@@ -36,7 +36,8 @@ bool Level::setAttribute(const AttributeKind &attribute, std::string_view value)
   if (!takes || this->attribute(attribute) == value)
     return false;
   std::erase_if(attributes, [&](const Attribute &set) { return set.kind == &attribute; });
-  const auto index = static_cast<std::size_t>(std::ranges::find(attribute.values, value) - attribute.values.begin());
+  const auto index =
+      static_cast<std::size_t>(std::ranges::find(attribute.values, value) - attribute.values.begin());
   if (index > 0)
     attributes.push_back({&attribute, index});
   // Kept in the kind's order, so that equal formats compare equal whatever the order of the passes.

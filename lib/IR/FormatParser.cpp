@@ -30,23 +30,25 @@ std::string knownLevels() {
   return text;
 }
 
-/// The level as it is spelled in log2 sizes, if the sizes written are counts of cells: Raw(16,16,16) is R(4,4,4).
+/// The level as it is spelled in log2 sizes, if the sizes written are counts of cells: Raw(16,16,16) is
+/// R(4,4,4).
 std::string rightSpelling(const LevelKind &kind, const std::vector<Argument> &arguments) {
-  const bool counts =
-      arguments.size() == kind.parameters.size() &&
-      std::ranges::all_of(arguments, [](const Argument &a) { return a.value > 0; });
+  const bool counts = arguments.size() == kind.parameters.size() &&
+                      std::ranges::all_of(arguments, [](const Argument &a) { return a.value > 0; });
   if (!counts)
     return signature(kind) + " with log2 sizes";
   std::string text(1, kind.letter);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool isSize = kind.parameters[i].role != ParameterRole::Reach && kind.arrangement == Arrangement::Grid;
+    const bool isSize =
+        kind.parameters[i].role != ParameterRole::Reach && kind.arrangement == Arrangement::Grid;
     const std::uint32_t value = arguments[i].value;
     text += (i == 0 ? "(" : ", ") + std::to_string(isSize ? std::bit_width(value - 1) : value);
   }
   return text + ")";
 }
 
-/// An unknown word where a level should start; its parameters are read so that the right spelling can be shown.
+/// An unknown word where a level should start; its parameters are read so that the right spelling can be
+/// shown.
 void diagnoseUnknownLevel(const Token &word, Lexer &lexer, Diagnostics &diagnostics) {
   const LevelKind *meant = word.kind == TokenKind::Word ? likelyKind(word.text) : nullptr;
   Diagnostics ignored;

@@ -28,7 +28,8 @@ public:
     if (expect('}') && lexer_.peek().kind != TokenKind::End)
       diagnostics_.error(lexer_.peek().range, "found " + quoted(lexer_.peek()) + " after the format's '}'");
     if (format_.levels.empty() && !diagnostics_.hasErrors())
-      diagnostics_.error(end.range, "the format has no level; write at least one, such as `level 1: raw(4, 4, 4)`");
+      diagnostics_.error(end.range,
+                         "the format has no level; write at least one, such as `level 1: raw(4, 4, 4)`");
     return format_;
   }
 
@@ -63,7 +64,8 @@ private:
     const Token number = lexer_.next();
     if (number.text != std::to_string(number_)) {
       diagnostics_.error(number.range, "found level " + quoted(number) + " where level " +
-                                           std::to_string(number_) + " should be; levels are numbered from 1");
+                                           std::to_string(number_) +
+                                           " should be; levels are numbered from 1");
       return false;
     }
     return expect(':') && parseKind();
@@ -75,8 +77,9 @@ private:
     level.kind = findLevelKind(name.text);
     level.range = name.range;
     if (!level.kind) {
-      diagnostics_.error(name.range, quoted(name) + " is no level kind; they are " +
-                                         listed(levelKinds(), [](const LevelKind *kind) { return kind->name; }));
+      diagnostics_.error(name.range,
+                         quoted(name) + " is no level kind; they are " +
+                             listed(levelKinds(), [](const LevelKind *kind) { return kind->name; }));
       return false;
     }
     const auto arguments = parseArguments(lexer_, diagnostics_);
@@ -99,7 +102,8 @@ private:
   bool parseAttribute(Level &level) {
     const Token name = lexer_.next();
     const auto attributes = level.kind->attributes;
-    const auto found = std::ranges::find(attributes, name.text, [](const AttributeKind *kind) { return kind->name; });
+    const auto found =
+        std::ranges::find(attributes, name.text, [](const AttributeKind *kind) { return kind->name; });
     if (found == attributes.end()) {
       const std::string known = listed(attributes, [](const AttributeKind *kind) { return kind->name; });
       diagnostics_.error(name.range, quoted(name) + " is no attribute of " + std::string(level.kind->name) +
@@ -110,7 +114,8 @@ private:
       return false;
     const Token value = lexer_.next();
     if (std::ranges::find((*found)->values, value.text) == (*found)->values.end()) {
-      diagnostics_.error(value.range, quoted(value) + " is no value of " + std::string(name.text) + "; it takes " +
+      diagnostics_.error(value.range, quoted(value) + " is no value of " + std::string(name.text) +
+                                          "; it takes " +
                                           listed((*found)->values, [](std::string_view v) { return v; }));
       return false;
     }

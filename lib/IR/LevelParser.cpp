@@ -37,7 +37,8 @@ bool parseArgument(Lexer &lexer, std::vector<Argument> &arguments, Diagnostics &
     return true;
   const Token power = lexer.next();
   if (power.text != "3") {
-    diagnostics.error(power.range, "found " + quoted(power) + " after '^'; only cubes, such as 4^3, can be written so");
+    diagnostics.error(power.range,
+                      "found " + quoted(power) + " after '^'; only cubes, such as 4^3, can be written so");
     return false;
   }
   arguments.back().range.end = power.range.end;
@@ -98,7 +99,8 @@ bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceR
   if (arguments.size() > kinds.size()) {
     diagnostics.error({arguments[kinds.size()].range.begin, arguments.back().range.end},
                       letter + " takes " + std::to_string(kinds.size()) + " parameter" +
-                          (kinds.size() == 1 ? "" : "s") + ", not " + std::to_string(arguments.size()) + right);
+                          (kinds.size() == 1 ? "" : "s") + ", not " + std::to_string(arguments.size()) +
+                          right);
     return false;
   }
   bool inRange = true;

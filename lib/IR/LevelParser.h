@@ -15,8 +15,8 @@ struct Argument {
   SourceRange range;
 };
 
-/// Parses '(' numbers ')' and, for grids, "N^3". After an error the tokens up to the ')' are skipped, and nothing is
-/// returned.
+/// Parses '(' numbers ')' and, for grids, "N^3". After an error the tokens up to the ')' are skipped, and
+/// nothing is returned.
 std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &diagnostics);
 
 /// Checks the count against the kind's parameters and sets them. `head` is the range of the level's name.

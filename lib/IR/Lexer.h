@@ -18,8 +18,10 @@ struct Token {
   bool isWord(std::string_view word) const { return kind == TokenKind::Word && text == word; }
 };
 
-/// Splits a text: words of letters, digits, '-' and '_' that start with a letter; numbers (any run of digits, letters,
-/// '.' and '-' that starts with a digit or '-', so that a wrong number is one token); single characters. Blanks and
+/// Splits a text: words of letters, digits, '-' and '_' that start with a letter; numbers (any run of digits,
+/// letters,
+/// '.' and '-' that starts with a digit or '-', so that a wrong number is one token); single characters.
+/// Blanks and
 /// `//` comments separate.
 class Lexer {
 public:

@@ -13,7 +13,8 @@ std::string sizeText(Int3 log2) {
 
 void verifyCubic(const Level &level, std::size_t index, Diagnostics &diagnostics) {
   if (index > 0 && !level.isCubic())
-    diagnostics.error(level.range, "level " + std::to_string(index + 1) + " has " + sizeText(level.log2Size()) +
+    diagnostics.error(level.range, "level " + std::to_string(index + 1) + " has " +
+                                       sizeText(level.log2Size()) +
                                        " cells; every level but the first must be a cube");
 }
 
@@ -26,8 +27,8 @@ void verifyWords(const Level &level, Diagnostics &diagnostics) {
   // 2^32 words would leave none for the root's offset.
   if (log2Words < 32)
     return;
-  std::string message = "one sub-volume of " + sizeText(size) + " cells takes 2^" + std::to_string(log2Words) +
-                        " words; a volume holds fewer than 2^32";
+  std::string message = "one sub-volume of " + sizeText(size) + " cells takes 2^" +
+                        std::to_string(log2Words) + " words; a volume holds fewer than 2^32";
   const auto isPower = [](std::int32_t n) { return n > 1 && (n & (n - 1)) == 0; };
   if (isPower(size.x) && isPower(size.y) && isPower(size.z))
     message += " (sizes are log2: " + std::to_string(size.x) + " cells are written " +

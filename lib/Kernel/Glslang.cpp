@@ -1,9 +1,9 @@
 // GLSL to SPIR-V with glslang, in this process.
 #include "Stages.h"
 
-#include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 namespace voxc {
 namespace {

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::uint32_t kOpModuleProcessed = 330;
-// OpUndef, OpString and OpTypes lie below 72; of a module's sections up to the debug names, these are the opcodes: what
-// is not among them begins the annotations, before which OpModuleProcessed must stand.
+// OpUndef, OpString and OpTypes lie below 72; of a module's sections up to the debug names, these are the
+// opcodes: what is not among them begins the annotations, before which OpModuleProcessed must stand.
 constexpr std::uint32_t kBeforeAnnotations[] = {2, 3, 4, 5, 6, 7, 10, 11, 14, 15, 16, 17, 330, 331};
 
 std::size_t annotationsBegin(const SpirvWords &module) {

@@ -1,5 +1,5 @@
-// D: a grid whose cells carry the L1 distance to the nearest cell that is not empty, so that a ray may step over
-// several. Two words a cell: the terminating integer, the distance.
+// D: a grid whose cells carry the L1 distance to the nearest cell that is not empty, so that a ray may step
+// over several. Two words a cell: the terminating integer, the distance.
 #include "Kinds.h"
 
 namespace voxc {

@@ -17,7 +17,8 @@ extern const LevelKind kDistance;
 extern const LevelKind kSvo;
 extern const LevelKind kSvdag;
 
-/// The masks of a tree's node: bit i of the low byte says that child i is not empty, of the next that it is a leaf.
+/// The masks of a tree's node: bit i of the low byte says that child i is not empty, of the next that it is a
+/// leaf.
 struct NodeMasks {
   std::uint32_t word;
 
@@ -41,14 +42,15 @@ inline Int3 childLow(Int3 low, int child, int height) {
   return low + Int3{child & 1, child >> 1 & 1, child >> 2 & 1} * side;
 }
 
-/// Notes masks that no builder writes: bits of no meaning, leaves that are empty, no child at all, or inner nodes
-/// where only cells can be.
+/// Notes masks that no builder writes: bits of no meaning, leaves that are empty, no child at all, or inner
+/// nodes where only cells can be.
 void checkMasks(WordReader &words, NodeMasks masks, int height);
 
 /// Index of a cell in a grid stored x fastest, then y, then z.
 inline std::uint64_t cellIndex(Int3 log2Size, Int3 cell) {
   return static_cast<std::uint64_t>(cell.x) +
-         ((static_cast<std::uint64_t>(cell.y) + (static_cast<std::uint64_t>(cell.z) << log2Size.y)) << log2Size.x);
+         ((static_cast<std::uint64_t>(cell.y) + (static_cast<std::uint64_t>(cell.z) << log2Size.y))
+          << log2Size.x);
 }
 
 /// Visits the cells of a grid of log2 size in Morton order; aligned cubes outside the grid are never entered.

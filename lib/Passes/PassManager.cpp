@@ -1,7 +1,7 @@
 // Running passes by name, each followed by the verifier.
 #include "voxc/Passes/Pass.h"
 
-#include <chrono>
+#include "voxc/Support/Stopwatch.h"
 
 namespace voxc {
 namespace {
@@ -18,7 +18,8 @@ Expected<void> verifyAfter(const Pass &pass, const Format &format) {
   verify(format, diagnostics);
   if (!diagnostics.hasErrors())
     return {};
-  return Error::input("pass " + std::string(pass.name) + " left a wrong format: " + diagnostics.all().front().message);
+  return Error::input("pass " + std::string(pass.name) +
+                      " left a wrong format: " + diagnostics.all().front().message);
 }
 
 } // namespace
@@ -29,13 +30,13 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names, con
     if (!pass)
       return unknownPass(name);
     Diagnostics diagnostics;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const PassResult result = pass->run(format, diagnostics);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double seconds = watch.seconds();
     if (diagnostics.hasErrors())
       return toError(diagnostics, toString(format), name);
     if (options.afterEach)
-      options.afterEach(*pass, format, result, seconds.count());
+      options.afterEach(*pass, format, result, seconds);
     if (options.verifyEach)
       if (auto verified = verifyAfter(*pass, format); !verified)
         return verified.error();

@@ -10,12 +10,16 @@ namespace {
 constexpr std::array<Pass, 3> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
-     "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across all "
-     "parents, so that equal nodes, roots included, are stored once. Unchanged where no level but the first is a G.",
+     "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
+     "all "
+     "parents, so that equal nodes, roots included, are stored once. Unchanged where no level but the first "
+     "is a G.",
      wholeLevelDedup},
-    {"restart-sv", AttributeEffect::Walk, "walk octrees and DAGs from the root at each lookup, without a stack",
+    {"restart-sv", AttributeEffect::Walk,
+     "walk octrees and DAGs from the root at each lookup, without a stack",
      "The stack walk keeps the nodes above the current cell. Restarting keeps nothing and descends from the "
-     "sub-volume's root at each lookup, which is faster on shallow trees. Unchanged where no level is a tree.",
+     "sub-volume's root at each lookup, which is faster on shallow trees. Unchanged where no level is a "
+     "tree.",
      restartSv},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",
      "Gives the format as volumes store it.", stripWalk},

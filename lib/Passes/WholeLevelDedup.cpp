@@ -1,7 +1,8 @@
 // whole-level-dedup: all sub-volumes of an SVDAG level share one node map (paper, section 4.3).
 //
-// Contract: sets dedup=level on every level that takes the attribute. The words of a volume get fewer, never more, and
-// decode to the same voxels. Level 1 has one sub-volume, where both values mean the same; it is left alone.
+// Contract: sets dedup=level on every level that takes the attribute. The words of a volume get fewer, never
+// more, and decode to the same voxels. Level 1 has one sub-volume, where both values mean the same; it is
+// left alone.
 #include "voxc/Passes/Pass.h"
 
 namespace voxc {

@@ -7,27 +7,17 @@
 #include "Source/PointSource.h"
 #include "voxc/Mesh/Voxelizer.h"
 #include "voxc/Source/Sources.h"
+#include "voxc/Support/Stopwatch.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <utility>
 
 namespace voxc {
 
 namespace {
-
-class Stopwatch {
-public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::string toText(Int3 extent) {
   return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);

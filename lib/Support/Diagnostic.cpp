@@ -68,8 +68,8 @@ std::string render(const Diagnostics &diagnostics, std::string_view text, std::s
     result += std::string(name) + ':' + std::to_string(line.number) + ':' +
               std::to_string(range.begin - line.begin + 1) + ": " + std::string(label(diagnostic.severity)) +
               ": " + diagnostic.message + "\n  " +
-              std::string(text.substr(line.begin, line.end - line.begin)) + "\n  " + carets(text, line, range) +
-              '\n';
+              std::string(text.substr(line.begin, line.end - line.begin)) + "\n  " +
+              carets(text, line, range) + '\n';
   }
   return result;
 }

@@ -24,7 +24,7 @@ struct Descriptor {
 
 /// The type bits of what stands at `path`, or 0 if nothing does.
 mode_t typeOf(const std::string &path) {
-  struct stat status {};
+  struct stat status{};
   return ::stat(path.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
@@ -39,7 +39,7 @@ void makeOrdinary(int descriptor) {
 
 Expected<MappedFile> MappedFile::open(const std::string &path) {
   Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  struct stat status {};
+  struct stat status{};
   if (file.value < 0 || ::fstat(file.value, &status) != 0)
     return Error::input("cannot read '" + path + "': " + reason());
   if (!S_ISREG(status.st_mode))

@@ -45,7 +45,8 @@ private:
   void everyCell(const Cube &cube, const Frame &frame, std::uint32_t value) {
     const std::uint64_t cells = std::uint64_t{1} << (3 * cube.log2Side);
     for (std::uint64_t code = 0; code < cells; ++code)
-      subVolume(frame.level + 1, frame.low + (cube.low + mortonCell(code)) * (1 << frame.log2CellSide), value);
+      subVolume(frame.level + 1, frame.low + (cube.low + mortonCell(code)) * (1 << frame.log2CellSide),
+                value);
   }
 
   const Format &format_;

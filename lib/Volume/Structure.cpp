@@ -40,8 +40,8 @@ private:
   std::vector<std::unique_ptr<Page>> pages_;
 };
 
-/// Walks all levels. A node may be shared across parents and heights, so each is visited once a (level, height),
-/// which bounds the work however a hostile file ties its nodes together.
+/// Walks all levels. A node may be shared across parents and heights, so each is visited once a (level,
+/// height), which bounds the work however a hostile file ties its nodes together.
 class StructureCheck final : public SubVolumeVisitor {
 public:
   StructureCheck(const Format &format, std::span<const std::uint32_t> words)
@@ -61,8 +61,8 @@ public:
 
   bool enterNode(std::uint32_t offset, int height) override {
     if (offset == 0 || offset >= words_.size()) {
-      words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " + std::to_string(offset) +
-                  " of " + std::to_string(words_.size()));
+      words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " +
+                  std::to_string(offset) + " of " + std::to_string(words_.size()));
       return false;
     }
     const auto [set, isNew] = seen_[level_].try_emplace(height, words_.size());

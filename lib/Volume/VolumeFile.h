@@ -16,8 +16,8 @@ struct VolumeFileContents {
   std::span<const std::uint32_t> words; ///< Inside the bytes that were parsed.
 };
 
-/// Parses a whole file that lies in memory, aligned to 4 bytes. Nothing that it claims is believed: sizes are held
-/// against the file's own, the checksum against all its bytes.
+/// Parses a whole file that lies in memory, aligned to 4 bytes. Nothing that it claims is believed: sizes are
+/// held against the file's own, the checksum against all its bytes.
 Expected<VolumeFileContents> parseVolumeFile(std::span<const std::byte> bytes, const std::string &name);
 
 /// The header of a file that holds these words, padded so that the words that follow are aligned to a page.

@@ -4,25 +4,15 @@
 #include "Json.h"
 
 #include "voxc/Support/Error.h"
+#include "voxc/Support/Stopwatch.h"
 #include "voxc/Trace/Ray.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Volume.h"
 
-#include <chrono>
 #include <span>
 #include <string>
 
 namespace voxc::tool {
-
-/// Seconds since it was made.
-class Stopwatch {
-public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 /// Adds format, extent, words, bytes and voxels.
 void addVolumeFigures(Json &figures, const Volume &volume);

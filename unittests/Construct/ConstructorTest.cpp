@@ -53,8 +53,8 @@ Volume buildScene(const Constructor &constructor, const Scene &scene) {
     equal = equal && scene.voxel(cube.low) == word;
   });
   if (!equal || decoded != voxels || volume.info().voxels != voxels)
-    return ::testing::AssertionFailure() << "decoded " << decoded << " and counted " << volume.info().voxels << " of "
-                                         << voxels << " voxels";
+    return ::testing::AssertionFailure() << "decoded " << decoded << " and counted " << volume.info().voxels
+                                         << " of " << voxels << " voxels";
   const auto checked = checkStructure(volume.format(), volume.words());
   return checked ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << checked.error().message;
 }
@@ -74,10 +74,11 @@ TEST_P(EveryFormat, IsLossless) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, EveryFormat,
-                         ::testing::Values("R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "G(5)", "D(4^3, 1)", "D(2^3, 1000)",
-                                           "D(3^3, 4294967295)", "R(0^3)", "D(0^3, 1)", "S(0)", "G(0)", "S(0) G(0)",
-                                           "R(2,0,1)", "R(1,0,2) D(2,2,2,4)", "D(0,3,1,2) S(1)", "R(5,0,0) G(0) S(1)",
-                                           "S(2) S(2)", "G(2) G(2)", "S(2) G(2)", "G(2) R(2^3)", "S(1) D(1^3,3) G(2)",
+                         ::testing::Values("R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "G(5)", "D(4^3, 1)",
+                                           "D(2^3, 1000)", "D(3^3, 4294967295)", "R(0^3)", "D(0^3, 1)",
+                                           "S(0)", "G(0)", "S(0) G(0)", "R(2,0,1)", "R(1,0,2) D(2,2,2,4)",
+                                           "D(0,3,1,2) S(1)", "R(5,0,0) G(0) S(1)", "S(2) S(2)", "G(2) G(2)",
+                                           "S(2) G(2)", "G(2) R(2^3)", "S(1) D(1^3,3) G(2)",
                                            "G(3) S(0) G(1)"));
 
 TEST(Constructor, IsLosslessForRandomFormats) {
@@ -149,7 +150,8 @@ TEST(Constructor, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   BuildOptions options;
   options.progress.stop = &stop;
-  const auto built = constructor->build(*makeFunctionSource({128, 128, 128}, [](Int3) { return 1u; }), options);
+  const auto built =
+      constructor->build(*makeFunctionSource({128, 128, 128}, [](Int3) { return 1u; }), options);
   ASSERT_FALSE(built);
   EXPECT_EQ(built.error().kind, ErrorKind::Interrupted);
 }

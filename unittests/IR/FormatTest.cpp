@@ -82,7 +82,8 @@ TEST(Ir, RoundTripsRandomFormats) {
 }
 
 TEST(Ir, DropsDefaultsAndComments) {
-  const auto parsed = parseFormat("format { // two levels\n level 1: svo(3) walk=stack level 2: raw(1,1,1)\n}");
+  const auto parsed =
+      parseFormat("format { // two levels\n level 1: svo(3) walk=stack level 2: raw(1,1,1)\n}");
   ASSERT_TRUE(parsed) << parsed.error().message;
   EXPECT_EQ(printIr(*parsed), "format {\n  level 1: svo(3)\n  level 2: raw(1, 1, 1)\n}\n");
 }

@@ -46,7 +46,8 @@ protected:
   }
 
   /// Every difference from the oracle must be float rounding at a cell's boundary, and rare.
-  static void expectHits(const Format &format, const test::Scene &scene, Addressing addressing, std::uint64_t seed) {
+  static void expectHits(const Format &format, const test::Scene &scene, Addressing addressing,
+                         std::uint64_t seed) {
     const auto constructor = Constructor::compile(format);
     ASSERT_TRUE(constructor) << constructor.error().message;
     const auto built = constructor->build(*scene.source());
@@ -56,8 +57,8 @@ protected:
     const ErrorFigures figures = compare(Oracle(built->volume), rays, hits);
     const std::uint64_t wrong = figures.missed + figures.ghost + figures.wrong;
     EXPECT_EQ(figures.colour, 0u) << printIr(format) << scene.name;
-    EXPECT_EQ(wrong, figures.boundary) << printIr(format) << scene.name << ", ray "
-                                       << (figures.examples.empty() ? 0 : figures.examples[0]);
+    EXPECT_EQ(wrong, figures.boundary)
+        << printIr(format) << scene.name << ", ray " << (figures.examples.empty() ? 0 : figures.examples[0]);
     EXPECT_LE(wrong, 20u) << printIr(format) << scene.name;
   }
 
@@ -107,7 +108,8 @@ TEST_F(Kernels, FitOnlyTheStorageTheyWereMadeFor) {
   const auto refused = createTracer(*device_, *other, built->volume);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Input);
-  const auto restart = compileKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) walk=restart }"));
+  const auto restart =
+      compileKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) walk=restart }"));
   EXPECT_TRUE(createTracer(*device_, *restart, built->volume)) << "a walk does not change storage";
 }
 

@@ -13,7 +13,8 @@ namespace {
 TEST(Diagnostics, PutCaretsUnderTheWholeRange) {
   Diagnostics diagnostics;
   diagnostics.error({7, 10}, "bad");
-  EXPECT_EQ(render(diagnostics, "one\n\ttwo three\n", "name"), "name:2:4: error: bad\n  \ttwo three\n  \t  ^^^\n");
+  EXPECT_EQ(render(diagnostics, "one\n\ttwo three\n", "name"),
+            "name:2:4: error: bad\n  \ttwo three\n  \t  ^^^\n");
 }
 
 TEST(Diagnostics, ShowTheEnd) {
@@ -23,7 +24,8 @@ TEST(Diagnostics, ShowTheEnd) {
 }
 
 TEST(Morton, IsItsOwnInverse) {
-  const Int3 cells[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 1999, 77}, {0x1fffff, 0x155555, 0x0aaaaa}};
+  const Int3 cells[] = {{0, 0, 0}, {1, 0, 0},     {0, 1, 0},
+                        {0, 0, 1}, {5, 1999, 77}, {0x1fffff, 0x155555, 0x0aaaaa}};
   for (const Int3 cell : cells)
     EXPECT_EQ(mortonCell(mortonCode(cell)), cell);
   EXPECT_EQ(mortonCode({1, 0, 0}), 1u);

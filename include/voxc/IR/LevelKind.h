@@ -23,7 +23,7 @@ enum class ParameterRole {
 };
 
 struct ParameterKind {
-  std::string_view name;    ///< As in the grammar: "W", "L", "M".
+  std::string_view name; ///< As in the grammar: "W", "L", "M".
   ParameterRole role;
   std::string_view meaning; ///< For documentation and diagnostics.
 };
@@ -57,10 +57,12 @@ struct LevelKind {
   std::span<const ParameterKind> parameters;
   std::span<const AttributeKind *const> attributes;
 
-  /// The terminating integer of `cell` in the sub-volume at `offset`, and the empty or uniform cube around it.
+  /// The terminating integer of `cell` in the sub-volume at `offset`, and the empty or uniform cube around
+  /// it.
   Lookup (*lookup)(const WordReader &words, const Level &level, std::uint32_t offset, Int3 cell);
 
-  /// Visits the sub-volume at `offset` and its non-empty cells in Morton order, checking every word on the way.
+  /// Visits the sub-volume at `offset` and its non-empty cells in Morton order, checking every word on the
+  /// way.
   void (*walk)(WordReader &words, const Level &level, std::uint32_t offset, SubVolumeVisitor &visitor);
 };
 

@@ -37,7 +37,8 @@ struct PipelineOptions {
 
 /// Runs passes by name, in order. Errors: an unknown pass (naming those there are), a pass that does not
 /// apply without being wrong leaves the format unchanged; one that would be wrong is an error.
-Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options = {});
+Expected<void> runPasses(Format &format, std::span<const std::string> names,
+                         const PipelineOptions &options = {});
 
 // Each pass's contract stands in its own file of lib/Passes.
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);

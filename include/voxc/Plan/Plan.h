@@ -36,9 +36,9 @@ enum class Sharing {
 struct LevelPlan {
   int number = 1; ///< From 1, the highest.
   const LevelKind *kind = nullptr;
-  Int3 log2Size;            ///< log2 of the cells along each axis.
-  int log2CellSide = 0;     ///< log2 of the voxels along a cell's side.
-  std::uint32_t reach = 0;  ///< Largest stored distance; 0 if the kind stores none.
+  Int3 log2Size;           ///< log2 of the cells along each axis.
+  int log2CellSide = 0;    ///< log2 of the voxels along a cell's side.
+  std::uint32_t reach = 0; ///< Largest stored distance; 0 if the kind stores none.
   Descent descent = Descent::Index;
   Sharing sharing = Sharing::None;
 };

@@ -16,21 +16,21 @@ namespace voxc {
 
 /// How an input becomes voxels.
 struct InputOptions {
-  int resolution = 0;                            ///< Voxels on a mesh's longest axis; 0: what the format holds.
-  Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};     ///< What the format holds; an input must fit into it.
-  std::optional<std::array<double, 6>> bounds;   ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
-  bool zUp = false;                              ///< The mesh's up is +z: it is turned to +y.
+  int resolution = 0;                          ///< Voxels on a mesh's longest axis; 0: what the format holds.
+  Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
+  std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
+  bool zUp = false;                            ///< The mesh's up is +z: it is turned to +y.
   Progress progress;
 };
 
 /// An opened input.
 struct Input {
   std::unique_ptr<VoxelSource> source;
-  std::uint64_t triangles = 0;        ///< Of a mesh, after instancing; else 0.
-  double loadSeconds = 0;             ///< Reading the file.
-  double voxelizeSeconds = 0;         ///< Making voxels of triangles or points.
-  std::string provenance;             ///< The options that matter, for `VolumeInfo::provenance`.
-  std::vector<std::string> warnings;  ///< One sentence each.
+  std::uint64_t triangles = 0;       ///< Of a mesh, after instancing; else 0.
+  double loadSeconds = 0;            ///< Reading the file.
+  double voxelizeSeconds = 0;        ///< Making voxels of triangles or points.
+  std::string provenance;            ///< The options that matter, for `VolumeInfo::provenance`.
+  std::vector<std::string> warnings; ///< One sentence each.
 };
 
 /// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx),

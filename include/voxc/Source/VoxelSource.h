@@ -43,8 +43,7 @@ public:
 };
 
 /// A source made of a function of the coordinates, which returns the voxel's word; `empty` may be left out.
-std::unique_ptr<VoxelSource> makeFunctionSource(Int3 extent,
-                                                std::function<std::uint32_t(Int3)> voxel,
+std::unique_ptr<VoxelSource> makeFunctionSource(Int3 extent, std::function<std::uint32_t(Int3)> voxel,
                                                 std::function<bool(const Cube &)> empty = {});
 
 } // namespace voxc

@@ -1,4 +1,5 @@
-// Files that were compiled into the library as text (cmake/VoxcEmbed.cmake), so that nothing must be found at run time.
+// Files that were compiled into the library as text (cmake/VoxcEmbed.cmake), so that nothing must be found at
+// run time.
 #pragma once
 
 #include <span>

@@ -23,9 +23,7 @@ struct Error {
 
   static Error input(std::string message) { return {ErrorKind::Input, std::move(message)}; }
   static Error usage(std::string message) { return {ErrorKind::Usage, std::move(message)}; }
-  static Error environment(std::string message) {
-    return {ErrorKind::Environment, std::move(message)};
-  }
+  static Error environment(std::string message) { return {ErrorKind::Environment, std::move(message)}; }
   static Error interrupted() { return {ErrorKind::Interrupted, "interrupted"}; }
 };
 

@@ -7,7 +7,8 @@
 
 namespace voxc {
 
-/// How long work tells how far it is and asks whether to stop. Copies share nothing; all members are optional.
+/// How long work tells how far it is and asks whether to stop. Copies share nothing; all members are
+/// optional.
 struct Progress {
   /// Called now and then with the stage's name and its finished fraction in [0, 1].
   std::function<void(std::string_view stage, double fraction)> report;

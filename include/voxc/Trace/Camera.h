@@ -26,8 +26,8 @@ Camera frameExtent(Int3 extent, int width, int height);
 
 /// A camera given as in cameras.json: position in a volume scaled to [0, 100]^3 by its longest axis, yaw and
 /// pitch in degrees.
-Camera cameraFromAngles(Int3 extent, Double3 position, double pitch, double yaw, double verticalFov, int width,
-                        int height);
+Camera cameraFromAngles(Int3 extent, Double3 position, double pitch, double yaw, double verticalFov,
+                        int width, int height);
 
 /// One ray a pixel, rows from the top; directions are unit length up to rounding.
 std::vector<Ray> cameraRays(const Camera &camera);

@@ -18,13 +18,13 @@ namespace voxc {
 /// A device that can trace, and what bears on which kernel it takes.
 struct DeviceInfo {
   std::string name;
-  std::string driver;     ///< Name and version of the driver.
-  std::string apiVersion; ///< Of Vulkan: "1.3.230".
-  std::string kind;       ///< "discrete gpu", "integrated gpu", "virtual gpu", "cpu" or "other".
-  std::uint64_t memoryBytes = 0;           ///< Of its largest heap.
+  std::string driver;            ///< Name and version of the driver.
+  std::string apiVersion;        ///< Of Vulkan: "1.3.230".
+  std::string kind;              ///< "discrete gpu", "integrated gpu", "virtual gpu", "cpu" or "other".
+  std::uint64_t memoryBytes = 0; ///< Of its largest heap.
   std::uint64_t maxStorageBufferBytes = 0; ///< Volumes above this need `Addressing::Segments`.
   std::uint64_t maxAllocationBytes = 0;
-  bool usable = false;    ///< Vulkan 1.2 with a compute queue.
+  bool usable = false; ///< Vulkan 1.2 with a compute queue.
   bool deviceAddresses = false;
 };
 
@@ -68,8 +68,9 @@ struct TraceTime {
 
 struct TraceReport {
   std::vector<TraceTime> repeats;
-  double firstDispatch = 0; ///< Wall seconds of the first dispatch on this tracer, which may compile; 0 later.
-  double transfer = 0;      ///< Wall seconds of copying rays in and hits out.
+  double firstDispatch =
+      0;               ///< Wall seconds of the first dispatch on this tracer, which may compile; 0 later.
+  double transfer = 0; ///< Wall seconds of copying rays in and hits out.
 };
 
 /// Traces rays through one volume. A back end implements this; Vulkan is the first.

@@ -11,7 +11,8 @@
 
 namespace voxc {
 
-/// A cell's terminating integer, and the aligned cube of cells around it that is known to have the same value.
+/// A cell's terminating integer, and the aligned cube of cells around it that is known to have the same
+/// value.
 struct Lookup {
   std::uint32_t value = 0;
   int log2Side = 0; ///< In cells of the level.
@@ -23,9 +24,7 @@ public:
   explicit WordReader(std::span<const std::uint32_t> words) : words_(words) {}
 
   std::uint64_t size() const { return words_.size(); }
-  std::uint32_t operator[](std::uint64_t offset) const {
-    return offset < words_.size() ? words_[offset] : 0;
-  }
+  std::uint32_t operator[](std::uint64_t offset) const { return offset < words_.size() ? words_[offset] : 0; }
   /// True if words [offset, offset + count) exist; otherwise a problem is noted that names `what`.
   bool require(std::uint64_t offset, std::uint64_t count, const char *what);
   /// Notes a problem; the first one stays.
@@ -44,7 +43,8 @@ private:
 class SubVolumeVisitor {
 public:
   virtual ~SubVolumeVisitor() = default;
-  /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it out.
+  /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it
+  /// out.
   virtual bool enterNode(std::uint32_t offset, int height) = 0;
   /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.
   virtual void cells(const Cube &cube, std::uint32_t value) = 0;

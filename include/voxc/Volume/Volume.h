@@ -18,11 +18,11 @@ namespace voxc {
 
 /// What a volume says of itself beside its words; kept in the file's header.
 struct VolumeInfo {
-  Format format;                  ///< Its storage: no walk attributes.
-  Int3 extent;                    ///< Of the input, in voxels; the rest of the format is padding.
+  Format format; ///< Its storage: no walk attributes.
+  Int3 extent;   ///< Of the input, in voxels; the rest of the format is padding.
   Transform voxelToModel;
-  std::uint64_t voxels = 0;       ///< Non-empty ones.
-  std::string provenance;         ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
+  std::uint64_t voxels = 0; ///< Non-empty ones.
+  std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };
 
 /// An immutable volume. Cheap to move; the words live as long as it does.
@@ -53,10 +53,12 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Proves that every word reachable from the root is in range and well-formed: safe for any kernel of the format.
+/// Proves that every word reachable from the root is in range and well-formed: safe for any kernel of the
+/// format.
 Expected<void> checkStructure(const Format &format, std::span<const std::uint32_t> words);
 
-/// Calls `cube` for every maximal uniform cube that the volume stores, in Morton order: together all its voxels.
+/// Calls `cube` for every maximal uniform cube that the volume stores, in Morton order: together all its
+/// voxels.
 void decode(const Volume &volume, const std::function<void(const Cube &cube, std::uint32_t word)> &cube);
 
 } // namespace voxc
