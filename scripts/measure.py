@@ -20,13 +20,13 @@ SAMPLE = "20000"
 
 
 def run(*command):
-    environment = {**os.environ, "LP_NUM_THREADS": "1", "MESA_SHADER_CACHE_DISABLE": "true"}
+    environment = {**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"}
     subprocess.run([str(part) for part in command], check=True, env=environment)
 
 
 def trace(voxc, volume, rays, walk, folder):
-    run(voxc, "trace", volume, "--trusted", "--rays", rays, *WALKS[walk], "--repeat", REPEATS, "--check", SAMPLE,
-        "-o", folder / "hits", "--stats", folder / "stats", "--quiet")
+    run(voxc, "trace", volume, "--trusted", "--rays", rays, *WALKS[walk], "--repeat", REPEATS, "--threads", 1,
+        "--check", SAMPLE, "-o", folder / "hits", "--stats", folder / "stats", "--quiet")
     return json.loads((folder / "stats").read_text())
 
 

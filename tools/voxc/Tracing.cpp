@@ -4,15 +4,23 @@
 #include "common/Statistics.h"
 #include "voxc/Kernel/Compile.h"
 
+#include <cstdlib>
+
 namespace voxc::tool {
 
 void Tracing::declare(CLI::App &app) {
   app.add_option("--device", deviceName_, "Trace on the device whose name contains this; see 'voxc devices'")
       ->type_name("NAME");
+  app.add_option("--threads", threads_, "Threads of a device that is this processor (lavapipe); default: all")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1024u).description(""));
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
 Expected<void> Tracing::openDevice() {
+  // Lavapipe takes its number of threads from here alone, once, when it is loaded.
+  if (threads_ > 0)
+    ::setenv("LP_NUM_THREADS", std::to_string(threads_).c_str(), 1);
   Expected<Device> device = Device::open(deviceName_);
   if (!device)
     return device.error();

@@ -15,7 +15,7 @@ namespace voxc::tool {
 
 class Tracing {
 public:
-  /// Adds --device and --spirv-opt to a command.
+  /// Adds --device, --threads and --spirv-opt to a command.
   void declare(CLI::App &app);
 
   /// Opens the device; asked first, so that its absence is told before long work.
@@ -28,6 +28,7 @@ public:
 
 private:
   std::string deviceName_;
+  unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
   std::unique_ptr<Device> device_; // Outlives the tracer.
   std::unique_ptr<Tracer> tracer_;
