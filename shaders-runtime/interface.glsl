@@ -6,6 +6,6 @@ layout(constant_id = 0) const bool COUNT_LOOKUPS = false;
 // Six floats a ray: origin, direction.
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { float ray_floats[]; };
 // Six words a hit: voxel, rgba, t, lookups.
-layout(std430, set = 0, binding = 1) writeonly restrict buffer Hits { uint hit_words[]; };
-// The rays of this dispatch.
-layout(push_constant) uniform Tile { uint first_ray; uint ray_count; };
+layout(std430, set = 0, binding = 1) restrict buffer Hits { uint hit_words[]; };
+// The rays of this dispatch; `resumes` is 1 for those that an earlier dispatch left unfinished.
+layout(push_constant) uniform Tile { uint first_ray; uint ray_count; uint resumes; };

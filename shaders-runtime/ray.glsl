@@ -12,7 +12,7 @@ struct Ray {
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back, which
 // bounds every loop by the volume's size.
 struct Walk {
-  ivec3 cell;   // In voxels.
+  ivec3 cell;   // In voxels; outside the volume before and after the walk.
   float t;      // Where the ray entered the cell.
   uint rgba;    // Of the voxel that was hit.
   uint lookups;
@@ -24,6 +24,8 @@ void count_lookup(inout Walk walk) {
   if (COUNT_LOOKUPS)
     walk.lookups++;
 }
+
+bool is_inside(const Walk walk) { return all(lessThan(uvec3(walk.cell), uvec3(VOLUME_SIZE))); }
 
 // True for a cell of a grid of 2^log2_size cells.
 bool in_grid(ivec3 cell, ivec3 log2_size) { return (cell >> log2_size) == ivec3(0); }

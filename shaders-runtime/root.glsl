@@ -1,12 +1,14 @@
-// The whole volume: word 0 leads to level 1, unless the volume is empty.
+// The whole volume: word 0 leads to level 1, unless the volume is empty. A walk that starts outside is first put into it.
 bool intersect_root(const Ray ray, inout Walk walk) {
   uint root = load_word(0u);
-  return root != 0u && enter_volume(ray, walk, VOLUME_SIZE) && intersect_level_1(ray, walk, root, ivec3(0));
+  if (root == 0u || (!is_inside(walk) && !enter_volume(ray, walk, VOLUME_SIZE)))
+    return false;
+  return intersect_level_1(ray, walk, root, ivec3(0));
 }
 
 bool is_finite(vec3 v) { return all(lessThan(abs(v), vec3(INFINITY))); }
 
-// Traces one ray; on a hit, walk.t is that of the ray as it was given.
+// Traces one ray from where its walk is; walk.t is that of the ray as it was given.
 bool trace(vec3 origin, vec3 direction, inout Walk walk) {
   if (!is_finite(origin) || !is_finite(direction))
     return false;
@@ -16,23 +18,43 @@ bool trace(vec3 origin, vec3 direction, inout Walk walk) {
   bool stands = !any(ray.moves);
   if (stands)
     ray = prepare_ray(origin, vec3(1.0, 0.0, 0.0));
-  bool hit = intersect_root(ray, walk) && !(stands && walk.t > 0.0);
+  walk.t /= scale;
+  bool hit = intersect_root(ray, walk);
+  if (stands && walk.t > 0.0) {
+    hit = false;
+    walk.cell = ivec3(-1);
+  }
   walk.t *= scale;
   return hit;
 }
 
 vec3 load_vector(uint at) { return vec3(ray_floats[at], ray_floats[at + 1u], ray_floats[at + 2u]); }
 
+// A hit is its voxel. A miss is -1. A walk that ended inside the volume without a hit was cut short by the device, which
+// may limit how long a loop runs (Mesa's llvmpipe: 65535 turns in all); it is kept as -2 - cell, to be resumed.
+void store(uint at, const Walk walk, bool hit) {
+  bool unfinished = !hit && is_inside(walk);
+  ivec3 voxel = hit ? walk.cell : unfinished ? -2 - walk.cell : ivec3(-1);
+  hit_words[at] = uint(voxel.x);
+  hit_words[at + 1u] = uint(voxel.y);
+  hit_words[at + 2u] = uint(voxel.z);
+  hit_words[at + 3u] = hit ? walk.rgba : 0u;
+  hit_words[at + 4u] = hit || unfinished ? floatBitsToUint(walk.t) : 0u;
+  hit_words[at + 5u] = walk.lookups;
+}
+
 void main() {
   if (gl_GlobalInvocationID.x >= ray_count)
     return;
   uint at = 6u * (first_ray + gl_GlobalInvocationID.x);
-  Walk walk = Walk(ivec3(0), 0.0, 0u, 0u);
+  Walk walk = Walk(ivec3(-1), 0.0, 0u, 0u);
+  if (resumes != 0u) {
+    walk.cell = -2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]);
+    if (!is_inside(walk))
+      return;
+    walk.t = uintBitsToFloat(hit_words[at + 4u]);
+    walk.lookups = hit_words[at + 5u];
+  }
   bool hit = trace(load_vector(at), load_vector(at + 3u), walk);
-  hit_words[at] = hit ? uint(walk.cell.x) : 0xffffffffu;
-  hit_words[at + 1u] = hit ? uint(walk.cell.y) : 0xffffffffu;
-  hit_words[at + 2u] = hit ? uint(walk.cell.z) : 0xffffffffu;
-  hit_words[at + 3u] = hit ? walk.rgba : 0u;
-  hit_words[at + 4u] = hit ? floatBitsToUint(walk.t) : 0u;
-  hit_words[at + 5u] = walk.lookups;
+  store(at, walk, hit);
 }

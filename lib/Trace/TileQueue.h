@@ -17,6 +17,7 @@ struct TilePass {
   const TracePipeline *pipeline = nullptr;
   bool countSteps = false;
   std::uint32_t rays = 0;
+  bool resumes = false; ///< Goes on with the rays that the pass before left unfinished.
   /// Called when a tile of so many rays is done; false ends the pass early.
   std::function<bool(std::uint32_t rays)> tileDone = [](std::uint32_t) { return true; };
 };

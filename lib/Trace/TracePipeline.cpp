@@ -9,12 +9,7 @@ namespace {
 /// The kernel's bindings: rays, hits, and words or their table.
 constexpr std::uint32_t kBindings = 3;
 
-struct PushConstants {
-  std::uint32_t firstRay;
-  std::uint32_t rayCount;
-};
-
-constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(PushConstants)};
+constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
 
 Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
@@ -120,13 +115,11 @@ Expected<void> TracePipeline::prepare(bool countSteps) {
   return {};
 }
 
-void TracePipeline::recordDispatch(VkCommandBuffer commands, bool countSteps, std::uint32_t firstRay,
-                                   std::uint32_t rayCount) const {
-  PushConstants constants{firstRay, rayCount};
+void TracePipeline::recordDispatch(VkCommandBuffer commands, bool countSteps, const RayTile &tile) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[countSteps].get());
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
-  vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof constants, &constants);
-  vkCmdDispatch(commands, (rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
+  vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
+  vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
 }
 
 } // namespace voxc

@@ -10,6 +10,13 @@
 
 namespace voxc {
 
+/// The rays of one dispatch: the kernel's push constants.
+struct RayTile {
+  std::uint32_t first = 0;
+  std::uint32_t rayCount = 0;
+  std::uint32_t resumes = 0; ///< 1: go on with those that an earlier dispatch left unfinished.
+};
+
 class TracePipeline {
 public:
   static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel);
@@ -21,9 +28,8 @@ public:
   bool isPrepared(bool countSteps) const { return static_cast<bool>(variants_[countSteps]); }
   /// Makes a variant, which may compile for long.
   Expected<void> prepare(bool countSteps);
-  /// Records the tracing of the bound rays [firstRay, firstRay + rayCount) by a prepared variant.
-  void recordDispatch(VkCommandBuffer commands, bool countSteps, std::uint32_t firstRay,
-                      std::uint32_t rayCount) const;
+  /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant.
+  void recordDispatch(VkCommandBuffer commands, bool countSteps, const RayTile &tile) const;
 
 private:
   explicit TracePipeline(Device::State &device) : device_(&device) {}

@@ -13,6 +13,11 @@ namespace {
 
 constexpr std::uint64_t kMaxBatchRays = std::uint64_t{4} << 20;
 
+/// Dispatches that may go on with rays which the device cut short. The longest walk, 3 * 2^21 steps, needs
+/// about a hundred where a device ends loops after 65535 turns and a step takes one; far more where steps go
+/// down deep trees.
+constexpr int kMaxResumes = 4096;
+
 /// The rays whose buffers every limit of the device allows.
 std::uint64_t batchRays(const DeviceInfo &device) {
   std::uint64_t bytes = std::min(device.maxStorageBufferBytes, device.maxAllocationBytes);
@@ -113,8 +118,8 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
   auto count = static_cast<std::uint32_t>(rays.size());
   if (auto warm = warmUp(count, work); !warm)
     return warm;
-  TilePass pass{&pipeline_, work.options.countSteps, count,
-                [&work](std::uint32_t done) { return work.advance(done); }};
+  TilePass pass{.pipeline = &pipeline_, .countSteps = work.options.countSteps, .rays = count};
+  pass.tileDone = [&work](std::uint32_t done) { return work.advance(done); };
   for (TraceTime &repeat : work.report.repeats) {
     auto time = tiles_.run(pass);
     if (!time)
@@ -123,10 +128,41 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
     repeat.cpu += time->cpu;
     repeat.device += time->device;
   }
-  double downloadBegin = wallSeconds();
+  if (auto downloaded = download(hits, work); !downloaded)
+    return downloaded;
+  return finishRays(hits, work);
+}
+
+Expected<void> VulkanTracer::download(std::span<Hit> hits, Work &work) {
+  double begin = wallSeconds();
   auto downloaded = transfer_.download(*hits_, std::as_writable_bytes(hits));
-  work.report.transfer += wallSeconds() - downloadBegin;
+  work.report.transfer += wallSeconds() - begin;
   return downloaded;
+}
+
+Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
+  const auto isUnfinished = [](const Hit &hit) { return hit.voxel[0] < -1; };
+  for (int pass = 0; std::ranges::any_of(hits, isUnfinished); ++pass) {
+    if (pass == kMaxResumes)
+      return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
+                                " dispatches");
+    auto time = tiles_.run({.pipeline = &pipeline_,
+                            .countSteps = work.options.countSteps,
+                            .rays = static_cast<std::uint32_t>(hits.size()),
+                            .resumes = true,
+                            .tileDone = [&work](std::uint32_t) { return !work.options.progress.stopped(); }});
+    if (!time)
+      return time.error();
+    // Every repeat would have taken it.
+    for (TraceTime &repeat : work.report.repeats) {
+      repeat.wall += time->wall;
+      repeat.cpu += time->cpu;
+      repeat.device += time->device;
+    }
+    if (auto downloaded = download(hits, work); !downloaded)
+      return downloaded;
+  }
+  return {};
 }
 
 Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
@@ -138,7 +174,8 @@ Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
   double begin = wallSeconds();
   if (auto prepared = pipeline_.prepare(countSteps); !prepared)
     return prepared;
-  auto time = tiles_.run({&pipeline_, countSteps, std::min(rays, kWorkgroupSize)});
+  auto time =
+      tiles_.run({.pipeline = &pipeline_, .countSteps = countSteps, .rays = std::min(rays, kWorkgroupSize)});
   if (!time)
     return time.error();
   work.report.firstDispatch = wallSeconds() - begin;

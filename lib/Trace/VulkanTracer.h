@@ -25,6 +25,9 @@ private:
                TileQueue tiles);
   Expected<void> reserve(std::uint64_t rays);
   Expected<void> traceBatch(std::span<const Ray> rays, std::span<Hit> hits, Work &work);
+  Expected<void> download(std::span<Hit> hits, Work &work);
+  /// Goes on with rays that the device cut short (`Kernel`), until none is left.
+  Expected<void> finishRays(std::span<Hit> hits, Work &work);
   Expected<void> warmUp(std::uint32_t rays, Work &work);
 
   Device::State *device_;

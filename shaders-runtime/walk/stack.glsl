@@ -17,7 +17,7 @@ bool intersect_level_N(const Ray ray, inout Walk walk, uint root, ivec3 low) {
     }
     if (node == 0u)
       step_over(ray, walk, low + ((cell >> side) << (side + LEVEL_N_LOG2_CELL)), 1 << (side + LEVEL_N_LOG2_CELL));
-    else if (intersect_NEXT(ray, walk, load_word(node), low + (cell << LEVEL_N_LOG2_CELL)))
+    else if (leaf && intersect_NEXT(ray, walk, load_word(node), low + (cell << LEVEL_N_LOG2_CELL)))
       return true;
 
     ivec3 next = (walk.cell - low) >> LEVEL_N_LOG2_CELL;

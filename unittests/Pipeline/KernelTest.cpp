@@ -101,6 +101,22 @@ TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   EXPECT_EQ(std::memcmp(stack.data(), segments.data(), bytes), 0);
 }
 
+TEST_F(Kernels, FinishWalksThatTheDeviceCutsShort) {
+  // Llvmpipe ends every loop of an invocation after 65535 turns in all.
+  for (const char *text : {"R(18,0,0)", "R(16,0,0) S(2)", "D(18,0,0,1)", "R(16,0,0) G(2)"}) {
+    const Format format = *parseFormat(text);
+    const Int3 extent = format.extent();
+    const auto built = Constructor::compile(format)->build(
+        *makeFunctionSource(extent, [](Int3 c) { return c.x == 3 || (c.x % 5 == 4 && c.y > 0) ? 9u : 0u; }));
+    ASSERT_TRUE(built) << built.error().message;
+    const std::vector<Ray> rays(100, Ray{{300000.0f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}});
+    for (const Hit &hit : hitsOf(built->volume, format, Addressing::Buffer, rays)) {
+      ASSERT_EQ(hit.voxel[0], 3) << text;
+      ASSERT_EQ(hit.t, 300000.0f - 4.0f) << text;
+    }
+  }
+}
+
 TEST_F(Kernels, FitOnlyTheStorageTheyWereMadeFor) {
   const Format format = *parseFormat("R(1^3) G(2)");
   const auto built = Constructor::compile(format)->build(**makeBuiltinSource("full", 8));
