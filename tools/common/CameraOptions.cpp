@@ -10,7 +10,7 @@
 namespace voxc::tool {
 namespace {
 
-constexpr const char *kCameraForms = "EX,EY,EZ:LX,LY,LZ or FILE.json:NAME";
+constexpr const char *kCameraForms = "EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ] or FILE.json:NAME";
 
 /// Splits at each separator; n separators give n + 1 parts.
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -43,16 +43,17 @@ std::optional<Double3> parsePoint(std::string_view text) {
   return point;
 }
 
-/// The camera of "eye:look"; nothing if the text is not of this form.
+/// The camera of "eye:look" or "eye:look:up"; nothing if the text is not of this form.
 std::optional<Camera> parsePoints(std::string_view text) {
   std::vector<std::string_view> parts = split(text, ':');
-  if (parts.size() != 2)
+  if (parts.size() != 2 && parts.size() != 3)
     return std::nullopt;
   auto eye = parsePoint(parts[0]);
   auto look = parsePoint(parts[1]);
-  if (!eye || !look)
+  auto up = parts.size() == 3 ? parsePoint(parts[2]) : Double3{0, 1, 0};
+  if (!eye || !look || !up)
     return std::nullopt;
-  return Camera{.eye = *eye, .look = *look};
+  return Camera{.eye = *eye, .look = *look, .up = *up};
 }
 
 Expected<Camera> cameraFromFile(const std::string &text, Int3 extent, std::array<int, 2> size,
@@ -88,9 +89,9 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, std::arr
 void addCameraOptions(CLI::App &command, CameraOptions &options) {
   command
       .add_option("--camera", options.camera,
-                  "Eye and a point looked at, in voxels, or a camera of a camera file; the default sees the "
-                  "whole volume")
-      ->type_name("EX,EY,EZ:LX,LY,LZ|FILE:NAME");
+                  "Eye, a point looked at and the way up (default 0,1,0), in voxels, or a camera of a camera "
+                  "file; the default sees the whole volume")
+      ->type_name("EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
   command
       .add_option("--size", options.size,
                   "Pixels of the picture; the default is the camera file's, or 1280x720")
