@@ -19,6 +19,7 @@ struct Options {
   bool timePasses = false;
   bool verifyEach = true;
   bool helpPasses = false;
+  bool helpLevels = false;
 };
 
 void declare(CLI::App &app, Options &options) {
@@ -31,6 +32,7 @@ void declare(CLI::App &app, Options &options) {
   app.add_flag("--verify-each,!--no-verify-each", options.verifyEach,
                "Verify the IR after each pass (the default)");
   app.add_flag("--help-passes", options.helpPasses, "Describe the passes and exit");
+  app.add_flag("--help-levels", options.helpLevels, "Describe the level kinds and exit");
   options.passes.declare(app, PassChoice::All);
 }
 
@@ -39,6 +41,29 @@ void describePasses() {
     std::printf("--%s (%s)\n  %s\n\n%s\n\n", std::string(pass.name).c_str(),
                 pass.effect == AttributeEffect::Storage ? "storage" : "walk",
                 std::string(pass.summary).c_str(), std::string(pass.details).c_str());
+}
+
+void describeLevel(const LevelKind &kind) {
+  std::string parameters;
+  for (const ParameterKind &parameter : kind.parameters)
+    parameters += (parameters.empty() ? "" : ", ") + std::string(parameter.name);
+  std::printf("%c(%s), in IR %s(%s)\n  %s\n\n", kind.letter, parameters.c_str(),
+              std::string(kind.name).c_str(), parameters.c_str(), std::string(kind.summary).c_str());
+  for (const ParameterKind &parameter : kind.parameters)
+    std::printf("  %s: %s\n", std::string(parameter.name).c_str(), std::string(parameter.meaning).c_str());
+  for (const AttributeKind *attribute : kind.attributes) {
+    std::printf("  %s (%s):", std::string(attribute->name).c_str(),
+                attribute->effect == AttributeEffect::Storage ? "storage" : "walk");
+    for (const std::string_view value : attribute->values)
+      std::printf(" %s", std::string(value).c_str());
+    std::printf("; %s\n", std::string(attribute->summary).c_str());
+  }
+  std::printf("\n");
+}
+
+void describeLevels() {
+  for (const LevelKind *kind : levelKinds())
+    describeLevel(*kind);
 }
 
 void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
@@ -54,6 +79,10 @@ void tellPass(const Options &options, const Pass &pass, const Format &format, Pa
 Expected<void> optimise(const Options &options) {
   if (options.helpPasses) {
     describePasses();
+    return {};
+  }
+  if (options.helpLevels) {
+    describeLevels();
     return {};
   }
   Expected<Format> format = readFormatFile(options.input);
