@@ -1,6 +1,7 @@
 // Colours of pictures, in linear steps between 0 and 1.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace voxc {
@@ -24,7 +25,7 @@ inline Colour unpackColour(std::uint32_t word) {
 
 /// The opaque pixel of a colour with channels in [0, 1].
 inline std::uint32_t packColour(Colour c) {
-  auto channel = [](float value) { return static_cast<std::uint32_t>(value * 255 + 0.5f); };
+  auto channel = [](float value) { return static_cast<std::uint32_t>(std::lround(value * 255)); };
   return channel(c.red) | channel(c.green) << 8 | channel(c.blue) << 16 | 0xff000000u;
 }
 
