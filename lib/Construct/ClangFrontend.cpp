@@ -66,6 +66,7 @@ Expected<std::unique_ptr<llvm::Module>> compileToModule(const std::vector<Memory
   const std::vector<std::string> owned = arguments(files.front().name);
   const std::vector<const char *> list = [&] {
     std::vector<const char *> pointers;
+    pointers.reserve(owned.size());
     for (const std::string &argument : owned)
       pointers.push_back(argument.c_str());
     return pointers;
