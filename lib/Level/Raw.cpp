@@ -25,6 +25,7 @@ void walk(WordReader &words, const Level &level, std::uint32_t offset, SubVolume
     if (value != 0 && !visitor.done())
       visitor.cells({cell, 0}, value);
   });
+  visitor.leaveNode();
 }
 
 } // namespace
