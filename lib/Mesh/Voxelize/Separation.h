@@ -92,7 +92,7 @@ private:
   /// Each of eight bits y becomes the row of bits 8 y to 8 y + 7.
   static std::uint64_t rowsOf(std::uint64_t bits) {
     const std::uint64_t spread = bits * kFirstColumn & 0x8040201008040201;
-    return (spread + 0x7f * kFirstColumn >> 7 & kFirstColumn) * 255;
+    return ((spread + 0x7f * kFirstColumn) >> 7 & kFirstColumn) * 255;
   }
 
   static Wide absolute(Wide value) { return value < 0 ? -value : value; }
@@ -151,7 +151,8 @@ private:
   Point64 offsetOf(Int3 cell) const {
     Point64 offset;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      offset[axis] = (2 * std::int64_t{cell[static_cast<int>(axis)]} + 1 << (log2Side_ - 1)) - corner_[axis];
+      offset[axis] =
+          ((2 * std::int64_t{cell[static_cast<int>(axis)]} + 1) << (log2Side_ - 1)) - corner_[axis];
     return offset;
   }
 

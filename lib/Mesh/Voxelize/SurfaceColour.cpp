@@ -70,7 +70,8 @@ void multiply(Colour &colour, const Colour &other) {
 }
 
 std::uint32_t visible(Colour colour) {
-  colour[3] = std::max(colour[3], 1 / 255.0);
+  constexpr double kLeast = 1 / 255.0;
+  colour[3] = colour[3] > kLeast ? colour[3] : kLeast;
   return pack(colour);
 }
 

@@ -21,11 +21,9 @@ public:
   /// Goes to the triangle at which `cursor` stands.
   void moveTo(const TriangleCursor &cursor);
 
-  /// The word at the point with these weights, or 0 where texture and mask cut the triangle away. What remains
-  /// has the alpha of the material and the vertices, but at least 1, so that the word is not "empty".
-  std::uint32_t at(const Double3 &weights) {
-    return constant_ != 0 ? constant_ : varied(weights);
-  }
+  /// The word at the point with these weights, or 0 where texture and mask cut the triangle away. What
+  /// remains has the alpha of the material and the vertices, but at least 1, so that the word is not "empty".
+  std::uint32_t at(const Double3 &weights) { return constant_ != 0 ? constant_ : varied(weights); }
 
   /// True if `at` is the same everywhere on the triangle, and not 0.
   bool isConstant() const { return constant_ != 0; }

@@ -17,8 +17,7 @@ Double3 transformed(const Transform &transform, const Double3 &point) {
           m[8] * point[0] + m[9] * point[1] + m[10] * point[2] + m[11]};
 }
 
-template <typename Index>
-std::array<std::uint32_t, 3> indicesAt(const std::byte *row, std::uint32_t stride) {
+template <typename Index> std::array<std::uint32_t, 3> indicesAt(const std::byte *row, std::uint32_t stride) {
   std::array<std::uint32_t, 3> indices;
   for (std::size_t i = 0; i < 3; ++i) {
     Index index;
@@ -35,7 +34,8 @@ TriangleNumbers::TriangleNumbers(const TriangleScene &scene) {
   firsts_.reserve(scene.instances.size() + 1);
   firsts_.push_back(0);
   for (const MeshInstance &instance : scene.instances)
-    firsts_.push_back(std::min(firsts_.back() + std::min(scene.parts[instance.part].triangles(), kMost), kMost));
+    firsts_.push_back(
+        std::min(firsts_.back() + std::min(scene.parts[instance.part].triangles(), kMost), kMost));
 }
 
 std::size_t TriangleNumbers::instanceOf(std::uint64_t triangle) const {

@@ -50,9 +50,9 @@ private:
   std::uint64_t end_ = 0;
   const MeshInstance *instance_ = nullptr;
   const MeshPart *part_ = nullptr;
-  bool isMoved_ = false;                      ///< The instance is at another place than its part.
-  const std::byte *indexRows_ = nullptr;      ///< Of uint32 or uint16 for plain triangles, else null.
-  const std::byte *positionRows_ = nullptr;   ///< Of three floats, else null.
+  bool isMoved_ = false;                    ///< The instance is at another place than its part.
+  const std::byte *indexRows_ = nullptr;    ///< Of uint32 or uint16 for plain triangles, else null.
+  const std::byte *positionRows_ = nullptr; ///< Of three floats, else null.
   std::array<std::uint32_t, 3> vertices_{};
 };
 
