@@ -38,6 +38,7 @@ void walk(WordReader &words, const Level &level, std::uint32_t offset, SubVolume
     if (words[at] != 0 && !visitor.done())
       visitor.cells({cell, 0}, words[at]);
   });
+  visitor.leaveNode();
 }
 
 bool relocate(std::span<std::uint32_t> words, bool holdsVoxels, std::span<const std::uint32_t> newOffsets) {

@@ -27,6 +27,7 @@ void walk(WordReader &words, const Level &level, std::uint32_t offset, SubVolume
     if (value != 0 && !visitor.done())
       visitor.cells({cell, 0}, value);
   });
+  visitor.leaveNode();
 }
 
 bool relocate(std::span<std::uint32_t> words, bool holdsVoxels, std::span<const std::uint32_t> newOffsets) {

@@ -1,7 +1,7 @@
 // Vertices and faces of PLY files.
 #include "Mesh/PlyMesh.h"
 
-#include "Mesh/PlyColour.h"
+#include "Mesh/Ply/PlyColour.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // Triangle meshes from PLY files.
 #pragma once
 
-#include "Mesh/PlyReader.h"
+#include "Mesh/Ply/PlyReader.h"
 #include "voxc/Mesh/TriangleMesh.h"
 
 namespace voxc {

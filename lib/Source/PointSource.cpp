@@ -2,7 +2,7 @@
 #include "Source/PointSource.h"
 
 #include "Mesh/ModelFrame.h"
-#include "Mesh/PlyColour.h"
+#include "Mesh/Ply/PlyColour.h"
 #include "voxc/Source/Sources.h"
 
 #include <algorithm>

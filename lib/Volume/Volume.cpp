@@ -43,9 +43,14 @@ Expected<Volume> Volume::load(const std::string &path, bool trusted) {
     return contents.error();
   if (contents->words.empty())
     return Error::input("'" + path + "' has no words; even an empty volume has one");
-  if (!trusted)
-    if (auto checked = checkStructure(contents->info.format, contents->words); !checked)
-      return Error::input("'" + path + "': " + checked.error().message);
+  if (!trusted) {
+    const auto voxels = checkStructure(contents->info.format, contents->words);
+    if (!voxels)
+      return Error::input("'" + path + "': " + voxels.error().message);
+    if (*voxels != contents->info.voxels)
+      return Error::input("'" + path + "' holds " + std::to_string(*voxels) +
+                          " voxels, but its header says " + std::to_string(contents->info.voxels));
+  }
   const auto words = contents->words;
   return Volume(std::move(contents->info), words, std::make_shared<const MappedFile>(std::move(*file)));
 }

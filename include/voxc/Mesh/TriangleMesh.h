@@ -15,6 +15,9 @@ namespace voxc {
 using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 
+// Until the voxelizer takes TriangleScene: other types than those of the same name there.
+inline namespace replaced {
+
 /// A texture: rows from the top, RGBA8 with R in the low byte; repeats outside [0, 1].
 struct Texture {
   int width = 0;
@@ -28,6 +31,8 @@ struct Material {
   int alphaMask = -1;                      ///< A texture whose red channel is the alpha (OBJ's map_d), or -1.
   bool opaque = false;                     ///< The texture's own alpha means nothing (glTF's OPAQUE).
 };
+
+} // namespace replaced
 
 struct Triangle {
   std::array<std::uint32_t, 3> vertices;

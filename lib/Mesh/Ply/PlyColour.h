@@ -1,7 +1,7 @@
 // The colour of a PLY row.
 #pragma once
 
-#include "Mesh/PlyReader.h"
+#include "Mesh/Ply/PlyReader.h"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Rows of ASCII and binary PLY files.
-#include "Mesh/PlyReader.h"
+#include "Mesh/Ply/PlyReader.h"
 
 #include <algorithm>
 #include <array>

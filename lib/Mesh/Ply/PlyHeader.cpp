@@ -1,5 +1,5 @@
 // Parsing the header of a PLY file.
-#include "Mesh/PlyHeader.h"
+#include "Mesh/Ply/PlyHeader.h"
 
 #include <algorithm>
 #include <array>

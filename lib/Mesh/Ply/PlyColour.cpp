@@ -1,5 +1,5 @@
 // Finding and packing the colours of PLY rows.
-#include "Mesh/PlyColour.h"
+#include "Mesh/Ply/PlyColour.h"
 
 #include <cmath>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Reading the rows of a PLY file one after the other, each claim checked against the file's size first.
 #pragma once
 
-#include "Mesh/PlyHeader.h"
+#include "Mesh/Ply/PlyHeader.h"
 #include "voxc/Support/File.h"
 
 #include <functional>
