@@ -16,9 +16,11 @@ void Building::declare(CLI::App &app) {
       ->required()
       ->type_name("");
   addInputArguments(app, inputArguments_);
-  addBuildArguments(app, buildArguments_);
+  addMemoryArguments(app, buildArguments_);
   passes_.declare(app, PassChoice::All);
 }
+
+void Building::declareThreads(CLI::App &app) { addThreadsArgument(app, buildArguments_); }
 
 void Building::defaultInput(CLI::App &app, const std::string &input) {
   input_ = input;
