@@ -4,9 +4,9 @@
 #include "Mesh/BoxTriangleTest.h"
 #include "Mesh/MeshCheck.h"
 #include "Mesh/ModelFrame.h"
-#include "Mesh/NearestPoint.h"
 #include "Mesh/SurfaceColour.h"
-#include "Mesh/VoxelCandidates.h"
+#include "Mesh/Voxelize/NearestPoint.h"
+#include "Mesh/Voxelize/VoxelCandidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,9 +86,9 @@ private:
   }
 
   void propose(Int3 voxel) {
-    const NearestPoint nearest = nearestPoint(corners_, {voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
+    const NearestPoint nearest = NearestPoints(corners_).to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
     if (const auto word = surfaceColour(mesh_, mesh_.triangles[index_], nearest.weights))
-      candidates_.add(mortonCode(voxel), nearest.distanceSquared, index_, word);
+      candidates_.add(mortonCode(voxel), comparedDistance(nearest.distanceSquared), index_, word);
   }
 
   const TriangleMesh &mesh_;

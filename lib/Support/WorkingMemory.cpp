@@ -118,54 +118,80 @@ std::uint64_t WorkingMemory::scratchPeak() const {
   return state_->filePeak;
 }
 
-Expected<MemoryBlock> WorkingMemory::allocate(std::uint64_t bytes) {
-  const std::lock_guard lock(state_->mutex);
-  const std::uint64_t size = wholePages(std::max<std::uint64_t>(bytes, 1));
-  if (size < bytes)
-    return Error::environment("no machine has the memory for " + std::to_string(bytes) + " bytes");
-  const bool fits = size <= bound_ && state_->inMemory + size <= bound_ / 4 * 3;
-  auto block = fits ? allocateInMemory(size) : allocateInFile(size);
-  if (block)
-    block->owner_ = shared_from_this();
+Expected<MemoryBlock> WorkingMemory::reserve(std::uint64_t most) {
+  const std::uint64_t bytes = wholePages(std::max<std::uint64_t>(most, 1));
+  void *address = bytes < most
+                      ? MAP_FAILED
+                      : ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (address == MAP_FAILED)
+    return Error::environment("no memory has the addresses for " + std::to_string(most) + " bytes");
+  MemoryBlock block;
+  block.owner_ = shared_from_this();
+  block.data_ = static_cast<std::byte *>(address);
+  block.reserved_ = bytes;
   return block;
 }
 
-Expected<MemoryBlock> WorkingMemory::allocateInMemory(std::uint64_t bytes) {
-  void *address = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (address == MAP_FAILED)
+Expected<MemoryBlock> WorkingMemory::allocate(std::uint64_t bytes) {
+  auto block = reserve(bytes);
+  if (!block)
+    return block;
+  if (auto extended = extend(*block, block->reserved_); !extended)
+    return extended.error();
+  return block;
+}
+
+Expected<void> WorkingMemory::extend(MemoryBlock &block, std::uint64_t bytes) {
+  const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
+  const std::lock_guard lock(state_->mutex);
+  const bool fits = size <= bound_ && state_->inMemory + size <= bound_ / 4 * 3;
+  return fits ? extendInMemory(block, size) : extendInScratch(block, size);
+}
+
+Expected<void> WorkingMemory::extendInMemory(MemoryBlock &block, std::uint64_t bytes) {
+  if (::mprotect(block.data_ + block.size_, bytes, PROT_READ | PROT_WRITE) != 0)
     return Error::environment("cannot get " + megabytes(bytes) + " of memory: " + reason());
   state_->inMemory += bytes;
-  MemoryBlock block;
-  block.data_ = static_cast<std::byte *>(address);
-  block.size_ = bytes;
-  return block;
+  block.inMemory_ += bytes;
+  block.size_ += bytes;
+  return {};
 }
 
-Expected<MemoryBlock> WorkingMemory::allocateInFile(std::uint64_t bytes) {
-  const auto failed = [&](int why) {
-    return Error::environment("cannot get " + megabytes(bytes) + " of scratch space in '" +
-                              state_->scratchFolder + "': " + std::strerror(why));
-  };
+Expected<void> WorkingMemory::extendInScratch(MemoryBlock &block, std::uint64_t bytes) {
   if (state_->file < 0)
     state_->file = openUnnamed(state_->scratchFolder);
-  if (state_->file < 0)
-    return failed(errno);
-  // Room is taken now: a full disk found out later, by a write to the mapping, would end the process.
-  const auto offset = static_cast<off_t>(state_->fileEnd);
-  if (const int why = ::posix_fallocate(state_->file, offset, static_cast<off_t>(bytes)))
-    return failed(why);
-  void *address = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, state_->file, offset);
-  if (address == MAP_FAILED)
-    return failed(errno);
+  const std::uint64_t offset = state_->fileEnd;
+  const int why = state_->file < 0 ? errno : mapFile(block, bytes, state_->file, offset);
+  if (why != 0)
+    return Error::environment("cannot get " + megabytes(bytes) + " of scratch space in '" +
+                              state_->scratchFolder + "': " + std::strerror(why));
+  block.extents_.push_back({offset, bytes});
   state_->fileEnd += bytes;
   state_->inFile += bytes;
   state_->filePeak = std::max(state_->filePeak, state_->inFile);
-  MemoryBlock block;
-  block.data_ = static_cast<std::byte *>(address);
-  block.size_ = bytes;
-  block.fileOffset_ = offset;
-  state_->watched.push_back({block.data_, bytes});
-  return block;
+  return {};
+}
+
+Expected<void> WorkingMemory::extendFromFile(MemoryBlock &block, std::uint64_t bytes, int file,
+                                             std::uint64_t offset) {
+  const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
+  const std::lock_guard lock(state_->mutex);
+  if (const int why = mapFile(block, size, file, offset))
+    return Error::environment("cannot write another " + megabytes(size) + ": " + std::strerror(why));
+  return {};
+}
+
+int WorkingMemory::mapFile(MemoryBlock &block, std::uint64_t bytes, int file, std::uint64_t offset) {
+  // Room is taken now: a full disk found out later, by a write to the mapping, would end the process.
+  const auto start = static_cast<off_t>(offset);
+  if (const int why = ::posix_fallocate(file, start, static_cast<off_t>(bytes)))
+    return why;
+  std::byte *const end = block.data_ + block.size_;
+  if (::mmap(end, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, file, start) == MAP_FAILED)
+    return errno;
+  state_->watched.push_back({end, bytes});
+  block.size_ += bytes;
+  return 0;
 }
 
 Expected<void> WorkingMemory::resize(MemoryBlock &block, std::uint64_t bytes) {
@@ -183,17 +209,18 @@ Expected<void> WorkingMemory::resize(MemoryBlock &block, std::uint64_t bytes) {
 }
 
 void WorkingMemory::release(MemoryBlock &block) {
-  ::munmap(block.data_, block.size_);
+  ::munmap(block.data_, block.reserved_);
   const std::lock_guard lock(state_->mutex);
-  if (block.fileOffset_ < 0) {
-    state_->inMemory -= block.size_;
-    return;
+  state_->inMemory -= block.inMemory_;
+  std::erase_if(state_->watched, [&](const auto &span) {
+    return span.data() >= block.data_ && span.data() < block.data_ + block.reserved_;
+  });
+  for (const MemoryBlock::Extent &extent : block.extents_) {
+    state_->inFile -= extent.bytes;
+    // Where the system cannot punch holes the room is given back at the end.
+    ::fallocate(state_->file, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(extent.offset),
+                static_cast<off_t>(extent.bytes));
   }
-  std::erase_if(state_->watched, [&](const auto &span) { return span.data() == block.data_; });
-  state_->inFile -= block.size_;
-  // Where the system cannot punch holes the room is given back at the end.
-  ::fallocate(state_->file, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, block.fileOffset_,
-              static_cast<off_t>(block.size_));
 }
 
 void WorkingMemory::watch(std::span<const std::byte> mapped) {
@@ -226,15 +253,15 @@ MemoryBlock::~MemoryBlock() {
     owner_->release(*this);
 }
 
-MemoryBlock::MemoryBlock(MemoryBlock &&other) noexcept
-    : owner_(std::move(other.owner_)), data_(std::exchange(other.data_, nullptr)),
-      size_(std::exchange(other.size_, 0)), fileOffset_(other.fileOffset_) {}
+MemoryBlock::MemoryBlock(MemoryBlock &&other) noexcept { *this = std::move(other); }
 
 MemoryBlock &MemoryBlock::operator=(MemoryBlock &&other) noexcept {
   std::swap(owner_, other.owner_);
   std::swap(data_, other.data_);
   std::swap(size_, other.size_);
-  std::swap(fileOffset_, other.fileOffset_);
+  std::swap(reserved_, other.reserved_);
+  std::swap(inMemory_, other.inMemory_);
+  std::swap(extents_, other.extents_);
   return *this;
 }
 

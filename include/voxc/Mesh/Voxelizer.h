@@ -10,6 +10,9 @@
 
 namespace voxc {
 
+// Until its users take the one of MeshSource.h.
+inline namespace replaced {
+
 struct VoxelizeOptions {
   int resolution = 512;                        ///< Voxels on the longest axis of the bounds; 0: what fits.
   Int3 maxExtent{1 << 21, 1 << 21, 1 << 21};   ///< Error if the bounds need more than this on an axis.
@@ -17,6 +20,8 @@ struct VoxelizeOptions {
   bool zUp = false;                            ///< Turns +z to +y (a rotation about x).
   Progress progress;
 };
+
+} // namespace replaced
 
 /// Voxelizes a mesh. The low corner of the bounds lies at (0,0,0). A voxel takes the colour of the triangle
 /// nearest to its centre, then of the lowest index, at the point nearest to the centre; where the material's

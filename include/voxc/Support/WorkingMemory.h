@@ -12,12 +12,13 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace voxc {
 
 class WorkingMemory;
 
-/// Zeroed memory of a `WorkingMemory`, given back on destruction. It has one address until it is resized.
+/// Zeroed memory of a `WorkingMemory`, given back on destruction.
 class MemoryBlock {
 public:
   MemoryBlock() = default;
@@ -26,15 +27,24 @@ public:
   MemoryBlock &operator=(MemoryBlock &&) noexcept;
 
   std::byte *data() const { return data_; }
+  /// Bytes that may be used.
   std::uint64_t size() const { return size_; }
 
 private:
   friend class WorkingMemory;
 
+  /// A range of the scratch file.
+  struct Extent {
+    std::uint64_t offset;
+    std::uint64_t bytes;
+  };
+
   std::shared_ptr<WorkingMemory> owner_;
   std::byte *data_ = nullptr;
   std::uint64_t size_ = 0;
-  std::int64_t fileOffset_ = -1; ///< In the scratch file; -1: in memory.
+  std::uint64_t reserved_ = 0; ///< Bytes of addresses, at least `size_`.
+  std::uint64_t inMemory_ = 0;
+  std::vector<Extent> extents_;
 };
 
 /// A bound on the memory of a piece of work, and the memory itself.
@@ -58,8 +68,17 @@ public:
 
   /// Zeroed memory. Errors: `Environment`, no memory or no room for the scratch file.
   Expected<MemoryBlock> allocate(std::uint64_t bytes);
-  /// Makes a block larger or smaller; what is added is zero. On an error it stays as it was.
+  /// Makes a block larger or smaller, which may move it; what is added is zero. On an error it stays as it
+  /// was.
   Expected<void> resize(MemoryBlock &block, std::uint64_t bytes);
+
+  /// A block of no size that can be extended in place to `most` bytes.
+  Expected<MemoryBlock> reserve(std::uint64_t most);
+  /// Adds whole pages of zeroed memory, at least `bytes`, to a reserved block.
+  Expected<void> extend(MemoryBlock &block, std::uint64_t bytes);
+  /// The same with the pages of another file, open for reading and writing, at `offset` (whole pages): what
+  /// is written to them is written to the file. Room for them is taken at once. Error: `Environment`.
+  Expected<void> extendFromFile(MemoryBlock &block, std::uint64_t bytes, int file, std::uint64_t offset);
 
   /// Adds a mapped file to what `relieve` may let go of, until `unwatch`.
   void watch(std::span<const std::byte> mapped);
@@ -74,8 +93,9 @@ private:
   struct State;
 
   explicit WorkingMemory(std::uint64_t bound, std::string scratchFolder);
-  Expected<MemoryBlock> allocateInMemory(std::uint64_t bytes);
-  Expected<MemoryBlock> allocateInFile(std::uint64_t bytes);
+  Expected<void> extendInMemory(MemoryBlock &block, std::uint64_t bytes);
+  Expected<void> extendInScratch(MemoryBlock &block, std::uint64_t bytes);
+  int mapFile(MemoryBlock &block, std::uint64_t bytes, int file, std::uint64_t offset);
   void release(MemoryBlock &block);
   void relieveNow();
 

@@ -1,8 +1,7 @@
 // Sorting of proposals, whenever as many have come as there were winners.
-#include "Mesh/VoxelCandidates.h"
+#include "Mesh/Voxelize/VoxelCandidates.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -19,12 +18,11 @@ bool VoxelCandidates::before(const Candidate &a, const Candidate &b) {
   return std::tie(a.code, a.distance, a.rank) < std::tie(b.code, b.distance, b.rank);
 }
 
-void VoxelCandidates::add(std::uint64_t code, double distanceSquared, std::uint32_t rank,
+void VoxelCandidates::add(std::uint64_t code, std::uint32_t distance, std::uint32_t rank,
                           std::uint32_t word) {
   if (candidates_.size() >= std::max(kSmallest, 2 * sorted_))
     compact();
-  const double rounded = std::fmin(std::round(distanceSquared * 0x1p30), 0x1p32 - 1);
-  candidates_.push_back({code, static_cast<std::uint32_t>(rounded), rank, word});
+  candidates_.push_back({code, distance, rank, word});
 }
 
 void VoxelCandidates::compact() {

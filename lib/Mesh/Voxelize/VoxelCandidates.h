@@ -11,10 +11,8 @@ namespace voxc {
 /// Proposals for voxels. Memory stays proportional to the number of different voxels.
 class VoxelCandidates {
 public:
-  /// Proposes `word` for the voxel at `code`: the smallest squared distance (in voxels, below 4) wins, then
-  /// the lowest rank. Distances less than 2^-30 apart count as equal, so that rounding does not decide
-  /// between triangles that meet.
-  void add(std::uint64_t code, double distanceSquared, std::uint32_t rank, std::uint32_t word);
+  /// Proposes `word` for the voxel at `code`: the smallest distance wins, then the lowest rank.
+  void add(std::uint64_t code, std::uint32_t distance, std::uint32_t rank, std::uint32_t word);
 
   /// The winners in Morton order; nothing remains.
   std::vector<CodedVoxel> take();
