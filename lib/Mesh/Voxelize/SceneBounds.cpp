@@ -1,5 +1,5 @@
-// Checks of every index and coordinate of a scene.
-#include "Mesh/Voxelize/SceneCheck.h"
+// Checks of what a scene refers to, and the box of its triangles.
+#include "Mesh/Voxelize/SceneBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ bool isFinite(const Double3 &point) {
 
 } // namespace
 
-Expected<void> checkScene(const TriangleScene &scene) {
+Expected<void> checkReferences(const TriangleScene &scene) {
   for (const MeshInstance &instance : scene.instances)
     if (instance.part >= scene.parts.size())
       return Error::input("the mesh has an instance of a part that does not exist");
