@@ -10,7 +10,7 @@ namespace voxc {
 namespace {
 
 /// Triangles between two looks at memory and progress.
-constexpr std::uint64_t kStep = 1024;
+constexpr std::uint64_t kStep = 64;
 
 bool isTexture(const TriangleScene &scene, const TextureUse &use) {
   return use.texture < static_cast<std::int64_t>(scene.textures.size());
