@@ -82,6 +82,10 @@ namespace {
 constexpr std::int64_t kMostTexels = std::int64_t{1} << 26;
 constexpr int kMostTexelsASide = 16384;
 
+/// No compression of the four kinds makes more texels of a byte (deflate: 1032 bytes, of one bit a texel).
+constexpr std::int64_t kMostTexelsAByte = 8400;
+constexpr std::int64_t kFewTexels = 1 << 16;
+
 /// A progressive JPEG is drawn in about ten scans, each of which costs the time of the whole image.
 constexpr int kMostScans = 100;
 
@@ -110,6 +114,9 @@ Expected<ImageSize> readSize(std::span<const std::byte> bytes) {
   const std::string sides = std::to_string(size.width) + "x" + std::to_string(size.height);
   if (std::max(size.width, size.height) > kMostTexelsASide)
     return Error::input("the image has " + sides + " texels, but none may have more than 16384 a side");
+  if (size.texels() > kFewTexels + kMostTexelsAByte * static_cast<std::int64_t>(bytes.size()))
+    return Error::input("the image has " + sides + " texels, more than its " + std::to_string(bytes.size()) +
+                        " bytes can hold");
   if (size.texels() > kMostTexels)
     return Error::input("the image has " + sides + " texels, but none may have more than 2^26");
   return size;
