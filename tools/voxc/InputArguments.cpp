@@ -19,6 +19,11 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
   app.add_option("--up", arguments.up, "The mesh's axis that points up: y (default) or z")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}).description(""));
+  app.add_option("--coverage", arguments.coverage,
+                 "Voxels that a triangle takes: conservative (default), all that it touches, or thin, enough "
+                 "that no path over faces leads through")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"conservative", "thin"}).description(""));
 }
 
 namespace {
@@ -60,6 +65,8 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
     arguments.bounds = bounds;
   if (arguments.up.empty())
     arguments.up = valueOf(provenance, "up");
+  if (arguments.coverage.empty())
+    arguments.coverage = valueOf(provenance, "coverage");
 }
 
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
@@ -67,6 +74,7 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   options.resolution = arguments.resolution;
   options.formatExtent = formatExtent;
   options.zUp = arguments.up == "z";
+  options.coverage = arguments.coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
   if (!arguments.bounds.empty())
     std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
   return options;

@@ -16,9 +16,10 @@ struct InputArguments {
   int resolution = 0;         ///< 0: what the format holds.
   std::vector<double> bounds; ///< Empty, or six numbers.
   std::string up;             ///< "y", "z", or empty.
+  std::string coverage;       ///< "conservative", "thin", or empty.
 };
 
-/// Adds --resolution, --bounds and --up to a command.
+/// Adds --resolution, --bounds, --up and --coverage to a command.
 void addInputArguments(CLI::App &app, InputArguments &arguments);
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").

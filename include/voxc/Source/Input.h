@@ -1,8 +1,10 @@
 // Opening an INPUT as it is written on a command line (contract, section 7).
 #pragma once
 
+#include "voxc/Mesh/MeshSource.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Support/WorkingMemory.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +22,9 @@ struct InputOptions {
   Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
   bool zUp = false;                            ///< The mesh's up is +z: it is turned to +y.
+  Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
+  bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
+  std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
   Progress progress;
 };
 
@@ -28,7 +33,8 @@ struct Input {
   std::unique_ptr<VoxelSource> source;
   std::uint64_t triangles = 0;       ///< Of a mesh, after instancing; else 0.
   double loadSeconds = 0;            ///< Reading the file.
-  double voxelizeSeconds = 0;        ///< Making voxels of triangles or points.
+  double binSeconds = 0;             ///< Sorting triangles or points into chunks.
+  std::uint64_t loaderPeakBytes = 0; ///< Memory that a library took beside the bound while it read.
   std::string provenance;            ///< The options that matter, for `VolumeInfo::provenance`.
   std::vector<std::string> warnings; ///< One sentence each.
 };
