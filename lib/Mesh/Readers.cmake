@@ -13,6 +13,9 @@ set(VOXC_MESH_READERS
   Gltf/GltfTransforms.cpp
   Gltf/Json.cpp
   Image/ImageDecoder.cpp
+  Image/Jpeg.cpp
+  Image/OtherImage.cpp
+  Image/Png.cpp
   Image/TextureSet.cpp
   Obj/MaterialLibrary.cpp
   Obj/ObjGeometry.cpp
@@ -24,10 +27,12 @@ set(VOXC_MESH_READERS
   Ply/PlyScene.cpp
   Polygon.cpp
   ResidentGrowth.cpp
-  SceneCheck.cpp
+  NumberCheck.cpp
   SceneLoader.cpp
   Stl/StlReader.cpp
   Stl/StlText.cpp
   Text.cpp
   TriangleScene.cpp
   WatchedFile.cpp)
+# What they are built on, beside stb_image, a header.
+set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> png turbojpeg)

@@ -1,5 +1,5 @@
 // Looking at every number of a scene once.
-#include "Mesh/SceneCheck.h"
+#include "Mesh/NumberCheck.h"
 
 #include "Mesh/Problem.h"
 
@@ -20,9 +20,9 @@ using ViewKey = std::tuple<const std::byte *, std::uint64_t, std::uint32_t, Attr
 
 ViewKey keyOf(const AttributeView &view) { return {view.data, view.count, view.stride, view.type}; }
 
-class SceneChecker {
+class NumberChecker {
 public:
-  SceneChecker(const TriangleScene &scene, const MeshInput &input) : scene_(scene), input_(input) {}
+  NumberChecker(const TriangleScene &scene, const MeshInput &input) : scene_(scene), input_(input) {}
 
   Expected<void> check() {
     if (auto counted = checkCounts(); !counted)
@@ -111,8 +111,8 @@ private:
 
 } // namespace
 
-Expected<void> checkScene(const TriangleScene &scene, const MeshInput &input) {
-  return SceneChecker(scene, input).check();
+Expected<void> checkNumbers(const TriangleScene &scene, const MeshInput &input) {
+  return NumberChecker(scene, input).check();
 }
 
 } // namespace voxc

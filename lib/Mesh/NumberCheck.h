@@ -8,6 +8,6 @@ namespace voxc {
 
 /// Checks that there are triangles, and fewer than 2^32; that all positions are finite and all indices in
 /// range. Numbers that several parts share are looked at once.
-Expected<void> checkScene(const TriangleScene &scene, const MeshInput &input);
+Expected<void> checkNumbers(const TriangleScene &scene, const MeshInput &input);
 
 } // namespace voxc
