@@ -11,6 +11,7 @@ find_package(SPIRV-Tools-opt REQUIRED CONFIG)
 find_package(glslang 12 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)
 find_package(assimp REQUIRED CONFIG)
+find_package(ZLIB REQUIRED)
 find_path(VOXC_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 
 # The tools.

@@ -2,8 +2,9 @@
 #include "Source/PointSource.h"
 
 #include "Mesh/ModelFrame.h"
-#include "Mesh/Ply/PlyColour.h"
-#include "voxc/Source/Sources.h"
+#include "Source/BinnedVoxels.h"
+#include "Source/GridExtent.h"
+#include "Source/PointRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,163 +19,147 @@ struct Point {
   std::uint32_t word;
 };
 
-/// The rows of the element `vertex` that have a colour, one after the other.
-class VertexRows {
-public:
-  using Visit =
-      std::function<Expected<void>(const Double3 &position, std::uint64_t index, std::uint32_t word)>;
-
-  explicit VertexRows(PlyReader &reader)
-      : reader_(reader), vertices_(reader.header().find("vertex")),
-        colour_(vertices_ ? *vertices_ : PlyElement()) {
-    for (std::size_t axis = 0; vertices_ && axis < 3; ++axis)
-      axes_[axis] = vertices_->find(kAxes[axis]);
-  }
-
-  bool hasPositions() const { return axes_[0] && axes_[1] && axes_[2]; }
-  bool areIndices() const {
-    return std::all_of(axes_.begin(), axes_.end(),
-                       [&](const auto &axis) { return isInteger(vertices_->properties[*axis].type); });
-  }
-  std::uint64_t dropped() const { return dropped_; }
-
-  Expected<void> read(const Visit &visit) {
-    return reader_.readRows(
-        [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
-          if (&element != vertices_)
-            return {};
-          const std::uint32_t word = colour_(row);
-          if (word == 0) {
-            ++dropped_;
-            return {};
-          }
-          return visit({row.values[*axes_[0]], row.values[*axes_[1]], row.values[*axes_[2]]}, index, word);
-        });
-  }
-
-private:
-  static constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-
-  PlyReader &reader_;
-  const PlyElement *vertices_;
-  PlyColour colour_;
-  std::array<std::optional<std::size_t>, 3> axes_;
-  std::uint64_t dropped_ = 0;
+/// A voxel index.
+struct IndexPoint {
+  Int3 voxel;
+  std::uint32_t word;
 };
 
-/// Sorts, and keeps the first voxel of each code.
-void sortAndUnite(std::vector<CodedVoxel> &voxels) {
-  std::stable_sort(voxels.begin(), voxels.end(),
-                   [](const CodedVoxel &a, const CodedVoxel &b) { return a.code < b.code; });
-  const auto same = [](const CodedVoxel &a, const CodedVoxel &b) { return a.code == b.code; };
-  voxels.erase(std::unique(voxels.begin(), voxels.end(), same), voxels.end());
-}
-
-bool isInside(const Double3 &index, Int3 extent) {
+bool isInside(const std::array<double, 3> &index, Int3 extent) {
   return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < extent.x && index[1] < extent.y &&
          index[2] < extent.z;
 }
 
-std::string toText(const Double3 &index) {
+std::string listed(const std::array<double, 3> &index) {
   const auto text = [](double v) { return std::to_string(static_cast<std::int64_t>(v)); };
   return text(index[0]) + ", " + text(index[1]) + ", " + text(index[2]);
 }
 
-Expected<std::unique_ptr<VoxelSource>> readIndices(VertexRows &rows, const PlyReader &reader, Int3 holds) {
-  std::vector<CodedVoxel> voxels;
-  Int3 extent{1, 1, 1};
-  auto read = rows.read([&](const Double3 &index, std::uint64_t row, std::uint32_t word) -> Expected<void> {
-    if (!isInside(index, holds))
-      return reader.broken("vertex " + std::to_string(row) + " is the voxel " + toText(index) +
-                           ", but the format holds only " + std::to_string(holds.x) + "x" +
-                           std::to_string(holds.y) + "x" + std::to_string(holds.z));
-    const Int3 voxel{static_cast<int>(index[0]), static_cast<int>(index[1]), static_cast<int>(index[2])};
-    for (int axis = 0; axis < 3; ++axis)
-      extent[axis] = std::max(extent[axis], voxel[axis] + 1);
-    voxels.push_back({mortonCode(voxel), word});
-    return {};
-  });
-  if (!read)
-    return read.error();
-  sortAndUnite(voxels);
-  return makeSortedSource(extent, std::move(voxels));
-}
+/// Reads the points of a file into memory, and makes a source of them.
+class PointReader {
+public:
+  PointReader(PlyReader &reader, PointRows &rows, const InputOptions &options)
+      : reader_(reader), rows_(rows), options_(options) {}
 
-Expected<std::vector<Point>> readPositions(VertexRows &rows, const PlyReader &reader) {
-  std::vector<Point> points;
-  auto read =
-      rows.read([&](const Double3 &position, std::uint64_t row, std::uint32_t word) -> Expected<void> {
-        Point point{{}, word};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          point.position[axis] = static_cast<float>(position[axis]);
-          if (!std::isfinite(point.position[axis]))
-            return reader.broken("vertex " + std::to_string(row) + " has a coordinate that is not finite");
-        }
-        points.push_back(point);
-        return {};
-      });
-  if (!read)
-    return read.error();
-  return points;
-}
+  std::uint64_t dropped() const { return dropped_; }
 
-Bounds boundsOf(const std::vector<Point> &points, const InputOptions &options) {
-  if (options.bounds) {
-    const std::array<double, 6> &b = *options.bounds;
+  Expected<std::unique_ptr<VoxelSource>> readIndices() {
+    ScratchArray<IndexPoint> points(options_.memory);
+    Int3 extent{1, 1, 1};
+    auto read = rows_.read(
+        [&](const PointRow &row) -> Expected<void> {
+          if (isDropped(row))
+            return {};
+          if (!isInside(row.position, options_.formatExtent))
+            return reader_.broken("vertex " + std::to_string(row.number) + " is the voxel " +
+                                  listed(row.position) + ", but the format holds only " +
+                                  toText(options_.formatExtent));
+          const IndexPoint point{{static_cast<int>(row.position[0]), static_cast<int>(row.position[1]),
+                                  static_cast<int>(row.position[2])},
+                                 row.word};
+          for (int axis = 0; axis < 3; ++axis)
+            extent[axis] = std::max(extent[axis], point.voxel[axis] + 1);
+          return points.push(point);
+        },
+        *options_.memory, options_.progress);
+    if (!read)
+      return read.error();
+    return place(points, extent, {}, [](const IndexPoint &point) { return std::optional(point.voxel); });
+  }
+
+  Expected<std::unique_ptr<VoxelSource>> readPositions() {
+    ScratchArray<Point> points(options_.memory);
+    BoundsBuilder bounds;
+    auto read = rows_.read(
+        [&](const PointRow &row) -> Expected<void> {
+          if (isDropped(row))
+            return {};
+          Point point{{}, row.word};
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            point.position[axis] = static_cast<float>(row.position[axis]);
+            if (!std::isfinite(point.position[axis]))
+              return reader_.broken("vertex " + std::to_string(row.number) +
+                                    " has a coordinate that is not finite");
+          }
+          bounds.add(point.position);
+          return points.push(point);
+        },
+        *options_.memory, options_.progress);
+    if (!read)
+      return read.error();
+    const auto frame = ModelFrame::fit({chosen(bounds.bounds().value_or(Bounds{})), options_.resolution,
+                                        options_.formatExtent, options_.zUp});
+    if (!frame)
+      return frame.error();
+    return place(points, frame->extent(), frame->voxelToModel(), [&](const Point &point) {
+      return voxelAt(frame->toVoxels(point.position), frame->extent());
+    });
+  }
+
+private:
+  bool isDropped(const PointRow &row) {
+    dropped_ += row.word == 0;
+    return row.word == 0;
+  }
+
+  Bounds chosen(const Bounds &found) const {
+    if (!options_.bounds)
+      return found;
+    const std::array<double, 6> &b = *options_.bounds;
     return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
   }
-  BoundsBuilder builder;
-  for (const Point &point : points)
-    builder.add(point.position);
-  return builder.bounds().value_or(Bounds{});
-}
 
-/// The voxel of a position within the frame; one on its far face belongs to the last voxel.
-std::optional<Int3> voxelAt(const Double3 &position, Int3 extent) {
-  Int3 voxel;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double coordinate = position[static_cast<std::size_t>(axis)];
-    if (!(coordinate >= 0 && coordinate <= extent[axis]))
-      return std::nullopt;
-    voxel[axis] = std::min(static_cast<int>(coordinate), extent[axis] - 1);
+  /// The voxel of a position within the frame; one on its far face belongs to the last voxel.
+  static std::optional<Int3> voxelAt(const Double3 &position, Int3 extent) {
+    Int3 voxel;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double coordinate = position[static_cast<std::size_t>(axis)];
+      if (!(coordinate >= 0 && coordinate <= extent[axis]))
+        return std::nullopt;
+      voxel[axis] = std::min(static_cast<int>(coordinate), extent[axis] - 1);
+    }
+    return voxel;
   }
-  return voxel;
-}
 
-Expected<std::unique_ptr<VoxelSource>> voxelizePoints(VertexRows &rows, const PlyReader &reader,
-                                                      const InputOptions &options) {
-  const auto points = readPositions(rows, reader);
-  if (!points)
-    return points.error();
-  const auto frame =
-      ModelFrame::fit({boundsOf(*points, options), options.resolution, options.formatExtent, options.zUp});
-  if (!frame)
-    return frame.error();
-  std::vector<CodedVoxel> voxels;
-  for (const Point &point : *points)
-    if (const auto voxel = voxelAt(frame->toVoxels(point.position), frame->extent()))
-      voxels.push_back({mortonCode(*voxel), point.word});
-  sortAndUnite(voxels);
-  return makeSortedSource(frame->extent(), std::move(voxels), frame->voxelToModel());
-}
+  /// Sorts points into their chunks; `voxelOf` may say that one has no voxel.
+  template <typename Stored, typename VoxelOf>
+  Expected<std::unique_ptr<VoxelSource>> place(const ScratchArray<Stored> &points, Int3 extent,
+                                               const Transform &voxelToModel, VoxelOf voxelOf) {
+    auto voxels = BinnedVoxels::create(extent, options_.memory);
+    if (!voxels)
+      return voxels.error();
+    for (const Stored &point : points.span())
+      if (const std::optional<Int3> voxel = voxelOf(point))
+        voxels->count(*voxel);
+    if (auto allocated = voxels->allocate(); !allocated)
+      return allocated.error();
+    for (const Stored &point : points.span())
+      if (const std::optional<Int3> voxel = voxelOf(point))
+        voxels->place(*voxel, point.word);
+    return std::move(*voxels).finish(voxelToModel);
+  }
+
+  PlyReader &reader_;
+  PointRows &rows_;
+  const InputOptions &options_;
+  std::uint64_t dropped_ = 0;
+};
 
 } // namespace
 
 Expected<PointVoxels> readPoints(PlyReader &reader, const InputOptions &options) {
-  VertexRows rows(reader);
+  PointRows rows(reader);
   if (!rows.hasPositions())
     return reader.broken("its points need an element 'vertex' with the properties x, y and z");
-  PointVoxels points;
-  points.areIndices = rows.areIndices();
-  auto source = points.areIndices ? readIndices(rows, reader, options.formatExtent)
-                                  : voxelizePoints(rows, reader, options);
+  PointReader points(reader, rows, options);
+  auto source = rows.areIndices() ? points.readIndices() : points.readPositions();
   if (!source)
     return source.error();
-  points.source = std::move(*source);
-  if (rows.dropped() != 0)
-    points.warnings.push_back(std::to_string(rows.dropped()) +
+  PointVoxels voxels{std::move(*source), rows.areIndices(), {}};
+  if (points.dropped() != 0)
+    voxels.warnings.push_back(std::to_string(points.dropped()) +
                               " points are dropped: their colour is the word 0, which means empty");
-  return points;
+  return voxels;
 }
 
 } // namespace voxc

@@ -3,6 +3,7 @@
 
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Support/WorkingMemory.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,11 @@ struct InputOptions {
   Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
   bool zUp = false;                            ///< The mesh's up is +z: it is turned to +y.
+  std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
+  std::string colourMap = "grey";  ///< How a dense volume's samples are coloured: a name of `colourMaps()`.
+  std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
+                                               ///< the least and the greatest.
+  std::shared_ptr<WorkingMemory> memory;       ///< For what is sorted or inflated; null: `createDefault()`.
   Progress progress;
 };
 

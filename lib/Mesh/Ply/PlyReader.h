@@ -24,6 +24,9 @@ public:
   static Expected<PlyReader> open(const std::string &path);
 
   const PlyHeader &header() const { return header_; }
+  /// The whole file, and what follows the rows that were read; at first what follows the header.
+  std::span<const std::byte> bytes() const { return file_.bytes(); }
+  std::string_view rest() const { return rest_; }
 
   /// Calls `visit(element, index, row)` for every row, in the order of the file, until it returns an error.
   /// Before the first row of an element, its count is known to fit into the rest of the file. Errors: a
