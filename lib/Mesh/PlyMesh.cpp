@@ -77,12 +77,6 @@ private:
 
 } // namespace
 
-bool hasFaces(const PlyHeader &header) {
-  const PlyElement *faces = header.find("face");
-  const PlyElement *strips = header.find("tristrips");
-  return (faces && faces->count != 0) || (strips && strips->count != 0);
-}
-
 Expected<TriangleMesh> readPlyMesh(PlyReader &reader) {
   if (reader.header().find("tristrips"))
     return reader.broken("it holds triangle strips; store faces instead");

@@ -6,9 +6,6 @@
 
 namespace voxc {
 
-/// True if the file holds faces: it is a mesh, not points.
-bool hasFaces(const PlyHeader &header);
-
 /// Reads vertices with their colours, and faces as fans of triangles. Errors: as `PlyReader::readRows`, no
 /// x, y, z, an index outside the vertices, triangle strips instead of faces.
 Expected<TriangleMesh> readPlyMesh(PlyReader &reader);

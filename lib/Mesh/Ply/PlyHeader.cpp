@@ -138,6 +138,12 @@ const PlyElement *PlyHeader::find(std::string_view element) const {
   return nullptr;
 }
 
+bool hasFaces(const PlyHeader &header) {
+  const PlyElement *faces = header.find("face");
+  const PlyElement *strips = header.find("tristrips");
+  return (faces && faces->count != 0) || (strips && strips->count != 0);
+}
+
 Expected<PlyHeader> readPlyHeader(std::string_view &text) {
   if (readLine(text) != "ply")
     return Error::input("it does not start with the line 'ply'");

@@ -43,6 +43,9 @@ struct PlyHeader {
   const PlyElement *find(std::string_view element) const;
 };
 
+/// True if the file holds faces or triangle strips: it is a mesh, not points.
+bool hasFaces(const PlyHeader &header);
+
 /// Reads up to and including the line `end_header`, and takes that off the front of `text`. Errors: not a PLY
 /// file, or a line that makes no sense, which is quoted.
 Expected<PlyHeader> readPlyHeader(std::string_view &text);

@@ -1,10 +1,11 @@
 // Rows of ASCII and binary PLY files.
 #include "Mesh/Ply/PlyReader.h"
 
+#include "Mesh/Text.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -110,11 +111,9 @@ bool PlyReader::readText(PlyType type, double &value) {
   rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
   std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
   rest_.remove_prefix(word.size());
-  if (word.starts_with('+'))
-    word.remove_prefix(1);
-  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
-  return parsed.ec == std::errc() && parsed.ptr == word.data() + word.size() &&
-         (!isInteger(type) || value == std::floor(value));
+  const auto parsed = parseNumber(word);
+  value = parsed.value_or(0);
+  return parsed && (!isInteger(type) || value == std::floor(value));
 }
 
 bool PlyReader::readBinary(PlyType type, double &value) {

@@ -24,8 +24,9 @@ public:
   static Expected<PlyReader> open(const std::string &path);
 
   const PlyHeader &header() const { return header_; }
-  /// The whole file, and what follows the rows that were read; at first what follows the header.
+  /// The whole file, as it is mapped.
   std::span<const std::byte> bytes() const { return file_.bytes(); }
+  /// What follows the rows that were read; at first what follows the header.
   std::string_view rest() const { return rest_; }
 
   /// Calls `visit(element, index, row)` for every row, in the order of the file, until it returns an error.
