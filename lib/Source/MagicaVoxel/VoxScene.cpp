@@ -13,8 +13,13 @@ public:
   SceneBuilder(const VoxFile &file, VoxScene &scene) : file_(file), scene_(scene) {}
 
   Expected<void> run() {
-    stack_.push_back({0, {}});
-    while (!stack_.empty()) {
+    // Copies by reference share nodes, so that a small file may stand for a scene without end.
+    constexpr std::uint64_t kMostVisits = std::uint64_t{1} << 20;
+    stack_.push_back({0, 0, {}});
+    for (std::uint64_t visits = 0; !stack_.empty(); ++visits) {
+      if (visits == kMostVisits)
+        return Error::input("its scene graph, written out, has more than " + std::to_string(kMostVisits) +
+                            " nodes");
       const Step step = stack_.back();
       stack_.pop_back();
       if (auto visited = visit(step); !visited)
@@ -26,6 +31,7 @@ public:
 private:
   struct Step {
     std::uint32_t number;
+    std::uint32_t depth;
     Placement above;
   };
 
@@ -34,9 +40,8 @@ private:
     if (found == file_.nodes.end())
       return Error::input("its scene graph names the node " + std::to_string(step.number) +
                           ", which it does not have");
-    if (!seen_.insert(step.number).second)
-      return Error::input("its node " + std::to_string(step.number) +
-                          " stands at two places of the scene graph, which is no tree then");
+    if (step.depth > file_.nodes.size())
+      return Error::input("its node " + std::to_string(step.number) + " stands below itself");
     const VoxNode &node = found->second;
     if (node.isHidden || file_.hiddenLayers.contains(node.layer))
       return {};
@@ -47,7 +52,7 @@ private:
       return Error::input("its node " + std::to_string(step.number) + " is moved too far");
     // Backwards, so that the first child is visited first.
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-      stack_.push_back({*child, *placement});
+      stack_.push_back({*child, step.depth + 1, *placement});
     return {};
   }
 
@@ -69,7 +74,6 @@ private:
   const VoxFile &file_;
   VoxScene &scene_;
   std::vector<Step> stack_;
-  std::set<std::uint32_t> seen_;
 };
 
 /// The box around all instances that have any cells.

@@ -24,7 +24,8 @@ struct VoxScene {
 
 /// Follows the scene graph from its root; hidden nodes and layers are left out. Without a graph the first
 /// model is the scene. `file` must outlive the scene. Errors: a node or model that is not there, a node that
-/// has two parents or is its own, a scene of more than 2^21 cells an axis.
+/// stands below itself, a graph that stands for more than 2^20 nodes, a scene of more than 2^21 cells an
+/// axis.
 Expected<VoxScene> makeVoxScene(const VoxFile &file);
 
 } // namespace voxc
