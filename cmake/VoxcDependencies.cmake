@@ -10,10 +10,11 @@ find_package(SPIRV-Tools REQUIRED CONFIG)
 find_package(SPIRV-Tools-opt REQUIRED CONFIG)
 find_package(glslang 12 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)
-find_package(assimp REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)
 find_package(ZLIB REQUIRED)
+find_path(VOXC_PNG_INCLUDE png.h REQUIRED)
+find_path(VOXC_TURBOJPEG_INCLUDE turbojpeg.h REQUIRED)
 find_path(VOXC_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 
 # The tools.
 find_package(CLI11 REQUIRED CONFIG)
-find_package(nlohmann_json REQUIRED CONFIG)

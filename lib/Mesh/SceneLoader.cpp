@@ -3,9 +3,9 @@
 
 #include "Mesh/Gltf/GltfReader.h"
 #include "Mesh/MeshInput.h"
+#include "Mesh/NumberCheck.h"
 #include "Mesh/Obj/ObjReader.h"
 #include "Mesh/Ply/PlyScene.h"
-#include "Mesh/SceneCheck.h"
 #include "Mesh/Stl/StlReader.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Expected<TriangleScene> readAndCheck(const ReaderRow &reader, const MeshInput &i
   auto scene = reader.read(input);
   if (!scene)
     return named(scene.error(), reader, input.path);
-  if (auto checked = checkScene(*scene, input); !checked)
+  if (auto checked = checkNumbers(*scene, input); !checked)
     return named(checked.error(), reader, input.path);
   return scene;
 }

@@ -107,4 +107,11 @@ std::array<std::uint32_t, 3> MeshPart::corners(std::uint64_t triangle) const {
   return corners;
 }
 
+std::uint64_t triangleCount(const TriangleScene &scene) {
+  std::uint64_t count = 0;
+  for (const MeshInstance &instance : scene.instances)
+    count += scene.parts[instance.part].triangles();
+  return count;
+}
+
 } // namespace voxc

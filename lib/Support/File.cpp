@@ -107,6 +107,13 @@ Expected<void> OutputFile::write(const void *data, std::size_t size) {
   return {};
 }
 
+Expected<void> OutputFile::rewrite(std::uint64_t offset, const void *data, std::size_t size) {
+  if (std::fflush(file_) != 0 ||
+      ::pwrite(descriptor(), data, size, static_cast<off_t>(offset)) != static_cast<ssize_t>(size))
+    return Error::environment("cannot write '" + path_ + "': " + reason());
+  return {};
+}
+
 Expected<void> OutputFile::commit() {
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
   if (!closed || (!temporary_.empty() && std::rename(temporary_.c_str(), path_.c_str()) != 0))

@@ -19,6 +19,11 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
   app.add_option("--up", arguments.up, "The axis of a mesh or dense volume that points up: y (default) or z")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}).description(""));
+  app.add_option("--coverage", arguments.coverage,
+                 "Voxels that a triangle takes: conservative (default), all that it touches, or thin, enough "
+                 "that no path over faces leads through")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"conservative", "thin"}).description(""));
   app.add_option("--threshold", arguments.threshold,
                  "Samples of a dense volume from here up are voxels; default: all but 0")
       ->type_name("T");
@@ -79,6 +84,8 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
   const std::vector<double> window = parseNumbers<double>(valueOf(provenance, "window"));
   if (arguments.window.empty() && window.size() == 2)
     arguments.window = window;
+  if (arguments.coverage.empty())
+    arguments.coverage = valueOf(provenance, "coverage");
 }
 
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
@@ -86,6 +93,7 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   options.resolution = arguments.resolution;
   options.formatExtent = formatExtent;
   options.zUp = arguments.up == "z";
+  options.coverage = arguments.coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
   if (!arguments.bounds.empty())
     std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
   options.threshold = arguments.threshold;

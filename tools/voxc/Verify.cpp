@@ -94,6 +94,7 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   fillFromProvenance(arguments, volume->info().provenance);
   InputOptions options = makeInputOptions(arguments, volume->format().extent());
   options.progress = progress;
+  options.reference = true;
   Expected<Input> input = openInput(against_, options);
   if (!input)
     return input.error();

@@ -104,6 +104,9 @@ struct TriangleScene {
   std::uint64_t loaderPeakBytes = 0; ///< What a library took beside the bound while it read; 0: nothing.
 };
 
+/// Triangles of all instances together.
+std::uint64_t triangleCount(const TriangleScene &scene);
+
 /// Reads .obj (with its .mtl and images), .ply, .glb, .gltf or .stl into `memory`, mapped files watched by
 /// it. Errors: unreadable or broken files, no triangle, a coordinate that is not finite, an index that
 /// points nowhere, 2^32 triangles or more.

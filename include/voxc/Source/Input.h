@@ -1,6 +1,7 @@
 // Opening an INPUT as it is written on a command line (contract, section 7).
 #pragma once
 
+#include "voxc/Mesh/MeshSource.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/WorkingMemory.h"
@@ -25,7 +26,9 @@ struct InputOptions {
   std::string colourMap = "grey";  ///< How a dense volume's samples look: grey, heat, dusk or polar.
   std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
                                                ///< the least and the greatest.
-  std::shared_ptr<WorkingMemory> memory;       ///< For what is sorted or inflated; null: `createDefault()`.
+  Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
+  bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
+  std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
   Progress progress;
 };
 
@@ -34,7 +37,8 @@ struct Input {
   std::unique_ptr<VoxelSource> source;
   std::uint64_t triangles = 0;       ///< Of a mesh, after instancing; else 0.
   double loadSeconds = 0;            ///< Reading the file.
-  double voxelizeSeconds = 0;        ///< Making voxels of triangles or points.
+  double binSeconds = 0;             ///< Sorting triangles or points into chunks.
+  std::uint64_t loaderPeakBytes = 0; ///< Memory that a library took beside the bound while it read.
   std::string provenance;            ///< The options that matter, for `VolumeInfo::provenance`.
   std::vector<std::string> warnings; ///< One sentence each.
 };

@@ -131,6 +131,8 @@ public:
   }
 
   Expected<void> append(std::span<const T> values) {
+    if (values.empty())
+      return {};
     const std::uint64_t size = size_ + values.size();
     if (size * sizeof(T) > block_.size())
       if (auto grown = grow(size); !grown)

@@ -30,6 +30,8 @@ class Volume {
 public:
   /// Takes words made by a builder; they are trusted.
   Volume(VolumeInfo info, std::vector<std::uint32_t> words);
+  /// The same for words that `owner` keeps alive.
+  Volume(VolumeInfo info, std::span<const std::uint32_t> words, std::shared_ptr<const void> owner);
   ~Volume();
   Volume(Volume &&) noexcept;
   Volume &operator=(Volume &&) noexcept;

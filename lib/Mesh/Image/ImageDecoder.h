@@ -1,4 +1,4 @@
-// Decoding of compressed images: PNG, JPEG, BMP and TGA.
+// Decoding of compressed images: PNG, JPEG, BMP and TGA, within limits.
 #pragma once
 
 #include "voxc/Mesh/TriangleScene.h"
@@ -18,7 +18,7 @@ public:
   /// Errors: `Input` for what is no image that is known, broken or too large; others as of `ScratchArray`.
   Expected<Texture> decode(std::span<const std::byte> bytes);
 
-  /// What the library took at once, at most.
+  /// What a library may have held at once beside the texels.
   std::uint64_t libraryPeakBytes() const { return libraryPeak_; }
 
 private:

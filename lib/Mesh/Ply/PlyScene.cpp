@@ -7,6 +7,7 @@
 #include "Mesh/Polygon.h"
 #include "Mesh/Problem.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -34,6 +35,21 @@ std::optional<std::size_t> findCorners(const PlyElement &element) {
 bool needsDouble(PlyType type) {
   return type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::Uint32;
 }
+
+/// Has the pages of a mapped file watched while it is read.
+class Watch {
+public:
+  Watch(std::span<const std::byte> bytes, WorkingMemory &memory) : bytes_(bytes), memory_(memory) {
+    memory_.watch(bytes_);
+  }
+  ~Watch() { memory_.unwatch(bytes_); }
+  Watch(const Watch &) = delete;
+  Watch &operator=(const Watch &) = delete;
+
+private:
+  std::span<const std::byte> bytes_;
+  WorkingMemory &memory_;
+};
 
 class SceneBuilder {
 public:
@@ -112,8 +128,8 @@ private:
 
   void noVertex(const char *what, std::uint64_t index, double corner) {
     problem_.set(std::string(what) + " " + std::to_string(index) + " names vertex " +
-                 std::to_string(static_cast<std::int64_t>(corner)) + ", but there are " +
-                 std::to_string(vertices_.count));
+                 std::to_string(static_cast<std::int64_t>(std::clamp(corner, -0x1p53, 0x1p53))) +
+                 ", but there are " + std::to_string(vertices_.count));
   }
 
   void addFace(std::uint64_t index, const std::vector<double> &corners) {
@@ -187,6 +203,7 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
   SceneBuilder builder(reader->header(), input);
   if (std::string missing = builder.missing(); !missing.empty())
     return reader->broken(missing);
+  const Watch watch(reader->bytes(), *input.memory);
   auto read = reader->readRows(
       [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
         builder.add(element, index, row);

@@ -10,7 +10,7 @@
 
 namespace voxc {
 
-/// An aligned cube of voxels of which each keeps the word that was proposed with the smallest distance.
+/// An aligned cube of voxels, each with its word and the distance of what gave it.
 class ChunkVoxels {
 public:
   static constexpr int kLog2Brick = 3;
@@ -22,21 +22,26 @@ public:
   /// Becomes the chunk with this low corner, without a voxel.
   void clear(Int3 low);
 
-  /// Gives `voxel`, which lies in the chunk, the word that `word()` makes, unless an earlier one came with at
-  /// most this distance (below 2^32 - 1), or the word is 0. `word` is not called in vain.
-  template <typename Word> void propose(Int3 voxel, std::uint32_t distance, Word word) {
-    const std::uint32_t code = codeOf(voxel);
+  /// Position of a voxel of the chunk in Morton order.
+  std::uint32_t codeOf(Int3 voxel) const {
+    const Int3 at = voxel - low_;
+    return spread_[static_cast<std::size_t>(at.x)] | spread_[static_cast<std::size_t>(at.y)] << 1 |
+           spread_[static_cast<std::size_t>(at.z)] << 2;
+  }
+
+  /// True unless the voxel at `code` has a word that came with at most this distance.
+  bool isNearer(std::uint32_t code, std::uint32_t distance) const {
+    const Brick *brick = table_[code >> 3 * kLog2Brick];
+    return !brick || distance < brick->distances[code & (kBrickCells - 1)];
+  }
+
+  /// Gives the voxel at `code` a word, which is not 0, and its distance, below 2^32 - 1.
+  void set(std::uint32_t code, std::uint32_t distance, std::uint32_t word) {
     Brick *&brick = table_[code >> 3 * kLog2Brick];
-    const std::uint32_t cell = code & (kBrickCells - 1);
-    if (brick && brick->distances[cell] <= distance)
-      return;
-    const std::uint32_t made = word();
-    if (made == 0)
-      return;
     if (!brick)
       brick = addBrick();
-    brick->distances[cell] = distance;
-    brick->words[cell] = made;
+    brick->distances[code & (kBrickCells - 1)] = distance;
+    brick->words[code & (kBrickCells - 1)] = word;
   }
 
   /// True if `cube`, in the chunk, holds no voxel.
@@ -52,11 +57,6 @@ private:
     std::array<std::uint32_t, kBrickCells> distances;
   };
 
-  std::uint32_t codeOf(Int3 voxel) const {
-    const Int3 at = voxel - low_;
-    return spread_[static_cast<std::size_t>(at.x)] | spread_[static_cast<std::size_t>(at.y)] << 1 |
-           spread_[static_cast<std::size_t>(at.z)] << 2;
-  }
   Brick *addBrick();
 
   Int3 low_;

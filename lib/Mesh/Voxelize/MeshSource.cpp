@@ -78,6 +78,12 @@ private:
     ScratchArray<std::uint32_t> triangles;
   };
 
+  /// A voxel of the chunk, and how near a triangle is.
+  struct Place {
+    std::uint32_t code;
+    std::uint32_t distance;
+  };
+
   SnappedTriangle triangle(std::uint32_t number) {
     cursor_.moveTo(number);
     return mesh_->model.snapped(cursor_);
@@ -147,12 +153,26 @@ private:
     if (masks_.empty())
       return;
     colour_.moveTo(cursor_);
-    const NearestPoints nearest(mesh_->model.inVoxels(triangle));
+    findNearer(NearestPoints(mesh_->model.inVoxels(triangle)));
+    colour_.at(weights_, words_);
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (words_[i] != 0)
+        voxels_.set(places_[i].code, places_[i].distance, words_[i]);
+  }
+
+  /// Lists the voxels of `masks_` to which no earlier triangle is as near.
+  void findNearer(const NearestPoints &nearest) {
+    places_.clear();
+    weights_.clear();
     for (const CellMask &mask : masks_)
       forEachCell(mask, [&](Int3 voxel) {
         const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
-        voxels_.propose(voxel, comparedDistance(point.distanceSquared),
-                        [&] { return colour_.at(point.weights); });
+        const std::uint32_t code = voxels_.codeOf(voxel);
+        const std::uint32_t distance = comparedDistance(point.distanceSquared);
+        if (!voxels_.isNearer(code, distance))
+          return;
+        places_.push_back({code, distance});
+        weights_.push_back(point.weights);
       });
   }
 
@@ -162,7 +182,11 @@ private:
   ChunkVoxels voxels_;
   Int3 chunk_{-1, -1, -1}; ///< Whose voxels these are.
   std::vector<List> lists_;
-  std::vector<CellMask> masks_; ///< Of the triangle in work.
+  // Of the triangle in work.
+  std::vector<CellMask> masks_;
+  std::vector<Place> places_;
+  std::vector<Double3> weights_;
+  std::vector<std::uint32_t> words_;
   std::optional<Error> failure_;
 };
 

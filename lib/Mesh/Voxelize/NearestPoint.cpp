@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace voxc {
 
@@ -18,6 +19,9 @@ Double3 cross(const Double3 &a, const Double3 &b) {
 
 Double3 scaled(const Double3 &a, double factor) { return {a[0] * factor, a[1] * factor, a[2] * factor}; }
 
+/// A triangle whose sine at the first corner is below 2^-30 is too thin for weights to mean anything.
+constexpr double kThinnestSquare = 0x1p-60;
+
 } // namespace
 
 NearestPoints::NearestPoints(const std::array<Double3, 3> &triangle) : corners_(triangle) {
@@ -30,7 +34,7 @@ NearestPoints::NearestPoints(const std::array<Double3, 3> &triangle) : corners_(
   const Double3 toThird = difference(triangle[2], triangle[0]);
   const Double3 normal = cross(toSecond, toThird);
   const double square = dot(normal, normal);
-  hasArea_ = square > 0;
+  hasArea_ = square > kThinnestSquare * dot(toSecond, toSecond) * dot(toThird, toThird);
   if (!hasArea_)
     return;
   const double inverse = 1 / square;
@@ -41,24 +45,32 @@ NearestPoints::NearestPoints(const std::array<Double3, 3> &triangle) : corners_(
 NearestPoint NearestPoints::to(const Double3 &point) const {
   const std::array<Double3, 3> offsets{difference(point, corners_[0]), difference(point, corners_[1]),
                                        difference(point, corners_[2])};
+  if (!hasArea_)
+    return onEdges(offsets, {true, true, true});
   const double second = dot(offsets[0], gradients_[0]);
   const double third = dot(offsets[0], gradients_[1]);
-  if (!hasArea_ || !(second >= 0 && third >= 0 && second + third <= 1))
-    return onEdges(offsets);
-  const double distance = dot(offsets[0], normal_);
-  return {{1 - second - third, second, third}, distance * distance};
+  const double first = 1 - second - third;
+  if (first >= 0 && second >= 0 && third >= 0) {
+    const double distance = dot(offsets[0], normal_);
+    return {{first, second, third}, distance * distance};
+  }
+  // The nearest point lies on an edge that the foot is beyond.
+  return onEdges(offsets, {third < 0, first < 0, second < 0});
 }
 
-NearestPoint NearestPoints::onEdges(const std::array<Double3, 3> &offsets) const {
-  double nearest = 0;
+NearestPoint NearestPoints::onEdges(const std::array<Double3, 3> &offsets,
+                                    const std::array<bool, 3> &candidates) const {
+  double nearest = std::numeric_limits<double>::infinity();
   double along = 0;
-  std::size_t best = 3;
+  std::size_t best = 0;
   for (std::size_t from = 0; from < 3; ++from) {
+    if (!candidates[from])
+      continue;
     const Edge &edge = edges_[from];
     const double t = std::clamp(dot(edge.direction, offsets[from]) * edge.inverseSquare, 0.0, 1.0);
     const Double3 rest = difference(offsets[from], scaled(edge.direction, t));
     const double square = dot(rest, rest);
-    if (best == 3 || square < nearest) {
+    if (square < nearest) {
       nearest = square;
       along = t;
       best = from;

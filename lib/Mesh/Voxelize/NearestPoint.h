@@ -29,7 +29,8 @@ private:
     double inverseSquare; ///< 1 over the square of the length; 0 without one.
   };
 
-  NearestPoint onEdges(const std::array<Double3, 3> &offsets) const;
+  /// The nearest point on those edges that may have it; `offsets` lead from the corners to the point.
+  NearestPoint onEdges(const std::array<Double3, 3> &offsets, const std::array<bool, 3> &candidates) const;
 
   std::array<Double3, 3> corners_;
   std::array<Edge, 3> edges_;

@@ -111,8 +111,9 @@ private:
 
   void propose(Int3 voxel, const NearestPoints &nearest) {
     const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
-    if (const std::uint32_t word = colour_.at(point.weights))
-      candidates_.add(mortonCode(voxel), comparedDistance(point.distanceSquared), number_, word);
+    colour_.at({&point.weights, 1}, words_);
+    if (words_[0] != 0)
+      candidates_.add(mortonCode(voxel), comparedDistance(point.distanceSquared), number_, words_[0]);
   }
 
   const MeshModel &model_;
@@ -121,6 +122,7 @@ private:
   std::int64_t side_; ///< Of a voxel, in steps of the grid.
   std::vector<Point64> boxes_;
   std::uint32_t number_ = 0;
+  std::vector<std::uint32_t> words_; ///< Of the voxel in work.
   VoxelCandidates candidates_;
 };
 

@@ -11,8 +11,17 @@ namespace {
 using Colour = std::array<double, 4>; ///< From 0 to 1.
 using Uv = std::array<double, 2>;
 
+/// n / 255 for each n.
+constexpr std::array<double, 256> kFractions = [] {
+  std::array<double, 256> fractions{};
+  for (std::size_t n = 0; n < fractions.size(); ++n)
+    fractions[n] = static_cast<double>(n) / 255;
+  return fractions;
+}();
+
 Colour unpack(std::uint32_t word) {
-  return {(word & 255) / 255.0, (word >> 8 & 255) / 255.0, (word >> 16 & 255) / 255.0, (word >> 24) / 255.0};
+  return {kFractions[word & 255], kFractions[word >> 8 & 255], kFractions[word >> 16 & 255],
+          kFractions[word >> 24]};
 }
 
 /// Written so that a colour that is not a number is 0.
@@ -25,35 +34,43 @@ std::uint32_t pack(const Colour &colour) {
   return word;
 }
 
-/// Where a coordinate falls in [0, 1]; one that is not a number anywhere.
-double wrapped(double coordinate, TextureWrap wrap) {
-  switch (wrap) {
-  case TextureWrap::ClampToEdge:
-    return coordinate;
-  case TextureWrap::MirroredRepeat: {
-    const double fraction = coordinate - 2 * std::floor(coordinate / 2);
-    return fraction > 1 ? 2 - fraction : fraction;
-  }
-  case TextureWrap::Repeat:
-    break;
-  }
-  return coordinate - std::floor(coordinate);
+/// What is left above the integer below. Numbers so large that they are integers, and what is no number,
+/// leave nothing. (`std::floor` is a call on processors that may lack the instruction.)
+double fractionOf(double value) {
+  if (!(std::abs(value) < 0x1p52))
+    return 0;
+  const double cut = value - static_cast<double>(static_cast<std::int64_t>(value));
+  return cut < 0 ? cut + 1 : cut;
 }
+
+double repeated(double coordinate) { return fractionOf(coordinate); }
+
+double mirrored(double coordinate) {
+  const double fraction = 2 * fractionOf(coordinate / 2);
+  return fraction > 1 ? 2 - fraction : fraction;
+}
+
+double clamped(double coordinate) { return coordinate; }
+
+/// Where a coordinate falls in the texture, which reaches from 0 to 1; in the order of `TextureWrap`.
+constexpr std::array<double (*)(double), 3> kWraps{repeated, mirrored, clamped};
 
 /// The texel column or row of a coordinate; the first of one that is not a number.
 int texelIndex(double coordinate, TextureWrap wrap, int size) {
-  const double place = wrapped(coordinate, wrap) * size;
-  return place > 0 ? static_cast<int>(std::min<double>(place, size - 1)) : 0;
+  // Most textures repeat: no call for them.
+  const double place =
+      wrap == TextureWrap::Repeat ? repeated(coordinate) : kWraps[static_cast<std::size_t>(wrap)](coordinate);
+  return place > 0 ? static_cast<int>(std::min<double>(place * size, size - 1)) : 0;
 }
 
-std::uint32_t sample(const TriangleScene &scene, const TextureUse &use, const Uv &uv) {
-  const Texture &texture = scene.textures[static_cast<std::size_t>(use.texture)];
+/// Where the texel at a point is.
+std::uint64_t texelAt(const Texture &texture, const TextureUse &use, const Uv &uv) {
   const std::array<float, 6> &m = use.matrix;
   const double u = m[0] * uv[0] + m[1] * uv[1] + m[2];
   const double v = m[3] * uv[0] + m[4] * uv[1] + m[5];
   const auto x = static_cast<std::uint64_t>(texelIndex(u, use.wrap[0], texture.width));
   const auto y = static_cast<std::uint64_t>(texelIndex(v, use.wrap[1], texture.height));
-  return (*texture.texels)[y * static_cast<std::uint64_t>(texture.width) + x];
+  return y * static_cast<std::uint64_t>(texture.width) + x;
 }
 
 bool usesTexture(const MeshPart &part, const Material &material) {
@@ -114,25 +131,58 @@ void SurfaceColour::load() {
   }
 }
 
-std::uint32_t SurfaceColour::varied(const Double3 &weights) {
-  if (!isLoaded_)
-    load();
+/// Texels lie anywhere in memory, so all places are found before the first is looked at: then the processor
+/// waits for many at once.
+void SurfaceColour::sample(const TextureUse &use, std::span<const Double3> weights,
+                           std::vector<std::uint32_t> &texels) {
+  const Texture &texture = scene_.textures[static_cast<std::size_t>(use.texture)];
+  places_.clear();
+  for (const Double3 &point : weights)
+    places_.push_back(texelAt(texture, use, mixed(uvs_, point)));
+  const std::uint32_t *first = texture.texels->data();
+  texels.clear();
+  for (const std::uint64_t place : places_)
+    texels.push_back(first[place]);
+}
+
+/// Sets `words` to the opaque texels, or to 0 where the triangle is cut away.
+void SurfaceColour::sampleAll(std::span<const Double3> weights, std::vector<std::uint32_t> &words) {
   const Material &material = scene_.materials[part_->material];
-  Colour colour = factorOf(material);
-  if (usesTexture(*part_, material)) {
-    const Uv uv = mixed(uvs_, weights);
-    const bool hasTexture = material.texture.texture >= 0;
-    Colour texture = hasTexture ? unpack(sample(scene_, material.texture, uv)) : Colour{1, 1, 1, 1};
-    if (material.alphaMask.texture >= 0)
-      texture[3] *= (sample(scene_, material.alphaMask, uv) & 255) / 255.0;
-    if (!material.opaque && texture[3] < material.alphaCutoff)
-      return 0;
-    texture[3] = 1;
-    multiply(colour, texture);
+  words.assign(weights.size(), ~std::uint32_t{0});
+  masks_.assign(weights.size(), ~std::uint32_t{0});
+  if (!usesTexture(*part_, material))
+    return;
+  if (material.texture.texture >= 0)
+    sample(material.texture, weights, words);
+  if (material.alphaMask.texture >= 0)
+    sample(material.alphaMask, weights, masks_);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const double alpha = kFractions[words[i] >> 24] * kFractions[masks_[i] & 255];
+    const bool isCut = !material.opaque && alpha < material.alphaCutoff;
+    words[i] = isCut ? 0 : words[i] | 0xff000000;
   }
+}
+
+std::uint32_t SurfaceColour::shaded(std::uint32_t texel, const Double3 &weights) const {
+  Colour colour = factorOf(scene_.materials[part_->material]);
+  multiply(colour, unpack(texel));
   if (part_->colours)
     multiply(colour, mixed(colours_, weights));
   return visible(colour);
+}
+
+void SurfaceColour::at(std::span<const Double3> weights, std::vector<std::uint32_t> &words) {
+  if (constant_ != 0)
+    return words.assign(weights.size(), constant_);
+  if (!isLoaded_)
+    load();
+  sampleAll(weights, words);
+  const bool isWhite = scene_.materials[part_->material].colour == std::array<float, 4>{1, 1, 1, 1};
+  if (isWhite && !part_->colours)
+    return;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] != 0)
+      words[i] = shaded(words[i], weights[i]);
 }
 
 } // namespace voxc

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace voxc {
@@ -21,16 +22,16 @@ public:
   /// Goes to the triangle at which `cursor` stands.
   void moveTo(const TriangleCursor &cursor);
 
-  /// The word at the point with these weights, or 0 where texture and mask cut the triangle away. What
-  /// remains has the alpha of the material and the vertices, but at least 1, so that the word is not "empty".
-  std::uint32_t at(const Double3 &weights) { return constant_ != 0 ? constant_ : varied(weights); }
-
-  /// True if `at` is the same everywhere on the triangle, and not 0.
-  bool isConstant() const { return constant_ != 0; }
+  /// Sets `words` to those at the points with these weights, or to 0 where texture and mask cut the triangle
+  /// away. What remains has the alpha of the material and the vertices, but at least 1, so that the word is
+  /// not "empty".
+  void at(std::span<const Double3> weights, std::vector<std::uint32_t> &words);
 
 private:
-  std::uint32_t varied(const Double3 &weights);
   void load();
+  void sample(const TextureUse &use, std::span<const Double3> weights, std::vector<std::uint32_t> &texels);
+  void sampleAll(std::span<const Double3> weights, std::vector<std::uint32_t> &words);
+  std::uint32_t shaded(std::uint32_t texel, const Double3 &weights) const;
 
   const TriangleScene &scene_;
   std::vector<std::uint32_t> constants_; ///< Each part's word, if it is one colour, else 0.
@@ -40,6 +41,8 @@ private:
   bool isLoaded_ = false; ///< The rows below belong to `vertices_`.
   std::array<std::array<double, 2>, 3> uvs_{};
   std::array<std::array<double, 4>, 3> colours_{};
+  std::vector<std::uint64_t> places_; ///< Of the texels in work.
+  std::vector<std::uint32_t> masks_;
 };
 
 } // namespace voxc

@@ -1,7 +1,7 @@
 // Opening PLY files: a mesh if they have faces, else points.
 #include "Source/Openers/Openers.h"
 
-#include "Mesh/PlyMesh.h"
+#include "Mesh/Ply/PlyReader.h"
 #include "Source/Openers/InputText.h"
 #include "Source/PointSource.h"
 #include "voxc/Support/Stopwatch.h"
