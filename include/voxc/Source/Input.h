@@ -21,7 +21,11 @@ struct InputOptions {
   int resolution = 0;                          ///< Voxels on a mesh's longest axis; 0: what the format holds.
   Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
-  bool zUp = false;                            ///< The mesh's up is +z: it is turned to +y.
+  bool zUp = false;                ///< The up of a mesh or a dense volume is +z: it is turned to +y.
+  std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
+  std::string colourMap = "grey";  ///< How a dense volume's samples look: grey, heat, dusk or polar.
+  std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
+                                               ///< the least and the greatest.
   Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
@@ -39,8 +43,9 @@ struct Input {
   std::vector<std::string> warnings; ///< One sentence each.
 };
 
-/// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx),
-/// "grid:WxHxD:FILE", or "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis).
+/// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx), MagicaVoxel models
+/// (.vox), dense volumes (.nrrd .nhdr .nii .nii.gz .binvox, "raw:WxHxD:TYPE:FILE"), "grid:WxHxD:FILE", or
+/// "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis).
 /// Errors: unknown kind (naming those there are), unreadable, broken, or larger than the format.
 Expected<Input> openInput(const std::string &input, const InputOptions &options);
 

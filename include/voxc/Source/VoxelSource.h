@@ -54,6 +54,7 @@ public:
 };
 
 /// A source made of a function of the coordinates, which returns the voxel's word; `empty` may be left out.
+/// Views copy the functions and call them from several threads.
 std::unique_ptr<VoxelSource> makeFunctionSource(Int3 extent, std::function<std::uint32_t(Int3)> voxel,
                                                 std::function<bool(const Cube &)> empty = {});
 

@@ -26,6 +26,8 @@ public:
   const PlyHeader &header() const { return header_; }
   /// The whole file, as it is mapped.
   std::span<const std::byte> bytes() const { return file_.bytes(); }
+  /// What follows the rows that were read; at first what follows the header.
+  std::string_view rest() const { return rest_; }
 
   /// Calls `visit(element, index, row)` for every row, in the order of the file, until it returns an error.
   /// Before the first row of an element, its count is known to fit into the rest of the file. Errors: a
