@@ -38,7 +38,8 @@ void makeOrdinary(int descriptor) {
 } // namespace
 
 Expected<MappedFile> MappedFile::open(const std::string &path) {
-  Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  // A pipe that no one writes to would be waited for.
+  Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   struct stat status{};
   if (file.value < 0 || ::fstat(file.value, &status) != 0)
     return Error::input("cannot read '" + path + "': " + reason());

@@ -23,7 +23,7 @@ protected:
         {"bufferView":3,"componentType":5121,"normalized":true,"count":4,"type":"VEC4"},
         {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,
           "indices":{"bufferView":1,"byteOffset":4,"componentType":5123},"values":{"bufferView":0,"byteOffset":12}}},
-        {"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","byteOffset":12},
+        {"bufferView":0,"componentType":5126,"count":6,"type":"VEC2"},
         {"componentType":5126,"count":2,"type":"VEC3"}],
       "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12},
         {"buffer":0,"byteOffset":60,"byteLength":16},{"buffer":0,"byteOffset":76,"byteLength":16},
@@ -74,6 +74,19 @@ TEST_F(GltfReader, RotationComesBetweenScaleAndTranslation) {
   EXPECT_NEAR(corner[0], 0, 1e-12);
   EXPECT_NEAR(corner[1], 3, 1e-12);
   EXPECT_EQ(corner[2], 7);
+}
+
+TEST_F(GltfReader, RotationOfAnyQuaternion) {
+  // The second node turns x to y, y to z and z to x first.
+  const TriangleScene scene = loadModel(R"("nodes":[{"mesh":0,"rotation":[1,2,3,4],"scale":[3,6,9]},
+    {"rotation":[1,2,3,4],"scale":[3,6,9],"children":[2]},{"mesh":0,"matrix":[0,1,0,0,0,0,1,0,1,0,0,0,0,0,0,1]}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}])");
+  const auto triangles = trianglesOf(scene);
+  const std::array<Corner, 2> expected{{{-3.6, 4.8, 3}, {2.6, 3.2, 10}}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(triangles[0][2][axis], expected[0][axis], 1e-12);
+    EXPECT_NEAR(triangles[2][2][axis], expected[1][axis], 1e-12);
+  }
 }
 
 TEST_F(GltfReader, DeepTreesAreNoProblem) {
@@ -186,6 +199,13 @@ TEST_F(GltfReader, TextureTransform) {
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(m[i], expected[i], 1e-6);
   EXPECT_TRUE(scene.parts[0].uvs);
+}
+
+TEST_F(GltfReader, TheTextureChoosesItsCoordinates) {
+  const TriangleScene scene =
+      loadMaterial(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}})",
+                   R"(,"textures":[{"source":0}],"images":[{"bufferView":4}])");
+  EXPECT_EQ(readRow<2>(scene.parts[0].uvs, 1), (std::array<double, 2>{0, 1}));
 }
 
 TEST_F(GltfReader, SpecularGlossiness) {

@@ -5,7 +5,7 @@
 namespace voxc {
 namespace {
 
-class Models : public testing::Test {
+class LoadedModels : public testing::Test {
 protected:
   /// Skips the test if the model is not there.
   void load(const std::string &name, TriangleScene &scene) {
@@ -48,7 +48,7 @@ void expectBox(const TriangleScene &scene, const Box &expected, double tolerance
   }
 }
 
-TEST_F(Models, SanMiguel) {
+TEST_F(LoadedModels, SanMiguel) {
   VOXC_LOAD("san_miguel.glb", scene);
   EXPECT_TRUE(scene.warnings.empty());
   EXPECT_EQ(countTriangles(scene), 9430202u);
@@ -57,7 +57,7 @@ TEST_F(Models, SanMiguel) {
   expectBox(scene, {{{-38, -0.46, -37}, {46.8, 53.5, 36.9}}}, 0.1);
 }
 
-TEST_F(Models, Sponza) {
+TEST_F(LoadedModels, Sponza) {
   VOXC_LOAD("sponza/sponza.obj", scene);
   EXPECT_TRUE(scene.warnings.empty());
   EXPECT_EQ(countTriangles(scene), 279163u);
@@ -65,13 +65,13 @@ TEST_F(Models, Sponza) {
   expectBox(scene, {{{-1921, -126, -1183}, {1800, 1429, 1105}}}, 1);
 }
 
-TEST_F(Models, EngineOfDeepNodes) {
+TEST_F(LoadedModels, EngineOfDeepNodes) {
   VOXC_LOAD("2CylinderEngine.glb", scene);
   EXPECT_EQ(countTriangles(scene), 121496u);
   expectBox(scene, {{{-371.692, -180.972, -140}, {371.692, 92.0416, 128}}}, 0.01);
 }
 
-TEST_F(Models, Ply) {
+TEST_F(LoadedModels, Ply) {
   const std::array<std::pair<const char *, std::uint64_t>, 4> models{
       {{"buddha_100k.ply", 100000},
        {"bunny.ply", 69451},
@@ -83,7 +83,7 @@ TEST_F(Models, Ply) {
   }
 }
 
-TEST_F(Models, SpotIsTheSameAsGlbAndPly) {
+TEST_F(LoadedModels, SpotIsTheSameAsGlbAndPly) {
   VOXC_LOAD("spot_vertex_colors.glb", glb);
   VOXC_LOAD("spot_vertex_colors.ply", ply);
   EXPECT_EQ(countTriangles(ply), 5856u);
@@ -95,7 +95,7 @@ TEST_F(Models, SpotIsTheSameAsGlbAndPly) {
       EXPECT_EQ(readRow<4>(a.colours, a.corners(i)[corner]), readRow<4>(b.colours, b.corners(i)[corner]));
 }
 
-TEST_F(Models, SpotAsObjIsWhereItsPlyIs) {
+TEST_F(LoadedModels, SpotAsObjIsWhereItsPlyIs) {
   VOXC_LOAD("spot/spot.obj", obj);
   EXPECT_TRUE(obj.warnings.empty());
   EXPECT_EQ(countTriangles(obj), 5856u);
@@ -103,7 +103,7 @@ TEST_F(Models, SpotAsObjIsWhereItsPlyIs) {
   expectBox(obj, {{{-0.472, -0.737, -0.669}, {0.472, 0.954, 1.05}}}, 0.01);
 }
 
-TEST_F(Models, CubeOfVertexColours) {
+TEST_F(LoadedModels, CubeOfVertexColours) {
   VOXC_LOAD("cube_with_vertexcolors.obj", scene);
   const MeshPart &part = scene.parts[0];
   bool found = false;

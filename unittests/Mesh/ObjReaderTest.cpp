@@ -90,6 +90,19 @@ TEST_F(ObjReader, LinesAndPoints) {
   EXPECT_EQ(triangles[4], (std::array<Corner, 3>{{{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}}));
 }
 
+TEST_F(ObjReader, ManyChangesOfMaterialMakeFewParts) {
+  std::string text = kTriangle + "v 7 7 7\n";
+  for (int i = 0; i < 40000; ++i)
+    text += i == 39999 ? "usemtl a\nf 1 2 3\nusemtl b\nf 4 3 2\n" : "usemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n";
+  const TriangleScene scene = load("m.obj", text);
+  ASSERT_EQ(scene.parts.size(), 2u);
+  EXPECT_EQ(scene.parts[0].triangles(), 40000u);
+  EXPECT_EQ(scene.parts[1].triangles(), 40000u);
+  EXPECT_NE(scene.parts[0].material, scene.parts[1].material);
+  EXPECT_EQ(trianglesOf(scene)[79999][0], (Corner{7, 7, 7}));
+  EXPECT_EQ(trianglesOf(scene)[39999][0], (Corner{0, 0, 0}));
+}
+
 TEST_F(ObjReader, SeveralLibrariesInALine) {
   folder_.file("a.mtl", "newmtl a\nKd 1 0 0\n");
   folder_.file("b c.mtl", "newmtl b\nKd 0 1 0\n");

@@ -49,8 +49,8 @@ enum class PrimitiveMode : std::uint8_t {
 /// Geometry of one material. A line or a point is a triangle whose corners coincide.
 struct MeshPart {
   AttributeView positions; ///< Three components.
-  AttributeView uvs;       ///< Two: those that the material's texture takes; or absent.
-  AttributeView colours;   ///< Three or four, 0 to 1; or absent.
+  AttributeView uvs;       ///< Two: those that the material's texture takes; or absent. May not be finite.
+  AttributeView colours;   ///< Three or four, 0 to 1 (not checked); or absent.
   AttributeView indices;   ///< Absent: the vertices in their order.
   PrimitiveMode mode = PrimitiveMode::Triangles;
   std::uint32_t material = 0;

@@ -1,8 +1,11 @@
 // Joining positions with texture coordinates, and cutting faces.
 #include "Mesh/Obj/ObjGeometry.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace voxc {
 
@@ -11,10 +14,13 @@ namespace {
 constexpr std::uint32_t kWhite = 0xffffffff;
 constexpr std::uint64_t kMostVertices = std::numeric_limits<std::uint32_t>::max();
 
+/// Each becomes a part, which takes two hundred bytes beside the bound.
+constexpr std::size_t kMostRuns = std::size_t{1} << 16;
+
 } // namespace
 
 ObjGeometry::ObjGeometry(const std::shared_ptr<WorkingMemory> &memory, Problem &problem)
-    : problem_(problem), positions_(memory), uvs_(memory), colours_(memory), latest_(memory),
+    : memory_(memory), problem_(problem), positions_(memory), uvs_(memory), colours_(memory), latest_(memory),
       vertexPositions_(memory), vertexUvs_(memory), vertexColours_(memory), indices_(memory) {}
 
 void ObjGeometry::addPosition(const Position &position, std::optional<std::uint32_t> colour) {
@@ -107,10 +113,36 @@ void ObjGeometry::addIndices(std::initializer_list<std::uint32_t> vertices) {
   problem_.check(indices_.append({vertices.begin(), vertices.size()}));
 }
 
+std::uint64_t ObjGeometry::endOf(std::size_t run) const {
+  return run + 1 < runs_.size() ? runs_[run + 1].begin : indices_.size();
+}
+
+void ObjGeometry::groupRuns() {
+  std::vector<std::size_t> order(runs_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto kindOf = [&](std::size_t run) { return std::pair(runs_[run].material, runs_[run].mode); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return kindOf(a) < kindOf(b); });
+  ScratchArray<std::uint32_t> grouped(memory_);
+  std::vector<Run> groups;
+  for (const std::size_t run : order) {
+    const Run &from = runs_[run];
+    if (groups.empty() || groups.back().mode != from.mode || groups.back().material != from.material)
+      groups.push_back({from.mode, from.material, grouped.size()});
+    problem_.check(grouped.append(indices_.span().subspan(from.begin, endOf(run) - from.begin)));
+  }
+  runs_ = std::move(groups);
+  indices_ = std::move(grouped);
+}
+
 void ObjGeometry::finish(TriangleScene &scene) {
+  if (runs_.size() > kMostRuns)
+    groupRuns();
   MeshPart part;
   const bool hasUvs = !uvs_.empty();
-  const std::uint64_t indexCount = indices_.size();
+  std::vector<std::uint64_t> ends;
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    ends.push_back(endOf(i));
   part.positions = keep(std::move(vertexPositions_), kFloatRows3, scene);
   if (hasUvs)
     part.uvs = keep(std::move(vertexUvs_), kFloatRows2, scene);
@@ -119,14 +151,13 @@ void ObjGeometry::finish(TriangleScene &scene) {
     part.colours = keep(std::move(vertexColours_), kColourRows, scene);
   const AttributeView indices = keep(std::move(indices_), kIndexRows, scene);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const std::uint64_t end = i + 1 < runs_.size() ? runs_[i + 1].begin : indexCount;
-    if (end == runs_[i].begin)
+    if (ends[i] == runs_[i].begin)
       continue;
     part.mode = runs_[i].mode;
     part.material = runs_[i].material;
     part.indices = indices;
     part.indices.data += runs_[i].begin * sizeof(std::uint32_t);
-    part.indices.count = end - runs_[i].begin;
+    part.indices.count = ends[i] - runs_[i].begin;
     scene.instances.push_back({static_cast<std::uint32_t>(scene.parts.size()), {}});
     scene.parts.push_back(part);
   }

@@ -32,7 +32,8 @@ public:
   /// Adds a face, a polyline or points. Problems: a corner that does not exist.
   void add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material);
 
-  /// Moves everything to the scene.
+  /// Moves everything to the scene. Faces stay in their order, but for a file that changes the material more
+  /// than 65536 times: there those of one material come together.
   void finish(TriangleScene &scene);
 
   std::uint64_t shortFaces() const { return shortFaces_; }
@@ -58,8 +59,11 @@ private:
   std::uint32_t makeVertex(std::uint64_t position, std::uint32_t uv);
   void beginRun(PrimitiveMode mode, std::uint32_t material);
   void addFace();
+  void groupRuns();
+  std::uint64_t endOf(std::size_t run) const;
   void addIndices(std::initializer_list<std::uint32_t> vertices);
 
+  std::shared_ptr<WorkingMemory> memory_;
   Problem &problem_;
   ScratchArray<Position> positions_;
   ScratchArray<Uv> uvs_;

@@ -40,6 +40,8 @@ public:
                      "line " + std::to_string(lines.number()) + ": " + problem_.error().message};
     }
     geometry_.finish(scene_);
+    if (problem_)
+      return problem_.error();
     warnAboutFaces();
     if (scene_.materials.empty())
       scene_.materials.emplace_back();
