@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # fuzz.sh SECONDS [TARGET...]: builds the fuzzers and runs each of them, or those that are named, for that long, from
-# fuzz/seeds and what earlier runs have found in build/fuzz/corpus. Ends at the first finding, which it keeps there.
+# fuzz/seeds, the corpus of the unit tests, and what earlier runs have found in build/fuzz/corpus. Ends at the first finding, which it keeps there.
 cd "$(dirname "$0")/.."
 source scripts/lib.sh
 
@@ -16,7 +16,11 @@ fi
 for target in "${targets[@]}"; do
   say "Fuzzing $target for $seconds s"
   corpus=build/fuzz/corpus/$target
-  mkdir -p "$corpus" "build/fuzz/findings"
+  seeds=("fuzz/seeds/$target")
+  if [ -d "unittests/Mesh/Corpus/$target" ]; then
+    seeds+=("unittests/Mesh/Corpus/$target")
+  fi
+  mkdir -p "$corpus" build/fuzz/findings
   nice "build/fuzz/bin/voxc-fuzz-$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 -max_len=65536 \
-    -print_final_stats=1 -verbosity=0 -artifact_prefix="build/fuzz/findings/$target-" "$corpus" "fuzz/seeds/$target"
+    -print_final_stats=1 -verbosity=0 -artifact_prefix="build/fuzz/findings/$target-" "$corpus" "${seeds[@]}"
 done

@@ -159,6 +159,7 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint6
   report.readSeconds = source.readSeconds();
   report.scratchBytes = options.memory->scratchPeak();
   report.seconds = watch.seconds();
+  report.cpuSeconds = watch.cpuSeconds();
   return report;
 }
 

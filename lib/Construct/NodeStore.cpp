@@ -9,6 +9,7 @@ namespace voxc {
 namespace {
 
 constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
+constexpr std::uint64_t kInternsBetweenRelief = 8;
 /// Grids larger than this go back to the system when they are done.
 constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
 
@@ -57,7 +58,8 @@ std::uint32_t NodeStore::intern(unsigned level, std::span<const std::uint32_t> w
   Level &store = at(level);
   NodeMap &map = words.size() == 1 ? store.leaves : store.nodes;
   const std::uint32_t hash = NodeMap::hashOf(words);
-  memory_->relieve();
+  if (++interned_ % kInternsBetweenRelief == 0)
+    memory_->relieve();
   if (const auto known = map.find(hash, words, words_.span())) {
     ++store.report.sharedNodes;
     return *known;

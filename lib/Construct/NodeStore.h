@@ -78,6 +78,7 @@ private:
   std::vector<Level> levels_;
   std::vector<BlockRecord> *log_ = nullptr;
   std::optional<Error> failure_;
+  std::uint64_t interned_ = 0; ///< Calls so far.
 };
 
 } // namespace voxc

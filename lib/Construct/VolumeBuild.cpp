@@ -18,15 +18,16 @@ Expected<WordStore> VolumeBuild::openWords() {
     auto writer = VolumeFileWriter::create(options_.path, info_);
     if (!writer)
       return writer.error();
-    isStreamed_ = writer->canExtend();
+    isStreamed_ = writer->canSettle();
     if (isStreamed_)
       writer_.emplace(std::move(*writer));
   }
   if (!isStreamed_)
     return WordStore::create(options_.memory);
-  return WordStore::create(options_.memory, [this](MemoryBlock &block, std::uint64_t bytes) {
-    return writer_->extend(block, bytes, *options_.memory);
-  });
+  return WordStore::create(options_.memory,
+                           [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
+                             return writer_->settle(block, begin, bytes, *options_.memory);
+                           });
 }
 
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, const BuildHost &host) {
@@ -44,7 +45,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, co
   for (std::size_t level = 1; level <= report.levels.size(); ++level)
     report.levels[level - 1].sharedNodes += host.shared()[level];
   if (isStreamed_)
-    if (auto finished = writer_->finish(info_, span, *options_.memory); !finished)
+    if (auto finished = writer_->finish(info_, span, words.settled(), *options_.memory); !finished)
       return finished.error();
   Volume volume(std::move(info_), span, std::make_shared<const MemoryBlock>(words.take()));
   if (!options_.path.empty() && !isStreamed_)
@@ -52,6 +53,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, co
       return saved.error();
   report.writeSeconds = writing.seconds();
   report.seconds = watch_.seconds();
+  report.cpuSeconds = watch_.cpuSeconds();
   report.scratchBytes = options_.memory->scratchPeak();
   return Built{std::move(volume), std::move(report)};
 }

@@ -35,6 +35,14 @@ std::string_view trimmed(std::string_view text) {
   return {begin, text.end()};
 }
 
+std::string lowerCase(std::string_view text) {
+  std::string result(text);
+  for (char &c : result)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 std::optional<double> parseNumber(std::string_view word) {
   word = withoutPlus(word);
   double value = 0;

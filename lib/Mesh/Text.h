@@ -14,6 +14,9 @@ std::string_view takeWord(std::string_view &text);
 /// `text` without blanks at its ends.
 std::string_view trimmed(std::string_view text);
 
+/// `text` with small letters for its capital ones.
+std::string lowerCase(std::string_view text);
+
 /// A decimal number, with a sign or without; infinite if it is too large for a double, and also for "inf" and
 /// "nan", as some programs write them.
 std::optional<double> parseNumber(std::string_view word);

@@ -31,8 +31,9 @@ public:
   }
 
   /// Empty bins for the voxels in [0, extent). Errors: as `WorkingMemory::allocate`.
-  static Expected<ChunkBins> create(Int3 extent, int log2Chunk, std::shared_ptr<WorkingMemory> memory) {
-    ChunkBins bins(log2Chunk, std::move(memory));
+  static Expected<ChunkBins> create(Int3 extent, int log2Chunk,
+                                    const std::shared_ptr<WorkingMemory> &memory) {
+    ChunkBins bins(log2Chunk, memory);
     const Int3 last = (extent - Int3{1, 1, 1}) >> log2Chunk;
     if (auto sized = bins.ends_.resize(mortonCode(last) + 1); !sized)
       return sized.error();

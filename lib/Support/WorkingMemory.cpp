@@ -21,13 +21,9 @@ constexpr unsigned kCallsBetweenLooks = 64;
 
 std::string reason() { return std::strerror(errno); }
 
-std::uint64_t pageBytes() {
-  static const auto bytes = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  return bytes;
-}
-
 std::uint64_t wholePages(std::uint64_t bytes) {
-  return (bytes + pageBytes() - 1) / pageBytes() * pageBytes();
+  const std::uint64_t page = WorkingMemory::pageBytes();
+  return (bytes + page - 1) / page * page;
 }
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
@@ -70,7 +66,7 @@ public:
     const std::size_t blank = std::min(numbers.find(' '), numbers.size() - 1);
     std::uint64_t pages = 0;
     std::from_chars(numbers.data() + blank + 1, numbers.data() + numbers.size(), pages);
-    return pages * pageBytes();
+    return pages * WorkingMemory::pageBytes();
   }
 
 private:
@@ -93,6 +89,11 @@ struct WorkingMemory::State {
   std::uint64_t filePeak = 0;
   std::vector<std::span<const std::byte>> watched; ///< Mapped: their pages can be brought back.
 };
+
+std::uint64_t WorkingMemory::pageBytes() {
+  static const auto bytes = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  return bytes;
+}
 
 std::shared_ptr<WorkingMemory> WorkingMemory::create(std::uint64_t bound, std::string scratchFolder) {
   return std::shared_ptr<WorkingMemory>(new WorkingMemory(bound, std::move(scratchFolder)));
@@ -145,10 +146,15 @@ Expected<void> WorkingMemory::extend(MemoryBlock &block, std::uint64_t bytes) {
   const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
   const std::lock_guard lock(state_->mutex);
   const bool fits = size <= bound_ && state_->inMemory + size <= bound_ / 4 * 3;
-  return fits ? extendInMemory(block, size) : extendInScratch(block, size);
+  return fits ? addMemory(block, size) : addScratch(block, size);
 }
 
 Expected<void> WorkingMemory::extendInMemory(MemoryBlock &block, std::uint64_t bytes) {
+  const std::lock_guard lock(state_->mutex);
+  return addMemory(block, std::min(wholePages(bytes), block.reserved_ - block.size_));
+}
+
+Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes) {
   if (::mprotect(block.data_ + block.size_, bytes, PROT_READ | PROT_WRITE) != 0)
     return Error::environment("cannot get " + megabytes(bytes) + " of memory: " + reason());
   state_->inMemory += bytes;
@@ -157,41 +163,46 @@ Expected<void> WorkingMemory::extendInMemory(MemoryBlock &block, std::uint64_t b
   return {};
 }
 
-Expected<void> WorkingMemory::extendInScratch(MemoryBlock &block, std::uint64_t bytes) {
+Expected<void> WorkingMemory::addScratch(MemoryBlock &block, std::uint64_t bytes) {
   if (state_->file < 0)
     state_->file = openUnnamed(state_->scratchFolder);
-  const std::uint64_t offset = state_->fileEnd;
-  const int why = state_->file < 0 ? errno : mapFile(block, bytes, state_->file, offset);
+  const auto offset = static_cast<off_t>(state_->fileEnd);
+  // Room is taken now: a full disk found out later, by a write to the mapping, would end the process.
+  int why = state_->file < 0 ? errno : ::posix_fallocate(state_->file, offset, static_cast<off_t>(bytes));
+  std::byte *const end = block.data_ + block.size_;
+  if (why == 0 &&
+      ::mmap(end, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, state_->file, offset) == MAP_FAILED)
+    why = errno;
   if (why != 0)
     return Error::environment("cannot get " + megabytes(bytes) + " of scratch space in '" +
                               state_->scratchFolder + "': " + std::strerror(why));
-  block.extents_.push_back({offset, bytes});
+  // Reading ahead would make large pages in the system's cache, which are dear to dirty a little at a time.
+  ::madvise(end, bytes, MADV_RANDOM);
+  block.extents_.push_back({state_->fileEnd, bytes});
+  block.size_ += bytes;
+  state_->watched.push_back({end, bytes});
   state_->fileEnd += bytes;
   state_->inFile += bytes;
   state_->filePeak = std::max(state_->filePeak, state_->inFile);
   return {};
 }
 
-Expected<void> WorkingMemory::extendFromFile(MemoryBlock &block, std::uint64_t bytes, int file,
-                                             std::uint64_t offset) {
-  const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
+Expected<void> WorkingMemory::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
+                                     std::uint64_t offset) {
+  std::byte *const pages = block.data_ + begin;
+  for (std::uint64_t done = 0; done < bytes;) {
+    const ssize_t written = ::pwrite(file, pages + done, bytes - done, static_cast<off_t>(offset + done));
+    if (written <= 0)
+      return Error::environment("cannot write another " + megabytes(bytes) + ": " + reason());
+    done += static_cast<std::uint64_t>(written);
+  }
   const std::lock_guard lock(state_->mutex);
-  if (const int why = mapFile(block, size, file, offset))
-    return Error::environment("cannot write another " + megabytes(size) + ": " + std::strerror(why));
+  if (::mmap(pages, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, file, static_cast<off_t>(offset)) == MAP_FAILED)
+    return Error::environment("cannot map what was written: " + reason());
+  state_->watched.push_back({pages, bytes});
+  state_->inMemory -= bytes;
+  block.inMemory_ -= bytes;
   return {};
-}
-
-int WorkingMemory::mapFile(MemoryBlock &block, std::uint64_t bytes, int file, std::uint64_t offset) {
-  // Room is taken now: a full disk found out later, by a write to the mapping, would end the process.
-  const auto start = static_cast<off_t>(offset);
-  if (const int why = ::posix_fallocate(file, start, static_cast<off_t>(bytes)))
-    return why;
-  std::byte *const end = block.data_ + block.size_;
-  if (::mmap(end, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, file, start) == MAP_FAILED)
-    return errno;
-  state_->watched.push_back({end, bytes});
-  block.size_ += bytes;
-  return 0;
 }
 
 Expected<void> WorkingMemory::resize(MemoryBlock &block, std::uint64_t bytes) {

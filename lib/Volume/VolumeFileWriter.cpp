@@ -3,9 +3,7 @@
 
 #include "VolumeFile.h"
 
-#include <cerrno>
-#include <cstring>
-#include <unistd.h>
+#include <algorithm>
 
 namespace voxc {
 
@@ -16,17 +14,26 @@ Expected<VolumeFileWriter> VolumeFileWriter::create(const std::string &path, con
   return VolumeFileWriter(std::move(*file), volumeWordsOffset(info));
 }
 
-Expected<void> VolumeFileWriter::extend(MemoryBlock &block, std::uint64_t bytes, WorkingMemory &memory) {
-  return memory.extendFromFile(block, bytes, file_.descriptor(), wordsOffset_ + block.size());
+Expected<void> VolumeFileWriter::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes,
+                                        WorkingMemory &memory) {
+  return memory.settle(block, begin, bytes, file_.descriptor(), wordsOffset_ + begin);
 }
 
 Expected<void> VolumeFileWriter::finish(const VolumeInfo &info, std::span<const std::uint32_t> words,
+                                        std::pair<std::uint64_t, std::uint64_t> settled,
                                         WorkingMemory &memory) {
+  const auto bytes = std::as_bytes(words);
+  const std::uint64_t headEnd = std::min<std::uint64_t>(settled.first, bytes.size());
+  if (auto written = file_.rewrite(wordsOffset_, bytes.data(), headEnd); !written)
+    return written;
+  if (bytes.size() > settled.second)
+    if (auto written = file_.rewrite(wordsOffset_ + settled.second, bytes.data() + settled.second,
+                                     bytes.size() - settled.second);
+        !written)
+      return written;
   const std::string header = volumeFileHeader(info, words, [&] { memory.relieve(); });
-  const auto size = static_cast<off_t>(wordsOffset_ + words.size_bytes());
-  const ssize_t written = ::pwrite(file_.descriptor(), header.data(), header.size(), 0);
-  if (::ftruncate(file_.descriptor(), size) != 0 || written != static_cast<ssize_t>(header.size()))
-    return Error::environment(std::string("cannot complete the volume's file: ") + std::strerror(errno));
+  if (auto written = file_.rewrite(0, header.data(), header.size()); !written)
+    return written;
   return file_.commit();
 }
 

@@ -11,19 +11,21 @@
 
 namespace voxc {
 
-/// Lends the pages of the file to come as memory for the words: they stream to disk as they are written.
+/// Takes complete pages of words as they are made; the rest follows at the end.
 class VolumeFileWriter {
 public:
   /// `info`: as it will be, but for the number of voxels. Errors: as `OutputFile::create`.
   static Expected<VolumeFileWriter> create(const std::string &path, const VolumeInfo &info);
 
-  /// True if the file can lend its pages: it is not a pipe or a device.
-  bool canExtend() const { return file_.isRegular(); }
-  /// Adds at least `bytes` to the block in which the words lie. Error: `Environment`, a full disk.
-  Expected<void> extend(MemoryBlock &block, std::uint64_t bytes, WorkingMemory &memory);
+  /// True if words can be settled: the file is not a pipe or a device.
+  bool canSettle() const { return file_.isRegular(); }
+  /// Writes pages of the block in which the words lie, and maps them from the file. Error: `Environment`, a
+  /// full disk.
+  Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, WorkingMemory &memory);
 
-  /// Completes the file, whose words were all written to the block, and gives it its name.
-  Expected<void> finish(const VolumeInfo &info, std::span<const std::uint32_t> words, WorkingMemory &memory);
+  /// Completes the file and gives it its name. Bytes [settled.first, settled.second) of the words are there.
+  Expected<void> finish(const VolumeInfo &info, std::span<const std::uint32_t> words,
+                        std::pair<std::uint64_t, std::uint64_t> settled, WorkingMemory &memory);
 
 private:
   VolumeFileWriter(OutputFile file, std::uint64_t wordsOffset)

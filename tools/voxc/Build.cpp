@@ -42,6 +42,7 @@ class BuildCommand final : public Subcommand {
 public:
   void declare(CLI::App &app) override {
     building_.declare(app);
+    building_.declareThreads(app);
     app.add_option("--fragment", fragment_, "Build one of N fragments only, for voxc merge")
         ->type_name("I/N")
         ->check(CLI::Validator(checkFragment, "", ""));

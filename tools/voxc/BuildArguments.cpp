@@ -56,8 +56,7 @@ void addMemoryArguments(CLI::App &app, BuildArguments &arguments) {
       ->type_name("DIR");
 }
 
-void addBuildArguments(CLI::App &app, BuildArguments &arguments) {
-  addMemoryArguments(app, arguments);
+void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
   app.add_option("--threads", arguments.threads, "Threads that build; default: as many as the machine has")
       ->type_name("N")
       ->check(CLI::Range(1u, 1024u).description(""));

@@ -19,8 +19,8 @@ struct BuildArguments {
 
 /// Adds --memory and --scratch to a command.
 void addMemoryArguments(CLI::App &app, BuildArguments &arguments);
-/// Adds --threads too.
-void addBuildArguments(CLI::App &app, BuildArguments &arguments);
+/// Adds --threads.
+void addThreadsArgument(CLI::App &app, BuildArguments &arguments);
 
 /// The bound on memory. Taken as late as possible: what is resident at this moment does not count.
 std::shared_ptr<WorkingMemory> makeWorkingMemory(const BuildArguments &arguments);

@@ -16,9 +16,11 @@ void Building::declare(CLI::App &app) {
       ->required()
       ->type_name("");
   addInputArguments(app, inputArguments_);
-  addBuildArguments(app, buildArguments_);
+  addMemoryArguments(app, buildArguments_);
   passes_.declare(app, PassChoice::All);
 }
+
+void Building::declareThreads(CLI::App &app) { addThreadsArgument(app, buildArguments_); }
 
 void Building::defaultInput(CLI::App &app, const std::string &input) {
   input_ = input;
@@ -56,6 +58,7 @@ Json levelFigures(const std::vector<LevelReport> &levels) {
 
 void addBuildFigures(Json &figures, const BuildReport &report) {
   figures["build_seconds"] = report.seconds;
+  figures["build_cpu_seconds"] = report.cpuSeconds;
   figures["voxelize_seconds"] = report.readSeconds;
   figures["write_seconds"] = report.writeSeconds;
   figures["scratch_bytes"] = report.scratchBytes;
@@ -132,6 +135,7 @@ Expected<void> Building::buildFragment(const Format &format, std::uint64_t index
   figures["fragments"] = count;
   figures["voxels"] = report->voxels;
   figures["build_seconds"] = report->seconds;
+  figures["build_cpu_seconds"] = report->cpuSeconds;
   figures["voxelize_seconds"] = report->readSeconds;
   figures["scratch_bytes"] = report->scratchBytes;
   addFileFigure(figures, path);

@@ -19,6 +19,9 @@ class Building {
 public:
   /// Adds FORMAT, INPUT, the passes and the input's options to a command.
   void declare(CLI::App &app);
+  /// Adds --threads, unless another part of the command has it: then `useThreads` passes it on.
+  void declareThreads(CLI::App &app);
+  void useThreads(unsigned threads) { buildArguments_.threads = threads; }
   /// Lets INPUT be left out in favour of `input`.
   void defaultInput(CLI::App &app, const std::string &input);
 

@@ -43,6 +43,7 @@ private:
       return format.error();
     if (Expected<void> opened = tracing_.openDevice(); !opened)
       return opened;
+    building_.useThreads(tracing_.threads());
     Expected<Volume> volume = building_.build(*format, volumePath_, common_, bar.progress(), figures);
     if (!volume)
       return volume.error();

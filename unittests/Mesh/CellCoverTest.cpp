@@ -109,13 +109,13 @@ constexpr CellRange kSmall{{}, {9, 10, 8}};
 
 TEST(CellCover, ExactOnALatticeThatMeetsFacesEdgesAndCorners) {
   RandomTriangles triangles(1, -32, 8, 24);
-  for (int i = 0; i < test::rounds(150); ++i)
+  for (int i = 0; i < test::rounds(80); ++i)
     expectExact(triangles.next(), 4, kSmall);
 }
 
 TEST(CellCover, ExactAnywhere) {
   RandomTriangles triangles(2, -40, 1, 240);
-  for (int i = 0; i < test::rounds(100); ++i)
+  for (int i = 0; i < test::rounds(60); ++i)
     expectExact(triangles.next(), 4, kSmall);
 }
 
@@ -147,7 +147,7 @@ TEST(CellCover, ExactForTrianglesThatReachFarAway) {
   std::mt19937_64 random(4);
   std::size_t met = 0;
   for (int log2Far = 16; log2Far < SnapGrid::kLog2Reach; log2Far += 2)
-    for (int i = 0; i < test::rounds(2); ++i) {
+    for (int i = 0; i < test::rounds(1); ++i) {
       const SnappedTriangle triangle = hugeTriangle(random, (std::int64_t{1} << log2Far) - 1);
       expectExact(triangle, 12, kSmall);
       met += covered(triangle, CellShape::cube(12), kSmall).empty() ? 0 : 1;

@@ -35,6 +35,7 @@ struct LevelReport {
 
 struct BuildReport {
   double seconds = 0;      ///< From the opened source to the finished volume.
+  double cpuSeconds = 0;   ///< The same in seconds of computing, of all threads of the process.
   double readSeconds = 0;  ///< Of computing, over all threads, that made voxels.
   double writeSeconds = 0; ///< For what is left to do with the file when the words are complete.
   std::uint64_t voxels = 0;

@@ -76,9 +76,15 @@ public:
   Expected<MemoryBlock> reserve(std::uint64_t most);
   /// Adds whole pages of zeroed memory, at least `bytes`, to a reserved block.
   Expected<void> extend(MemoryBlock &block, std::uint64_t bytes);
-  /// The same with the pages of another file, open for reading and writing, at `offset` (whole pages): what
-  /// is written to them is written to the file. Room for them is taken at once. Error: `Environment`.
-  Expected<void> extendFromFile(MemoryBlock &block, std::uint64_t bytes, int file, std::uint64_t offset);
+  /// The same, but never from the scratch file: for pages that are soon settled.
+  Expected<void> extendInMemory(MemoryBlock &block, std::uint64_t bytes);
+  /// Writes whole pages of a block that `extendInMemory` gave to another file, open for reading and writing,
+  /// at `offset` (whole pages), and maps them from there: from now on they can only be read. Error:
+  /// `Environment`.
+  Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
+                        std::uint64_t offset);
+  /// Bytes of a page.
+  static std::uint64_t pageBytes();
 
   /// Adds a mapped file to what `relieve` may let go of, until `unwatch`.
   void watch(std::span<const std::byte> mapped);
@@ -93,9 +99,8 @@ private:
   struct State;
 
   explicit WorkingMemory(std::uint64_t bound, std::string scratchFolder);
-  Expected<void> extendInMemory(MemoryBlock &block, std::uint64_t bytes);
-  Expected<void> extendInScratch(MemoryBlock &block, std::uint64_t bytes);
-  int mapFile(MemoryBlock &block, std::uint64_t bytes, int file, std::uint64_t offset);
+  Expected<void> addMemory(MemoryBlock &block, std::uint64_t bytes);
+  Expected<void> addScratch(MemoryBlock &block, std::uint64_t bytes);
   void release(MemoryBlock &block);
   void relieveNow();
 

@@ -9,8 +9,9 @@ namespace voxc {
 
 namespace {
 
-/// Each takes a hundred bytes, and a file can ask for many in few words.
-constexpr std::size_t kMostInstances = std::size_t{1} << 22;
+/// Instances take a hundred bytes each, and a file can ask for many in few words: as many as it has bytes are
+/// plenty, and so many more.
+constexpr std::uint64_t kFewInstances = std::uint64_t{1} << 19;
 
 class NodeReader {
 public:
@@ -93,8 +94,10 @@ private:
   }
 
   void addInstance(const GltfObject &node, GltfMeshes::Parts parts, const Transform &toModel) {
-    if (context_.scene.instances.size() + (parts.end - parts.begin) > kMostInstances)
-      return node.problem("and those before it make more than 4194304 instances");
+    const std::uint64_t most = kFewInstances + context_.fileBytes;
+    if (context_.scene.instances.size() + (parts.end - parts.begin) > most)
+      return node.problem("and those before it make more than " + std::to_string(most) +
+                          " instances of primitives, too many for a file of its size");
     for (std::uint32_t part = parts.begin; part < parts.end; ++part)
       context_.scene.instances.push_back({part, toModel});
   }

@@ -31,8 +31,6 @@ const ImageKind &kindOf(std::span<const std::byte> bytes) {
 std::string checkSize(ImageSize size, std::size_t bytes) {
   const std::string claim =
       "the image has " + std::to_string(size.width) + "x" + std::to_string(size.height) + " texels";
-  if (size.width < 1 || size.height < 1)
-    return claim;
   if (std::max(size.width, size.height) > kMostTexelsASide)
     return claim + ", but none may have more than 16384 a side";
   if (size.texels() > kFewTexels + kMostTexelsAByte * static_cast<std::int64_t>(bytes))
@@ -49,7 +47,7 @@ Expected<Texture> ImageDecoder::decode(std::span<const std::byte> bytes) {
     return Error::input("the image takes more than 2 GiB");
   const ImageKind &kind = kindOf(bytes);
   const auto size = kind.readSize(bytes);
-  if (!size)
+  if (!size || size->width < 1 || size->height < 1)
     return Error::input("it is no PNG, JPEG, BMP or TGA image, or a broken one");
   if (std::string wrong = checkSize(*size, bytes.size()); !wrong.empty())
     return Error::input(std::move(wrong));

@@ -4,8 +4,8 @@
 #include "Mesh/KeptArray.h"
 #include "Mesh/Problem.h"
 #include "Mesh/Stl/StlText.h"
+#include "Mesh/Text.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -36,7 +36,7 @@ StlCorner cornerAt(const std::byte *at) {
 bool isText(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos || !text.substr(begin).starts_with("solid"))
+  if (begin == std::string_view::npos || lowerCase(text.substr(begin, 5)) != "solid")
     return false;
   if (bytes.size() >= kHeaderBytes &&
       kHeaderBytes + std::uint64_t{littleWord(bytes.data() + kCountOffset)} * kTriangleBytes == bytes.size())

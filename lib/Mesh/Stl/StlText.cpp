@@ -12,14 +12,6 @@ namespace voxc {
 
 namespace {
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  for (char &c : result)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 class TextReader {
 public:
   TextReader(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem)
@@ -32,7 +24,7 @@ public:
       const std::string_view word = takeWord(rest_);
       if (word.empty())
         break;
-      readStatement(lower(word.substr(0, kLongestWord)));
+      readStatement(lowerCase(word.substr(0, kLongestWord)));
     }
     if (!problem_ && isInside_)
       wrong("it ends inside a facet");

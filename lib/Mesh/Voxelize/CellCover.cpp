@@ -29,12 +29,12 @@ std::int64_t windowCount(const CellRange &range) {
   return std::int64_t{windows.x} * windows.y * windows.z;
 }
 
-/// Does the triangle lie inside this cell, touching no other?
+/// Does the triangle lie inside this cell, without reaching the next ones?
 bool isInside(const SnappedTriangle &triangle, int log2Side, Int3 cell) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     const std::int64_t low = std::int64_t{cell[axis]} << log2Side;
-    if (triangle.low(i) <= low || triangle.high(i) >= low + (std::int64_t{1} << log2Side))
+    if (triangle.low(i) < low || triangle.high(i) >= low + (std::int64_t{1} << log2Side))
       return false;
   }
   return true;

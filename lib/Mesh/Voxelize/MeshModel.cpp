@@ -1,7 +1,7 @@
 // Fitting a scene into voxels.
 #include "Mesh/Voxelize/MeshModel.h"
 
-#include "Mesh/Voxelize/SceneCheck.h"
+#include "Mesh/Voxelize/SceneBounds.h"
 
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace voxc {
 
 Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOptions &options,
                                     WorkingMemory *memory) {
-  if (auto checked = checkScene(scene); !checked)
+  if (auto checked = checkReferences(scene); !checked)
     return checked.error();
   TriangleNumbers numbers(scene);
   const auto model = boundsOf(scene, numbers, memory, options.progress);

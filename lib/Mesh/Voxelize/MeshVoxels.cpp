@@ -8,70 +8,68 @@ namespace voxc {
 
 namespace {
 
-/// Triangles between two looks at memory, and at the progress.
-constexpr std::uint64_t kMemoryStep = 64;
+/// Triangles between two looks at memory and whether to stop, and between two words on the progress.
+constexpr std::uint64_t kStep = 64;
 constexpr std::uint64_t kProgressStep = 1 << 14;
 
 CellRange allChunks(Int3 extent, int log2Chunk) {
   return {{}, ((extent - Int3{1, 1, 1}) >> log2Chunk) + Int3{1, 1, 1}};
 }
 
-} // namespace
-
-MeshVoxels::MeshVoxels(std::shared_ptr<const TriangleScene> theScene, MeshModel theModel,
-                       std::shared_ptr<WorkingMemory> theMemory, ChunkBins<std::uint32_t> theBins,
-                       const VoxelizeOptions &options, int theLog2Chunk)
-    : scene(std::move(theScene)), model(std::move(theModel)), memory(std::move(theMemory)),
-      bins(std::move(theBins)), log2Chunk(theLog2Chunk),
-      voxelShape(options.coverage == Coverage::Thin ? CellShape::cross(model.grid.bits())
-                                                    : CellShape::cube(model.grid.bits())),
-      progress(options.progress) {}
-
-template <typename Visit> Expected<void> MeshVoxels::forEachChunk(double progressBefore, Visit visit) {
-  const CellShape shape = CellShape::cube(model.grid.bits() + bins.log2Chunk());
-  const CellRange chunks = allChunks(model.extent(), bins.log2Chunk());
-  const auto count = model.numbers.size();
-  TriangleCursor cursor(*scene, model.numbers);
+/// Calls `visit(chunk, triangle)` for each triangle and each bin's chunk that it touches. This is one half of
+/// the work, `done` of which is done.
+template <typename Visit> Expected<void> forEachChunk(const MeshVoxels &mesh, double done, Visit visit) {
+  const CellShape shape = CellShape::cube(mesh.model.grid.bits() + mesh.bins.log2Chunk());
+  const CellRange chunks = allChunks(mesh.model.extent(), mesh.bins.log2Chunk());
+  const std::uint64_t count = mesh.model.numbers.size();
+  TriangleCursor cursor(*mesh.scene, mesh.model.numbers);
   std::vector<CellMask> masks;
   for (std::uint64_t number = 0; number < count; ++number) {
-    if (number % kProgressStep == 0) {
-      if (progress.stopped())
+    if (number % kStep == 0) {
+      if (mesh.progress.stopped())
         return Error::interrupted();
-      progress.at("bin", progressBefore + 0.5 * static_cast<double>(number) / static_cast<double>(count));
+      mesh.memory->relieve();
     }
-    if (number % kMemoryStep == 0)
-      memory->relieve();
+    if (number % kProgressStep == 0)
+      mesh.progress.at("bin", done + 0.5 * static_cast<double>(number) / static_cast<double>(count));
     cursor.moveTo(number);
-    coverCells(model.snapped(cursor), shape, chunks, masks);
+    coverCells(mesh.model.snapped(cursor), shape, chunks, masks);
     for (const CellMask &mask : masks)
       forEachCell(mask, [&](Int3 chunk) { visit(chunk, static_cast<std::uint32_t>(number)); });
   }
   return {};
 }
 
-Expected<std::shared_ptr<MeshVoxels>> MeshVoxels::open(std::shared_ptr<const TriangleScene> scene,
-                                                       const VoxelizeOptions &options,
-                                                       const std::shared_ptr<WorkingMemory> &memory,
-                                                       const MeshTuning &tuning) {
+Expected<void> fill(ChunkBins<std::uint32_t> &bins, const MeshVoxels &mesh) {
+  const auto count = [&](Int3 chunk, std::uint32_t) { bins.count(chunk); };
+  if (auto counted = forEachChunk(mesh, 0, count); !counted)
+    return counted;
+  if (auto allocated = bins.allocate(); !allocated)
+    return allocated;
+  return forEachChunk(mesh, 0.5, [&](Int3 chunk, std::uint32_t number) { bins.place(chunk, number); });
+}
+
+} // namespace
+
+Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<const TriangleScene> scene,
+                                                             const VoxelizeOptions &options,
+                                                             const std::shared_ptr<WorkingMemory> &memory,
+                                                             const MeshTuning &tuning) {
   auto model = MeshModel::open(*scene, options, memory.get());
   if (!model)
     return model.error();
   using Bins = ChunkBins<std::uint32_t>;
-  const int log2Chunk = Bins::log2ChunkFor(model->extent(), tuning.log2Chunk, tuning.log2Grid);
-  auto bins = Bins::create(model->extent(), log2Chunk, memory);
+  const int log2Bin = Bins::log2ChunkFor(model->extent(), tuning.log2Chunk, tuning.log2Grid);
+  auto bins = Bins::create(model->extent(), log2Bin, memory);
   if (!bins)
     return bins.error();
-  auto mesh = std::make_shared<MeshVoxels>(std::move(scene), std::move(*model), memory, std::move(*bins),
-                                           options, tuning.log2Chunk);
-  const auto count = [&](Int3 chunk, std::uint32_t) { mesh->bins.count(chunk); };
-  if (auto counted = mesh->forEachChunk(0, count); !counted)
-    return counted.error();
-  if (auto allocated = mesh->bins.allocate(); !allocated)
-    return allocated.error();
-  const auto place = [&](Int3 chunk, std::uint32_t number) { mesh->bins.place(chunk, number); };
-  if (auto placed = mesh->forEachChunk(0.5, place); !placed)
-    return placed.error();
-  return mesh;
+  const int bits = model->grid.bits();
+  const CellShape shape = options.coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits);
+  auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
+                                           shape, tuning.log2Chunk, options.progress);
+  if (auto filled = fill(mesh->bins, *mesh); !filled)
+    return filled.error();
+  return std::shared_ptr<const MeshVoxels>(std::move(mesh));
 }
 
 } // namespace voxc

@@ -18,30 +18,21 @@ struct MeshTuning {
   int log2Grid = ChunkBins<std::uint32_t>::kLog2Grid; ///< Of the most bins an axis.
 };
 
-/// Immutable but for `nanoseconds`, so that several threads may use it.
-class MeshVoxels {
-public:
-  static Expected<std::shared_ptr<MeshVoxels>> open(std::shared_ptr<const TriangleScene> scene,
-                                                    const VoxelizeOptions &options,
-                                                    const std::shared_ptr<WorkingMemory> &memory,
-                                                    const MeshTuning &tuning);
-
-  MeshVoxels(std::shared_ptr<const TriangleScene> scene, MeshModel model,
-             std::shared_ptr<WorkingMemory> memory, ChunkBins<std::uint32_t> bins,
-             const VoxelizeOptions &options, int log2Chunk);
-
-  const std::shared_ptr<const TriangleScene> scene;
-  const MeshModel model;
-  const std::shared_ptr<WorkingMemory> memory;
+/// Once it is open, nothing changes but `nanoseconds`, so that several threads may use it.
+struct MeshVoxels {
+  std::shared_ptr<const TriangleScene> scene;
+  std::shared_ptr<WorkingMemory> memory;
+  MeshModel model;
   ChunkBins<std::uint32_t> bins; ///< Triangles by their numbers, which ascend in each bin.
-  const int log2Chunk;
-  const CellShape voxelShape;
-  const Progress progress;
+  CellShape voxelShape;
+  int log2Chunk;
+  Progress progress;
   mutable std::atomic<std::uint64_t> nanoseconds = 0; ///< Spent on voxels, by all threads.
 
-private:
-  /// Calls `visit(chunk, triangle)` for each triangle and each of `bins` that it touches.
-  template <typename Visit> Expected<void> forEachChunk(double progressBefore, Visit visit);
+  static Expected<std::shared_ptr<const MeshVoxels>> open(std::shared_ptr<const TriangleScene> scene,
+                                                          const VoxelizeOptions &options,
+                                                          const std::shared_ptr<WorkingMemory> &memory,
+                                                          const MeshTuning &tuning);
 };
 
 /// `makeMeshSource` with other sizes.

@@ -33,7 +33,8 @@ public:
   /// True if 64 bits are enough for windows of cells that the triangle's box touches.
   static bool fits(const SnappedTriangle &triangle, int log2Side) {
     const double size = static_cast<double>(sizeOf(triangle));
-    const double reach = size + 0x10p0 * static_cast<double>(std::int64_t{1} << log2Side);
+    // A window's cells reach no farther than this from the triangle.
+    const double reach = size + 16 * static_cast<double>(std::int64_t{1} << log2Side);
     return 12 * size * size * reach < 0x1p62 && 4 * size * reach < 0x1p62;
   }
 

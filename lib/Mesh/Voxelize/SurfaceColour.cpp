@@ -28,8 +28,9 @@ Colour unpack(std::uint32_t word) {
 std::uint32_t pack(const Colour &colour) {
   std::uint32_t word = 0;
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    const double part = colour[i] > 0 ? std::min(colour[i], 1.0) : 0;
-    word |= static_cast<std::uint32_t>(part * 255 + 0.5) << 8 * i;
+    const double share = colour[i] > 0 ? std::min(colour[i], 1.0) : 0;
+    const double rounded = share * 255 + 0.5; // Cut below; std::lround is a call.
+    word |= static_cast<std::uint32_t>(rounded) << 8 * i;
   }
   return word;
 }

@@ -1,5 +1,5 @@
-// Checks of every index and coordinate of a scene.
-#include "Mesh/Voxelize/SceneCheck.h"
+// Checks of what a scene refers to, and the box of its triangles.
+#include "Mesh/Voxelize/SceneBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace voxc {
 namespace {
 
 /// Triangles between two looks at memory and progress.
-constexpr std::uint64_t kStep = 1024;
+constexpr std::uint64_t kStep = 64;
 
 bool isTexture(const TriangleScene &scene, const TextureUse &use) {
   return use.texture < static_cast<std::int64_t>(scene.textures.size());
@@ -33,7 +33,7 @@ bool isFinite(const Double3 &point) {
 
 } // namespace
 
-Expected<void> checkScene(const TriangleScene &scene) {
+Expected<void> checkReferences(const TriangleScene &scene) {
   for (const MeshInstance &instance : scene.instances)
     if (instance.part >= scene.parts.size())
       return Error::input("the mesh has an instance of a part that does not exist");

@@ -8,7 +8,7 @@
 namespace voxc {
 
 /// Errors: an index of a part, a material or a texture outside what it points into, too few rows or texels.
-Expected<void> checkScene(const TriangleScene &scene);
+Expected<void> checkReferences(const TriangleScene &scene);
 
 /// The box of all triangles of a checked scene. Errors: no triangle, or 2^32 or more; a vertex that does not
 /// exist or is not finite; asked to stop.
