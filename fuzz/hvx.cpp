@@ -4,8 +4,8 @@
 
 #include "voxc/Volume/Volume.h"
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <vector>
 
 namespace {
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
     return 0;
   const std::string_view rest = text.substr(std::min(end + 1, text.size()));
   std::vector<std::uint32_t> words(rest.size() / 4);
-  std::memcpy(words.data(), rest.data(), words.size() * 4);
+  std::copy_n(rest.data(), words.size() * 4, reinterpret_cast<char *>(words.data()));
   if (const auto voxels = checkStructure(*format, words))
     decodeAll(*format, words, *voxels);
   return 0;
