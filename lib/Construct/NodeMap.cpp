@@ -23,6 +23,26 @@ std::uint32_t NodeMap::hashOf(std::span<const std::uint32_t> node) {
   return static_cast<std::uint32_t>(XXH3_64bits(node.data(), node.size_bytes()) >> 32);
 }
 
+std::uint32_t NodeMap::hashOf(std::uint32_t word) {
+  // Each step can be undone, so that different words stay different.
+  word ^= word >> 16;
+  word *= 0x85ebca6bu;
+  word ^= word >> 13;
+  word *= 0xc2b2ae35u;
+  return word ^ word >> 16;
+}
+
+std::optional<std::uint32_t> NodeMap::find(std::uint32_t hash) const {
+  if (used_ == 0)
+    return std::nullopt;
+  const Entry *entries = entries_.data();
+  const std::uint64_t mask = (std::uint64_t{1} << log2Size_) - 1;
+  for (std::uint64_t at = home(hash); entries[at].offset != 0; at = (at + 1) & mask)
+    if (entries[at].hash == hash)
+      return entries[at].offset;
+  return std::nullopt;
+}
+
 std::optional<std::uint32_t> NodeMap::find(std::uint32_t hash, std::span<const std::uint32_t> node,
                                            std::span<const std::uint32_t> written) const {
   if (used_ == 0)

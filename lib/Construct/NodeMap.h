@@ -18,11 +18,16 @@ public:
   explicit NodeMap(const std::shared_ptr<WorkingMemory> &memory) : memory_(memory), entries_(memory) {}
 
   static std::uint32_t hashOf(std::span<const std::uint32_t> node);
+  /// A hash of one word that no other word has.
+  static std::uint32_t hashOf(std::uint32_t word);
 
   /// The offset of a node with these contents and this hash, if one is known; `written` are the volume's
   /// words.
   std::optional<std::uint32_t> find(std::uint32_t hash, std::span<const std::uint32_t> node,
                                     std::span<const std::uint32_t> written) const;
+
+  /// The same in a map of single words, each with the hash of its own.
+  std::optional<std::uint32_t> find(std::uint32_t hash) const;
 
   /// Adds a node that `find` did not find, which lies at `offset` (not 0). Error: no memory.
   Expected<void> insert(std::uint32_t hash, std::uint32_t offset);

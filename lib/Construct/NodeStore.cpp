@@ -56,11 +56,12 @@ std::uint32_t NodeStore::intern(unsigned level, std::span<const std::uint32_t> w
   if (failure_)
     return 1;
   Level &store = at(level);
-  NodeMap &map = words.size() == 1 ? store.leaves : store.nodes;
-  const std::uint32_t hash = NodeMap::hashOf(words);
+  const bool isLeaf = words.size() == 1;
+  NodeMap &map = isLeaf ? store.leaves : store.nodes;
+  const std::uint32_t hash = isLeaf ? NodeMap::hashOf(words[0]) : NodeMap::hashOf(words);
   if (++interned_ % kInternsBetweenRelief == 0)
     memory_->relieve();
-  if (const auto known = map.find(hash, words, words_.span())) {
+  if (const auto known = isLeaf ? map.find(hash) : map.find(hash, words, words_.span())) {
     ++store.report.sharedNodes;
     return *known;
   }

@@ -18,6 +18,8 @@ namespace {
 
 /// Calls of `relieve` between two looks at the process.
 constexpr unsigned kCallsBetweenLooks = 64;
+/// Blocks from here up ask for large pages.
+constexpr std::uint64_t kLargePages = std::uint64_t{4} << 20;
 
 std::string reason() { return std::strerror(errno); }
 
@@ -157,6 +159,9 @@ Expected<void> WorkingMemory::extendInMemory(MemoryBlock &block, std::uint64_t b
 Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes) {
   if (::mprotect(block.data_ + block.size_, bytes, PROT_READ | PROT_WRITE) != 0)
     return Error::environment("cannot get " + megabytes(bytes) + " of memory: " + reason());
+  // Tables are read at random: large pages spare much of the way to each.
+  if (bytes >= kLargePages)
+    ::madvise(block.data_ + block.size_, bytes, MADV_HUGEPAGE);
   state_->inMemory += bytes;
   block.inMemory_ += bytes;
   block.size_ += bytes;
