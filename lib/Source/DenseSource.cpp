@@ -2,7 +2,6 @@
 #include "Source/DenseSource.h"
 
 #include "Source/CubeTools.h"
-#include "Source/OccupancyPyramid.h"
 
 #include <algorithm>
 #include <array>
@@ -136,6 +135,13 @@ Expected<std::unique_ptr<VoxelSource>> makeDenseSource(Int3 extent, std::shared_
     }
   }
   return std::unique_ptr<VoxelSource>(std::make_unique<DenseSource>(std::move(grid)));
+}
+
+std::unique_ptr<VoxelSource> makeDenseSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
+                                             OccupancyPyramid occupancy, const Transform &voxelToModel,
+                                             std::shared_ptr<WorkingMemory> memory) {
+  return std::make_unique<DenseSource>(std::make_shared<const Grid>(
+      Grid{extent, std::move(rows), voxelToModel, std::move(memory), std::move(occupancy)}));
 }
 
 std::shared_ptr<const DenseRows> turnUpright(std::shared_ptr<const DenseRows> rows, std::int32_t height) {

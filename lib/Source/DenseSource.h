@@ -1,6 +1,7 @@
 // Sources of dense grids, however their cells are stored.
 #pragma once
 
+#include "Source/OccupancyPyramid.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/WorkingMemory.h"
@@ -24,6 +25,11 @@ Expected<std::unique_ptr<VoxelSource>> makeDenseSource(Int3 extent, std::shared_
                                                        const Transform &voxelToModel,
                                                        std::shared_ptr<WorkingMemory> memory,
                                                        const Progress &progress);
+
+/// The same of a grid that knows what is empty: `occupancy` has every brick marked that holds something.
+std::unique_ptr<VoxelSource> makeDenseSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
+                                             OccupancyPyramid occupancy, const Transform &voxelToModel,
+                                             std::shared_ptr<WorkingMemory> memory);
 
 /// A grid turned so that its +z points to +y: cell (x, y, z) is the cell (x, height - 1 - z, y) of `rows`,
 /// which has `height` cells along y.

@@ -6,32 +6,36 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace voxc {
 
 namespace {
 
-struct Kind {
-  std::string_view mark; ///< A prefix if it ends in a colon, else an ending.
-  Expected<Input> (*open)(const std::string &rest, const InputOptions &options);
-};
+/// Stands for the optional component where it was left out.
+Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
+  return Error::environment("'" + path +
+                            "' is an OpenVDB file, which this build does not read; build voxc with "
+                            "VOXC_OPENVDB=ON");
+}
 
-constexpr std::array<Kind, 15> kKinds{{{"builtin:", openBuiltin},
-                                       {"grid:", openGrid},
-                                       {"raw:", openRaw},
-                                       {".obj", openMesh},
-                                       {".glb", openMesh},
-                                       {".gltf", openMesh},
-                                       {".stl", openMesh},
-                                       {".ply", openPly},
-                                       {".hvx", openVolume},
-                                       {".vox", openMagicaVoxel},
-                                       {".binvox", openBinvox},
-                                       {".nrrd", openNrrd},
-                                       {".nhdr", openNrrd},
-                                       {".nii", openNifti},
-                                       {".nii.gz", openNifti}}};
+constexpr std::array<InputKind, 16> kKinds{{{"builtin:", openBuiltin},
+                                            {"grid:", openGrid},
+                                            {"raw:", openRaw},
+                                            {".obj", openMesh},
+                                            {".glb", openMesh},
+                                            {".gltf", openMesh},
+                                            {".stl", openMesh},
+                                            {".ply", openPly},
+                                            {".hvx", openVolume},
+                                            {".vox", openMagicaVoxel},
+                                            {".binvox", openBinvox},
+                                            {".nrrd", openNrrd},
+                                            {".nhdr", openNrrd},
+                                            {".nii", openNifti},
+                                            {".nii.gz", openNifti},
+                                            {".vdb", lackOpenVdb}}};
 
 std::string inLowerCase(std::string_view text) {
   std::string lower(text);
@@ -43,19 +47,21 @@ std::string inLowerCase(std::string_view text) {
 
 Error unknownKind(const std::string &input) {
   std::string kinds;
-  for (const Kind &kind : kKinds)
+  for (const InputKind &kind : kKinds)
     kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
   return Error::input("'" + input + "' is no kind of input that is known; there are " + kinds);
 }
 
 Expected<Input> dispatch(const std::string &input, const InputOptions &options) {
   const std::string name = inLowerCase(input.substr(input.find_last_of('/') + 1));
-  for (const Kind &kind : kKinds) {
-    if (kind.mark.ends_with(':') && input.starts_with(kind.mark))
-      return kind.open(input.substr(kind.mark.size()), options);
-    if (name.ends_with(kind.mark))
-      return kind.open(input, options);
-  }
+  const std::span<const InputKind> others = options.otherKinds;
+  for (const std::span<const InputKind> kinds : {others, std::span<const InputKind>(kKinds)})
+    for (const InputKind &kind : kinds) {
+      if (kind.mark.ends_with(':') && input.starts_with(kind.mark))
+        return kind.open(input.substr(kind.mark.size()), options);
+      if (name.ends_with(kind.mark))
+        return kind.open(input, options);
+    }
   return unknownKind(input);
 }
 

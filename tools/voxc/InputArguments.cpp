@@ -1,6 +1,10 @@
 // Options of inputs.
 #include "InputArguments.h"
 
+#ifdef VOXC_HAS_OPENVDB
+#include "voxc/OpenVdb/OpenVdb.h"
+#endif
+
 #include <algorithm>
 #include <charconv>
 #include <system_error>
@@ -97,6 +101,9 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   if (!arguments.bounds.empty())
     std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
   options.threshold = arguments.threshold;
+#ifdef VOXC_HAS_OPENVDB
+  options.otherKinds.push_back(openVdbKind());
+#endif
   if (!arguments.colourMap.empty())
     options.colourMap = arguments.colourMap;
   if (!arguments.window.empty())

@@ -16,6 +16,16 @@
 
 namespace voxc {
 
+struct Input;
+struct InputOptions;
+
+/// A kind of input, and what opens it.
+struct InputKind {
+  std::string_view mark; ///< A prefix if it ends in a colon, else an ending in lower case.
+  /// Takes what follows the prefix, or a path, and options with a memory.
+  Expected<Input> (*open)(const std::string &rest, const InputOptions &options);
+};
+
 /// How an input becomes voxels.
 struct InputOptions {
   int resolution = 0;                          ///< Voxels on a mesh's longest axis; 0: what the format holds.
@@ -29,6 +39,7 @@ struct InputOptions {
   Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
+  std::vector<InputKind> otherKinds; ///< What optional components read; asked before the kinds known here.
   Progress progress;
 };
 
