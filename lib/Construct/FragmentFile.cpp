@@ -5,9 +5,6 @@
 #include <cstddef>
 #include <cstring>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 namespace voxc {
 namespace {
 
@@ -21,7 +18,7 @@ struct Header {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kVersion;
   std::uint32_t byteOrder = kByteOrder;
-  std::uint64_t checksum = 0; ///< XXH3-64 of all that follows the header.
+  std::uint64_t checksum = 0; ///< XXH3-64 of all that follows the header, then of the header with 0 here.
   std::uint64_t parts = 0;
   std::uint64_t index = 0;
   std::uint64_t count = 0;
@@ -73,16 +70,8 @@ Header headerOf(const FragmentInfo &info) {
 
 } // namespace
 
-struct FragmentWriter::Sum {
-  XXH3_state_t state;
-};
-
-void FragmentWriter::DeleteSum::operator()(Sum *sum) const { delete sum; }
-
 FragmentWriter::FragmentWriter(OutputFile file, FragmentInfo info)
-    : file_(std::move(file)), info_(std::move(info)), sum_(new Sum) {
-  XXH3_64bits_reset(&sum_->state);
-}
+    : file_(std::move(file)), info_(std::move(info)), sum_(std::make_unique<Checksum>()) {}
 
 Expected<FragmentWriter> FragmentWriter::create(const std::string &path, const FragmentInfo &info) {
   auto file = OutputFile::create(path);
@@ -101,7 +90,7 @@ Expected<FragmentWriter> FragmentWriter::create(const std::string &path, const F
 }
 
 Expected<void> FragmentWriter::write(const void *data, std::size_t size) {
-  XXH3_64bits_update(&sum_->state, data, size);
+  sum_->add(data, size);
   return file_.write(data, size);
 }
 
@@ -131,13 +120,22 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
 Expected<void> FragmentWriter::finish() {
   Header header = headerOf(info_);
   header.parts = parts_;
-  header.checksum = XXH3_64bits_digest(&sum_->state);
+  sum_->add(&header, sizeof header);
+  header.checksum = sum_->digest();
   if (auto written = file_.rewrite(0, &header, sizeof header); !written)
     return written;
   return file_.commit();
 }
 
 namespace {
+
+std::uint64_t checksumOf(Header header, std::span<const std::byte> body) {
+  header.checksum = 0;
+  Checksum checksum;
+  checksum.add(body.data(), body.size());
+  checksum.add(&header, sizeof header);
+  return checksum.digest();
+}
 
 /// What is wrong with a header, or nothing.
 std::string problemOf(const Header &header, std::span<const std::byte> bytes) {
@@ -147,7 +145,7 @@ std::string problemOf(const Header &header, std::span<const std::byte> bytes) {
   if (textBytes > kMaxTextBytes || textBytes > bytes.size() - sizeof(Header) || header.count == 0 ||
       header.index >= header.count || header.log2Side < 0 || header.log2Side > kMaxLog2Extent)
     return "has a header that contradicts itself";
-  if (XXH3_64bits(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header)) != header.checksum)
+  if (checksumOf(header, bytes.subspan(sizeof(Header))) != header.checksum)
     return "is damaged: its checksum does not match its contents";
   return {};
 }

@@ -3,6 +3,7 @@
 
 #include "Fragment.h"
 
+#include "Volume/Checksum.h"
 #include "voxc/Support/File.h"
 #include "voxc/Volume/Volume.h"
 
@@ -39,11 +40,7 @@ private:
 
   OutputFile file_;
   FragmentInfo info_;
-  struct Sum;
-  struct DeleteSum {
-    void operator()(Sum *sum) const;
-  };
-  std::unique_ptr<Sum, DeleteSum> sum_;
+  std::unique_ptr<Checksum> sum_;
   std::uint64_t parts_ = 0;
   std::uint64_t bytes_ = 0; ///< Behind the header.
 };

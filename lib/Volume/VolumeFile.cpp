@@ -1,13 +1,12 @@
 // Reading and writing of .hvx headers; docs/hvx.md has the layout as a table.
 #include "VolumeFile.h"
 
+#include "Checksum.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
 namespace voxc {
 namespace {
@@ -34,17 +33,6 @@ struct Header {
   std::array<double, 12> voxelToModel{};
 };
 static_assert(sizeof(Header) == 168);
-
-/// XXH3 over the parts of a file around the checksum itself.
-class Checksum {
-public:
-  Checksum() { XXH3_64bits_reset(&state_); }
-  void add(const void *data, std::size_t size) { XXH3_64bits_update(&state_, data, size); }
-  std::uint64_t digest() const { return XXH3_64bits_digest(&state_); }
-
-private:
-  XXH3_state_t state_;
-};
 
 std::uint64_t checksumOf(std::span<const std::byte> head, std::span<const std::uint32_t> words,
                          const std::function<void()> &pause = {}) {

@@ -106,22 +106,26 @@ Format formatOf(std::string_view text, std::string_view passes) {
 }
 
 TEST_F(Parts, GiveTheSameBytesInEveryFormat) {
+  // Formats take turns at the scenes: all of them for each would take minutes.
+  constexpr std::size_t kEvery = 4;
+  std::size_t turn = 0;
   for (const char *text : {"G(5)", "S(5)", "R(5^3)", "D(5^3,6)", "R(1^3) G(4)", "G(2) R(3^3)", "S(3) S(2)",
                            "D(1^3,6) D(4^3,3)", "R(2,3,5)", "S(0) G(5)", "G(2) G(0) G(3)",
                            "R(1^3) S(3) D(1^3,2)", "S(0) G(0)", "R(0^3)", "G(1)", "D(2,3,1,4) G(2)"})
     for (const char *passes : {"", "whole-level-dedup share-grids"}) {
       const Format format = formatOf(text, passes);
-      for (const test::Scene &scene : test::hardScenes(format.extent()))
-        expectSameBytes(format, scene);
+      const auto scenes = test::hardScenes(format.extent());
+      for (std::size_t i = turn++ % kEvery; i < scenes.size(); i += kEvery)
+        expectSameBytes(format, scenes[i]);
     }
 }
 
 TEST_F(Parts, GiveTheSameBytesForRandomFormats) {
   std::mt19937 random(11);
-  for (int i = 0; i < test::rounds(8); ++i) {
+  for (int i = 0; i < test::rounds(12); ++i) {
     const Format format = test::randomFormat(random, test::pick(random, 4, 5));
-    for (const test::Scene &scene : test::hardScenes(format.extent()))
-      expectSameBytes(format, scene);
+    const auto scenes = test::hardScenes(format.extent());
+    expectSameBytes(format, scenes[test::pick(random, 0, static_cast<int>(scenes.size()) - 1)]);
   }
 }
 
@@ -188,9 +192,9 @@ TEST_F(Parts, BrokenFragmentsAreErrors) {
     EXPECT_FALSE(constructor->merge({path(1)})) << "byte " << i;
     ASSERT_TRUE(writeFile(path(1), std::string_view(bytes).substr(0, i)));
     EXPECT_FALSE(constructor->merge({path(1)})) << "cut at byte " << i;
-    if (i < kHeader)
-      continue;
-    const std::uint64_t checksum = XXH3_64bits(broken.data() + kHeader, broken.size() - kHeader);
+    std::memset(broken.data() + kChecksum, 0, sizeof(std::uint64_t));
+    const std::string summed = broken.substr(kHeader) + broken.substr(0, kHeader);
+    const std::uint64_t checksum = XXH3_64bits(summed.data(), summed.size());
     std::memcpy(broken.data() + kChecksum, &checksum, sizeof checksum);
     ASSERT_TRUE(writeFile(path(1), broken));
     const auto built =
