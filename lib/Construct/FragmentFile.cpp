@@ -1,6 +1,7 @@
 // Layout of fragment files, and their checks.
 #include "FragmentFile.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -177,7 +178,7 @@ private:
   bool copy(void *to, std::uint64_t size) {
     if (size > bytes_.size() - at_)
       return false;
-    std::memcpy(to, bytes_.data() + at_, size);
+    std::copy_n(bytes_.data() + at_, size, static_cast<std::byte *>(to));
     at_ += size;
     return true;
   }
