@@ -16,19 +16,13 @@ find_path(VOXC_PNG_INCLUDE png.h REQUIRED)
 find_path(VOXC_TURBOJPEG_INCLUDE turbojpeg.h REQUIRED)
 find_path(VOXC_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 
-# The component that reads OpenVDB files.
-set(VOXC_OPENVDB AUTO CACHE STRING "Read OpenVDB files: ON, OFF, or AUTO: where the library is found")
-set(VOXC_HAS_OPENVDB OFF)
+# The component that reads OpenVDB files. Not by default: its libraries would be loaded by every run of the driver.
+option(VOXC_OPENVDB "Read OpenVDB files" OFF)
 if(VOXC_OPENVDB)
-  find_path(VOXC_OPENVDB_INCLUDE openvdb/openvdb.h)
-  find_library(VOXC_OPENVDB_LIBRARY openvdb)
-  find_library(VOXC_TBB_LIBRARY tbb)
-  find_library(VOXC_IMATH_LIBRARY NAMES Imath-3_1 Imath)
-  if(VOXC_OPENVDB_INCLUDE AND VOXC_OPENVDB_LIBRARY AND VOXC_TBB_LIBRARY AND VOXC_IMATH_LIBRARY)
-    set(VOXC_HAS_OPENVDB ON)
-  elseif(NOT VOXC_OPENVDB STREQUAL "AUTO")
-    message(FATAL_ERROR "VOXC_OPENVDB=${VOXC_OPENVDB} needs OpenVDB, TBB and Imath (libopenvdb-dev)")
-  endif()
+  find_path(VOXC_OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
+  find_library(VOXC_OPENVDB_LIBRARY openvdb REQUIRED)
+  find_library(VOXC_TBB_LIBRARY tbb REQUIRED)
+  find_library(VOXC_IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)
 endif()
 
 # The tools.

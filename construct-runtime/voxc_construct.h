@@ -57,8 +57,9 @@ struct Host {
   /// failed.
   uint32_t *(*allocate)(void *self, unsigned level, uint64_t count);
   void (*release)(void *self, unsigned level);
-  /// To be called during long work on a grid: lets the program look after its memory.
-  void (*pause)(void *self);
+  /// To be called during long work on a grid, with the words touched since: lets the program look after its
+  /// memory.
+  void (*pause)(void *self, uint64_t words);
 
   /// Counts, for each level by its number, the words that were wanted again and found without asking.
   uint64_t *shared;
@@ -136,7 +137,7 @@ public:
   }
   uint32_t *allocate(unsigned level, uint64_t count) { return host_.allocate(host_.self, level, count); }
   void release(unsigned level) { host_.release(host_.self, level); }
-  void pause() { host_.pause(host_.self); }
+  void pause(uint64_t words) { host_.pause(host_.self, words); }
 
   /// True if cubes of this size were built apart.
   bool is_part(int log2_side) const { return log2_side == host_.log2_part; }

@@ -33,12 +33,12 @@ void measure_level_N(Build &build, uint32_t *grid) {
     measure_level_N_plane(plane);
     if (z > 0)
       lower_level_N(plane, plane - 2 * kPlane, kPlane);
-    build.pause();
+    build.pause(4 * kPlane);
   }
   for (int z = kDepth - 1; z > 0; --z) {
     uint32_t *plane = grid + 2 * kPlane * static_cast<uint64_t>(z);
     lower_level_N(plane - 2 * kPlane, plane, kPlane);
-    build.pause();
+    build.pause(4 * kPlane);
   }
 }
 

@@ -31,7 +31,7 @@ construct::Host BuildHost::interface() {
     return hostOf(self).store_.allocate(level, count);
   };
   table.release = [](void *self, unsigned level) { hostOf(self).store_.release(level); };
-  table.pause = [](void *self) { hostOf(self).store_.pause(); };
+  table.pause = [](void *self, construct::uint64_t words) { hostOf(self).store_.pause(words); };
   table.shared = shared_.data();
   table.log2_part = log2Part();
   table.take_part = [](void *self, Voxel low, construct::Part *part) {

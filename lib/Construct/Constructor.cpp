@@ -151,7 +151,7 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint6
     if (auto added = writer->add(*fragment); !added)
       return added.error();
     report.voxels += fragment->voxels;
-    if (!progress.at(*low))
+    if (!progress.at(*low, report.voxels))
       return Error::interrupted();
   }
   if (auto finished = writer->finish(); !finished)

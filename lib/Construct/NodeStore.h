@@ -44,8 +44,8 @@ public:
   std::uint32_t *allocate(unsigned level, std::uint64_t count);
   void release(unsigned level);
 
-  /// Lets the memory be kept within its bound.
-  void pause() { memory_->relieve(); }
+  /// Lets the memory be kept within its bound, after so many words of a grid were touched.
+  void pause(std::uint64_t words) { memory_->relieve(words * sizeof(std::uint32_t)); }
 
   /// Empties everything for another part; keeps the memory.
   void clear();

@@ -26,8 +26,8 @@ construct::Part MergeHost::takePart(Int3 low) {
   sharedInParts_.resize(fragment_.shared.size());
   for (std::size_t i = 0; i < sharedInParts_.size(); ++i)
     sharedInParts_[i] += fragment_.shared[i];
-  store().pause();
-  if (!progress_.at(low))
+  store().pause(fragment_.words.size());
+  if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());
   return {fragment_.node, fragment_.cells.data(), fragment_.cells.size()};
 }

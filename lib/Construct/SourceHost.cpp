@@ -16,11 +16,11 @@ MortonProgress::MortonProgress(Int3 extent, const Progress &progress) : progress
   totalCodes_ = std::uint64_t{1} << (3 * std::bit_width(longest - 1));
 }
 
-bool MortonProgress::at(Int3 low) {
+bool MortonProgress::at(Int3 low, std::uint64_t voxels) {
   if (untilReport_-- != 0)
     return true;
   untilReport_ = kCallsBetweenReports;
-  progress_.at("build", static_cast<double>(mortonCode(low)) / static_cast<double>(totalCodes_));
+  progress_.at("build", static_cast<double>(mortonCode(low)) / static_cast<double>(totalCodes_), voxels);
   return !progress_.stopped();
 }
 
@@ -29,7 +29,7 @@ void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
   voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
   if (auto error = source_.failure())
     store().fail(*error);
-  if (!progress_.at(low))
+  if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());
 }
 

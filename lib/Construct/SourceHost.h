@@ -13,8 +13,8 @@ class MortonProgress {
 public:
   MortonProgress(Int3 extent, const Progress &progress);
 
-  /// Work has come to `low`. False if it shall stop.
-  bool at(Int3 low);
+  /// Work has come to `low` and found so many voxels. False if it shall stop.
+  bool at(Int3 low, std::uint64_t voxels);
 
 private:
   const Progress &progress_;

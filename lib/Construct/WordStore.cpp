@@ -39,7 +39,7 @@ Expected<void> WordStore::append(std::span<const std::uint32_t> words) {
     size_ += piece.size();
     words = words.subspan(piece.size());
     if (!words.empty())
-      memory_->relieve();
+      memory_->relieve(2 * piece.size_bytes());
   }
   return {};
 }

@@ -16,8 +16,8 @@
 namespace voxc {
 namespace {
 
-/// Calls of `relieve` between two looks at the process.
-constexpr unsigned kCallsBetweenLooks = 64;
+/// Bytes touched between two looks at the process.
+constexpr std::uint64_t kBytesBetweenLooks = std::uint64_t{8} << 20;
 /// Blocks from here up ask for large pages.
 constexpr std::uint64_t kLargePages = std::uint64_t{4} << 20;
 
@@ -81,7 +81,7 @@ struct WorkingMemory::State {
   std::string scratchFolder;
   ResidentSize resident;
   std::uint64_t limit = 0; ///< Of the resident size of the whole process.
-  std::atomic<unsigned> calls{0};
+  std::atomic<std::uint64_t> touched{0};
 
   mutable std::mutex mutex; ///< Guards what follows.
   std::uint64_t inMemory = 0;
@@ -249,8 +249,9 @@ void WorkingMemory::unwatch(std::span<const std::byte> mapped) {
   std::erase_if(state_->watched, [&](const auto &span) { return span.data() == mapped.data(); });
 }
 
-void WorkingMemory::relieve() {
-  if (state_->calls.fetch_add(1, std::memory_order_relaxed) % kCallsBetweenLooks == 0)
+void WorkingMemory::relieve(std::uint64_t touchedBytes) {
+  const std::uint64_t before = state_->touched.fetch_add(touchedBytes, std::memory_order_relaxed);
+  if (before / kBytesBetweenLooks != (before + touchedBytes) / kBytesBetweenLooks)
     relieveNow();
 }
 

@@ -12,7 +12,8 @@ void Building::declare(CLI::App &app) {
   app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
       ->required()
       ->type_name("");
-  app.add_option("INPUT", input_, "A mesh, points, a .hvx volume, grid:WxHxD:FILE or builtin:NAME[:N]")
+  app.add_option("INPUT", input_,
+                 "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]")
       ->required()
       ->type_name("");
   addInputArguments(app, inputArguments_);

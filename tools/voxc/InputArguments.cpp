@@ -24,8 +24,7 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
       ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}).description(""));
   app.add_option("--coverage", arguments.coverage,
-                 "Voxels that a triangle takes: conservative (default), all that it touches, or thin, enough "
-                 "that no path over faces leads through")
+                 "Voxels that a triangle takes: conservative (default), all that it touches, or thin")
       ->type_name("RULE")
       ->check(CLI::IsMember({"conservative", "thin"}).description(""));
   app.add_option("--threshold", arguments.threshold,

@@ -174,7 +174,7 @@ TEST(MeshFrame, StopsWhenAsked) {
 TEST(MeshFrame, TellsHowFarItIs) {
   std::vector<double> fractions;
   VoxelizeOptions options;
-  options.progress.report = [&](std::string_view stage, double fraction) {
+  options.progress.report = [&](std::string_view stage, double fraction, std::uint64_t) {
     EXPECT_EQ(stage, "bin");
     fractions.push_back(fraction);
   };

@@ -90,9 +90,9 @@ public:
   void watch(std::span<const std::byte> mapped);
   void unwatch(std::span<const std::byte> mapped);
 
-  /// Looks now and then whether the process is over the bound, and if so lets go of what can be brought back.
-  /// Costs nanoseconds; to be called for every few kilobytes that are touched.
-  void relieve();
+  /// Looks, for every few megabytes that were touched, whether the process is over the bound, and if so lets
+  /// go of what can be brought back. Costs nanoseconds; `touchedBytes`: since the last call, about.
+  void relieve(std::uint64_t touchedBytes = std::uint64_t{128} << 10);
 
 private:
   friend class MemoryBlock;
