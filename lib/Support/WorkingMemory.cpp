@@ -28,7 +28,7 @@ std::uint64_t wholePages(std::uint64_t bytes) {
   return (bytes + page - 1) / page * page;
 }
 
-std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
+std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 
 std::string scratchFolderOr(std::string chosen) {
   if (!chosen.empty())
