@@ -10,9 +10,20 @@ find_package(SPIRV-Tools REQUIRED CONFIG)
 find_package(SPIRV-Tools-opt REQUIRED CONFIG)
 find_package(glslang 12 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)
-find_package(assimp REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)
+find_package(ZLIB REQUIRED)
+find_path(VOXC_PNG_INCLUDE png.h REQUIRED)
+find_path(VOXC_TURBOJPEG_INCLUDE turbojpeg.h REQUIRED)
 find_path(VOXC_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
+
+# The component that reads OpenVDB files. Not by default: its libraries would be loaded by every run of the driver.
+option(VOXC_OPENVDB "Read OpenVDB files" OFF)
+if(VOXC_OPENVDB)
+  find_path(VOXC_OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
+  find_library(VOXC_OPENVDB_LIBRARY openvdb REQUIRED)
+  find_library(VOXC_TBB_LIBRARY tbb REQUIRED)
+  find_library(VOXC_IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)
+endif()
 
 # The tools.
 find_package(CLI11 REQUIRED CONFIG)
-find_package(nlohmann_json REQUIRED CONFIG)

@@ -13,126 +13,9 @@ struct Voxel {
   int z = 0;
 };
 
-/// What the program that builds a volume offers to the code that arranges it.
-struct Host {
-  void *self;
-  /// True only if the aligned cube of 2^log2_side voxels a side holds no voxel. Always true once building has
-  /// failed.
-  bool (*is_empty)(void *self, Voxel low, int log2_side);
-  /// Writes the 512 voxels of the aligned cube of 8 voxels a side, in Morton order.
-  void (*read_brick)(void *self, Voxel low, uint32_t *voxels);
-  /// Appends words to the volume; returns the offset of the first.
-  uint32_t (*append)(void *self, const uint32_t *words, uint64_t count);
-  /// The same, but words that this level has been given before are not written again.
-  uint32_t (*intern)(void *self, unsigned level, const uint32_t *words, uint64_t count);
-  /// Forgets which words a level has been given.
-  void (*forget)(void *self, unsigned level);
-  /// Zeroed memory for a grid while it is filled, and its return. Null once building has failed.
-  uint32_t *(*allocate)(void *self, uint64_t count);
-  void (*release)(void *self, uint32_t *words);
-};
-
-/// Spreads the low three bits of a coordinate to every third bit.
-constexpr unsigned spread3(int i) { return static_cast<unsigned>((i & 1) | (i & 2) << 2 | (i & 4) << 4); }
-
-/// One run over the voxels of a source, in Morton order.
-class Build {
-public:
-  explicit Build(const Host &host) : host_(host) {}
-
-  /// True if the aligned cube of 2^log2_side voxels a side holds no voxel; may be false for an empty one.
-  bool is_empty(Voxel low, int log2_side) {
-    if (log2_side >= kLog2Brick)
-      return host_.is_empty(host_.self, low, log2_side);
-    if (!load(low))
-      return true;
-    const uint32_t *voxels = brick_ + index(low);
-    for (int i = 0; i < 1 << (3 * log2_side); ++i)
-      if (voxels[i] != 0)
-        return false;
-    return true;
-  }
-
-  uint32_t voxel(Voxel at) { return load(at) ? brick_[index(at)] : 0; }
-
-  uint32_t append(const uint32_t *words, uint64_t count) { return host_.append(host_.self, words, count); }
-  uint32_t intern(unsigned level, const uint32_t *words, uint64_t count) {
-    return host_.intern(host_.self, level, words, count);
-  }
-  void forget(unsigned level) { host_.forget(host_.self, level); }
-  uint32_t *allocate(uint64_t count) { return host_.allocate(host_.self, count); }
-  void release(uint32_t *words) { host_.release(host_.self, words); }
-
-private:
-  static constexpr int kLog2Brick = 3;
-
-  static unsigned index(Voxel at) { return spread3(at.x) | spread3(at.y) << 1 | spread3(at.z) << 2; }
-
-  /// Makes `brick_` the brick around a voxel; false if it is known to be empty.
-  bool load(Voxel at) {
-    const Voxel low = {at.x & -8, at.y & -8, at.z & -8};
-    if (!loaded_ || low.x != low_.x || low.y != low_.y || low.z != low_.z) {
-      loaded_ = true;
-      low_ = low;
-      holds_voxels_ = !host_.is_empty(host_.self, low, kLog2Brick);
-      if (holds_voxels_)
-        host_.read_brick(host_.self, low, brick_);
-    }
-    return holds_voxels_;
-  }
-
-  const Host &host_;
-  Voxel low_;
-  bool loaded_ = false;
-  bool holds_voxels_ = false;
-  uint32_t brick_[512];
-};
-
-/// log2 of the cells of a grid along each axis.
-struct GridSize {
-  int x;
-  int y;
-  int z;
-
-  constexpr uint64_t cells() const { return uint64_t{1} << (x + y + z); }
-  constexpr int longest() const { return x > y ? (x > z ? x : z) : (y > z ? y : z); }
-  constexpr bool excludes(Voxel cell) const { return (cell.x >> x | cell.y >> y | cell.z >> z) != 0; }
-};
-
-/// A cell of a grid: its index, x fastest, then y, then z, and the low corner of its voxels.
-struct GridCell {
-  uint64_t index;
-  Voxel low;
-};
-
-/// The low corner of child i = x + 2y + 4z of a cube whose children are 2^log2_side a side.
-constexpr Voxel child_low(Voxel low, int i, int log2_side) {
-  return {low.x + ((i & 1) << log2_side), low.y + ((i >> 1 & 1) << log2_side),
-          low.z + ((i >> 2 & 1) << log2_side)};
-}
-
-/// Visits the cells of a grid in Morton order of its bounding cube, as far as they may hold voxels: cells
-/// outside a grid that is no cube are skipped a whole aligned cube at a time, and so are empty ones. `cell`
-/// is the low corner, in cells, of the 2^height cells a side to visit.
-template <typename Visit>
-void for_each_cell(Build &build, Voxel low, GridSize size, int log2_cell, Voxel cell, int height,
-                   Visit &visit) {
-  const Voxel corner = {low.x + (cell.x << log2_cell), low.y + (cell.y << log2_cell),
-                        low.z + (cell.z << log2_cell)};
-  if (size.excludes(cell) || build.is_empty(corner, height + log2_cell))
-    return;
-  if (height == 0) {
-    const auto row = static_cast<uint64_t>(cell.y) + (static_cast<uint64_t>(cell.z) << size.y);
-    visit(GridCell{static_cast<uint64_t>(cell.x) + (row << size.x), corner});
-    return;
-  }
-  for (int i = 0; i < 8; ++i)
-    for_each_cell(build, low, size, log2_cell, child_low(cell, i, height - 1), height - 1, visit);
-}
-
 /// A node of a tree that has not found its place in the volume yet.
 struct Node {
-  enum Kind { Empty, Leaf, Inner };
+  enum Kind : uint32_t { Empty, Leaf, Inner };
 
   Kind kind = Empty;
   uint32_t value =
@@ -142,6 +25,222 @@ struct Node {
   /// A cell's terminating integer as a node: 0 is empty.
   static Node leaf(uint32_t value) { return {value == 0 ? Empty : Leaf, value, 0}; }
 };
+
+/// A non-empty cell of a grid, counted from the grid's low corner.
+struct PlacedCell {
+  Voxel cell;
+  uint32_t value;
+};
+
+/// What an aligned cube became that was built apart: a node of a tree, or cells of a grid.
+struct Part {
+  Node node;
+  const PlacedCell *cells;
+  uint64_t cell_count;
+};
+
+/// What the program that builds a volume offers to the code that arranges it.
+struct Host {
+  void *self;
+  /// True only if the aligned cube of 2^log2_side voxels a side holds no voxel. Always true once building has
+  /// failed.
+  bool (*is_empty)(void *self, Voxel low, int log2_side);
+  /// Writes the 512 voxels of the aligned cube of 8 voxels a side, in Morton order.
+  void (*read_brick)(void *self, Voxel low, uint32_t *voxels);
+  /// Appends words to the volume; returns the offset of the first.
+  uint32_t (*append)(void *self, unsigned level, const uint32_t *words, uint64_t count);
+  /// The same, but words that this level has been given before are not written again.
+  uint32_t (*intern)(void *self, unsigned level, const uint32_t *words, uint64_t count);
+  /// Forgets which words a level has been given.
+  void (*forget)(void *self, unsigned level);
+  /// Zeroed memory for the one grid of a level that is being filled, and its return. Null once building has
+  /// failed.
+  uint32_t *(*allocate)(void *self, unsigned level, uint64_t count);
+  void (*release)(void *self, unsigned level);
+  /// To be called during long work on a grid, with the words touched since: lets the program look after its
+  /// memory.
+  void (*pause)(void *self, uint64_t words);
+
+  /// Counts, for each level by its number, the words that were wanted again and found without asking.
+  uint64_t *shared;
+
+  /// Cubes of 2^log2_part voxels a side were built apart; -1: none.
+  int log2_part;
+  void (*take_part)(void *self, Voxel low, Part *part);
+  /// Hands over the result of building a part.
+  void (*finish_node)(void *self, const Node *node);
+  void (*finish_cell)(void *self, const PlacedCell *cell);
+};
+
+/// Spreads the low three bits of a coordinate to every third bit.
+constexpr unsigned spread3(int i) { return static_cast<unsigned>((i & 1) | (i & 2) << 2 | (i & 4) << 4); }
+
+/// log2 of the side of the bricks in which voxels are read.
+constexpr int kLog2Brick = 3;
+
+/// The place of a voxel within its brick, in Morton order, and the voxel at a place.
+constexpr unsigned brick_index(Voxel at) { return spread3(at.x) | spread3(at.y) << 1 | spread3(at.z) << 2; }
+constexpr Voxel brick_voxel(unsigned index) {
+  const auto gather = [](unsigned i) { return static_cast<int>((i & 1) | (i >> 2 & 2) | (i >> 4 & 4)); };
+  return {gather(index), gather(index >> 1), gather(index >> 2)};
+}
+
+inline bool holds_any(const uint32_t *voxels, int count) {
+  uint32_t any = 0;
+  for (int i = 0; i < count; ++i)
+    any |= voxels[i];
+  return any != 0;
+}
+
+/// One run over the voxels of a source, in Morton order.
+class Build {
+public:
+  explicit Build(const Host &host) : host_(host) {}
+
+  /// True if the aligned cube of 2^log2_side voxels a side holds no voxel; may be false for an empty one.
+  bool is_empty(Voxel low, int log2_side) {
+    return log2_side >= kLog2Brick || is_part(log2_side) ? host_.is_empty(host_.self, low, log2_side)
+                                                         : !holds_any(voxels(low), 1 << 3 * log2_side);
+  }
+
+  /// The voxels of the brick around `at`, in Morton order, from that voxel on.
+  const uint32_t *voxels(Voxel at) {
+    const Voxel low = {at.x & -8, at.y & -8, at.z & -8};
+    if (!loaded_ || low.x != low_.x || low.y != low_.y || low.z != low_.z) {
+      host_.read_brick(host_.self, low, brick_);
+      low_ = low;
+      loaded_ = true;
+    }
+    return brick_ + brick_index(at);
+  }
+
+  uint32_t append(unsigned level, const uint32_t *words, uint64_t count) {
+    return host_.append(host_.self, level, words, count);
+  }
+  uint32_t intern(unsigned level, const uint32_t *words, uint64_t count) {
+    return host_.intern(host_.self, level, words, count);
+  }
+  /// The same for one word: the ones that came last are remembered here.
+  uint32_t intern_leaf(unsigned level, uint32_t value) {
+    KnownLeaf &known = leaves_[(value * 0x9e3779b1u) >> 24];
+    if (known.level == level && known.value == value)
+      ++host_.shared[level];
+    else
+      known = {level, value, intern(level, &value, 1)};
+    return known.offset;
+  }
+  void forget(unsigned level) {
+    host_.forget(host_.self, level);
+    for (KnownLeaf &known : leaves_)
+      if (known.level == level)
+        known = {};
+  }
+  uint32_t *allocate(unsigned level, uint64_t count) { return host_.allocate(host_.self, level, count); }
+  void release(unsigned level) { host_.release(host_.self, level); }
+  void pause(uint64_t words) { host_.pause(host_.self, words); }
+
+  /// True if cubes of this size were built apart.
+  bool is_part(int log2_side) const { return log2_side == host_.log2_part; }
+  Part take_part(Voxel low) {
+    Part part = {};
+    host_.take_part(host_.self, low, &part);
+    return part;
+  }
+  void finish(const Node &node) { host_.finish_node(host_.self, &node); }
+  void finish(const PlacedCell &cell) { host_.finish_cell(host_.self, &cell); }
+
+private:
+  struct KnownLeaf {
+    unsigned level = 0; ///< 0: nothing is known here.
+    uint32_t value = 0;
+    uint32_t offset = 0;
+  };
+
+  const Host &host_;
+  Voxel low_;
+  bool loaded_ = false;
+  uint32_t brick_[512];
+  KnownLeaf leaves_[256];
+};
+
+/// The shape of a grid: log2 of its cells along each axis, and of the voxels along a cell's side.
+struct GridShape {
+  int x;
+  int y;
+  int z;
+  int log2_cell;
+
+  constexpr uint64_t cells() const { return uint64_t{1} << (x + y + z); }
+  constexpr int longest() const { return x > y ? (x > z ? x : z) : (y > z ? y : z); }
+  constexpr bool excludes(Voxel cell) const { return (cell.x >> x | cell.y >> y | cell.z >> z) != 0; }
+  /// The place of a cell: x fastest, then y, then z.
+  constexpr uint64_t index(Voxel cell) const {
+    const auto row = static_cast<uint64_t>(cell.y) + (static_cast<uint64_t>(cell.z) << y);
+    return static_cast<uint64_t>(cell.x) + (row << x);
+  }
+};
+
+/// The low corner of child i = x + 2y + 4z of a cube whose children are 2^log2_side a side.
+constexpr Voxel child_low(Voxel low, int i, int log2_side) {
+  return {low.x + ((i & 1) << log2_side), low.y + ((i >> 1 & 1) << log2_side),
+          low.z + ((i >> 2 & 1) << log2_side)};
+}
+
+/// What a cell of the last level holds.
+inline uint32_t construct_voxel(Build &build, Voxel at) { return *build.voxels(at); }
+
+/// Visits the voxels of a brick that are not empty, as far as they lie in the 2^height a side at `cell` of a
+/// grid of voxels.
+template <GridShape kShape, typename Visit>
+void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &visit) {
+  const uint32_t *voxels = build.voxels(corner);
+  for (unsigned i = 0; i < 1u << 3 * height; ++i) {
+    const Voxel step = brick_voxel(i);
+    const Voxel at = {cell.x + step.x, cell.y + step.y, cell.z + step.z};
+    if (voxels[i] != 0 && !kShape.excludes(at))
+      visit(at, voxels[i]);
+  }
+}
+
+/// Visits the cells of a grid that are not empty, with their terminating integers, in Morton order of its
+/// bounding cube: cells outside a grid that is no cube are skipped a whole aligned cube at a time, and so are
+/// empty ones. `low` is the corner of the grid, `cell` that, in cells, of the 2^height a side to visit, and
+/// `kNext` builds what a cell holds.
+template <GridShape kShape, uint32_t (*kNext)(Build &, Voxel), typename Visit>
+void for_each_cell(Build &build, Voxel low, Voxel cell, int height, Visit &visit) {
+  constexpr int kLog2Cell = kShape.log2_cell;
+  constexpr bool kCellsAreVoxels = kNext == construct_voxel;
+  const Voxel corner = {low.x + (cell.x << kLog2Cell), low.y + (cell.y << kLog2Cell),
+                        low.z + (cell.z << kLog2Cell)};
+  if (kShape.excludes(cell) || build.is_empty(corner, height + kLog2Cell))
+    return;
+  if ((height > 0 || kCellsAreVoxels) && build.is_part(height + kLog2Cell)) {
+    const Part part = build.take_part(corner);
+    for (uint64_t i = 0; i < part.cell_count; ++i)
+      visit(part.cells[i].cell, part.cells[i].value);
+  } else if (kCellsAreVoxels && height <= kLog2Brick) {
+    for_each_voxel<kShape>(build, corner, cell, height, visit);
+  } else if (height == 0) {
+    if (const uint32_t value = kNext(build, corner))
+      visit(cell, value);
+  } else {
+    for (int i = 0; i < 8; ++i)
+      for_each_cell<kShape, kNext>(build, low, child_low(cell, i, height - 1), height - 1, visit);
+  }
+}
+
+/// Hands over the cells of a grid that the aligned cube of 2^log2_side voxels a side at `corner` covers.
+template <GridShape kShape, uint32_t (*kNext)(Build &, Voxel)>
+void finish_cells(Build &build, Voxel corner, int log2_side) {
+  constexpr int kLog2Cell = kShape.log2_cell;
+  // A grid that is no cube is the only one of its level, and stands at the origin.
+  constexpr int kInside = (1 << (kShape.longest() + kLog2Cell)) - 1;
+  const Voxel cell = {(corner.x & kInside) >> kLog2Cell, (corner.y & kInside) >> kLog2Cell,
+                      (corner.z & kInside) >> kLog2Cell};
+  const Voxel low = {corner.x & ~kInside, corner.y & ~kInside, corner.z & ~kInside};
+  auto finish = [&](Voxel at, uint32_t value) { build.finish(PlacedCell{at, value}); };
+  for_each_cell<kShape, kNext>(build, low, cell, log2_side - kLog2Cell, finish);
+}
 
 /// True if eight children are leaves of one value, so that their parent is that leaf.
 inline bool are_equal_leaves(const Node (&children)[8]) {

@@ -1,42 +1,59 @@
-// Lowers each cell's distance to one more than that of its neighbour `stride` entries back, along an axis of 2^log2
-// cells, and then of its neighbour ahead.
-void sweep_level_N(uint32_t *grid, uint64_t stride, int log2) {
-  const auto lower = [&](uint64_t cell, uint64_t neighbour) {
-    // Never beyond the reach, so that adding 1 cannot wrap.
-    if (grid[2 * neighbour + 1] < LEVEL_N_REACH && grid[2 * neighbour + 1] + 1 < grid[2 * cell + 1])
-      grid[2 * cell + 1] = grid[2 * neighbour + 1] + 1;
-  };
-  const uint64_t cells = LEVEL_N_SIZE.cells();
-  const uint64_t length = uint64_t{1} << log2;
-  for (uint64_t cell = stride; cell < cells; ++cell)
-    if (cell / stride % length != 0)
-      lower(cell, cell - stride);
-  for (uint64_t cell = cells - stride; cell-- > 0;)
-    if (cell / stride % length != length - 1)
-      lower(cell, cell + stride);
+// Lowers the distances of a run of cells to at most one more than those of their neighbours.
+void lower_level_N(uint32_t *cells, const uint32_t *neighbours, uint64_t count) {
+  for (uint64_t i = 1; i < 2 * count; i += 2)
+    if (neighbours[i] < cells[i]) // So adding 1 cannot wrap.
+      cells[i] = neighbours[i] + 1;
 }
 
-// L1 distances are separable: two sweeps an axis make them exact up to the reach.
-void measure_level_N(uint32_t *grid) {
-  for (uint64_t cell = 0; cell < LEVEL_N_SIZE.cells(); ++cell)
-    grid[2 * cell + 1] = grid[2 * cell] != 0 ? 0 : LEVEL_N_REACH;
-  sweep_level_N(grid, 1, LEVEL_N_SIZE.x);
-  sweep_level_N(grid, uint64_t{1} << LEVEL_N_SIZE.x, LEVEL_N_SIZE.y);
-  sweep_level_N(grid, uint64_t{1} << (LEVEL_N_SIZE.x + LEVEL_N_SIZE.y), LEVEL_N_SIZE.z);
+// The distances within one plane of cells: a sweep forth and one back along x and along y.
+void measure_level_N_plane(uint32_t *plane) {
+  constexpr int kWidth = 1 << LEVEL_N_SHAPE.x;
+  constexpr int kHeight = 1 << LEVEL_N_SHAPE.y;
+  for (uint32_t *row = plane; row < plane + 2 * kWidth * kHeight; row += 2 * kWidth) {
+    for (int x = 0; x < kWidth; ++x)
+      row[2 * x + 1] = row[2 * x] != 0 ? 0 : LEVEL_N_REACH;
+    for (int x = 1; x < kWidth; ++x)
+      lower_level_N(row + 2 * x, row + 2 * (x - 1), 1);
+    for (int x = kWidth - 1; x > 0; --x)
+      lower_level_N(row + 2 * (x - 1), row + 2 * x, 1);
+  }
+  for (int y = 1; y < kHeight; ++y)
+    lower_level_N(plane + 2 * kWidth * y, plane + 2 * kWidth * (y - 1), kWidth);
+  for (int y = kHeight - 1; y > 0; --y)
+    lower_level_N(plane + 2 * kWidth * (y - 1), plane + 2 * kWidth * y, kWidth);
+}
+
+// L1 distances are separable: two sweeps an axis make them exact up to the reach. Plane after plane, there and
+// back, so that a grid may be larger than memory.
+void measure_level_N(Build &build, uint32_t *grid) {
+  constexpr uint64_t kPlane = uint64_t{1} << (LEVEL_N_SHAPE.x + LEVEL_N_SHAPE.y);
+  constexpr int kDepth = 1 << LEVEL_N_SHAPE.z;
+  for (int z = 0; z < kDepth; ++z) {
+    uint32_t *plane = grid + 2 * kPlane * static_cast<uint64_t>(z);
+    measure_level_N_plane(plane);
+    if (z > 0)
+      lower_level_N(plane, plane - 2 * kPlane, kPlane);
+    build.pause(4 * kPlane);
+  }
+  for (int z = kDepth - 1; z > 0; --z) {
+    uint32_t *plane = grid + 2 * kPlane * static_cast<uint64_t>(z);
+    lower_level_N(plane - 2 * kPlane, plane, kPlane);
+    build.pause(4 * kPlane);
+  }
 }
 
 uint32_t construct_level_N(Build &build, Voxel low) {
-  uint32_t *grid = nullptr; // Two words a cell: terminating integer, distance.
-  auto construct_cell = [&](GridCell cell) {
-    const uint32_t value = construct_NEXT(build, cell.low);
-    if (value != 0 && (grid || (grid = build.allocate(2 * LEVEL_N_SIZE.cells()))))
-      grid[2 * cell.index] = value;
+  const uint64_t words = 2 * LEVEL_N_SHAPE.cells(); // Two a cell: terminating integer, distance.
+  uint32_t *grid = nullptr;
+  auto place = [&](Voxel cell, uint32_t value) {
+    if (grid || (grid = build.allocate(N, words)))
+      grid[2 * LEVEL_N_SHAPE.index(cell)] = value;
   };
-  for_each_cell(build, low, LEVEL_N_SIZE, LEVEL_N_LOG2_CELL, {}, LEVEL_N_SIZE.longest(), construct_cell);
+  for_each_cell<LEVEL_N_SHAPE, construct_NEXT>(build, low, {}, LEVEL_N_SHAPE.longest(), place);
   if (!grid)
     return 0;
-  measure_level_N(grid);
-  const uint32_t offset = build.append(grid, 2 * LEVEL_N_SIZE.cells());
-  build.release(grid);
+  measure_level_N(build, grid);
+  const uint32_t offset = LEVEL_N_SHARES_GRIDS ? build.intern(N, grid, words) : build.append(N, grid, words);
+  build.release(N);
   return offset;
 }

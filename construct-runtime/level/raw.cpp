@@ -1,14 +1,14 @@
 uint32_t construct_level_N(Build &build, Voxel low) {
   uint32_t *grid = nullptr;
-  auto construct_cell = [&](GridCell cell) {
-    const uint32_t value = construct_NEXT(build, cell.low);
-    if (value != 0 && (grid || (grid = build.allocate(LEVEL_N_SIZE.cells()))))
-      grid[cell.index] = value;
+  auto place = [&](Voxel cell, uint32_t value) {
+    if (grid || (grid = build.allocate(N, LEVEL_N_SHAPE.cells())))
+      grid[LEVEL_N_SHAPE.index(cell)] = value;
   };
-  for_each_cell(build, low, LEVEL_N_SIZE, LEVEL_N_LOG2_CELL, {}, LEVEL_N_SIZE.longest(), construct_cell);
+  for_each_cell<LEVEL_N_SHAPE, construct_NEXT>(build, low, {}, LEVEL_N_SHAPE.longest(), place);
   if (!grid)
     return 0;
-  const uint32_t offset = build.append(grid, LEVEL_N_SIZE.cells());
-  build.release(grid);
+  const uint64_t words = LEVEL_N_SHAPE.cells();
+  const uint32_t offset = LEVEL_N_SHARES_GRIDS ? build.intern(N, grid, words) : build.append(N, grid, words);
+  build.release(N);
   return offset;
 }

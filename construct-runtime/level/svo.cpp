@@ -10,11 +10,11 @@ Node write_level_N_node(Build &build, const Node (&children)[8]) {
     block[words++] = child.value;
     block[words++] = child.masks;
   }
-  return words == 0 ? Node{} : Node{Node::Inner, build.append(block, words), masks_of(children)};
+  return words == 0 ? Node{} : Node{Node::Inner, build.append(N, block, words), masks_of(children)};
 }
 
 uint32_t construct_level_N(Build &build, Voxel low) {
   const Node root = construct_level_N_node(build, low, LEVEL_N_DEPTH);
   const uint32_t words[2] = {root.value, root.masks};
-  return root.kind == Node::Empty ? 0 : build.append(words, 2);
+  return root.kind == Node::Empty ? 0 : build.append(N, words, 2);
 }

@@ -1,16 +1,19 @@
 // Building volumes: emit, compile, run.
 #include "voxc/Construct/Constructor.h"
 
-#include "BuildHost.h"
+#include "FragmentSet.h"
 #include "Jit.h"
+#include "ParallelParts.h"
+#include "SourceHost.h"
+#include "VolumeBuild.h"
 
 #include "voxc/Emit/Emit.h"
 #include "voxc/Support/Stopwatch.h"
 
+#include <algorithm>
+
 namespace voxc {
 namespace {
-
-using ConstructFunction = std::uint32_t (*)(const construct::Host *);
 
 Expected<void> checkFits(Int3 extent, const Format &format) {
   const Int3 limit = format.extent();
@@ -28,7 +31,7 @@ Expected<void> checkFits(Int3 extent, const Format &format) {
 struct Constructor::State {
   Format format;
   JitCode code;
-  ConstructFunction function;
+  ConstructCode functions;
   double compileSeconds;
 };
 
@@ -44,37 +47,139 @@ Expected<Constructor> Constructor::compile(const Format &format) {
   auto code = JitCode::compile({{"construct.cpp", text}, {"voxc_construct.h", constructHeader()}});
   if (!code)
     return code.error();
-  auto address = code->find("voxc_construct");
-  if (!address)
-    return address.error();
-  const auto function = reinterpret_cast<ConstructFunction>(*address);
+  auto whole = code->find("voxc_construct");
+  auto part = code->find("voxc_construct_part");
+  if (!whole || !part)
+    return whole ? part.error() : whole.error();
+  const ConstructCode functions = {reinterpret_cast<decltype(ConstructCode::whole)>(*whole),
+                                   reinterpret_cast<decltype(ConstructCode::part)>(*part)};
   return Constructor(
-      std::make_unique<State>(State{storageFormat(format), std::move(*code), function, watch.seconds()}));
+      std::make_unique<State>(State{storageFormat(format), std::move(*code), functions, watch.seconds()}));
 }
 
-Expected<Built> Constructor::build(VoxelSource &source, const BuildOptions &options) const {
-  if (auto fits = checkFits(source.extent(), state_->format); !fits)
-    return fits.error();
-  const Stopwatch watch;
-  BuildHost host(source, state_->format, options.progress);
+namespace {
+
+BuildOptions withMemory(BuildOptions options) {
+  if (!options.memory)
+    options.memory = WorkingMemory::createDefault();
+  return options;
+}
+
+VolumeInfo infoOf(const VoxelSource &source, const Format &format, const BuildOptions &options) {
+  return {format, source.extent(), source.voxelToModel(), 0, options.provenance};
+}
+
+Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const Format &format,
+                           const BuildOptions &options) {
+  auto build = VolumeBuild::start(infoOf(source, format, options), options);
+  if (!build)
+    return build.error();
+  SourceHost host(source, (*build)->store(), format.levels.size(), options.progress);
   const construct::Host interface = host.interface();
-  const std::uint32_t root = state_->function(&interface);
-  if (host.failure())
-    return *host.failure();
+  const std::uint32_t root = code.whole(&interface);
   if (auto error = source.failure())
     return *error;
-  options.progress.at("build", 1.0);
+  return (*build)->finish(root, host.voxels(), host);
+}
 
-  VolumeInfo info;
-  info.format = state_->format;
-  info.extent = source.extent();
-  info.voxelToModel = source.voxelToModel();
-  info.voxels = host.voxels();
-  info.provenance = options.provenance;
-  BuildReport report{0, host.voxels(), host.uniqueNodes(), host.sharedNodes()};
-  Volume volume(std::move(info), host.takeWords(root));
+/// Joins the parts of a stream to a volume.
+Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, const ConstructCode &code,
+                          const BuildOptions &options) {
+  const Format format = info.format;
+  const Int3 extent = info.extent;
+  auto build = VolumeBuild::start(std::move(info), options);
+  if (!build)
+    return build.error();
+  MergeHost host(parts, log2Part, format, extent, (*build)->store(), options.progress);
+  const construct::Host interface = host.interface();
+  const std::uint32_t root = code.whole(&interface);
+  if (!(*build)->store().failure() && parts.next())
+    return Error::input("a part lies where the format has no voxels");
+  auto built = (*build)->finish(root, host.voxels(), host);
+  for (std::size_t i = 1; built && i < host.sharedInParts().size(); ++i)
+    built->report.levels[i - 1].sharedNodes += host.sharedInParts()[i];
+  return built;
+}
+
+} // namespace
+
+Expected<Built> Constructor::build(VoxelSource &source, const BuildOptions &given) const {
+  const BuildOptions options = withMemory(given);
+  const Format &format = state_->format;
+  if (auto fits = checkFits(source.extent(), format); !fits)
+    return fits.error();
+  const double readBefore = source.readSeconds();
+  const PartGrid grid = PartGrid::of(source, format);
+  const auto build = [&]() -> Expected<Built> {
+    if (options.threads <= 1 || grid.count() == 1 || !source.view())
+      return buildWhole(source, state_->functions, format, options);
+    auto parts = ParallelParts::start(source, state_->functions, format, grid, 0, grid.count(),
+                                      options.threads, options.memory, options.progress.stop);
+    if (!parts)
+      return parts.error();
+    return joinParts(**parts, grid.log2Side, infoOf(source, format, options), state_->functions, options);
+  };
+  auto built = build();
+  if (built)
+    built->report.readSeconds = source.readSeconds() - readBefore;
+  return built;
+}
+
+Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint64_t index,
+                                                 std::uint64_t count, const std::string &path,
+                                                 const BuildOptions &given) const {
+  const Stopwatch watch;
+  const BuildOptions options = withMemory(given);
+  const Format &format = state_->format;
+  if (auto fits = checkFits(source.extent(), format); !fits)
+    return fits.error();
+  const PartGrid grid = PartGrid::of(source, format);
+  const auto [begin, end] = grid.range(index, count);
+  auto writer = FragmentWriter::create(path, {infoOf(source, format, options), grid.log2Side, index, count});
+  if (!writer)
+    return writer.error();
+  auto parts = ParallelParts::start(source, state_->functions, format, grid, begin, end,
+                                    std::max(options.threads, 1u), options.memory, options.progress.stop);
+  if (!parts)
+    return parts.error();
+  BuildReport report;
+  MortonProgress progress(source.extent(), options.progress);
+  while (const auto low = (*parts)->next()) {
+    auto fragment = (*parts)->take();
+    if (!fragment)
+      return fragment.error();
+    if (auto added = writer->add(*fragment); !added)
+      return added.error();
+    report.voxels += fragment->voxels;
+    if (!progress.at(*low, report.voxels))
+      return Error::interrupted();
+  }
+  if (auto finished = writer->finish(); !finished)
+    return finished.error();
+  report.readSeconds = source.readSeconds();
+  report.scratchBytes = options.memory->scratchPeak();
   report.seconds = watch.seconds();
-  return Built{std::move(volume), report};
+  report.cpuSeconds = watch.cpuSeconds();
+  return report;
+}
+
+Expected<Built> Constructor::merge(const std::vector<std::string> &paths, const BuildOptions &given) const {
+  const BuildOptions options = withMemory(given);
+  auto fragments = FragmentSet::open(paths, options.memory);
+  if (!fragments)
+    return fragments.error();
+  const FragmentInfo &info = fragments->info();
+  if (info.volume.format != state_->format)
+    return Error::input("the fragments are of the format " + toString(info.volume.format) + ", not " +
+                        toString(state_->format));
+  return joinParts(*fragments, info.log2Side, info.volume, state_->functions, options);
+}
+
+Expected<Format> formatOfFragment(const std::string &path) {
+  auto reader = FragmentReader::open(path);
+  if (!reader)
+    return reader.error();
+  return reader->info().volume.format;
 }
 
 } // namespace voxc

@@ -1,4 +1,4 @@
-// An open-addressing hash table with linear probing, at most half full.
+// An open-addressing hash table with linear probing, at most three quarters full.
 #include "NodeMap.h"
 
 #include <algorithm>
@@ -10,60 +10,95 @@
 namespace voxc {
 namespace {
 
-std::uint64_t hashOf(std::span<const std::uint32_t> node) {
-  return XXH3_64bits(node.data(), node.size_bytes());
-}
+constexpr std::uint64_t kEntriesBetweenRelief = 1024;
 
-std::uint16_t tagOf(std::uint64_t hash) { return static_cast<std::uint16_t>(hash >> 48); }
+bool isAt(std::span<const std::uint32_t> node, std::span<const std::uint32_t> written, std::uint32_t offset) {
+  return node.size() <= written.size() - offset &&
+         std::equal(node.begin(), node.end(), written.begin() + offset);
+}
 
 } // namespace
 
-std::optional<std::uint32_t> NodeMap::find(std::span<const std::uint32_t> node,
-                                           const std::vector<std::uint32_t> &written) const {
-  if (entries_.empty())
+std::uint32_t NodeMap::hashOf(std::span<const std::uint32_t> node) {
+  return static_cast<std::uint32_t>(XXH3_64bits(node.data(), node.size_bytes()) >> 32);
+}
+
+std::uint32_t NodeMap::hashOf(std::uint32_t word) {
+  // Each step can be undone, so that different words stay different.
+  word ^= word >> 16;
+  word *= 0x85ebca6bu;
+  word ^= word >> 13;
+  word *= 0xc2b2ae35u;
+  return word ^ word >> 16;
+}
+
+std::optional<std::uint32_t> NodeMap::find(std::uint32_t hash) const {
+  if (used_ == 0)
     return std::nullopt;
-  const std::uint64_t hash = hashOf(node);
-  const std::size_t mask = entries_.size() - 1;
-  for (std::size_t at = hash & mask; entries_[at].length != 0; at = (at + 1) & mask) {
-    const Entry &entry = entries_[at];
-    if (entry.tag == tagOf(hash) && entry.length == node.size() &&
-        std::equal(node.begin(), node.end(), written.begin() + entry.offset))
-      return entry.offset;
-  }
+  const Entry *entries = entries_.data();
+  const std::uint64_t mask = (std::uint64_t{1} << log2Size_) - 1;
+  for (std::uint64_t at = home(hash); entries[at].offset != 0; at = (at + 1) & mask)
+    if (entries[at].hash == hash)
+      return entries[at].offset;
   return std::nullopt;
 }
 
-void NodeMap::insert(std::span<const std::uint32_t> node, std::uint32_t offset) {
-  if (2 * (used_.size() + 1) > entries_.size())
-    grow();
-  const std::uint64_t hash = hashOf(node);
-  place(hash, {offset, tagOf(hash), static_cast<std::uint8_t>(node.size()), 0});
+std::optional<std::uint32_t> NodeMap::find(std::uint32_t hash, std::span<const std::uint32_t> node,
+                                           std::span<const std::uint32_t> written) const {
+  if (used_ == 0)
+    return std::nullopt;
+  const Entry *entries = entries_.data();
+  const std::uint64_t mask = (std::uint64_t{1} << log2Size_) - 1;
+  for (std::uint64_t at = home(hash); entries[at].offset != 0; at = (at + 1) & mask)
+    if (entries[at].hash == hash && isAt(node, written, entries[at].offset))
+      return entries[at].offset;
+  return std::nullopt;
+}
+
+Expected<void> NodeMap::insert(std::uint32_t hash, std::uint32_t offset) {
+  if (log2Size_ == 0 || 4 * (used_ + 1) > std::uint64_t{3} << log2Size_)
+    if (auto grown = grow(); !grown)
+      return grown;
+  place({offset, hash});
+  return {};
 }
 
 void NodeMap::clear() {
-  for (const std::uint32_t at : used_)
-    entries_[at] = {};
-  used_.clear();
+  if (used_ == 0)
+    return;
+  std::fill_n(entries_.data(), std::uint64_t{1} << log2Size_, Entry{});
+  // A table much larger than what was in it is used in part from now on, so that clearing costs what there
+  // was.
+  while (log2Size_ > kLog2Smallest && std::uint64_t{1} << log2Size_ > 8 * used_)
+    --log2Size_;
+  used_ = 0;
 }
 
-void NodeMap::place(std::uint64_t hash, const Entry &entry) {
-  const std::size_t mask = entries_.size() - 1;
-  std::size_t at = hash & mask;
-  while (entries_[at].length != 0)
+Expected<void> NodeMap::grow() {
+  ScratchArray<Entry> larger(memory_);
+  const int log2Size = std::max(log2Size_ + 1, kLog2Smallest);
+  if (auto resized = larger.resize(std::uint64_t{1} << log2Size); !resized)
+    return resized;
+  const std::uint64_t size = used_ == 0 ? 0 : std::uint64_t{1} << log2Size_;
+  std::swap(entries_, larger);
+  log2Size_ = log2Size;
+  used_ = 0;
+  for (std::uint64_t i = 0; i < size; ++i) {
+    if (larger[i].offset != 0)
+      place(larger[i]);
+    if (i % kEntriesBetweenRelief == 0)
+      memory_->relieve();
+  }
+  return {};
+}
+
+void NodeMap::place(Entry entry) {
+  const std::uint64_t mask = (std::uint64_t{1} << log2Size_) - 1;
+  std::uint64_t at = home(entry.hash);
+  while (entries_[at].offset != 0)
     at = (at + 1) & mask;
   entries_[at] = entry;
-  hashes_[at] = hash;
-  used_.push_back(static_cast<std::uint32_t>(at));
-}
-
-void NodeMap::grow() {
-  const std::size_t size = std::max<std::size_t>(64, 2 * entries_.size());
-  const std::vector<Entry> entries = std::exchange(entries_, std::vector<Entry>(size));
-  const std::vector<std::uint64_t> hashes = std::exchange(hashes_, std::vector<std::uint64_t>(size));
-  const std::vector<std::uint32_t> used = std::exchange(used_, {});
-  used_.reserve(size / 2);
-  for (const std::uint32_t at : used)
-    place(hashes[at], entries[at]);
+  ++used_;
 }
 
 } // namespace voxc

@@ -1,41 +1,57 @@
-// Finding a node that was written before: a flat hash table over the words of the volume itself.
+// Finding words that were written before: a flat hash table over the words of the volume itself.
 #pragma once
 
+#include "voxc/Support/WorkingMemory.h"
+
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace voxc {
 
-/// Maps the contents of nodes to their offsets. Entries hold no copy of a node, only where it lies; a leaf (1
-/// word) and an inner node (2 to 9) differ in length, which is part of the key.
+/// Maps the contents of nodes to their offsets. An entry is eight bytes, half of them bits of the hash; it
+/// holds no copy of a node, only where it lies. No node of a map may be the beginning of another one: nodes
+/// whose first word tells their length satisfy that, and so do nodes of one length.
 class NodeMap {
 public:
-  /// The offset of a node with these contents, if one is known. `written` are the volume's words so far.
-  std::optional<std::uint32_t> find(std::span<const std::uint32_t> node,
-                                    const std::vector<std::uint32_t> &written) const;
+  explicit NodeMap(const std::shared_ptr<WorkingMemory> &memory) : memory_(memory), entries_(memory) {}
 
-  /// Adds a node that `find` did not find, which lies at `offset`.
-  void insert(std::span<const std::uint32_t> node, std::uint32_t offset);
+  static std::uint32_t hashOf(std::span<const std::uint32_t> node);
+  /// A hash of one word that no other word has.
+  static std::uint32_t hashOf(std::uint32_t word);
 
-  /// Forgets all nodes; keeps the memory.
+  /// The offset of a node with these contents and this hash, if one is known; `written` are the volume's
+  /// words.
+  std::optional<std::uint32_t> find(std::uint32_t hash, std::span<const std::uint32_t> node,
+                                    std::span<const std::uint32_t> written) const;
+
+  /// The same in a map of single words, each with the hash of its own.
+  std::optional<std::uint32_t> find(std::uint32_t hash) const;
+
+  /// Adds a node that `find` did not find, which lies at `offset` (not 0). Error: no memory.
+  Expected<void> insert(std::uint32_t hash, std::uint32_t offset);
+
+  /// Forgets all nodes, at the cost of what there were.
   void clear();
 
 private:
   struct Entry {
-    std::uint32_t offset;
-    std::uint16_t tag;   ///< Bits of the hash, compared before the words.
-    std::uint8_t length; ///< In words; 0 marks a free entry.
-    std::uint8_t reserved;
+    std::uint32_t offset; ///< 0: free.
+    std::uint32_t hash;
   };
 
-  void grow();
-  void place(std::uint64_t hash, const Entry &entry);
+  /// Where the search for a hash begins: its high bits, so that growing keeps the order of the entries.
+  std::uint64_t home(std::uint32_t hash) const { return hash >> (32 - log2Size_); }
+  void place(Entry entry);
+  Expected<void> grow();
 
-  std::vector<Entry> entries_;
-  std::vector<std::uint64_t> hashes_; ///< Of the entries, so that growing need not read the volume.
-  std::vector<std::uint32_t> used_;   ///< Places in use, so that clearing costs what was inserted.
+  static constexpr int kLog2Smallest = 6;
+
+  std::shared_ptr<WorkingMemory> memory_;
+  ScratchArray<Entry> entries_;
+  int log2Size_ = 0; ///< 0: no table yet.
+  std::uint64_t used_ = 0;
 };
 
 } // namespace voxc

@@ -107,7 +107,7 @@ private:
     if (found == attributes.end()) {
       const std::string known = listed(attributes, [](const AttributeKind *kind) { return kind->name; });
       diagnostics_.error(name.range, quoted(name) + " is no attribute of " + std::string(level.kind->name) +
-                                         (known.empty() ? "; it has none" : "; it has " + known));
+                                         "; it has " + known);
       return false;
     }
     if (!expect('='))

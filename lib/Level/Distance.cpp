@@ -12,6 +12,8 @@ constexpr std::array<ParameterKind, 4> kParameters = {{
     {"M", ParameterRole::Reach, "the largest distance stored, in cells"},
 }};
 
+constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
+
 Lookup lookup(const WordReader &words, const Level &level, std::uint32_t offset, Int3 cell) {
   return {words[offset + 2 * cellIndex(level.log2Size(), cell)], 0};
 }
@@ -36,6 +38,11 @@ void walk(WordReader &words, const Level &level, std::uint32_t offset, SubVolume
     if (words[at] != 0 && !visitor.done())
       visitor.cells({cell, 0}, words[at]);
   });
+  visitor.leaveNode();
+}
+
+bool relocate(std::span<std::uint32_t> words, bool holdsVoxels, std::span<const std::uint32_t> newOffsets) {
+  return relocateCells(words, 2, holdsVoxels, newOffsets);
 }
 
 } // namespace
@@ -47,8 +54,9 @@ const LevelKind kDistance = {'D',
                              Arrangement::Grid,
                              2,
                              kParameters,
-                             {},
+                             kAttributes,
                              lookup,
-                             walk};
+                             walk,
+                             relocate};
 
 } // namespace voxc

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace voxc {
@@ -51,6 +52,21 @@ inline std::uint64_t cellIndex(Int3 log2Size, Int3 cell) {
   return static_cast<std::uint64_t>(cell.x) +
          ((static_cast<std::uint64_t>(cell.y) + (static_cast<std::uint64_t>(cell.z) << log2Size.y))
           << log2Size.x);
+}
+
+/// Replaces a pointer by its new offset. False if there is none.
+inline bool relocatePointer(std::uint32_t &pointer, std::span<const std::uint32_t> newOffsets) {
+  pointer = pointer < newOffsets.size() ? newOffsets[pointer] : 0;
+  return pointer != 0;
+}
+
+/// The same for the terminating integers of a grid, `step` words apart; 0 is an empty cell and stays.
+inline bool relocateCells(std::span<std::uint32_t> words, std::size_t step, bool holdsVoxels,
+                          std::span<const std::uint32_t> newOffsets) {
+  for (std::size_t i = 0; i < words.size() && !holdsVoxels; i += step)
+    if (words[i] != 0 && !relocatePointer(words[i], newOffsets))
+      return false;
+  return true;
 }
 
 /// Visits the cells of a grid of log2 size in Morton order; aligned cubes outside the grid are never entered.

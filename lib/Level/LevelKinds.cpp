@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<const LevelKind *, 4> kKinds = {&kRaw, &kDistance, &kSvo, &kSvdag};
 
 constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
+constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
 constexpr std::array<std::string_view, 2> kWalkValues = {"stack", "restart"};
 
 } // namespace
@@ -16,6 +17,10 @@ constexpr std::array<std::string_view, 2> kWalkValues = {"stack", "restart"};
 const AttributeKind kDedupAttribute = {
     "dedup", AttributeEffect::Storage, kDedupValues,
     "which equal nodes share storage: those of one sub-volume, or of the whole level"};
+
+const AttributeKind kShareAttribute = {
+    "share", AttributeEffect::Storage, kShareValues,
+    "which equal sub-volumes of grids share storage: none, or those of the whole level"};
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,

@@ -10,6 +10,8 @@ constexpr std::array<ParameterKind, 3> kParameters = {{
     {"D", ParameterRole::Depth, "log2 of the cells along z"},
 }};
 
+constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
+
 Lookup lookup(const WordReader &words, const Level &level, std::uint32_t offset, Int3 cell) {
   return {words[offset + cellIndex(level.log2Size(), cell)], 0};
 }
@@ -25,6 +27,11 @@ void walk(WordReader &words, const Level &level, std::uint32_t offset, SubVolume
     if (value != 0 && !visitor.done())
       visitor.cells({cell, 0}, value);
   });
+  visitor.leaveNode();
+}
+
+bool relocate(std::span<std::uint32_t> words, bool holdsVoxels, std::span<const std::uint32_t> newOffsets) {
+  return relocateCells(words, 1, holdsVoxels, newOffsets);
 }
 
 } // namespace
@@ -36,8 +43,9 @@ const LevelKind kRaw = {'R',
                         Arrangement::Grid,
                         1,
                         kParameters,
-                        {},
+                        kAttributes,
                         lookup,
-                        walk};
+                        walk,
+                        relocate};
 
 } // namespace voxc

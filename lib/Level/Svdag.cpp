@@ -24,6 +24,13 @@ struct SvdagLayout {
   }
 };
 
+bool relocate(std::span<std::uint32_t> words, bool holdsVoxels, std::span<const std::uint32_t> newOffsets) {
+  if (words.size() == 1)
+    return holdsVoxels || relocatePointer(words[0], newOffsets);
+  return std::ranges::all_of(words.subspan(1),
+                             [&](std::uint32_t &child) { return relocatePointer(child, newOffsets); });
+}
+
 } // namespace
 
 const LevelKind kSvdag = {'G',
@@ -35,6 +42,7 @@ const LevelKind kSvdag = {'G',
                           kParameters,
                           kAttributes,
                           lookupTree<SvdagLayout>,
-                          walkTree<SvdagLayout>};
+                          walkTree<SvdagLayout>,
+                          relocate};
 
 } // namespace voxc

@@ -23,6 +23,14 @@ struct SvoLayout {
   }
 };
 
+/// Siblings are pairs of a value and masks: without masks, the value is a terminating integer.
+bool relocate(std::span<std::uint32_t> words, bool holdsVoxels, std::span<const std::uint32_t> newOffsets) {
+  for (std::size_t i = 0; i + 1 < words.size(); i += 2)
+    if (!(words[i + 1] == 0 && holdsVoxels) && !relocatePointer(words[i], newOffsets))
+      return false;
+  return true;
+}
+
 } // namespace
 
 const LevelKind kSvo = {'S',
@@ -34,6 +42,7 @@ const LevelKind kSvo = {'S',
                         kParameters,
                         kAttributes,
                         lookupTree<SvoLayout>,
-                        walkTree<SvoLayout>};
+                        walkTree<SvoLayout>,
+                        relocate};
 
 } // namespace voxc

@@ -61,6 +61,7 @@ private:
       else if (at.log2Side > 0)
         inner(childNode, at);
     }
+    visitor_.leaveNode();
   }
 
   WordReader &words_;

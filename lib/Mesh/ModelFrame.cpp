@@ -45,12 +45,12 @@ int largestResolution(const Double3 &size, double longest, Int3 max) {
 
 } // namespace
 
-void BoundsBuilder::add(const Float3 &point) {
+void BoundsBuilder::add(const Double3 &point) {
   if (!bounds_)
-    bounds_ = {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}};
+    bounds_ = {point, point};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    bounds_->low[axis] = std::min<double>(bounds_->low[axis], point[axis]);
-    bounds_->high[axis] = std::max<double>(bounds_->high[axis], point[axis]);
+    bounds_->low[axis] = std::min(bounds_->low[axis], point[axis]);
+    bounds_->high[axis] = std::max(bounds_->high[axis], point[axis]);
   }
 }
 
@@ -80,8 +80,8 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
   return frame;
 }
 
-Double3 ModelFrame::toVoxels(const Float3 &point) const {
-  Double3 voxel = turned({point[0], point[1], point[2]}, zUp_);
+Double3 ModelFrame::toVoxels(const Double3 &point) const {
+  Double3 voxel = turned(point, zUp_);
   for (std::size_t axis = 0; axis < 3; ++axis)
     voxel[axis] = (voxel[axis] - origin_[axis]) * scale_;
   return voxel;

@@ -1,7 +1,6 @@
 // Where voxel space lies in a model: the turn, the scale and the low corner that meshes and points share.
 #pragma once
 
-#include "voxc/Mesh/TriangleMesh.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 
@@ -10,6 +9,7 @@
 
 namespace voxc {
 
+using Float3 = std::array<float, 3>;
 using Double3 = std::array<double, 3>;
 
 /// A box of points, in model units.
@@ -21,7 +21,8 @@ struct Bounds {
 /// Grows box by box and point by point.
 class BoundsBuilder {
 public:
-  void add(const Float3 &point);
+  void add(const Double3 &point);
+  void add(const Float3 &point) { add(Double3{point[0], point[1], point[2]}); }
   /// Nothing if no point was added.
   const std::optional<Bounds> &bounds() const { return bounds_; }
 
@@ -48,7 +49,8 @@ public:
   /// Voxels a model unit.
   double scale() const { return scale_; }
   /// A point in voxels. Its error is below 2^-50 of its largest coordinate.
-  Double3 toVoxels(const Float3 &point) const;
+  Double3 toVoxels(const Double3 &point) const;
+  Double3 toVoxels(const Float3 &point) const { return toVoxels(Double3{point[0], point[1], point[2]}); }
   /// The inverse map, of points in voxels to model units.
   Transform voxelToModel() const;
 

@@ -17,4 +17,9 @@ inline std::string pathEnding(std::string_view path) {
   return ending;
 }
 
+/// The folder of a path, with a slash at its end; empty if it names none.
+inline std::string folderOf(std::string_view path) {
+  return std::string(path.substr(0, path.find_last_of('/') + 1));
+}
+
 } // namespace voxc

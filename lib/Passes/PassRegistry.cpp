@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 3> kPasses = {{
+constexpr std::array<Pass, 4> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
@@ -15,6 +15,11 @@ constexpr std::array<Pass, 3> kPasses = {{
      "parents, so that equal nodes, roots included, are stored once. Unchanged where no level but the first "
      "is a G.",
      wholeLevelDedup},
+    {"share-grids", AttributeEffect::Storage, "store equal sub-volumes of an R or D level once",
+     "Without it, each sub-volume of a grid level is written where it comes. With it, one whose words the "
+     "level "
+     "has written already is pointed to instead. Unchanged where no level but the first is an R or a D.",
+     shareGrids},
     {"restart-sv", AttributeEffect::Walk,
      "walk octrees and DAGs from the root at each lookup, without a stack",
      "The stack walk keeps the nodes above the current cell. Restarting keeps nothing and descends from the "

@@ -13,9 +13,12 @@ Descent descentOf(const Level &level) {
 }
 
 Sharing sharingOf(const Level &level) {
-  for (const AttributeKind *attribute : level.kind->attributes)
+  for (const AttributeKind *attribute : level.kind->attributes) {
     if (attribute == &kDedupAttribute)
       return level.attribute(kDedupAttribute) == "level" ? Sharing::Level : Sharing::SubVolume;
+    if (attribute == &kShareAttribute)
+      return level.attribute(kShareAttribute) == "level" ? Sharing::Level : Sharing::None;
+  }
   return Sharing::None;
 }
 

@@ -19,6 +19,14 @@ public:
 
   Int3 extent() const override { return extent_; }
   Transform voxelToModel() const override { return source_->voxelToModel(); }
+  int log2Chunk() const override { return source_->log2Chunk(); }
+  double readSeconds() const override { return source_->readSeconds(); }
+
+  std::unique_ptr<VoxelSource> view() const override {
+    auto view = source_->view();
+    return view ? clip(std::move(view), extent_) : nullptr;
+  }
+
   std::optional<Error> failure() const override { return source_->failure(); }
 
   bool empty(const Cube &cube) override { return isOutside(cube, extent_) || source_->empty(cube); }

@@ -28,11 +28,13 @@ void readRow(const Volume &volume, Int3 cell, std::vector<std::uint32_t> &row) {
 }
 
 /// Words as they lie in memory, which is little-endian on every machine that voxc runs on.
-Expected<void> writeGrid(const Volume &volume, OutputFile &file) {
+Expected<void> writeGrid(const Volume &volume, OutputFile &file, const Progress &progress) {
   const Int3 extent = volume.info().extent;
   std::vector<std::uint32_t> row(static_cast<std::size_t>(extent.x));
   for (Int3 cell; cell.z < extent.z; ++cell.z)
     for (cell.y = 0; cell.y < extent.y; ++cell.y) {
+      if (progress.stopped())
+        return Error::interrupted();
       readRow(volume, cell, row);
       if (auto written = file.write(row.data(), row.size() * sizeof row[0]); !written)
         return written;
@@ -40,17 +42,10 @@ Expected<void> writeGrid(const Volume &volume, OutputFile &file) {
   return {};
 }
 
-/// Refuses a grid that does not fit on the disk before filling it.
-Expected<void> checkGridSize(const Volume &volume, const std::string &path) {
+std::uint64_t gridSize(const Volume &volume) {
   const Int3 extent = volume.info().extent;
-  const std::uint64_t cells = static_cast<std::uint64_t>(extent.x) * static_cast<std::uint64_t>(extent.y) *
-                              static_cast<std::uint64_t>(extent.z);
-  std::error_code unknown;
-  const auto space = std::filesystem::space(std::filesystem::absolute(path).parent_path(), unknown);
-  if (unknown || cells <= space.available / 4)
-    return {};
-  return Error::environment("a grid of " + std::to_string(cells) + " cells of 4 bytes does not fit beside '" +
-                            path + "', where " + std::to_string(space.available) + " bytes are free");
+  return static_cast<std::uint64_t>(extent.x) * static_cast<std::uint64_t>(extent.y) *
+         static_cast<std::uint64_t>(extent.z);
 }
 
 struct PlyPoint {
@@ -59,46 +54,79 @@ struct PlyPoint {
 };
 static_assert(sizeof(PlyPoint) == 16);
 
-Expected<void> writePoints(const Volume &volume, OutputFile &file) {
+/// The cells of a cube that lie in [0, extent).
+std::uint64_t cellsWithin(const Cube &cube, Int3 extent) {
+  std::uint64_t cells = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t end = std::min<std::int64_t>(cube.low[axis] + cube.side(), extent[axis]);
+    cells *= static_cast<std::uint64_t>(std::max<std::int64_t>(end - cube.low[axis], 0));
+  }
+  return cells;
+}
+
+Expected<void> writePoints(const Volume &volume, OutputFile &file, const Progress &progress) {
   std::uint64_t count = 0;
-  forEachVoxel(volume, [&](Int3, std::uint32_t) { ++count; });
+  const auto add = [&](const Cube &cube, std::uint32_t) {
+    count += cellsWithin(cube, volume.info().extent);
+    return true;
+  };
+  if (auto counted = decode(volume, add, progress); !counted)
+    return counted;
   const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
                              "\nproperty int x\nproperty int y\nproperty int z\nproperty uchar red\n"
                              "property uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n";
-  Expected<void> result = file.write(header.data(), header.size());
-  forEachVoxel(volume, [&](Int3 voxel, std::uint32_t word) {
+  Expected<void> written = file.write(header.data(), header.size());
+  const auto write = [&](Int3 voxel, std::uint32_t word) {
     const PlyPoint point{{voxel.x, voxel.y, voxel.z}, word};
-    if (result)
-      result = file.write(&point, sizeof point);
-  });
-  return result;
+    written = file.write(&point, sizeof point);
+    return bool(written);
+  };
+  if (!written)
+    return written;
+  if (auto visited = forEachVoxel(volume, progress, write); !visited)
+    return visited;
+  return written;
 }
 
-Expected<void> fitsAnywhere(const Volume &, const std::string &) { return {}; }
+std::uint64_t voxelCount(const Volume &volume) { return volume.info().voxels; }
 
 struct ExportKind {
   std::string_view ending;
-  Expected<void> (*check)(const Volume &volume, const std::string &path);
-  Expected<void> (*write)(const Volume &volume, OutputFile &file);
+  const char *unit;        ///< What the file is made of,
+  std::uint64_t bytesEach; ///< and how large each of them is.
+  std::uint64_t (*count)(const Volume &volume);
+  Expected<void> (*write)(const Volume &volume, OutputFile &file, const Progress &progress);
 };
 
-constexpr std::array<ExportKind, 3> kKinds{{{".raw", checkGridSize, writeGrid},
-                                            {".ply", fitsAnywhere, writePoints},
-                                            {".vox", fitsAnywhere, writeMagicaVoxel}}};
+constexpr std::array<ExportKind, 3> kKinds{{{".raw", "cells", 4, gridSize, writeGrid},
+                                            {".ply", "points", sizeof(PlyPoint), voxelCount, writePoints},
+                                            {".vox", "voxels", 4, voxelCount, writeMagicaVoxel}}};
+
+/// Refuses what does not fit on the disk before filling it: a small volume may stand for 2^63 voxels.
+Expected<void> checkSpace(const ExportKind &kind, const Volume &volume, const std::string &path) {
+  const std::uint64_t count = kind.count(volume);
+  std::error_code unknown;
+  const auto space = std::filesystem::space(std::filesystem::absolute(path).parent_path(), unknown);
+  if (unknown || count <= space.available / kind.bytesEach)
+    return {};
+  return Error::environment(std::to_string(count) + " " + kind.unit + " of " +
+                            std::to_string(kind.bytesEach) + " bytes do not fit beside '" + path +
+                            "', where " + std::to_string(space.available) + " bytes are free");
+}
 
 } // namespace
 
-Expected<void> exportVoxels(const Volume &volume, const std::string &path) {
+Expected<void> exportVoxels(const Volume &volume, const std::string &path, const Progress &progress) {
   const std::string ending = pathEnding(path);
   for (const ExportKind &kind : kKinds) {
     if (kind.ending != ending)
       continue;
-    if (auto checked = kind.check(volume, path); !checked)
+    if (auto checked = checkSpace(kind, volume, path); !checked)
       return checked;
     auto file = OutputFile::create(path);
     if (!file)
       return file.error();
-    if (auto written = kind.write(volume, *file); !written)
+    if (auto written = kind.write(volume, *file, progress); !written)
       return written;
     return file->commit();
   }

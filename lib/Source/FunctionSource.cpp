@@ -17,6 +17,10 @@ public:
 
   Int3 extent() const override { return extent_; }
 
+  std::unique_ptr<VoxelSource> view() const override {
+    return std::make_unique<FunctionSource>(extent_, voxel_, empty_);
+  }
+
   bool empty(const Cube &cube) override { return isOutside(cube, extent_) || (empty_ && empty_(cube)); }
 
   void read(const Cube &cube, std::uint32_t *words) override {

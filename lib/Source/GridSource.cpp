@@ -1,97 +1,62 @@
 // A dense grid of words, in memory or from a file.
+#include "Mesh/WatchedFile.h"
+#include "Source/DenseSource.h"
+#include "Source/GridExtent.h"
 #include "voxc/Source/Sources.h"
 
-#include "Source/CubeTools.h"
-#include "Source/OccupancyPyramid.h"
-
-#include <algorithm>
 #include <bit>
-#include <fstream>
+#include <cstring>
 #include <utility>
 
 namespace voxc {
 
 namespace {
 
-class GridSource final : public VoxelSource {
+static_assert(std::endian::native == std::endian::little, "words are read as they lie in the file");
+
+/// Words that lie one after the other, and what keeps them there.
+template <typename Storage> class WordRows final : public DenseRows {
 public:
-  GridSource(Int3 extent, std::vector<std::uint32_t> words)
-      : extent_(extent), words_(std::move(words)), occupancy_(extent) {
-    const std::uint32_t *word = words_.data();
-    for (Int3 cell; cell.z < extent.z; ++cell.z)
-      for (cell.y = 0; cell.y < extent.y; ++cell.y)
-        for (cell.x = 0; cell.x < extent.x; ++cell.x)
-          if (*word++ != 0)
-            occupancy_.mark(cell);
-  }
+  WordRows(Int3 extent, Storage storage, const std::byte *words)
+      : extent_(extent), storage_(std::move(storage)), words_(words) {}
 
-  Int3 extent() const override { return extent_; }
-
-  bool empty(const Cube &cube) override {
-    if (isOutside(cube, extent_))
-      return true;
-    if (cube.log2Side >= OccupancyPyramid::kLog2Brick)
-      return occupancy_.empty(cube);
-    bool empty = true;
-    forEachCell(cube, [&](std::uint64_t, Int3 cell) { empty = empty && word(cell) == 0; });
-    return empty;
-  }
-
-  void read(const Cube &cube, std::uint32_t *words) override {
-    forEachCell(cube, [&](std::uint64_t index, Int3 cell) { words[index] = word(cell); });
+  void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
+    const std::uint64_t at = cellNumber(extent_, first) * sizeof *words;
+    std::memcpy(words, words_ + at, static_cast<std::size_t>(count) * sizeof *words);
   }
 
 private:
-  std::uint32_t word(Int3 cell) const {
-    if (!contains(extent_, cell))
-      return 0;
-    const auto row = static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(extent_.y) +
-                     static_cast<std::size_t>(cell.y);
-    return words_[row * static_cast<std::size_t>(extent_.x) + static_cast<std::size_t>(cell.x)];
-  }
-
   Int3 extent_;
-  std::vector<std::uint32_t> words_;
-  OccupancyPyramid occupancy_;
+  Storage storage_;
+  const std::byte *words_;
 };
-
-std::string toText(Int3 extent) {
-  return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
-}
-
-bool isValid(Int3 extent) {
-  constexpr int kMaxExtent = 1 << kMaxLog2Extent;
-  return std::min({extent.x, extent.y, extent.z}) >= 1 &&
-         std::max({extent.x, extent.y, extent.z}) <= kMaxExtent;
-}
 
 } // namespace
 
 std::unique_ptr<VoxelSource> makeGridSource(Int3 extent, std::vector<std::uint32_t> words) {
-  return std::make_unique<GridSource>(extent, std::move(words));
+  const auto *const bytes = reinterpret_cast<const std::byte *>(words.data());
+  auto rows = std::make_shared<WordRows<std::vector<std::uint32_t>>>(extent, std::move(words), bytes);
+  // Nothing stops this.
+  return std::move(*makeDenseSource(extent, std::move(rows), {}, nullptr, {}));
 }
 
-Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::string &path) {
-  if (!isValid(extent))
-    return Error::input("a grid of " + toText(extent) +
-                        " cells is not possible: each axis takes 1 to 2097152");
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
+Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::string &path,
+                                                      std::shared_ptr<WorkingMemory> memory,
+                                                      const Progress &progress) {
+  if (auto possible = checkGridExtent(extent); !possible)
+    return possible.error();
+  auto file = WatchedFile::open(path, memory);
   if (!file)
-    return Error::input("'" + path + "' cannot be read");
-  // At most 2^63 words: this fits, their bytes may not.
-  const std::uint64_t count = static_cast<std::uint64_t>(extent.x) * static_cast<std::uint64_t>(extent.y) *
-                              static_cast<std::uint64_t>(extent.z);
-  const auto bytes = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
+    return file.error();
+  const std::uint64_t count = cellsOf(extent);
+  const std::uint64_t bytes = (*file)->bytes().size();
   if (bytes % 4 != 0 || bytes / 4 != count)
     return Error::input("'" + path + "' has " + std::to_string(bytes) + " bytes, but a grid of " +
                         toText(extent) + " cells has " + std::to_string(count) + " words of 4 bytes");
-
-  static_assert(std::endian::native == std::endian::little, "words are read as they lie in the file");
-  std::vector<std::uint32_t> words(count);
-  file.seekg(0);
-  if (!file.read(reinterpret_cast<char *>(words.data()), static_cast<std::streamsize>(bytes)))
-    return Error::input("'" + path + "' cannot be read to its end");
-  return makeGridSource(extent, std::move(words));
+  const std::byte *const words = (*file)->bytes().data();
+  using FileRows = WordRows<std::shared_ptr<const WatchedFile>>;
+  return makeDenseSource(extent, std::make_shared<FileRows>(extent, std::move(*file), words), {},
+                         std::move(memory), progress);
 }
 
 } // namespace voxc

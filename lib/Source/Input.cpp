@@ -1,198 +1,77 @@
-// Opening an input: a table of prefixes and endings, and one opener for each kind.
+// Opening an input: a table of prefixes and endings, and which opener takes each.
 #include "voxc/Source/Input.h"
 
-#include "Mesh/PathEnding.h"
-#include "Mesh/PlyMesh.h"
-#include "Source/ClippedSource.h"
-#include "Source/PointSource.h"
-#include "voxc/Mesh/Voxelizer.h"
-#include "voxc/Source/Sources.h"
-#include "voxc/Support/Stopwatch.h"
-#include "voxc/Volume/Volume.h"
+#include "Source/GridExtent.h"
+#include "Source/Openers/Openers.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <utility>
+#include <span>
+#include <string_view>
 
 namespace voxc {
 
 namespace {
 
-std::string toText(Int3 extent) {
-  return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
+/// Stands for the optional component where it was left out.
+Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
+  return Error::environment("'" + path +
+                            "' is an OpenVDB file, which this build does not read; build voxc with "
+                            "VOXC_OPENVDB=ON");
 }
 
-int longestAxis(Int3 extent) { return std::max({extent.x, extent.y, extent.z}); }
+constexpr std::array<InputKind, 16> kKinds{{{"builtin:", openBuiltin},
+                                            {"grid:", openGrid},
+                                            {"raw:", openRaw},
+                                            {".obj", openMesh},
+                                            {".glb", openMesh},
+                                            {".gltf", openMesh},
+                                            {".stl", openMesh},
+                                            {".ply", openPly},
+                                            {".hvx", openVolume},
+                                            {".vox", openMagicaVoxel},
+                                            {".binvox", openBinvox},
+                                            {".nrrd", openNrrd},
+                                            {".nhdr", openNrrd},
+                                            {".nii", openNifti},
+                                            {".nii.gz", openNifti},
+                                            {".vdb", lackOpenVdb}}};
 
-/// A whole positive number, and nothing else.
-std::optional<int> parseCount(std::string_view text) {
-  int value = 0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 1)
-    return std::nullopt;
-  return value;
+std::string inLowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char &c : lower)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return lower;
 }
-
-/// "WxHxD".
-std::optional<Int3> parseExtent(std::string_view text) {
-  Int3 extent;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t end = axis < 2 ? text.find('x') : text.size();
-    const auto size = end == std::string_view::npos ? std::nullopt : parseCount(text.substr(0, end));
-    if (!size)
-      return std::nullopt;
-    extent[axis] = *size;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return extent;
-}
-
-/// The shortest text that reads back as the same number.
-std::string toText(double value) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-/// The options that decide the voxels of a model whose longest axis got `resolution` of them.
-std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options) {
-  std::string text = "resolution=" + std::to_string(resolution) + " coverage=" + coverage;
-  if (options.bounds) {
-    text += " bounds=";
-    for (std::size_t i = 0; i < options.bounds->size(); ++i)
-      text += (i == 0 ? "" : ",") + toText((*options.bounds)[i]);
-  }
-  return text + (options.zUp ? " up=z" : " up=y");
-}
-
-Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
-  const Stopwatch loading;
-  auto mesh = loadMesh(path);
-  if (!mesh)
-    return mesh.error();
-  Input input;
-  input.loadSeconds = loading.seconds();
-  input.triangles = mesh->triangles.size();
-  input.warnings = std::move(mesh->warnings);
-  const Stopwatch voxelizing;
-  auto source = voxelize(
-      *mesh, {options.resolution, options.formatExtent, options.bounds, options.zUp, options.progress});
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
-  input.voxelizeSeconds = voxelizing.seconds();
-  input.provenance = modelProvenance("conservative", longestAxis(input.source->extent()), options);
-  return input;
-}
-
-Expected<Input> openPly(const std::string &path, const InputOptions &options) {
-  const Stopwatch loading;
-  auto reader = PlyReader::open(path);
-  if (!reader)
-    return reader.error();
-  if (hasFaces(reader->header()))
-    return openMesh(path, options);
-  auto points = readPoints(*reader, options);
-  if (!points)
-    return points.error();
-  Input input;
-  input.source = std::move(points->source);
-  input.loadSeconds = loading.seconds();
-  input.provenance = points->areIndices
-                         ? std::string("coverage=indices")
-                         : modelProvenance("points", longestAxis(input.source->extent()), options);
-  input.warnings = std::move(points->warnings);
-  return input;
-}
-
-Expected<Input> openVolume(const std::string &path, const InputOptions &) {
-  const Stopwatch loading;
-  auto volume = Volume::load(path);
-  if (!volume)
-    return volume.error();
-  Input input;
-  input.provenance = volume->info().provenance;
-  input.source = makeVolumeSource(std::make_shared<const Volume>(std::move(*volume)));
-  input.loadSeconds = loading.seconds();
-  return input;
-}
-
-/// `text` is "WxHxD:FILE".
-Expected<Input> openGrid(const std::string &text, const InputOptions &) {
-  const Stopwatch loading;
-  const std::size_t colon = text.find(':');
-  const auto extent = parseExtent(std::string_view(text).substr(0, colon));
-  if (!extent || colon == std::string::npos)
-    return Error::input("'grid:" + text +
-                        "' is not a grid; write its size and file as in grid:64x33x32:FILE.raw");
-  auto source = loadGridSource(*extent, text.substr(colon + 1));
-  if (!source)
-    return source.error();
-  Input input;
-  input.source = std::move(*source);
-  input.loadSeconds = loading.seconds();
-  input.provenance = "grid=" + toText(*extent);
-  return input;
-}
-
-/// `text` is "NAME" or "NAME:N".
-Expected<Input> openBuiltin(const std::string &text, const InputOptions &options) {
-  const std::size_t colon = text.find(':');
-  const bool hasSide = colon != std::string::npos;
-  const auto written = hasSide ? parseCount(std::string_view(text).substr(colon + 1)) : std::nullopt;
-  if (hasSide && !written)
-    return Error::input("'" + text.substr(colon + 1) +
-                        "' is not a size; write builtin:NAME:N with N voxels an axis");
-  const bool isChosen = hasSide || options.resolution > 0;
-  const int side =
-      written.value_or(options.resolution > 0 ? options.resolution : longestAxis(options.formatExtent));
-  const std::string name = text.substr(0, colon);
-  auto source = makeBuiltinSource(name, side);
-  if (!source)
-    return source.error();
-  Input input;
-  // Nobody asked for the size of a scene that merely fills the format, so what reaches over it is cut off.
-  input.source = isChosen ? std::move(*source) : clip(std::move(*source), options.formatExtent);
-  input.provenance = "builtin=" + name + ":" + std::to_string(side);
-  return input;
-}
-
-struct Kind {
-  std::string_view mark; ///< A prefix if it ends in a colon, else an ending.
-  Expected<Input> (*open)(const std::string &rest, const InputOptions &options);
-};
-
-constexpr std::array<Kind, 8> kKinds{{{"builtin:", openBuiltin},
-                                      {"grid:", openGrid},
-                                      {".obj", openMesh},
-                                      {".glb", openMesh},
-                                      {".gltf", openMesh},
-                                      {".stl", openMesh},
-                                      {".ply", openPly},
-                                      {".hvx", openVolume}}};
 
 Error unknownKind(const std::string &input) {
   std::string kinds;
-  for (const Kind &kind : kKinds)
+  for (const InputKind &kind : kKinds)
     kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
   return Error::input("'" + input + "' is no kind of input that is known; there are " + kinds);
 }
 
 Expected<Input> dispatch(const std::string &input, const InputOptions &options) {
-  const std::string ending = pathEnding(input);
-  for (const Kind &kind : kKinds) {
-    if (kind.mark.ends_with(':') && input.starts_with(kind.mark))
-      return kind.open(input.substr(kind.mark.size()), options);
-    if (kind.mark == ending)
-      return kind.open(input, options);
-  }
+  const std::string name = inLowerCase(input.substr(input.find_last_of('/') + 1));
+  const std::span<const InputKind> others = options.otherKinds;
+  for (const std::span<const InputKind> kinds : {others, std::span<const InputKind>(kKinds)})
+    for (const InputKind &kind : kinds) {
+      if (kind.mark.ends_with(':') && input.starts_with(kind.mark))
+        return kind.open(input.substr(kind.mark.size()), options);
+      if (name.ends_with(kind.mark))
+        return kind.open(input, options);
+    }
   return unknownKind(input);
 }
 
 } // namespace
 
 Expected<Input> openInput(const std::string &input, const InputOptions &options) {
-  Expected<Input> opened = dispatch(input, options);
+  InputOptions withMemory = options;
+  if (!withMemory.memory)
+    withMemory.memory = WorkingMemory::createDefault();
+  Expected<Input> opened = dispatch(input, withMemory);
   if (!opened)
     return opened;
   const Int3 extent = opened->source->extent();

@@ -2,8 +2,9 @@
 #include "Source/PointSource.h"
 
 #include "Mesh/ModelFrame.h"
-#include "Mesh/PlyColour.h"
-#include "voxc/Source/Sources.h"
+#include "Source/BinnedVoxels.h"
+#include "Source/GridExtent.h"
+#include "Source/PointList.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,120 +14,24 @@ namespace voxc {
 
 namespace {
 
-struct Point {
-  Float3 position;
-  std::uint32_t word;
-};
+using Position = std::array<double, 3>;
 
-/// The rows of the element `vertex` that have a colour, one after the other.
-class VertexRows {
-public:
-  using Visit =
-      std::function<Expected<void>(const Double3 &position, std::uint64_t index, std::uint32_t word)>;
-
-  explicit VertexRows(PlyReader &reader)
-      : reader_(reader), vertices_(reader.header().find("vertex")),
-        colour_(vertices_ ? *vertices_ : PlyElement()) {
-    for (std::size_t axis = 0; vertices_ && axis < 3; ++axis)
-      axes_[axis] = vertices_->find(kAxes[axis]);
-  }
-
-  bool hasPositions() const { return axes_[0] && axes_[1] && axes_[2]; }
-  bool areIndices() const {
-    return std::all_of(axes_.begin(), axes_.end(),
-                       [&](const auto &axis) { return isInteger(vertices_->properties[*axis].type); });
-  }
-  std::uint64_t dropped() const { return dropped_; }
-
-  Expected<void> read(const Visit &visit) {
-    return reader_.readRows(
-        [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
-          if (&element != vertices_)
-            return {};
-          const std::uint32_t word = colour_(row);
-          if (word == 0) {
-            ++dropped_;
-            return {};
-          }
-          return visit({row.values[*axes_[0]], row.values[*axes_[1]], row.values[*axes_[2]]}, index, word);
-        });
-  }
-
-private:
-  static constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-
-  PlyReader &reader_;
-  const PlyElement *vertices_;
-  PlyColour colour_;
-  std::array<std::optional<std::size_t>, 3> axes_;
-  std::uint64_t dropped_ = 0;
-};
-
-/// Sorts, and keeps the first voxel of each code.
-void sortAndUnite(std::vector<CodedVoxel> &voxels) {
-  std::stable_sort(voxels.begin(), voxels.end(),
-                   [](const CodedVoxel &a, const CodedVoxel &b) { return a.code < b.code; });
-  const auto same = [](const CodedVoxel &a, const CodedVoxel &b) { return a.code == b.code; };
-  voxels.erase(std::unique(voxels.begin(), voxels.end(), same), voxels.end());
-}
-
-bool isInside(const Double3 &index, Int3 extent) {
+bool isInside(const Position &index, Int3 extent) {
   return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < extent.x && index[1] < extent.y &&
          index[2] < extent.z;
 }
 
-std::string toText(const Double3 &index) {
+std::string listed(const Position &index) {
   const auto text = [](double v) { return std::to_string(static_cast<std::int64_t>(v)); };
   return text(index[0]) + ", " + text(index[1]) + ", " + text(index[2]);
 }
 
-Expected<std::unique_ptr<VoxelSource>> readIndices(VertexRows &rows, const PlyReader &reader, Int3 holds) {
-  std::vector<CodedVoxel> voxels;
-  Int3 extent{1, 1, 1};
-  auto read = rows.read([&](const Double3 &index, std::uint64_t row, std::uint32_t word) -> Expected<void> {
-    if (!isInside(index, holds))
-      return reader.broken("vertex " + std::to_string(row) + " is the voxel " + toText(index) +
-                           ", but the format holds only " + std::to_string(holds.x) + "x" +
-                           std::to_string(holds.y) + "x" + std::to_string(holds.z));
-    const Int3 voxel{static_cast<int>(index[0]), static_cast<int>(index[1]), static_cast<int>(index[2])};
-    for (int axis = 0; axis < 3; ++axis)
-      extent[axis] = std::max(extent[axis], voxel[axis] + 1);
-    voxels.push_back({mortonCode(voxel), word});
-    return {};
-  });
-  if (!read)
-    return read.error();
-  sortAndUnite(voxels);
-  return makeSortedSource(extent, std::move(voxels));
+Int3 cellAt(const Position &position) {
+  return {static_cast<int>(position[0]), static_cast<int>(position[1]), static_cast<int>(position[2])};
 }
 
-Expected<std::vector<Point>> readPositions(VertexRows &rows, const PlyReader &reader) {
-  std::vector<Point> points;
-  auto read =
-      rows.read([&](const Double3 &position, std::uint64_t row, std::uint32_t word) -> Expected<void> {
-        Point point{{}, word};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          point.position[axis] = static_cast<float>(position[axis]);
-          if (!std::isfinite(point.position[axis]))
-            return reader.broken("vertex " + std::to_string(row) + " has a coordinate that is not finite");
-        }
-        points.push_back(point);
-        return {};
-      });
-  if (!read)
-    return read.error();
-  return points;
-}
-
-Bounds boundsOf(const std::vector<Point> &points, const InputOptions &options) {
-  if (options.bounds) {
-    const std::array<double, 6> &b = *options.bounds;
-    return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-  }
-  BoundsBuilder builder;
-  for (const Point &point : points)
-    builder.add(point.position);
-  return builder.bounds().value_or(Bounds{});
+Float3 narrowed(const Position &position) {
+  return {static_cast<float>(position[0]), static_cast<float>(position[1]), static_cast<float>(position[2])};
 }
 
 /// The voxel of a position within the frame; one on its far face belongs to the last voxel.
@@ -141,40 +46,146 @@ std::optional<Int3> voxelAt(const Double3 &position, Int3 extent) {
   return voxel;
 }
 
-Expected<std::unique_ptr<VoxelSource>> voxelizePoints(VertexRows &rows, const PlyReader &reader,
-                                                      const InputOptions &options) {
-  const auto points = readPositions(rows, reader);
+/// Goes through the points of a file as often as it takes to know their box, to count them and to place them.
+class PointPlacer {
+public:
+  PointPlacer(const PlyReader &reader, const PointList &points, const InputOptions &options)
+      : reader_(reader), points_(points), options_(options) {}
+
+  std::uint64_t dropped() const { return dropped_; }
+
+  Expected<std::unique_ptr<VoxelSource>> placeIndices() {
+    Int3 extent{1, 1, 1};
+    std::optional<Error> problem;
+    auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
+      if (!isInside(point.position, options_.formatExtent)) {
+        problem =
+            reader_.broken("vertex " + std::to_string(number) + " is the voxel " + listed(point.position) +
+                           ", but the format holds only " + toText(options_.formatExtent));
+        return false;
+      }
+      const Int3 voxel = cellAt(point.position);
+      for (int axis = 0; axis < 3; ++axis)
+        extent[axis] = std::max(extent[axis], voxel[axis] + 1);
+      return true;
+    });
+    if (!passed)
+      return passed.error();
+    if (problem)
+      return *problem;
+    return place(extent, {}, [](const Position &position) { return std::optional(cellAt(position)); });
+  }
+
+  Expected<std::unique_ptr<VoxelSource>> placePositions() {
+    BoundsBuilder bounds;
+    std::optional<Error> problem;
+    auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
+      const Float3 position = narrowed(point.position);
+      if (!std::ranges::all_of(position, [](float v) { return std::isfinite(v); })) {
+        problem = reader_.broken("vertex " + std::to_string(number) + " has a coordinate that is not finite");
+        return false;
+      }
+      bounds.add(position);
+      return true;
+    });
+    if (!passed)
+      return passed.error();
+    if (problem)
+      return *problem;
+    const auto frame = ModelFrame::fit({chosen(bounds.bounds().value_or(Bounds{})), options_.resolution,
+                                        options_.formatExtent, options_.zUp});
+    if (!frame)
+      return frame.error();
+    return place(frame->extent(), frame->voxelToModel(), [&](const Position &position) {
+      return voxelAt(frame->toVoxels(narrowed(position)), frame->extent());
+    });
+  }
+
+private:
+  /// Calls `visit(point, number)` for all points that have a colour, until it returns false.
+  template <typename Visit> Expected<void> pass(Visit visit) {
+    constexpr std::uint64_t kBatch = 1 << 10;
+    std::array<PlyPoint, kBatch> batch;
+    dropped_ = 0;
+    for (std::uint64_t first = 0; first < points_.size(); first += kBatch) {
+      if (options_.progress.stopped())
+        return Error::interrupted();
+      options_.memory->relieve();
+      const std::span<PlyPoint> points = std::span(batch).first(std::min(kBatch, points_.size() - first));
+      points_.read(first, points);
+      for (std::uint64_t i = 0; i < points.size(); ++i) {
+        if (points[i].word == 0)
+          ++dropped_;
+        else if (!visit(points[i], first + i))
+          return {};
+      }
+    }
+    return {};
+  }
+
+  /// Sorts the points into their chunks; `voxelOf` may say that one has no voxel.
+  template <typename VoxelOf>
+  Expected<std::unique_ptr<VoxelSource>> place(Int3 extent, const Transform &voxelToModel, VoxelOf voxelOf) {
+    auto voxels = BinnedVoxels::create(extent, options_.memory);
+    if (!voxels)
+      return voxels.error();
+    const auto count = [&](const PlyPoint &point, std::uint64_t) {
+      if (const std::optional<Int3> voxel = voxelOf(point.position))
+        voxels->count(*voxel);
+      return true;
+    };
+    const auto add = [&](const PlyPoint &point, std::uint64_t) {
+      if (const std::optional<Int3> voxel = voxelOf(point.position))
+        voxels->place(*voxel, point.word);
+      return true;
+    };
+    if (auto counted = pass(count); !counted)
+      return counted.error();
+    if (auto allocated = voxels->allocate(); !allocated)
+      return allocated.error();
+    if (auto added = pass(add); !added)
+      return added.error();
+    return std::move(*voxels).finish(voxelToModel);
+  }
+
+  Bounds chosen(const Bounds &found) const {
+    if (!options_.bounds)
+      return found;
+    const std::array<double, 6> &b = *options_.bounds;
+    return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+  }
+
+  const PlyReader &reader_;
+  const PointList &points_;
+  const InputOptions &options_;
+  std::uint64_t dropped_ = 0;
+};
+
+Expected<PointVoxels> placePoints(PlyReader &reader, const InputOptions &options) {
+  const auto points = readPointList(reader, options.memory, options.progress);
   if (!points)
     return points.error();
-  const auto frame =
-      ModelFrame::fit({boundsOf(*points, options), options.resolution, options.formatExtent, options.zUp});
-  if (!frame)
-    return frame.error();
-  std::vector<CodedVoxel> voxels;
-  for (const Point &point : *points)
-    if (const auto voxel = voxelAt(frame->toVoxels(point.position), frame->extent()))
-      voxels.push_back({mortonCode(*voxel), point.word});
-  sortAndUnite(voxels);
-  return makeSortedSource(frame->extent(), std::move(voxels), frame->voxelToModel());
+  PointPlacer placer(reader, **points, options);
+  const bool areIndices = voxc::areIndices(reader.header());
+  auto source = areIndices ? placer.placeIndices() : placer.placePositions();
+  if (!source)
+    return source.error();
+  PointVoxels voxels{std::move(*source), areIndices, {}};
+  if (placer.dropped() != 0)
+    voxels.warnings.push_back(std::to_string(placer.dropped()) +
+                              " points are dropped: their colour is the word 0, which means empty");
+  return voxels;
 }
 
 } // namespace
 
 Expected<PointVoxels> readPoints(PlyReader &reader, const InputOptions &options) {
-  VertexRows rows(reader);
-  if (!rows.hasPositions())
+  if (!hasPoints(reader.header()))
     return reader.broken("its points need an element 'vertex' with the properties x, y and z");
-  PointVoxels points;
-  points.areIndices = rows.areIndices();
-  auto source = points.areIndices ? readIndices(rows, reader, options.formatExtent)
-                                  : voxelizePoints(rows, reader, options);
-  if (!source)
-    return source.error();
-  points.source = std::move(*source);
-  if (rows.dropped() != 0)
-    points.warnings.push_back(std::to_string(rows.dropped()) +
-                              " points are dropped: their colour is the word 0, which means empty");
-  return points;
+  options.memory->watch(reader.bytes());
+  auto voxels = placePoints(reader, options);
+  options.memory->unwatch(reader.bytes());
+  return voxels;
 }
 
 } // namespace voxc

@@ -1,7 +1,7 @@
 // Voxels from the points of a PLY file.
 #pragma once
 
-#include "Mesh/PlyReader.h"
+#include "Mesh/Ply/PlyReader.h"
 #include "voxc/Source/Input.h"
 #include "voxc/Source/VoxelSource.h"
 

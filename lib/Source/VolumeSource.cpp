@@ -16,6 +16,7 @@ public:
 
   Int3 extent() const override { return volume_->info().extent; }
   Transform voxelToModel() const override { return volume_->info().voxelToModel; }
+  std::unique_ptr<VoxelSource> view() const override { return std::make_unique<VolumeSource>(volume_); }
 
   bool empty(const Cube &cube) override {
     if (isOutside(cube, extent()))

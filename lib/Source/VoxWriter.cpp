@@ -45,24 +45,28 @@ struct Model {
 
 class Scene {
 public:
-  explicit Scene(Int3 extent) : extent_(extent) {}
+  /// The models in the first and the last corner are always there, so that the scene keeps its extent.
+  explicit Scene(Int3 extent) : extent_(extent) {
+    modelAt({});
+    modelAt(Int3{extent.x - 1, extent.z - 1, extent.y - 1} >> 8);
+  }
 
-  void add(Int3 voxel, std::uint32_t colour) {
+  /// False if the colours are too many.
+  bool add(Int3 voxel, std::uint32_t colour) {
     const auto [entry, isNew] = indices_.try_emplace(colour, static_cast<std::uint32_t>(colours_.size() + 1));
     if (isNew)
       colours_.push_back(colour);
-    if (colours_.size() > kMaxColours)
-      return;
+    if (hasTooManyColours())
+      return false;
     const Int3 turned{voxel.x, extent_.z - 1 - voxel.z, voxel.y};
-    const Int3 block = turned >> 8;
-    Model &model = models_[mortonCode(block)];
-    model.low = block * kModelSide;
+    Model &model = modelAt(turned >> 8);
     const Int3 cell = turned - model.low;
     model.voxels.push_back(static_cast<std::uint32_t>(cell.x | cell.y << 8 | cell.z << 16) | entry->second
                                                                                                  << 24);
+    return true;
   }
 
-  std::size_t colourCount() const { return colours_.size(); }
+  bool hasTooManyColours() const { return colours_.size() > kMaxColours; }
 
   std::string file() const {
     Bytes children;
@@ -76,6 +80,12 @@ public:
   }
 
 private:
+  Model &modelAt(Int3 block) {
+    Model &model = models_[mortonCode(block)];
+    model.low = block * kModelSide;
+    return model;
+  }
+
   Int3 sizeOf(const Model &model) const {
     const Int3 rest = Int3{extent_.x, extent_.z, extent_.y} - model.low;
     return {std::min(rest.x, kModelSide), std::min(rest.y, kModelSide), std::min(rest.z, kModelSide)};
@@ -137,17 +147,18 @@ private:
 
 } // namespace
 
-Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file) {
+Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const Progress &progress) {
   // Sizes of chunks are 32-bit; a voxel takes a word.
   constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
   if (volume.info().voxels > kMaxVoxels)
     return Error::input("a .vox file cannot hold " + std::to_string(volume.info().voxels) +
                         " voxels; at most 536870912 fit");
   Scene scene(volume.info().extent);
-  forEachVoxel(volume, [&](Int3 voxel, std::uint32_t word) { scene.add(voxel, word); });
-  if (scene.colourCount() > kMaxColours)
-    return Error::input("a .vox file holds at most 255 colours, but the volume has " +
-                        std::to_string(scene.colourCount()));
+  const auto add = [&](Int3 voxel, std::uint32_t word) { return scene.add(voxel, word); };
+  if (auto visited = forEachVoxel(volume, progress, add); !visited)
+    return visited;
+  if (scene.hasTooManyColours())
+    return Error::input("a .vox file holds at most 255 colours, but the volume has more");
   const std::string bytes = scene.file();
   return file.write(bytes.data(), bytes.size());
 }

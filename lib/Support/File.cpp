@@ -38,7 +38,8 @@ void makeOrdinary(int descriptor) {
 } // namespace
 
 Expected<MappedFile> MappedFile::open(const std::string &path) {
-  Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  // A pipe that no one writes to would be waited for.
+  Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   struct stat status{};
   if (file.value < 0 || ::fstat(file.value, &status) != 0)
     return Error::input("cannot read '" + path + "': " + reason());
@@ -103,6 +104,13 @@ OutputFile::~OutputFile() {
 
 Expected<void> OutputFile::write(const void *data, std::size_t size) {
   if (std::fwrite(data, 1, size, file_) != size)
+    return Error::environment("cannot write '" + path_ + "': " + reason());
+  return {};
+}
+
+Expected<void> OutputFile::rewrite(std::uint64_t offset, const void *data, std::size_t size) {
+  if (std::fflush(file_) != 0 ||
+      ::pwrite(descriptor(), data, size, static_cast<off_t>(offset)) != static_cast<ssize_t>(size))
     return Error::environment("cannot write '" + path_ + "': " + reason());
   return {};
 }

@@ -44,7 +44,7 @@ struct VulkanTracer::Work {
 
   bool advance(std::uint32_t rays) {
     doneRays += rays;
-    options.progress.at("trace", doneRays / totalRays);
+    options.progress.at("trace", doneRays / totalRays, static_cast<std::uint64_t>(doneRays));
     return !options.progress.stopped();
   }
 };

@@ -2,6 +2,7 @@
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace voxc {
@@ -10,25 +11,26 @@ namespace {
 /// Passes the cells of each level on to the next, and those of the last to the caller.
 class Decoder final : public SubVolumeVisitor {
 public:
-  using Emit = std::function<void(const Cube &, std::uint32_t)>;
+  Decoder(const Volume &volume, const DecodeVisit &visit, const Progress &progress)
+      : format_(volume.format()), words_(volume.words()), visit_(visit), progress_(progress),
+        stated_(volume.info().voxels) {}
 
-  Decoder(const Volume &volume, const Emit &emit)
-      : format_(volume.format()), words_(volume.words()), emit_(emit) {}
-
-  void subVolume(std::size_t level, Int3 low, std::uint32_t offset) {
-    const Frame above = std::exchange(frame_, {level, low, format_.log2CellSide(level)});
-    format_.levels[level].kind->walk(words_, format_.levels[level], offset, *this);
-    frame_ = above;
+  Expected<void> run() {
+    subVolume(0, {}, words_[0]);
+    if (failure_)
+      return *failure_;
+    return {};
   }
 
-  bool enterNode(std::uint32_t, int) override { return true; }
+  bool enterNode(std::uint32_t, int) override { return !done(); }
+  bool done() const override { return ended_; }
 
   void cells(const Cube &cube, std::uint32_t value) override {
     const Frame frame = frame_;
     const Int3 low = frame.low + cube.low * (1 << frame.log2CellSide);
     if (frame.level + 1 == format_.levels.size())
-      return emit_({low, cube.log2Side}, value);
-    if (cube.log2Side == 0)
+      voxels({low, cube.log2Side}, value);
+    else if (cube.log2Side == 0)
       subVolume(frame.level + 1, low, value);
     else
       everyCell(cube, frame, value);
@@ -41,25 +43,58 @@ private:
     int log2CellSide = 0;
   };
 
+  void subVolume(std::size_t level, Int3 low, std::uint32_t offset) {
+    const Frame above = std::exchange(frame_, {level, low, format_.log2CellSide(level)});
+    format_.levels[level].kind->walk(words_, format_.levels[level], offset, *this);
+    frame_ = above;
+  }
+
   /// A leaf high in a tree: all cells under it have the same sub-volume.
   void everyCell(const Cube &cube, const Frame &frame, std::uint32_t value) {
     const std::uint64_t cells = std::uint64_t{1} << (3 * cube.log2Side);
-    for (std::uint64_t code = 0; code < cells; ++code)
+    for (std::uint64_t code = 0; code < cells && !ended_; ++code)
       subVolume(frame.level + 1, frame.low + (cube.low + mortonCell(code)) * (1 << frame.log2CellSide),
                 value);
   }
 
+  void voxels(const Cube &cube, std::uint32_t word) {
+    if (ended_)
+      return;
+    decoded_ += std::uint64_t{1} << (3 * cube.log2Side);
+    if (decoded_ > stated_)
+      fail(Error::input("the volume holds more voxels than the " + std::to_string(stated_) +
+                        " that its header says"));
+    else if (++cubes_ % kCubesBetweenLooks == 0 && progress_.stopped())
+      fail(Error::interrupted());
+    else if (!visit_(cube, word))
+      ended_ = true;
+  }
+
+  void fail(Error error) {
+    failure_ = std::move(error);
+    ended_ = true;
+  }
+
+  static constexpr std::uint64_t kCubesBetweenLooks = 4096;
+
   const Format &format_;
   WordReader words_;
-  const Emit &emit_;
+  const DecodeVisit &visit_;
+  const Progress &progress_;
+  std::uint64_t stated_;
+  std::uint64_t decoded_ = 0;
+  std::uint64_t cubes_ = 0;
   Frame frame_;
+  bool ended_ = false;
+  std::optional<Error> failure_;
 };
 
 } // namespace
 
-void decode(const Volume &volume, const std::function<void(const Cube &, std::uint32_t)> &cube) {
-  if (volume.words()[0] != 0)
-    Decoder(volume, cube).subVolume(0, {}, volume.words()[0]);
+Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Progress &progress) {
+  if (volume.words()[0] == 0)
+    return {};
+  return Decoder(volume, visit, progress).run();
 }
 
 Lookup Volume::lookup(Int3 voxel) const {

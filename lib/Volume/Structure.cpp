@@ -1,7 +1,7 @@
 // Proving that a volume's words are safe and well-formed, before any kernel sees them.
 #include "voxc/Volume/Volume.h"
 
-#include <array>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -17,46 +17,70 @@ bool WordReader::require(std::uint64_t offset, std::uint64_t count, const char *
 
 namespace {
 
-/// A set of word offsets, paged so that it costs what is visited.
-class OffsetSet {
+/// The voxels of nodes, by the word that each begins at: an open hash table.
+class NodeCounts {
 public:
-  explicit OffsetSet(std::uint64_t words) : pages_(words / kPageBits + 1) {}
+  /// Null if the node is not known.
+  const std::uint64_t *find(std::uint32_t offset) const {
+    if (entries_.empty())
+      return nullptr;
+    const Entry &entry = entries_[place(offset)];
+    return entry.offset == offset ? &entry.voxels : nullptr;
+  }
 
-  /// True if the offset was not in the set before.
-  bool insert(std::uint64_t offset) {
-    auto &page = pages_[offset / kPageBits];
-    if (!page)
-      page = std::make_unique<Page>();
-    std::uint64_t &bits = (*page)[offset % kPageBits / 64];
-    const std::uint64_t bit = std::uint64_t{1} << (offset % 64);
-    const bool isNew = (bits & bit) == 0;
-    bits |= bit;
-    return isNew;
+  /// `offset` is not 0 and not known yet.
+  void insert(std::uint32_t offset, std::uint64_t voxels) {
+    if (3 * (used_ + 1) > 2 * entries_.size())
+      grow();
+    entries_[place(offset)] = {voxels, offset};
+    ++used_;
   }
 
 private:
-  static constexpr std::uint64_t kPageBits = 1 << 15;
-  using Page = std::array<std::uint64_t, kPageBits / 64>;
-  std::vector<std::unique_ptr<Page>> pages_;
+  struct Entry {
+    std::uint64_t voxels = 0;
+    std::uint32_t offset = 0; ///< 0: the entry is free.
+  };
+
+  /// Where the entry of an offset is, or belongs.
+  std::size_t place(std::uint32_t offset) const {
+    const std::size_t mask = entries_.size() - 1;
+    std::size_t at = offset * std::uint64_t{0x9e3779b97f4a7c15} >> 32 & mask;
+    while (entries_[at].offset != 0 && entries_[at].offset != offset)
+      at = (at + 1) & mask;
+    return at;
+  }
+
+  void grow() {
+    const auto old =
+        std::exchange(entries_, std::vector<Entry>(std::max<std::size_t>(2 * entries_.size(), 16)));
+    for (const Entry &entry : old)
+      if (entry.offset != 0)
+        entries_[place(entry.offset)] = entry;
+  }
+
+  std::vector<Entry> entries_; ///< A power of two of them, or none.
+  std::size_t used_ = 0;
 };
 
-/// Walks all levels. A node may be shared across parents and heights, so each is visited once a (level,
-/// height), which bounds the work however a hostile file ties its nodes together.
+/// Walks all levels. A node may be shared across parents and heights, so its voxels are counted once a
+/// (level, height), which bounds the work however a hostile file ties its nodes together. Low nodes are most
+/// of all and soon counted: they are counted anew instead of remembered.
 class StructureCheck final : public SubVolumeVisitor {
 public:
   StructureCheck(const Format &format, std::span<const std::uint32_t> words)
-      : format_(format), words_(words), seen_(format.levels.size()), gridWords_(format.levels.size()) {}
+      : format_(format), words_(words), known_(format.levels.size()), gridWords_(format.levels.size()) {}
 
-  Expected<void> run() {
+  Expected<std::uint64_t> run() {
     if (words_.size() == 0 || words_.size() > std::uint64_t{1} << 32)
       return Error::input("a volume has 1 to 2^32 words, not " + std::to_string(words_.size()));
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == 1)
-      return {};
+      return std::uint64_t{0};
     enterSubVolume(0, root);
     if (words_.problem())
       return Error::input("the volume's structure is broken: " + *words_.problem());
-    return {};
+    return voxels_;
   }
 
   bool enterNode(std::uint32_t offset, int height) override {
@@ -65,18 +89,57 @@ public:
                   std::to_string(offset) + " of " + std::to_string(words_.size()));
       return false;
     }
-    const auto [set, isNew] = seen_[level_].try_emplace(height, words_.size());
-    return set->second.insert(offset) && spendGrid();
+    if (const std::uint64_t *voxels = known_[level_][height].find(offset)) {
+      voxels_ += *voxels;
+      return false;
+    }
+    if (!spendGrid())
+      return false;
+    entered_.push_back({offset, height, voxels_});
+    return true;
   }
 
-  void cells(const Cube &, std::uint32_t value) override {
+  void leaveNode() override {
+    const Node node = entered_.back();
+    entered_.pop_back();
+    if (words_.problem())
+      return;
+    const std::uint64_t voxels = voxels_ - node.voxelsBefore;
+    if (voxels == 0)
+      words_.fail("what level " + std::to_string(level_ + 1) + " has at word " + std::to_string(node.offset) +
+                  " holds no voxel");
+    else if (node.height >= kLowestRemembered || isWhole(node))
+      known_[level_][node.height].insert(node.offset, voxels);
+  }
+
+  void cells(const Cube &cube, std::uint32_t value) override {
+    const std::uint64_t cells = std::uint64_t{1} << (3 * cube.log2Side);
+    const std::uint64_t before = voxels_;
     if (level_ + 1 < format_.levels.size())
       enterSubVolume(level_ + 1, value);
+    else
+      ++voxels_;
+    // No more than the format has: 2^63 at most.
+    voxels_ = before + (voxels_ - before) * cells;
   }
 
   bool done() const override { return words_.problem().has_value(); }
 
 private:
+  struct Node {
+    std::uint32_t offset;
+    int height;
+    std::uint64_t voxelsBefore;
+  };
+
+  static constexpr int kLowestRemembered = 3;
+
+  /// True for the highest node of a sub-volume.
+  bool isWhole(const Node &node) const {
+    const Int3 size = format_.levels[level_].log2Size();
+    return node.height == std::max({size.x, size.y, size.z});
+  }
+
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
   bool spendGrid() {
     const Level &level = format_.levels[level_];
@@ -103,14 +166,16 @@ private:
 
   const Format &format_;
   WordReader words_;
-  std::vector<std::map<int, OffsetSet>> seen_; ///< For each level, by height.
-  std::vector<std::uint64_t> gridWords_;       ///< For each level, the words of the grids entered.
+  std::vector<std::map<int, NodeCounts>> known_; ///< For each level, by height.
+  std::vector<std::uint64_t> gridWords_;         ///< For each level, the words of the grids entered.
+  std::vector<Node> entered_;
   std::size_t level_ = 0;
+  std::uint64_t voxels_ = 0; ///< Found so far.
 };
 
 } // namespace
 
-Expected<void> checkStructure(const Format &format, std::span<const std::uint32_t> words) {
+Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words) {
   return StructureCheck(format, words).run();
 }
 

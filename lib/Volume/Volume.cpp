@@ -5,21 +5,26 @@
 
 #include "voxc/Support/File.h"
 
-#include <optional>
-
 namespace voxc {
 
 struct Volume::State {
   VolumeInfo info;
   std::vector<std::uint32_t> owned;
-  std::optional<MappedFile> mapped;
-  std::span<const std::uint32_t> words; ///< Of `owned`, or inside `mapped`.
+  std::shared_ptr<const void> owner;
+  std::span<const std::uint32_t> words; ///< Of `owned`, or of `owner`.
 };
 
 Volume::Volume(VolumeInfo info, std::vector<std::uint32_t> words) : state_(std::make_unique<State>()) {
   state_->info = std::move(info);
   state_->owned = std::move(words);
   state_->words = state_->owned;
+}
+
+Volume::Volume(VolumeInfo info, std::span<const std::uint32_t> words, std::shared_ptr<const void> owner)
+    : state_(std::make_unique<State>()) {
+  state_->info = std::move(info);
+  state_->owner = std::move(owner);
+  state_->words = words;
 }
 
 Volume::~Volume() = default;
@@ -38,13 +43,16 @@ Expected<Volume> Volume::load(const std::string &path, bool trusted) {
     return contents.error();
   if (contents->words.empty())
     return Error::input("'" + path + "' has no words; even an empty volume has one");
-  if (!trusted)
-    if (auto checked = checkStructure(contents->info.format, contents->words); !checked)
-      return Error::input("'" + path + "': " + checked.error().message);
-  Volume volume(std::move(contents->info), {});
-  volume.state_->mapped = std::move(*file);
-  volume.state_->words = contents->words;
-  return volume;
+  if (!trusted) {
+    const auto voxels = checkStructure(contents->info.format, contents->words);
+    if (!voxels)
+      return Error::input("'" + path + "': " + voxels.error().message);
+    if (*voxels != contents->info.voxels)
+      return Error::input("'" + path + "' holds " + std::to_string(*voxels) +
+                          " voxels, but its header says " + std::to_string(contents->info.voxels));
+  }
+  const auto words = contents->words;
+  return Volume(std::move(contents->info), words, std::make_shared<const MappedFile>(std::move(*file)));
 }
 
 Expected<void> Volume::save(const std::string &path) const {

@@ -1,12 +1,12 @@
 // Reading and writing of .hvx headers; docs/hvx.md has the layout as a table.
 #include "VolumeFile.h"
 
+#include "Checksum.h"
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
 namespace voxc {
 namespace {
@@ -15,6 +15,7 @@ constexpr std::uint64_t kWordsAlignment = 4096;
 constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint64_t kMaxTextBytes = 1 << 20;
+constexpr std::size_t kWordsBetweenPauses = std::size_t{1} << 14;
 
 /// The fixed part of the header; little-endian, no padding.
 struct Header {
@@ -33,24 +34,19 @@ struct Header {
 };
 static_assert(sizeof(Header) == 168);
 
-/// XXH3 over the parts of a file around the checksum itself.
-class Checksum {
-public:
-  Checksum() { XXH3_64bits_reset(&state_); }
-  void add(const void *data, std::size_t size) { XXH3_64bits_update(&state_, data, size); }
-  std::uint64_t digest() const { return XXH3_64bits_digest(&state_); }
-
-private:
-  XXH3_state_t state_;
-};
-
-std::uint64_t checksumOf(std::span<const std::byte> head, std::span<const std::uint32_t> words) {
+std::uint64_t checksumOf(std::span<const std::byte> head, std::span<const std::uint32_t> words,
+                         const std::function<void()> &pause = {}) {
   constexpr std::size_t at = offsetof(Header, checksum);
   constexpr std::size_t after = at + sizeof(Header::checksum);
   Checksum checksum;
   checksum.add(head.data(), at);
   checksum.add(head.data() + after, head.size() - after);
-  checksum.add(words.data(), words.size_bytes());
+  for (std::size_t begin = 0; begin < words.size(); begin += kWordsBetweenPauses) {
+    const auto piece = words.subspan(begin, std::min(kWordsBetweenPauses, words.size() - begin));
+    checksum.add(piece.data(), piece.size_bytes());
+    if (pause)
+      pause();
+  }
   return checksum.digest();
 }
 
@@ -112,7 +108,13 @@ Expected<VolumeFileContents> parseVolumeFile(std::span<const std::byte> bytes, c
   return VolumeFileContents{std::move(info), words};
 }
 
-std::string volumeFileHeader(const VolumeInfo &info, std::span<const std::uint32_t> words) {
+std::uint64_t volumeWordsOffset(const VolumeInfo &info) {
+  const std::size_t textEnd = sizeof(Header) + printIr(info.format).size() + info.provenance.size();
+  return (textEnd + kWordsAlignment - 1) / kWordsAlignment * kWordsAlignment;
+}
+
+std::string volumeFileHeader(const VolumeInfo &info, std::span<const std::uint32_t> words,
+                             const std::function<void()> &pause) {
   const std::string ir = printIr(info.format);
   Header header;
   header.wordCount = words.size();
@@ -121,14 +123,13 @@ std::string volumeFileHeader(const VolumeInfo &info, std::span<const std::uint32
   header.irBytes = static_cast<std::uint32_t>(ir.size());
   header.provenanceBytes = static_cast<std::uint32_t>(info.provenance.size());
   header.voxelToModel = info.voxelToModel.rows;
-  const std::size_t textEnd = sizeof(Header) + ir.size() + info.provenance.size();
-  header.wordsOffset = (textEnd + kWordsAlignment - 1) / kWordsAlignment * kWordsAlignment;
+  header.wordsOffset = volumeWordsOffset(info);
 
   std::string bytes(header.wordsOffset, '\0');
   std::memcpy(bytes.data(), &header, sizeof(Header));
   bytes.replace(sizeof(Header), ir.size(), ir);
   bytes.replace(sizeof(Header) + ir.size(), info.provenance.size(), info.provenance);
-  header.checksum = checksumOf(std::as_bytes(std::span(bytes)), words);
+  header.checksum = checksumOf(std::as_bytes(std::span(bytes)), words, pause);
   std::memcpy(bytes.data() + offsetof(Header, checksum), &header.checksum, sizeof(header.checksum));
   return bytes;
 }

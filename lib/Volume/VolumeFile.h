@@ -5,6 +5,7 @@
 #include "voxc/Volume/Volume.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -20,7 +21,12 @@ struct VolumeFileContents {
 /// held against the file's own, the checksum against all its bytes.
 Expected<VolumeFileContents> parseVolumeFile(std::span<const std::byte> bytes, const std::string &name);
 
+/// Where the words of a file with this header begin, in bytes: a whole page.
+std::uint64_t volumeWordsOffset(const VolumeInfo &info);
+
 /// The header of a file that holds these words, padded so that the words that follow are aligned to a page.
-std::string volumeFileHeader(const VolumeInfo &info, std::span<const std::uint32_t> words);
+/// `pause` is called for every few kilobytes of words that are read.
+std::string volumeFileHeader(const VolumeInfo &info, std::span<const std::uint32_t> words,
+                             const std::function<void()> &pause = {});
 
 } // namespace voxc

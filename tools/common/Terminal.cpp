@@ -24,7 +24,9 @@ Progress ProgressBar::progress() {
   Progress progress;
   progress.stop = &catchInterrupts();
   if (visible_)
-    progress.report = [this](std::string_view stage, double fraction) { draw(stage, fraction); };
+    progress.report = [this](std::string_view stage, double fraction, std::uint64_t done) {
+      draw(stage, fraction, done);
+    };
   return progress;
 }
 
@@ -34,18 +36,39 @@ void ProgressBar::clear() {
   drawn_ = false;
 }
 
-void ProgressBar::draw(std::string_view stage, double fraction) {
+void ProgressBar::draw(std::string_view stage, double fraction, std::uint64_t done) {
   Clock::time_point now = Clock::now();
   if (drawn_ && stage == stage_ && now - lastDraw_ < kRedraw)
     return;
+  if (stage != stage_)
+    stageBegin_ = now;
   stage_ = stage;
   lastDraw_ = now;
   drawn_ = true;
   double shown = std::clamp(fraction, 0.0, 1.0);
   int filled = static_cast<int>(shown * kBarCells);
   std::string bar = std::string(std::size_t(filled), '#') + std::string(std::size_t(kBarCells - filled), '.');
-  std::fprintf(stderr, "%s%-12s [%s] %3d%%", kEraseLine, stage_.c_str(), bar.c_str(),
-               static_cast<int>(shown * 100));
+  double seconds = std::chrono::duration<double>(now - stageBegin_).count();
+  std::fprintf(stderr, "%s%-12s [%s] %3d%%%s", kEraseLine, stage_.c_str(), bar.c_str(),
+               static_cast<int>(shown * 100), paceText(seconds, shown, done).c_str());
+}
+
+std::string paceText(double seconds, double fraction, std::uint64_t done) {
+  // Before half a second or a hundredth of the way any number would be a guess.
+  if (seconds < 0.5)
+    return {};
+  char text[64];
+  std::string pace;
+  if (done > 0) {
+    std::snprintf(text, sizeof text, "  %.1f M/s", static_cast<double>(done) / seconds * 1e-6);
+    pace += text;
+  }
+  if (fraction >= 0.01 && fraction < 1) {
+    auto left = static_cast<long>(seconds / fraction - seconds + 0.5);
+    std::snprintf(text, sizeof text, "  %ld:%02ld left", left / 60, left % 60);
+    pace += text;
+  }
+  return pace;
 }
 
 } // namespace voxc::tool

@@ -4,12 +4,13 @@
 #include "voxc/Support/Progress.h"
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace voxc::tool {
 
-/// A bar on standard error that is drawn over itself and removed at the end. It shows nothing if it is told
-/// to be quiet or standard error is no terminal.
+/// A bar on standard error with rate and time left, drawn over itself and removed at the end. It shows
+/// nothing if it is told to be quiet or standard error is no terminal.
 class ProgressBar {
 public:
   explicit ProgressBar(bool quiet);
@@ -25,12 +26,16 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  void draw(std::string_view stage, double fraction);
+  void draw(std::string_view stage, double fraction, std::uint64_t done);
 
   bool visible_;
   bool drawn_ = false;
   std::string stage_;
+  Clock::time_point stageBegin_{};
   Clock::time_point lastDraw_{};
 };
+
+/// What stands behind the bar: "12.3 M/s", if things are counted, and "0:42 left", once that can be told.
+std::string paceText(double seconds, double fraction, std::uint64_t done);
 
 } // namespace voxc::tool

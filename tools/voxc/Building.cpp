@@ -3,7 +3,6 @@
 
 #include "common/Statistics.h"
 #include "frontend/FormatArgument.h"
-#include "voxc/Construct/Constructor.h"
 
 #include <filesystem>
 
@@ -13,12 +12,16 @@ void Building::declare(CLI::App &app) {
   app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
       ->required()
       ->type_name("");
-  app.add_option("INPUT", input_, "A mesh, points, a .hvx volume, grid:WxHxD:FILE or builtin:NAME[:N]")
+  app.add_option("INPUT", input_,
+                 "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]")
       ->required()
       ->type_name("");
   addInputArguments(app, inputArguments_);
+  addMemoryArguments(app, buildArguments_);
   passes_.declare(app, PassChoice::All);
 }
+
+void Building::declareThreads(CLI::App &app) { addThreadsArgument(app, buildArguments_); }
 
 void Building::defaultInput(CLI::App &app, const std::string &input) {
   input_ = input;
@@ -38,51 +41,105 @@ namespace {
 
 void addInputFigures(Json &figures, const Input &input) {
   figures["load_seconds"] = input.loadSeconds;
-  figures["voxelize_seconds"] = input.voxelizeSeconds;
+  figures["bin_seconds"] = input.binSeconds;
   figures["triangles"] = input.triangles;
+  figures["loader_peak_bytes"] = input.loaderPeakBytes;
   figures["warnings"] = input.warnings.size();
 }
 
-void addBuildFigures(Json &figures, const BuildReport &report) {
-  figures["build_seconds"] = report.seconds;
-  figures["unique_nodes"] = report.uniqueNodes;
-  figures["shared_nodes"] = report.sharedNodes;
+Json levelFigures(const std::vector<LevelReport> &levels) {
+  Json rows = Json::array();
+  for (const LevelReport &level : levels)
+    rows.push_back(
+        {{"words", level.words}, {"unique_nodes", level.uniqueNodes}, {"shared_nodes", level.sharedNodes}});
+  return rows;
 }
 
 } // namespace
 
-Expected<Volume> Building::build(const Format &format, const CommonOptions &common, const Progress &progress,
-                                 Json &figures) const {
+void addBuildFigures(Json &figures, const BuildReport &report) {
+  figures["build_seconds"] = report.seconds;
+  figures["build_cpu_seconds"] = report.cpuSeconds;
+  figures["voxelize_seconds"] = report.readSeconds;
+  figures["write_seconds"] = report.writeSeconds;
+  figures["scratch_bytes"] = report.scratchBytes;
+  std::uint64_t unique = 0;
+  std::uint64_t shared = 0;
+  for (const LevelReport &level : report.levels) {
+    unique += level.uniqueNodes;
+    shared += level.sharedNodes;
+  }
+  figures["unique_nodes"] = unique;
+  figures["shared_nodes"] = shared;
+  figures["levels"] = levelFigures(report.levels);
+}
+
+void addFileFigure(Json &figures, const std::string &path) {
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(path, ignored);
+  figures["file_bytes"] = ignored ? 0 : bytes;
+}
+
+Expected<Building::Prepared> Building::prepare(const Format &format, const CommonOptions &common,
+                                               const Progress &progress, Json &figures) const {
   Expected<Constructor> constructor = Constructor::compile(format);
   if (!constructor)
     return constructor.error();
+  const unsigned threads = threadsOf(buildArguments_);
+  BuildOptions options{"", threads, makeWorkingMemory(buildArguments_), "", progress};
 
-  InputOptions options = makeInputOptions(inputArguments_, format.extent());
-  options.progress = progress;
-  Expected<Input> input = openInput(input_, options);
+  InputOptions inputOptions = makeInputOptions(inputArguments_, format.extent());
+  inputOptions.progress = progress;
+  inputOptions.memory = options.memory;
+  Expected<Input> input = openInput(input_, inputOptions);
   if (!input)
     return input.error();
-  Expected<Built> built =
-      constructor->build(*input->source, {.provenance = input->provenance, .progress = progress});
-  if (!built)
-    return built.error();
-
   if (!common.quiet)
     for (const std::string &warning : input->warnings)
       printNote("warning: " + warning);
-  addVolumeFigures(figures, built->volume);
+  options.provenance = input->provenance;
   figures["passes"] = passes_.names();
+  figures["threads"] = threads;
+  figures["memory_bound_bytes"] = options.memory->bound();
   figures["compile_seconds"] = constructor->compileSeconds();
   addInputFigures(figures, *input);
+  return Prepared{std::move(*constructor), std::move(*input), std::move(options)};
+}
+
+Expected<Volume> Building::build(const Format &format, const std::string &path, const CommonOptions &common,
+                                 const Progress &progress, Json &figures) const {
+  Expected<Prepared> prepared = prepare(format, common, progress, figures);
+  if (!prepared)
+    return prepared.error();
+  prepared->options.path = path;
+  Expected<Built> built = prepared->constructor.build(*prepared->input.source, prepared->options);
+  if (!built)
+    return built.error();
+  addVolumeFigures(figures, built->volume);
   addBuildFigures(figures, built->report);
+  if (!path.empty())
+    addFileFigure(figures, path);
   return std::move(built->volume);
 }
 
-Expected<void> saveVolume(const Volume &volume, const std::string &path, Json &figures) {
-  if (Expected<void> saved = volume.save(path); !saved)
-    return saved;
-  std::error_code ignored;
-  figures["file_bytes"] = std::filesystem::file_size(path, ignored);
+Expected<void> Building::buildFragment(const Format &format, std::uint64_t index, std::uint64_t count,
+                                       const std::string &path, const CommonOptions &common,
+                                       const Progress &progress, Json &figures) const {
+  Expected<Prepared> prepared = prepare(format, common, progress, figures);
+  if (!prepared)
+    return prepared.error();
+  Expected<BuildReport> report =
+      prepared->constructor.buildFragment(*prepared->input.source, index, count, path, prepared->options);
+  if (!report)
+    return report.error();
+  figures["fragment"] = index;
+  figures["fragments"] = count;
+  figures["voxels"] = report->voxels;
+  figures["build_seconds"] = report->seconds;
+  figures["build_cpu_seconds"] = report->cpuSeconds;
+  figures["voxelize_seconds"] = report->readSeconds;
+  figures["scratch_bytes"] = report->scratchBytes;
+  addFileFigure(figures, path);
   return {};
 }
 

@@ -18,11 +18,14 @@ void ErrorCheck::declare(CLI::App &app) {
       ->capture_default_str();
 }
 
-void ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
-                     Json &figures) const {
+Expected<void> ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
+                               const Progress &progress, Json &figures) const {
   const std::size_t count = std::min(sample_, rays.size());
   if (count == 0)
-    return;
+    return {};
+  const Expected<Oracle> oracle = Oracle::of(volume, progress);
+  if (!oracle)
+    return oracle.error();
   std::vector<Ray> sampledRays(count);
   std::vector<Hit> sampledHits(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -30,7 +33,8 @@ void ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, std::span<
     sampledRays[i] = rays[at];
     sampledHits[i] = hits[at];
   }
-  figures["error"] = errorJson(compare(Oracle(volume), sampledRays, sampledHits));
+  figures["error"] = errorJson(compare(*oracle, sampledRays, sampledHits));
+  return {};
 }
 
 } // namespace voxc::tool

@@ -5,6 +5,7 @@
 #include "VolumeArgument.h"
 
 #include "common/Statistics.h"
+#include "common/Terminal.h"
 #include "voxc/Source/Export.h"
 
 namespace voxc::tool {
@@ -27,8 +28,9 @@ public:
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
+    ProgressBar bar(common_.quiet);
     const Stopwatch watch;
-    if (Expected<void> exported = exportVoxels(*volume, output_); !exported)
+    if (Expected<void> exported = exportVoxels(*volume, output_, bar.progress()); !exported)
       return exported;
     Json figures;
     addVolumeFigures(figures, *volume);

@@ -1,6 +1,10 @@
 // Options of inputs.
 #include "InputArguments.h"
 
+#ifdef VOXC_HAS_OPENVDB
+#include "voxc/OpenVdb/OpenVdb.h"
+#endif
+
 #include <algorithm>
 #include <charconv>
 #include <system_error>
@@ -16,9 +20,24 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
       ->type_name("X0,Y0,Z0,X1,Y1,Z1")
       ->delimiter(',')
       ->expected(6);
-  app.add_option("--up", arguments.up, "The mesh's axis that points up: y (default) or z")
+  app.add_option("--up", arguments.up, "The axis of a mesh or dense volume that points up: y (default) or z")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}).description(""));
+  app.add_option("--coverage", arguments.coverage,
+                 "Voxels that a triangle takes: conservative (default), all that it touches, or thin")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"conservative", "thin"}).description(""));
+  app.add_option("--threshold", arguments.threshold,
+                 "Samples of a dense volume from here up are voxels; default: all but 0")
+      ->type_name("T");
+  app.add_option("--colour-map", arguments.colourMap,
+                 "Colours of a dense volume: grey (default), heat, dusk or polar")
+      ->type_name("NAME");
+  app.add_option("--window", arguments.window,
+                 "Samples that have the first and last colour; default: the least and the greatest")
+      ->type_name("LO,HI")
+      ->delimiter(',')
+      ->expected(2);
 }
 
 namespace {
@@ -60,6 +79,16 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
     arguments.bounds = bounds;
   if (arguments.up.empty())
     arguments.up = valueOf(provenance, "up");
+  const std::vector<double> threshold = parseNumbers<double>(valueOf(provenance, "threshold"));
+  if (!arguments.threshold && threshold.size() == 1)
+    arguments.threshold = threshold.front();
+  if (arguments.colourMap.empty())
+    arguments.colourMap = valueOf(provenance, "colour-map");
+  const std::vector<double> window = parseNumbers<double>(valueOf(provenance, "window"));
+  if (arguments.window.empty() && window.size() == 2)
+    arguments.window = window;
+  if (arguments.coverage.empty())
+    arguments.coverage = valueOf(provenance, "coverage");
 }
 
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
@@ -67,8 +96,17 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   options.resolution = arguments.resolution;
   options.formatExtent = formatExtent;
   options.zUp = arguments.up == "z";
+  options.coverage = arguments.coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
   if (!arguments.bounds.empty())
     std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
+  options.threshold = arguments.threshold;
+#ifdef VOXC_HAS_OPENVDB
+  options.otherKinds.push_back(openVdbKind());
+#endif
+  if (!arguments.colourMap.empty())
+    options.colourMap = arguments.colourMap;
+  if (!arguments.window.empty())
+    std::ranges::copy(arguments.window, options.window.emplace().begin());
   return options;
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +17,13 @@ struct InputArguments {
   int resolution = 0;         ///< 0: what the format holds.
   std::vector<double> bounds; ///< Empty, or six numbers.
   std::string up;             ///< "y", "z", or empty.
+  std::string coverage;       ///< "conservative", "thin", or empty.
+  std::optional<double> threshold;
+  std::string colourMap;      ///< Empty: the library's default.
+  std::vector<double> window; ///< Empty, or two numbers.
 };
 
-/// Adds --resolution, --bounds and --up to a command.
+/// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map and --window to a command.
 void addInputArguments(CLI::App &app, InputArguments &arguments);
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").

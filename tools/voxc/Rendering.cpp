@@ -36,7 +36,8 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const P
           tracing.trace(rays, hits, {.countSteps = heatmap_, .progress = progress}, figures);
       !traced)
     return traced;
-  check_.run(volume, rays, hits, figures);
+  if (Expected<void> checked = check_.run(volume, rays, hits, progress, figures); !checked)
+    return checked;
   figures["width"] = camera->width;
   figures["height"] = camera->height;
   return writePng(output_, heatmap_ ? heatmap(hits, camera->width, camera->height)

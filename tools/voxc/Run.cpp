@@ -43,12 +43,10 @@ private:
       return format.error();
     if (Expected<void> opened = tracing_.openDevice(); !opened)
       return opened;
-    Expected<Volume> volume = building_.build(*format, common_, bar.progress(), figures);
+    building_.useThreads(tracing_.threads());
+    Expected<Volume> volume = building_.build(*format, volumePath_, common_, bar.progress(), figures);
     if (!volume)
       return volume.error();
-    if (!volumePath_.empty())
-      if (Expected<void> saved = saveVolume(*volume, volumePath_, figures); !saved)
-        return saved;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;
     return rendering_.render(*volume, tracing_, bar.progress(), figures);

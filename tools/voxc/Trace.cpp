@@ -75,7 +75,8 @@ private:
     std::vector<Hit> hits(rays->size());
     if (Expected<void> traced = tracing_.trace(*rays, hits, options_, figures); !traced)
       return traced;
-    check_.run(*volume, *rays, hits, figures);
+    if (Expected<void> checked = check_.run(*volume, *rays, hits, options_.progress, figures); !checked)
+      return checked;
     return writeHits(output_, hits);
   }
 

@@ -11,7 +11,8 @@ namespace voxc::tool {
 void Tracing::declare(CLI::App &app) {
   app.add_option("--device", deviceName_, "Trace on the device whose name contains this; see 'voxc devices'")
       ->type_name("NAME");
-  app.add_option("--threads", threads_, "Threads of a device that is this processor (lavapipe); default: all")
+  app.add_option("--threads", threads_,
+                 "Threads that compute, also of a device that is this processor (lavapipe); default: all")
       ->type_name("N")
       ->check(CLI::Range(1u, 1024u).description(""));
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");

@@ -26,6 +26,9 @@ public:
   Expected<void> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
                        Json &figures);
 
+  /// What --threads says; 0: nothing.
+  unsigned threads() const { return threads_; }
+
 private:
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.

@@ -94,6 +94,7 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   fillFromProvenance(arguments, volume->info().provenance);
   InputOptions options = makeInputOptions(arguments, volume->format().extent());
   options.progress = progress;
+  options.reference = true;
   Expected<Input> input = openInput(against_, options);
   if (!input)
     return input.error();
@@ -136,13 +137,15 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
   if (Expected<void> traced = tracing_.trace(rays, hits, {.progress = progress}, figures_); !traced)
     return traced;
 
-  const Oracle oracle(volume);
-  const ErrorFigures error = compare(oracle, rays, hits);
+  const Expected<Oracle> oracle = Oracle::of(volume, progress);
+  if (!oracle)
+    return oracle.error();
+  const ErrorFigures error = compare(*oracle, rays, hits);
   figures_["error"] = errorJson(error);
   if (tellsOnStdout(common_)) {
     printErrors(error);
     for (const std::uint64_t index : error.examples)
-      printExample(index, rays[index], hits[index], oracle.trace(rays[index]));
+      printExample(index, rays[index], hits[index], oracle->trace(rays[index]));
   }
   if (!accepts(error))
     fail("the kernel's hits differ from the oracle's on " +

@@ -48,14 +48,19 @@ Volume buildScene(const Constructor &constructor, const Scene &scene) {
       }
   std::uint64_t decoded = 0;
   bool equal = true;
-  decode(volume, [&](const Cube &cube, std::uint32_t word) {
+  const auto decoding = decode(volume, [&](const Cube &cube, std::uint32_t word) {
     decoded += std::uint64_t{1} << (3 * cube.log2Side);
     equal = equal && scene.voxel(cube.low) == word;
+    return true;
   });
+  if (!decoding)
+    return ::testing::AssertionFailure() << decoding.error().message;
   if (!equal || decoded != voxels || volume.info().voxels != voxels)
     return ::testing::AssertionFailure() << "decoded " << decoded << " and counted " << volume.info().voxels
                                          << " of " << voxels << " voxels";
   const auto checked = checkStructure(volume.format(), volume.words());
+  if (checked && *checked != voxels)
+    return ::testing::AssertionFailure() << "the structure check counted " << *checked << " voxels";
   return checked ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << checked.error().message;
 }
 

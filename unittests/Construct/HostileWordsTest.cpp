@@ -38,10 +38,11 @@ Words withGarbageBehind(Words words) {
   return words;
 }
 
-Volume volumeOf(const Format &format, Words words) {
+Volume volumeOf(const Format &format, Words words, std::uint64_t voxels) {
   VolumeInfo info;
   info.format = storageFormat(format);
   info.extent = format.extent();
+  info.voxels = voxels;
   return Volume(std::move(info), std::move(words));
 }
 
@@ -53,10 +54,12 @@ std::vector<std::uint64_t> everythingReadFrom(const Volume &volume) {
     for (c.y = 0; c.y < extent.y; ++c.y)
       for (c.x = 0; c.x < extent.x; ++c.x)
         read.push_back(volume.lookup(c).value);
-  decode(volume, [&](const Cube &cube, std::uint32_t word) {
+  const auto decoded = decode(volume, [&](const Cube &cube, std::uint32_t word) {
     read.push_back(mortonCode(cube.low) << 8 | static_cast<std::uint64_t>(cube.log2Side));
     read.push_back(word);
+    return true;
   });
+  EXPECT_TRUE(decoded) << decoded.error().message;
   return read;
 }
 
@@ -73,13 +76,14 @@ TEST(HostileWords, AreReadInBoundsOrRefused) {
     for (int mutation = 0; mutation < 400; ++mutation) {
       Words words(sound.begin(), sound.end());
       mutate(words, random);
-      if (!checkStructure(format, words)) {
+      const auto voxels = checkStructure(format, words);
+      if (!voxels) {
         ++refused;
         continue;
       }
       ++passed;
-      const Volume changed = volumeOf(format, words);
-      const Volume extended = volumeOf(format, withGarbageBehind(words));
+      const Volume changed = volumeOf(format, words, *voxels);
+      const Volume extended = volumeOf(format, withGarbageBehind(words), *voxels);
       ASSERT_EQ(everythingReadFrom(changed), everythingReadFrom(extended)) << printIr(format);
     }
   }

@@ -89,7 +89,7 @@ TEST(Ir, DropsDefaultsAndComments) {
 }
 
 TEST(Ir, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(errorOf("format { level 1: raw(1,1,1) walk=restart }"), HasSubstr("it has none"));
+  EXPECT_THAT(errorOf("format { level 1: raw(1,1,1) walk=restart }"), HasSubstr("it has share"));
   EXPECT_THAT(errorOf("format { level 1: svdag(3) walk=up }"), HasSubstr("it takes stack, restart"));
   EXPECT_THAT(errorOf("format { level 2: svdag(3) }"), HasSubstr("level 1 should be"));
   EXPECT_THAT(errorOf("format { level 1: tree(3) }"), HasSubstr("raw, distance, svo, svdag"));

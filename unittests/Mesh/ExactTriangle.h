@@ -36,15 +36,25 @@ inline std::vector<ExactPoint> clipPolygon(const std::vector<ExactPoint> &polygo
   return kept;
 }
 
-/// True if the closed triangle and the closed voxel, widened by `margin` on each side, have a common point.
-inline bool touchesExactly(const ExactTriangle &triangle, Int3 voxel, double margin) {
+/// True if the closed triangle and the closed box from `low` to `high` have a common point.
+inline bool meetsExactly(const ExactTriangle &triangle, const ExactPoint &low, const ExactPoint &high) {
   std::vector<ExactPoint> polygon(triangle.begin(), triangle.end());
-  for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    polygon = clipPolygon(polygon, i, 1, voxel[axis] - Rational(margin));
-    polygon = clipPolygon(polygon, i, -1, voxel[axis] + 1 + Rational(margin));
+  for (std::size_t axis = 0; axis < 3 && !polygon.empty(); ++axis) {
+    polygon = clipPolygon(polygon, axis, 1, low[axis]);
+    polygon = clipPolygon(polygon, axis, -1, high[axis]);
   }
   return !polygon.empty();
+}
+
+/// The same for a closed voxel, widened by `margin` on each side.
+inline bool touchesExactly(const ExactTriangle &triangle, Int3 voxel, double margin) {
+  ExactPoint low;
+  ExactPoint high;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = voxel[static_cast<int>(axis)] - Rational(margin);
+    high[axis] = voxel[static_cast<int>(axis)] + 1 + Rational(margin);
+  }
+  return meetsExactly(triangle, low, high);
 }
 
 } // namespace voxc

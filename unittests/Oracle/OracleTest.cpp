@@ -31,7 +31,8 @@ Volume floorAndPillar() {
     for (int x = 0; x < kSide; ++x)
       for (int y = 0; y < (x == 4 && z == 4 ? 6 : 2); ++y)
         word(x, y, z) = 0xff000000u + static_cast<std::uint32_t>(x + kSide * (y + kSide * z));
-  return Volume({formatOf("R(3,3,3)"), {kSide, kSide, kSide}}, std::move(words));
+  constexpr std::uint64_t kVoxels = 2 * kSide * kSide + 4;
+  return Volume({formatOf("R(3,3,3)"), {kSide, kSide, kSide}, {}, kVoxels}, std::move(words));
 }
 
 /// A ray, and what a kernel says of it.
@@ -55,7 +56,7 @@ constexpr Ray kDown{{1.5f, 8, 1.5f}, {0, -2, 0}}; // Hits (1, 1, 1) at t = 3.
 
 class OracleFigures : public testing::Test {
 protected:
-  OracleFigures() : oracle_(floorAndPillar()) {}
+  OracleFigures() : oracle_(*Oracle::of(floorAndPillar())) {}
 
   Hit hitAt(Int3 voxel, float t) const { return {{voxel.x, voxel.y, voxel.z}, oracle_.voxel(voxel), t, 0}; }
 
@@ -64,7 +65,7 @@ protected:
 
 TEST(Oracle, DecodesWhatTheVolumeHolds) {
   const Volume volume = floorAndPillar();
-  const Oracle oracle(volume);
+  const Oracle oracle = *Oracle::of(volume);
   for (int code = 0; code < kSide * kSide * kSide; ++code) {
     const Int3 cell = mortonCell(static_cast<std::uint64_t>(code));
     EXPECT_EQ(oracle.voxel(cell), volume.lookup(cell).value);
@@ -74,14 +75,14 @@ TEST(Oracle, DecodesWhatTheVolumeHolds) {
 }
 
 TEST(Oracle, EmptyVolumeIsNeverHit) {
-  const Oracle oracle(Volume({formatOf("R(9,9,9) G(12)"), {1, 1, 1}}, {0}));
+  const Oracle oracle = *Oracle::of(Volume({formatOf("R(9,9,9) G(12)"), {1, 1, 1}}, {0}));
   for (const Ray &ray : verifyRays({1 << 21, 1 << 21, 1 << 21}, 200, 1))
     EXPECT_FALSE(oracle.trace(ray).isHit());
 }
 
 TEST(Oracle, UniformLeavesAreVoxels) {
   // An octree of height 2 whose root has one child, which has eight equal children: a leaf of 2^3 voxels.
-  const Oracle oracle(Volume({formatOf("S(2)"), {4, 4, 4}}, {3, 7, 0, 1, 0x8080}));
+  const Oracle oracle = *Oracle::of(Volume({formatOf("S(2)"), {4, 4, 4}, {}, 8}, {3, 7, 0, 1, 0x8080}));
   EXPECT_EQ(oracle.voxel({3, 2, 2}), 7u);
   EXPECT_EQ(oracle.voxel({1, 2, 2}), 0u);
   const Hit hit = oracle.trace({{-1, 2.5f, 3.5f}, {1, 0, 0}});

@@ -54,7 +54,7 @@ protected:
     ASSERT_TRUE(built) << built.error().message;
     const auto rays = verifyRays(scene.extent, 2000, seed);
     const auto hits = hitsOf(built->volume, format, addressing, rays);
-    const ErrorFigures figures = compare(Oracle(built->volume), rays, hits);
+    const ErrorFigures figures = compare(*Oracle::of(built->volume), rays, hits);
     const std::uint64_t wrong = figures.missed + figures.ghost + figures.wrong;
     EXPECT_EQ(figures.colour, 0u) << printIr(format) << scene.name;
     EXPECT_EQ(wrong, figures.boundary)

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace voxc {
 namespace {
@@ -53,6 +55,18 @@ TEST(OutputFile, LeavesWhatWasThereUnlessCommitted) {
   EXPECT_FALSE(OutputFile::create(folder / "none" / "file"));
   EXPECT_FALSE(MappedFile::open(folder));
   std::filesystem::remove_all(folder);
+}
+
+TEST(MappedFile, DoesNotWaitForAPipe) {
+  const std::string pipe =
+      std::filesystem::temp_directory_path() / ("voxc-pipe-" + std::to_string(::getpid()));
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ::alarm(60); // Ends the test if it does wait.
+  const auto file = MappedFile::open(pipe);
+  ::alarm(0);
+  std::filesystem::remove(pipe);
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().message, "'" + pipe + "' is not a regular file");
 }
 
 TEST(OutputFile, WritesToDevicesWithoutReplacingThem) {

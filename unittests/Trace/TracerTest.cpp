@@ -130,7 +130,7 @@ TEST_F(TracerTest, ProgressEndsAtOne) {
   std::vector<Hit> hits(rays.size());
   double last = 0;
   TraceOptions options{.repeat = 2};
-  options.progress.report = [&](std::string_view, double fraction) { last = fraction; };
+  options.progress.report = [&](std::string_view, double fraction, std::uint64_t) { last = fraction; };
   ASSERT_TRUE(tracer_->trace(rays, hits, options));
   EXPECT_EQ(last, 1);
 }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
@@ -120,6 +121,64 @@ TEST(Structure, RefusesWhatWouldLeadAstray) {
   EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 9, 1, 0, 1}), HasSubstr("has a distance"));
   EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 9, 0, 0, 4}), HasSubstr("outside 1..3"));
   EXPECT_THAT(structureOf("R(1,0,0) R(0^3)", {1, 3, 99, 7}), HasSubstr("leads to word 99"));
+}
+
+TEST(Structure, CountsVoxelsHoweverTheyAreShared) {
+  const auto count = [](const char *format, std::vector<std::uint32_t> words) {
+    const auto voxels = checkStructure(*parseFormat(format), words);
+    return voxels ? *voxels : 0;
+  };
+  EXPECT_EQ(count("R(1,0,0)", {1, 0, 5}), 1u);
+  EXPECT_EQ(count("G(1)", {2, 9, 0x0202, 1}), 1u);
+  // A leaf under the root is 4^3 voxels.
+  EXPECT_EQ(count("G(3)", {2, 9, 0x0202, 1}), 64u);
+  // Nodes of all heights that have the same child twice.
+  EXPECT_EQ(count("G(5)", {12, 9, 0x0101, 1, 1, 2, 3, 4, 4, 3, 6, 6, 3, 9, 9}), 8u);
+  EXPECT_EQ(count("G(4) G(1)", {12, 2, 0x0101, 9, 0x0101, 1, 3, 4, 4, 3, 6, 6, 3, 9, 9}), 8u);
+}
+
+TEST(Structure, RefusesGridsThatHoldNothing) {
+  EXPECT_THAT(structureOf("R(1,0,0)", {1, 0, 0}), HasSubstr("holds no voxel"));
+  EXPECT_THAT(structureOf("R(1,0,0) R(0^3)", {2, 0, 1, 0}), HasSubstr("holds no voxel"));
+  EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 0, 3, 0, 3}), HasSubstr("holds no voxel"));
+}
+
+TEST_F(VolumeFile, CountsItsVoxels) {
+  Volume lying = small();
+  VolumeInfo info = lying.info();
+  info.voxels = 2;
+  ASSERT_TRUE(Volume(info, {2, 9, 0x0202, 1}).save(path_));
+  const auto loaded = Volume::load(path_);
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message, HasSubstr("holds 1 voxels, but its header says 2"));
+  EXPECT_TRUE(Volume::load(path_, true));
+}
+
+/// 8 leaves high in an upper tree stand for 2^60 grids of one voxel each: no one may decode them all.
+Volume vast(std::uint64_t stated) {
+  VolumeInfo info;
+  info.format = *parseFormat("G(20) R(1^3)");
+  info.extent = info.format.extent();
+  info.voxels = stated;
+  return Volume(std::move(info), {10, 0, 7, 0, 0, 0, 0, 0, 0, 1, 0xffff, 9, 9, 9, 9, 9, 9, 9, 9});
+}
+
+TEST(Decode, EndsWhenItIsTold) {
+  const Volume volume = vast(std::uint64_t{1} << 60);
+  ASSERT_EQ(*checkStructure(volume.format(), volume.words()), std::uint64_t{1} << 60);
+  int cubes = 0;
+  EXPECT_TRUE(decode(volume, [&](const Cube &, std::uint32_t) { return ++cubes < 5; }));
+  EXPECT_EQ(cubes, 5);
+  const std::atomic<bool> stop = true;
+  const auto decoded = decode(volume, [&](const Cube &, std::uint32_t) { return true; }, {{}, &stop});
+  ASSERT_FALSE(decoded);
+  EXPECT_EQ(decoded.error().kind, ErrorKind::Interrupted);
+}
+
+TEST(Decode, FindsNoMoreVoxelsThanTheHeaderSays) {
+  const auto decoded = decode(vast(1000), [](const Cube &, std::uint32_t) { return true; });
+  ASSERT_FALSE(decoded);
+  EXPECT_THAT(decoded.error().message, HasSubstr("more voxels than the 1000"));
 }
 
 TEST(Structure, EndsQuicklyWhateverTheFileTiesTogether) {

@@ -4,25 +4,43 @@
 #include "voxc/IR/Format.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Support/WorkingMemory.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace voxc {
 
+/// How to build. Nothing of it changes a byte of the volume.
 struct BuildOptions {
   std::string provenance; ///< Kept in the volume.
+  unsigned threads = 1;   ///< Sources that have but one reader are built on one.
+  /// The bound on the memory, also of the source if it was opened with the same; null: the default one.
+  std::shared_ptr<WorkingMemory> memory;
+  /// Where the volume is written while it is built, under a temporary name until it is whole; "": the words
+  /// stay in memory, or in the scratch file.
+  std::string path;
   Progress progress;
 };
 
+/// What became of one level.
+struct LevelReport {
+  std::uint64_t words = 0;
+  std::uint64_t uniqueNodes = 0; ///< Grids, nodes, blocks of siblings and shared leaves that were written.
+  std::uint64_t sharedNodes = 0; ///< Times one was found written already.
+};
+
 struct BuildReport {
-  double seconds = 0;            ///< From the opened source to the finished words.
-  std::uint64_t voxels = 0;      ///< Non-empty voxels.
-  std::uint64_t uniqueNodes = 0; ///< Nodes of shared trees that were written.
-  std::uint64_t sharedNodes = 0; ///< Times a node was found written already.
+  double seconds = 0;      ///< From the opened source to the finished volume.
+  double cpuSeconds = 0;   ///< The same in seconds of computing, of all threads of the process.
+  double readSeconds = 0;  ///< Of computing, over all threads, that made voxels.
+  double writeSeconds = 0; ///< For what is left to do with the file when the words are complete.
+  std::uint64_t voxels = 0;
+  std::uint64_t scratchBytes = 0; ///< Largest size of the scratch file.
+  std::vector<LevelReport> levels;
 };
 
 struct Built {
@@ -41,14 +59,28 @@ public:
   /// Seconds from the text to callable code.
   double compileSeconds() const;
 
-  /// Builds the volume of a source. Errors: the source is larger than the format or failed (its error), more
-  /// than 2^32 words are needed (`Input`, naming the size reached), or the build was stopped.
+  /// Builds the volume of a source. The bytes depend on format and voxels alone. Errors: the source is larger
+  /// than the format or failed (its error), more than 2^32 words are needed (`Input`, naming the size
+  /// reached), memory or disk is full, or the build was stopped.
   Expected<Built> build(VoxelSource &source, const BuildOptions &options = {}) const;
+
+  /// Builds the parts of a volume whose numbers, in Morton order, lie in the fragment `index` of `count` (0
+  /// to count - 1), and writes them to `path` for `merge`. The report's levels say nothing. Errors: as
+  /// `build`.
+  Expected<BuildReport> buildFragment(VoxelSource &source, std::uint64_t index, std::uint64_t count,
+                                      const std::string &path, const BuildOptions &options = {}) const;
+
+  /// Joins all fragments of a volume, given in any order, to what `build` makes of it. The provenance is
+  /// theirs. Errors (`Input`): a file that is no fragment, is broken, of another format or input, or missing.
+  Expected<Built> merge(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
 
 private:
   struct State;
   explicit Constructor(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// The format of the volume that a fragment file belongs to. Errors as `merge`.
+Expected<Format> formatOfFragment(const std::string &path);
 
 } // namespace voxc

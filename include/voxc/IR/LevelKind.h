@@ -64,6 +64,12 @@ struct LevelKind {
   /// Visits the sub-volume at `offset` and its non-empty cells in Morton order, checking every word on the
   /// way.
   void (*walk)(WordReader &words, const Level &level, std::uint32_t offset, SubVolumeVisitor &visitor);
+
+  /// Replaces every pointer p among words that construction wrote at once (a grid, a node, a block of
+  /// siblings) by `newOffsets[p]`. `holdsVoxels`: terminating integers of this level are voxels. False if one
+  /// leads to no offset, or to 0.
+  bool (*relocate)(std::span<std::uint32_t> words, bool holdsVoxels,
+                   std::span<const std::uint32_t> newOffsets);
 };
 
 /// All level kinds, in the order of the documentation.
@@ -75,6 +81,7 @@ const LevelKind *findLevelKind(std::string_view name);
 
 /// The attributes that exist, whichever kinds take them.
 extern const AttributeKind kDedupAttribute; ///< dedup: sub-volume | level
+extern const AttributeKind kShareAttribute; ///< share: none | level
 extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart
 
 } // namespace voxc

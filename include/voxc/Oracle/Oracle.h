@@ -15,8 +15,8 @@ namespace voxc {
 /// Evaluates the definition of a hit in exact arithmetic on decoded voxels.
 class Oracle {
 public:
-  /// Decodes `volume` into bricks of its own.
-  explicit Oracle(const Volume &volume);
+  /// Decodes `volume` into runs of its own. Errors: as `decode`; more uniform cubes than can be kept.
+  static Expected<Oracle> of(const Volume &volume, const Progress &progress = {});
   ~Oracle();
   Oracle(Oracle &&) noexcept;
 
@@ -28,6 +28,7 @@ public:
 
 private:
   struct State;
+  explicit Oracle(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

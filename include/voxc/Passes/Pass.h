@@ -42,6 +42,7 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names,
 
 // Each pass's contract stands in its own file of lib/Passes.
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
+PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult restartSv(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);
 

@@ -25,11 +25,11 @@ enum class Predicate {
   Float32, ///< Plain float32: wrong only by rounding at a boundary.
 };
 
-/// Which nodes of a tree may be shared when it is built.
+/// Which nodes of a tree, or whole grids, may be shared when they are built.
 enum class Sharing {
-  None,      ///< Nothing is looked up: an octree.
+  None,      ///< Nothing is looked up: an octree, or grids as they come.
   SubVolume, ///< Equal nodes of one sub-volume.
-  Level,     ///< Equal nodes of all sub-volumes of the level.
+  Level,     ///< Equal nodes of all sub-volumes of the level, or its equal grids.
 };
 
 /// One level, with every choice made.

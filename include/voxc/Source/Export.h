@@ -10,7 +10,7 @@ namespace voxc {
 /// Decodes `volume` to `path`, by its ending: .raw (uint32 RGBA, x fastest, of the input's extent), .ply
 /// (binary points: int x y z, uchar red green blue alpha, one a voxel in Morton order) or .vox (MagicaVoxel;
 /// at most 255 colours, several models of up to 256 cells a side). Written under a temporary name and
-/// renamed.
-Expected<void> exportVoxels(const Volume &volume, const std::string &path);
+/// renamed. Errors: another ending; more voxels than the file or the disk can hold; as `decode`.
+Expected<void> exportVoxels(const Volume &volume, const std::string &path, const Progress &progress = {});
 
 } // namespace voxc

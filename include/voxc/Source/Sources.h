@@ -2,6 +2,8 @@
 #pragma once
 
 #include "voxc/Source/VoxelSource.h"
+#include "voxc/Support/Progress.h"
+#include "voxc/Support/WorkingMemory.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
@@ -29,13 +31,17 @@ Expected<std::unique_ptr<VoxelSource>> makeBuiltinSource(std::string_view name, 
 /// A dense grid of RGBA words, x fastest, then y, then z; `words` has extent.x * extent.y * extent.z of them.
 std::unique_ptr<VoxelSource> makeGridSource(Int3 extent, std::vector<std::uint32_t> words);
 
-/// A dense grid from a file of little-endian words. Errors: unreadable, or not exactly the right size.
-Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::string &path);
+/// A dense grid in a file of little-endian words, which is mapped and watched by `memory`. Errors:
+/// unreadable, not exactly the right size, interrupted.
+Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::string &path,
+                                                      std::shared_ptr<WorkingMemory> memory,
+                                                      const Progress &progress = {});
 
 /// One voxel of a list.
 struct CodedVoxel {
   std::uint64_t code; ///< Morton code.
   std::uint32_t word;
+  std::uint32_t order = 0; ///< Its number in an unsorted list: of several with one code the lowest counts.
 };
 
 /// Voxels sorted by Morton code, each code once, no word 0.

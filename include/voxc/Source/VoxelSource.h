@@ -19,7 +19,8 @@ constexpr std::uint32_t rgba(std::uint32_t r, std::uint32_t g, std::uint32_t b, 
 /// A finite set of coloured voxels, asked in Morton order.
 ///
 /// A builder asks for aligned cubes so that their Morton codes never fall: for each it first asks `empty`,
-/// and then either leaves the cube or asks for cubes inside it. A source may thus drop what lies behind.
+/// and then either leaves the cube or asks for cubes inside it. A source may thus make its voxels piece by
+/// piece and drop what lies behind; who goes back is answered all the same, if slowly.
 /// Cubes may reach outside `extent()`; whatever is outside is empty.
 class VoxelSource {
 public:
@@ -35,6 +36,16 @@ public:
   /// "empty", anything else RGBA8 with R in the low byte.
   virtual void read(const Cube &cube, std::uint32_t *words) = 0;
 
+  /// Another reader of the same voxels, for another thread or another run; it may outlive this one. Null if
+  /// the source has but one reader.
+  virtual std::unique_ptr<VoxelSource> view() const { return nullptr; }
+
+  /// log2 of the side of the cubes that the source makes at once: who shares work out gives whole ones.
+  virtual int log2Chunk() const { return 6; }
+
+  /// Seconds of computing that went into `empty` and `read` so far, over all views.
+  virtual double readSeconds() const { return 0; }
+
   /// Maps voxel coordinates to those of the model that the voxels were made from.
   virtual Transform voxelToModel() const { return {}; }
 
@@ -43,6 +54,7 @@ public:
 };
 
 /// A source made of a function of the coordinates, which returns the voxel's word; `empty` may be left out.
+/// Views copy the functions and call them from several threads.
 std::unique_ptr<VoxelSource> makeFunctionSource(Int3 extent, std::function<std::uint32_t(Int3)> voxel,
                                                 std::function<bool(const Cube &)> empty = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string_view>
 
@@ -10,14 +11,15 @@ namespace voxc {
 /// How long work tells how far it is and asks whether to stop. Copies share nothing; all members are
 /// optional.
 struct Progress {
-  /// Called now and then with the stage's name and its finished fraction in [0, 1].
-  std::function<void(std::string_view stage, double fraction)> report;
+  /// Called now and then with the stage's name, its finished fraction in [0, 1], and how many things are done
+  /// (voxels, triangles, rays); 0: it does not count.
+  std::function<void(std::string_view stage, double fraction, std::uint64_t done)> report;
   /// Set by anyone, also a signal handler, to end the work early with `ErrorKind::Interrupted`.
   const std::atomic<bool> *stop = nullptr;
 
-  void at(std::string_view stage, double fraction) const {
+  void at(std::string_view stage, double fraction, std::uint64_t done = 0) const {
     if (report)
-      report(stage, fraction);
+      report(stage, fraction, done);
   }
   bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };

@@ -46,6 +46,8 @@ public:
   /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it
   /// out.
   virtual bool enterNode(std::uint32_t offset, int height) = 0;
+  /// All of the node that was entered last, and not left yet, has been visited.
+  virtual void leaveNode() {}
   /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.
   virtual void cells(const Cube &cube, std::uint32_t value) = 0;
   /// True to end the walk early.

@@ -30,6 +30,8 @@ class Volume {
 public:
   /// Takes words made by a builder; they are trusted.
   Volume(VolumeInfo info, std::vector<std::uint32_t> words);
+  /// The same for words that `owner` keeps alive.
+  Volume(VolumeInfo info, std::span<const std::uint32_t> words, std::shared_ptr<const void> owner);
   ~Volume();
   Volume(Volume &&) noexcept;
   Volume &operator=(Volume &&) noexcept;
@@ -54,11 +56,15 @@ private:
 };
 
 /// Proves that every word reachable from the root is in range and well-formed: safe for any kernel of the
-/// format.
-Expected<void> checkStructure(const Format &format, std::span<const std::uint32_t> words);
+/// format. Returns the number of its voxels, in time that follows the words however they are shared.
+Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words);
 
-/// Calls `cube` for every maximal uniform cube that the volume stores, in Morton order: together all its
-/// voxels.
-void decode(const Volume &volume, const std::function<void(const Cube &cube, std::uint32_t word)> &cube);
+/// Receives a uniform cube of voxels; false ends the decoding.
+using DecodeVisit = std::function<bool(const Cube &cube, std::uint32_t word)>;
+
+/// Calls `visit` for every maximal uniform cube that the volume stores, in Morton order: together all its
+/// voxels, so that there are no more cubes than `info().voxels`. Errors: interrupted; more voxels than the
+/// header says, which only a file that was trusted unseen can have.
+Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Progress &progress = {});
 
 } // namespace voxc

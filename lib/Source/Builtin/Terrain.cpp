@@ -16,6 +16,7 @@ public:
   explicit Terrain(int side) : shape_(side), colours_(shape_), columns_(shape_) {}
 
   Int3 extent() const override { return {shape_.side(), shape_.side(), shape_.side()}; }
+  std::unique_ptr<VoxelSource> view() const override { return std::make_unique<Terrain>(shape_.side()); }
 
   bool empty(const Cube &cube) override {
     if (isOutside(cube, extent()))

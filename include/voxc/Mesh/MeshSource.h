@@ -1,0 +1,43 @@
+// Voxelization of triangles, decided in exact arithmetic.
+#pragma once
+
+#include "voxc/Mesh/TriangleScene.h"
+#include "voxc/Source/VoxelSource.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace voxc {
+
+/// Which voxels a triangle takes.
+enum class Coverage {
+  Conservative, ///< Every closed voxel cube that the closed triangle touches.
+  Thin,         ///< Those in which it meets one of the three axis-parallel segments through the centre, from
+                ///< face to face: no path over faces crosses a watertight surface (6-separating).
+};
+
+struct VoxelizeOptions {
+  int resolution = 512;                        ///< Voxels on the longest axis of the bounds; 0: what fits.
+  Int3 maxExtent{1 << 21, 1 << 21, 1 << 21};   ///< Error if the bounds need more than this on an axis.
+  std::optional<std::array<double, 6>> bounds; ///< Crops, before the turn; default: the triangles' box.
+  bool zUp = false;                            ///< Turns +z to +y (a rotation about x).
+  Coverage coverage = Coverage::Conservative;
+  Progress progress;
+};
+
+/// Voxelizes a scene as it is asked for, one chunk of voxels at a time. Corners are snapped to a fixed-point
+/// grid (`makeMeshSource` of docs/construction.md says which) and the overlap is then decided without any
+/// rounding: it depends on nothing but triangle and voxel. A voxel takes the colour of the triangle
+/// nearest to its centre, then of the lowest number, at the point nearest to the centre; where a material is
+/// cut out, the triangle leaves no voxel. Errors: bounds that do not fit, a vertex too far away, no memory.
+Expected<std::unique_ptr<VoxelSource>> makeMeshSource(std::shared_ptr<const TriangleScene> scene,
+                                                      const VoxelizeOptions &options,
+                                                      const std::shared_ptr<WorkingMemory> &memory);
+
+/// The same voxels by an independent, simple and slow way, to check the other: every voxel of every
+/// triangle's box is tested by the definition, and the result is one sorted list in memory.
+Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleScene &scene,
+                                                               const VoxelizeOptions &options);
+
+} // namespace voxc

@@ -1,0 +1,14 @@
+// The optional component that reads OpenVDB files.
+#pragma once
+
+#include "voxc/Source/Input.h"
+
+namespace voxc {
+
+/// Reads the first grid of 32-bit floats of a .vdb file. In a level set the voxels are those on the surface
+/// and inside it, values up to `threshold` (default: half a voxel), in opaque white; in any other grid those
+/// of a dense volume. The low corner of the box of active voxels lies at (0, 0, 0). Memory that OpenVDB takes
+/// is not bounded. Errors: unreadable, no such grid, more than 2^42 cells in the box, larger than the format.
+InputKind openVdbKind();
+
+} // namespace voxc

@@ -1,0 +1,52 @@
+// A part of a volume that was built apart, and how it joins the whole (contract, section 10).
+#pragma once
+
+#include "NodeStore.h"
+
+#include "voxc/IR/Format.h"
+#include "voxc/Support/Geometry.h"
+
+#include "voxc_construct.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace voxc {
+
+/// What an aligned cube of voxels became: words with offsets of its own, the order in which they were
+/// written, and what the part above needs of it: a node of a tree, or the cells of a grid.
+struct Fragment {
+  Int3 low; ///< Of the cube.
+  std::vector<std::uint32_t> words;
+  std::vector<BlockRecord>
+      blocks; ///< Together they are `words`, but for the first word, which has no meaning.
+  construct::Node node;
+  std::vector<construct::PlacedCell> cells;
+  std::uint64_t voxels = 0;
+  std::vector<std::uint64_t> shared; ///< For each level, how often its words were found written already.
+};
+
+/// The level that an aligned cube of 2^log2Side voxels a side is a part of: the highest with smaller cells.
+/// From 1.
+unsigned levelOfPart(const Format &format, int log2Side);
+
+/// Does again what building the fragment did, now at the end of `store`: every block is written or, if it is
+/// shared and there already, found. What remains of the fragment, its node and cells, points there. The store
+/// fails (`Input`) if the fragment contradicts itself.
+class Splice {
+public:
+  Splice(const Format &format, NodeStore &store) : format_(format), store_(store) {}
+
+  void join(Fragment &fragment, int log2Side);
+
+private:
+  void write(std::span<std::uint32_t> words, std::uint64_t at, const BlockRecord &block);
+  void relocateResult(Fragment &fragment, bool holdsVoxels);
+  bool holdsVoxels(unsigned level) const { return level == format_.levels.size(); }
+
+  const Format &format_;
+  NodeStore &store_;
+  std::vector<std::uint32_t> newOffsets_;
+};
+
+} // namespace voxc

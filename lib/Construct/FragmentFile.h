@@ -1,0 +1,74 @@
+// Files of fragments: what one machine hands to the one that merges (docs/hvf.md).
+#pragma once
+
+#include "Fragment.h"
+
+#include "Volume/Checksum.h"
+#include "voxc/Support/File.h"
+#include "voxc/Volume/Volume.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// What all fragments of a volume agree on, and which one a file is.
+struct FragmentInfo {
+  VolumeInfo volume; ///< The number of voxels is the file's own.
+  int log2Side = 0;  ///< Of the parts.
+  std::uint64_t index = 0;
+  std::uint64_t count = 1;
+};
+
+/// Writes parts to a file, which gets its name when it is complete.
+class FragmentWriter {
+public:
+  /// Errors: as `OutputFile::create`; `Input` if `path` is a pipe or a device.
+  static Expected<FragmentWriter> create(const std::string &path, const FragmentInfo &info);
+
+  /// Adds the next part. Error: `Environment`.
+  Expected<void> add(const Fragment &fragment);
+  /// Completes the file.
+  Expected<void> finish();
+
+private:
+  FragmentWriter(OutputFile file, FragmentInfo info);
+  Expected<void> write(const void *data, std::size_t size);
+
+  OutputFile file_;
+  FragmentInfo info_;
+  std::unique_ptr<Checksum> sum_;
+  std::uint64_t parts_ = 0;
+  std::uint64_t bytes_ = 0; ///< Behind the header.
+};
+
+/// Reads the parts of a file one after the other. Nothing in the file is believed.
+class FragmentReader {
+public:
+  /// Maps and checks a file. Errors: `Input`.
+  static Expected<FragmentReader> open(const std::string &path);
+
+  const FragmentInfo &info() const { return info_; }
+  const std::string &path() const { return path_; }
+  std::span<const std::byte> bytes() const { return file_.bytes(); }
+
+  /// The corner of the next part, or nothing at the end.
+  std::optional<Int3> next() const;
+  /// That part. Error: it is broken.
+  Expected<Fragment> take();
+
+private:
+  FragmentReader(MappedFile file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+
+  MappedFile file_;
+  std::string path_;
+  FragmentInfo info_;
+  std::uint64_t at_ = 0;        ///< Byte of the next part.
+  std::uint64_t remaining_ = 0; ///< Parts.
+  std::optional<Int3> last_;
+};
+
+} // namespace voxc

@@ -1,0 +1,113 @@
+// Completeness and order of fragments.
+#include "FragmentSet.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+bool belongTogether(const FragmentInfo &a, const FragmentInfo &b) {
+  return a.count == b.count && a.log2Side == b.log2Side && a.volume.format == b.volume.format &&
+         a.volume.extent == b.volume.extent && a.volume.voxelToModel == b.volume.voxelToModel &&
+         a.volume.provenance == b.volume.provenance;
+}
+
+/// Files in the order of their indices: are they 0, 1, ... of one volume?
+Expected<void> checkComplete(const std::vector<FragmentReader> &readers) {
+  const FragmentReader &first = readers.front();
+  const std::string of = " of " + std::to_string(first.info().count);
+  for (std::size_t i = 0; i < readers.size(); ++i) {
+    const FragmentReader &reader = readers[i];
+    if (!belongTogether(reader.info(), first.info()))
+      return Error::input("'" + reader.path() + "' and '" + first.path() +
+                          "' are fragments of different volumes");
+    if (i > 0 && reader.info().index == readers[i - 1].info().index)
+      return Error::input("'" + reader.path() + "' and '" + readers[i - 1].path() +
+                          "' are the same fragment, " + std::to_string(reader.info().index) + of);
+    if (reader.info().index != i)
+      return Error::input("fragment " + std::to_string(i) + of + " is missing");
+  }
+  if (readers.size() != first.info().count)
+    return Error::input("fragment " + std::to_string(readers.size()) + of + " is missing");
+  return {};
+}
+
+/// True if the cells are some of those that the part covers in the grid of its level; a tree has none.
+bool coversCells(const Fragment &fragment, const Format &format, int log2Side) {
+  const unsigned number = levelOfPart(format, log2Side);
+  const Level &level = format.levels[number - 1];
+  const int log2Cell = format.log2CellSide(number - 1);
+  const Int3 size = level.log2Size();
+  if (level.kind->arrangement != Arrangement::Grid)
+    return fragment.cells.empty();
+  const auto isInside = [&](const construct::PlacedCell &placed) {
+    const Int3 cell = {placed.cell.x, placed.cell.y, placed.cell.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const int mask = (1 << size[axis]) - 1;
+      const int first = fragment.low[axis] >> log2Cell & mask;
+      if (cell[axis] < first || cell[axis] > std::min(first + (1 << (log2Side - log2Cell)) - 1, mask))
+        return false;
+    }
+    return true;
+  };
+  return std::ranges::all_of(fragment.cells, isInside);
+}
+
+} // namespace
+
+Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
+                                        const std::shared_ptr<WorkingMemory> &memory) {
+  std::vector<FragmentReader> readers;
+  for (const std::string &path : paths) {
+    auto reader = FragmentReader::open(path);
+    if (!reader)
+      return reader.error();
+    memory->watch(reader->bytes());
+    readers.push_back(std::move(*reader));
+  }
+  if (readers.empty())
+    return Error::input("there is no fragment to merge");
+  std::ranges::sort(readers, {}, [](const FragmentReader &reader) { return reader.info().index; });
+  FragmentSet set(std::move(readers), memory);
+  if (auto complete = checkComplete(set.readers_); !complete)
+    return complete.error();
+  return set;
+}
+
+FragmentSet::~FragmentSet() {
+  for (const FragmentReader &reader : readers_)
+    memory_->unwatch(reader.bytes());
+}
+
+std::optional<Int3> FragmentSet::next() {
+  while (current_ < readers_.size()) {
+    if (const auto low = readers_[current_].next())
+      return low;
+    ++current_;
+  }
+  return std::nullopt;
+}
+
+Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
+  const Int3 low = fragment.low;
+  const int side = 1 << info().log2Side;
+  const bool isPart =
+      contains(info().volume.extent, low) && low.x % side == 0 && low.y % side == 0 && low.z % side == 0;
+  if (!isPart || (lastCode_ && mortonCode(low) <= *lastCode_))
+    return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
+  if (!coversCells(fragment, info().volume.format, info().log2Side))
+    return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
+  return {};
+}
+
+Expected<Fragment> FragmentSet::take() {
+  auto fragment = readers_[current_].take();
+  if (!fragment)
+    return fragment;
+  if (auto checked = checkPart(*fragment); !checked)
+    return checked.error();
+  lastCode_ = mortonCode(fragment->low);
+  return fragment;
+}
+
+} // namespace voxc

@@ -1,0 +1,84 @@
+// Where construction puts words: the words themselves, which of them may be shared, and grids being filled.
+#pragma once
+
+#include "NodeMap.h"
+#include "WordStore.h"
+
+#include "voxc/Construct/Constructor.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace voxc {
+
+/// One thing that was put into a store, in the order of time: enough to do it again elsewhere.
+struct BlockRecord {
+  enum Kind : std::uint32_t { Append, Intern, Forget };
+
+  Kind kind;
+  std::uint32_t level;
+  std::uint64_t words; ///< How many; 0 of Forget.
+
+  bool operator==(const BlockRecord &) const = default;
+};
+
+/// The words of a volume or of a part of one. The first failure is kept, and nothing is done after it.
+class NodeStore {
+public:
+  /// `levels`: how many there are; they are numbered from 1.
+  NodeStore(WordStore words, std::size_t levels, std::shared_ptr<WorkingMemory> memory);
+
+  /// Notes in `log` what is really written, from now on; null ends that.
+  void logTo(std::vector<BlockRecord> *log) { log_ = log; }
+
+  /// Offset of the words, which are new or, if interned, may have been there. 1 after a failure.
+  std::uint32_t append(unsigned level, std::span<const std::uint32_t> words);
+  std::uint32_t intern(unsigned level, std::span<const std::uint32_t> words);
+  void forget(unsigned level);
+
+  /// Zeroed memory for the one grid that a level fills at a time; null after a failure.
+  std::uint32_t *allocate(unsigned level, std::uint64_t count);
+  void release(unsigned level);
+
+  /// Lets the memory be kept within its bound, after so many words of a grid were touched.
+  void pause(std::uint64_t words) { memory_->relieve(words * sizeof(std::uint32_t)); }
+
+  /// Empties everything for another part; keeps the memory.
+  void clear();
+
+  void fail(Error error);
+  const std::optional<Error> &failure() const { return failure_; }
+
+  WordStore &words() { return words_; }
+  /// What each level has come to.
+  std::vector<LevelReport> report() const;
+  /// How often words of a level were found written already; counts from 0 again.
+  std::uint64_t takeShared(unsigned level) { return std::exchange(at(level).report.sharedNodes, 0); }
+
+private:
+  struct Level {
+    explicit Level(const std::shared_ptr<WorkingMemory> &memory) : leaves(memory), nodes(memory) {}
+
+    NodeMap leaves; ///< Of one word.
+    NodeMap nodes;
+    MemoryBlock grid;
+    std::uint64_t gridWords = 0; ///< 0: no grid is being filled.
+    LevelReport report;
+  };
+
+  Level &at(unsigned level) { return levels_[level - 1]; }
+  void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
+
+  std::shared_ptr<WorkingMemory> memory_;
+  WordStore words_;
+  std::vector<Level> levels_;
+  std::vector<BlockRecord> *log_ = nullptr;
+  std::optional<Error> failure_;
+  std::uint64_t interned_ = 0; ///< Calls so far.
+};
+
+} // namespace voxc

@@ -1,0 +1,77 @@
+// A pool of builders around a window of parts.
+#include "ParallelParts.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+Expected<std::unique_ptr<ParallelParts>>
+ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const Format &format,
+                     const PartGrid &grid, std::uint64_t begin, std::uint64_t end, unsigned threads,
+                     const std::shared_ptr<WorkingMemory> &memory, const std::atomic<bool> *stop) {
+  auto view = source.view();
+  if (!view)
+    return Error::input("this input can be read by one thread only");
+  std::unique_ptr<ParallelParts> parts(new ParallelParts(std::move(view), grid, begin, end, threads));
+  parts->stop_.stop = stop;
+  std::vector<PartBuilder> builders;
+  for (unsigned i = 0; i < threads; ++i) {
+    auto builder = PartBuilder::create(source.view(), code, format, memory);
+    if (!builder)
+      return builder.error();
+    builders.push_back(std::move(*builder));
+  }
+  for (PartBuilder &builder : builders)
+    parts->threads_.emplace_back(&ParallelParts::work, parts.get(), std::move(builder));
+  return parts;
+}
+
+ParallelParts::~ParallelParts() {
+  {
+    const std::lock_guard lock(mutex_);
+    abandoned_ = true;
+  }
+  changed_.notify_all();
+  for (std::thread &thread : threads_)
+    thread.join();
+}
+
+std::optional<ParallelParts::Job> ParallelParts::nextJob() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return abandoned_ || end_ || started_ < taken_ + window_; });
+  if (abandoned_ || end_)
+    return std::nullopt;
+  if (const auto low = sequence_.next())
+    return Job{started_++, *low};
+  end_ = started_;
+  changed_.notify_all();
+  return std::nullopt;
+}
+
+void ParallelParts::work(PartBuilder builder) {
+  while (const auto job = nextJob()) {
+    auto fragment = builder.build(job->low, grid_.log2Side, stop_);
+    const std::lock_guard lock(mutex_);
+    if (!fragment) // What follows will not be taken.
+      end_ = std::min(end_.value_or(job->number + 1), job->number + 1);
+    built_.emplace(job->number, Built{job->low, std::move(fragment)});
+    changed_.notify_all();
+  }
+}
+
+std::optional<Int3> ParallelParts::next() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return built_.contains(taken_) || (end_ && taken_ >= *end_); });
+  const auto found = built_.find(taken_);
+  return found == built_.end() ? std::nullopt : std::optional(found->second.low);
+}
+
+Expected<Fragment> ParallelParts::take() {
+  const std::lock_guard lock(mutex_);
+  Built part = std::move(built_.extract(taken_).mapped());
+  ++taken_;
+  changed_.notify_all();
+  return std::move(part.fragment);
+}
+
+} // namespace voxc

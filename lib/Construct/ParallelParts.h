@@ -1,0 +1,66 @@
+// Parts built by several threads, handed over in Morton order.
+#pragma once
+
+#include "PartBuilder.h"
+#include "PartStream.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace voxc {
+
+/// Builds the parts of a range on threads of its own. No more than a few parts a thread wait to be taken, so
+/// that memory stays bounded.
+class ParallelParts final : public PartStream {
+public:
+  /// The parts [begin, end) of `grid`. Errors: the source has but one reader; no memory.
+  static Expected<std::unique_ptr<ParallelParts>>
+  start(const VoxelSource &source, const ConstructCode &code, const Format &format, const PartGrid &grid,
+        std::uint64_t begin, std::uint64_t end, unsigned threads,
+        const std::shared_ptr<WorkingMemory> &memory, const std::atomic<bool> *stop);
+  ~ParallelParts() override;
+
+  std::optional<Int3> next() override;
+  Expected<Fragment> take() override;
+
+private:
+  ParallelParts(std::unique_ptr<VoxelSource> source, const PartGrid &grid, std::uint64_t begin,
+                std::uint64_t end, unsigned threads)
+      : source_(std::move(source)), grid_(grid), sequence_(*source_, grid, begin, end),
+        window_(kPartsAhead * threads) {}
+
+  static constexpr std::uint64_t kPartsAhead = 8;
+
+  struct Job {
+    std::uint64_t number;
+    Int3 low;
+  };
+  struct Built {
+    Int3 low;
+    Expected<Fragment> fragment;
+  };
+
+  std::optional<Job> nextJob();
+  void work(PartBuilder builder);
+
+  std::unique_ptr<VoxelSource> source_;
+  PartGrid grid_;
+  Progress stop_; ///< For the builders: no more than whether to stop.
+
+  std::mutex mutex_; ///< Guards what follows.
+  std::condition_variable changed_;
+  PartSequence sequence_;
+  std::uint64_t window_;
+  std::uint64_t started_ = 0; ///< Parts that the sequence has given.
+  std::uint64_t taken_ = 0;
+  std::optional<std::uint64_t> end_; ///< How many parts there are, once known.
+  bool abandoned_ = false;
+  std::map<std::uint64_t, Built> built_; ///< By number.
+
+  std::vector<std::thread> threads_;
+};
+
+} // namespace voxc

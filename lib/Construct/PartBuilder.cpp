@@ -1,0 +1,105 @@
+// Cutting a volume into parts, and building one.
+#include "PartBuilder.h"
+
+#include "SourceHost.h"
+
+#include "Source/CubeTools.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace voxc {
+namespace {
+
+/// The host of a part: reads a source and keeps the result.
+class PartHost final : public SourceHost {
+public:
+  PartHost(VoxelSource &source, NodeStore &store, std::size_t levels, const Progress &progress,
+           Fragment &fragment)
+      : SourceHost(source, store, levels, progress), fragment_(fragment) {}
+
+protected:
+  void finishNode(const construct::Node &node) override { fragment_.node = node; }
+  void finishCell(const construct::PlacedCell &cell) override { fragment_.cells.push_back(cell); }
+
+private:
+  Fragment &fragment_;
+};
+
+int log2Ceil(int extent) { return std::bit_width(static_cast<unsigned>(std::max(extent, 1)) - 1); }
+
+} // namespace
+
+PartGrid PartGrid::of(const VoxelSource &source, const Format &format) {
+  const auto longest = [](Int3 size) { return std::max({size.x, size.y, size.z}); };
+  const int log2Format = longest(format.log2Extent());
+  PartGrid grid;
+  grid.log2Side = std::min(log2Format, std::max(source.log2Chunk(), construct::kLog2Brick));
+  grid.log2Count = std::max(log2Ceil(longest(source.extent())) - grid.log2Side, 0);
+  return grid;
+}
+
+std::pair<std::uint64_t, std::uint64_t> PartGrid::range(std::uint64_t fragment,
+                                                        std::uint64_t fragments) const {
+  // Parts times fragments may be more than 64 bits hold.
+  const auto bound = [&](std::uint64_t i) {
+    return count() / fragments * i + count() % fragments * i / fragments;
+  };
+  return {bound(fragment), bound(fragment + 1)};
+}
+
+PartSequence::PartSequence(VoxelSource &source, const PartGrid &grid, std::uint64_t begin, std::uint64_t end)
+    : source_(source), grid_(grid), begin_(begin), end_(end), ahead_{{{}, grid.log2Side + grid.log2Count}} {}
+
+bool PartSequence::isExcluded(const Cube &cube) const {
+  const std::uint64_t first = grid_.index(cube.low);
+  const std::uint64_t count = cellCount(cube.log2Side - grid_.log2Side);
+  return first >= end_ || first + count <= begin_ || isOutside(cube, source_.extent()) || source_.empty(cube);
+}
+
+std::optional<Int3> PartSequence::next() {
+  while (!ahead_.empty()) {
+    const Cube cube = ahead_.back();
+    ahead_.pop_back();
+    if (isExcluded(cube))
+      continue;
+    if (cube.log2Side == grid_.log2Side)
+      return cube.low;
+    const int log2Side = cube.log2Side - 1;
+    for (int child = 8; child-- > 0;)
+      ahead_.push_back({cube.low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << log2Side), log2Side});
+  }
+  return std::nullopt;
+}
+
+Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
+                                          const Format &format,
+                                          const std::shared_ptr<WorkingMemory> &memory) {
+  auto words = WordStore::create(memory);
+  if (!words)
+    return words.error();
+  const std::size_t levels = format.levels.size();
+  return PartBuilder(std::move(source), code, levels,
+                     std::make_unique<NodeStore>(std::move(*words), levels, memory));
+}
+
+Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &progress) {
+  Fragment fragment;
+  fragment.low = low;
+  store_->clear();
+  store_->logTo(&fragment.blocks);
+  PartHost host(*source_, *store_, levels_, progress, fragment);
+  const construct::Host interface = host.interface();
+  code_.part(&interface, low.x, low.y, low.z, log2Side);
+  if (store_->failure())
+    return *store_->failure();
+  const auto words = store_->words().span();
+  fragment.words.assign(words.begin(), words.end());
+  fragment.voxels = host.voxels();
+  fragment.shared = host.shared();
+  for (std::size_t level = 1; level <= levels_; ++level)
+    fragment.shared[level] += store_->takeShared(static_cast<unsigned>(level));
+  return fragment;
+}
+
+} // namespace voxc

@@ -1,0 +1,35 @@
+// Serving parts to generated code.
+#include "PartStream.h"
+
+#include "Source/CubeTools.h"
+
+namespace voxc {
+
+bool MergeHost::isEmpty(const Cube &cube) {
+  const auto next = parts_.next();
+  return !next || mortonCode(*next) - mortonCode(cube.low) >= cellCount(cube.log2Side);
+}
+
+void MergeHost::readBrick(Int3, std::uint32_t *) {
+  store().fail(Error::input("a part is smaller than the cells that it was to be built of"));
+}
+
+construct::Part MergeHost::takePart(Int3 low) {
+  auto fragment = parts_.take();
+  if (!fragment) {
+    store().fail(fragment.error());
+    return {};
+  }
+  fragment_ = std::move(*fragment);
+  splice_.join(fragment_, log2Part_);
+  voxels_ += fragment_.voxels;
+  sharedInParts_.resize(fragment_.shared.size());
+  for (std::size_t i = 0; i < sharedInParts_.size(); ++i)
+    sharedInParts_[i] += fragment_.shared[i];
+  store().pause(fragment_.words.size());
+  if (!progress_.at(low, voxels_))
+    store().fail(Error::interrupted());
+  return {fragment_.node, fragment_.cells.data(), fragment_.cells.size()};
+}
+
+} // namespace voxc

@@ -1,0 +1,52 @@
+// Parts of a volume, one after the other in Morton order, and their joining to the whole.
+#pragma once
+
+#include "BuildHost.h"
+#include "Fragment.h"
+#include "SourceHost.h"
+
+#include <optional>
+
+namespace voxc {
+
+/// Where built parts come from.
+class PartStream {
+public:
+  virtual ~PartStream() = default;
+
+  /// The corner of the next part that holds anything, or nothing at the end; waits until it is known.
+  virtual std::optional<Int3> next() = 0;
+  /// That part; may be called once for each `next`. Errors end the work.
+  virtual Expected<Fragment> take() = 0;
+};
+
+/// The host of the last step: cubes of the size of a part come from a stream, what is above them from the
+/// generated code.
+class MergeHost final : public BuildHost {
+public:
+  MergeHost(PartStream &parts, int log2Part, const Format &format, Int3 extent, NodeStore &store,
+            const Progress &progress)
+      : BuildHost(store, format.levels.size()), parts_(parts), log2Part_(log2Part), splice_(format, store),
+        progress_(extent, progress) {}
+
+  std::uint64_t voxels() const { return voxels_; }
+  /// How often words were found within the parts, by the level's number; empty if there was no part.
+  const std::vector<std::uint64_t> &sharedInParts() const { return sharedInParts_; }
+
+protected:
+  bool isEmpty(const Cube &cube) override;
+  void readBrick(Int3, std::uint32_t *) override;
+  int log2Part() const override { return log2Part_; }
+  construct::Part takePart(Int3 low) override;
+
+private:
+  PartStream &parts_;
+  int log2Part_;
+  Splice splice_;
+  MortonProgress progress_;
+  Fragment fragment_; ///< The last one: its cells are in use until the next is taken.
+  std::uint64_t voxels_ = 0;
+  std::vector<std::uint64_t> sharedInParts_;
+};
+
+} // namespace voxc

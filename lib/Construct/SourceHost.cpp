@@ -1,0 +1,36 @@
+// Reading bricks of a source.
+#include "SourceHost.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace voxc {
+namespace {
+
+constexpr unsigned kCallsBetweenReports = 256;
+
+} // namespace
+
+MortonProgress::MortonProgress(Int3 extent, const Progress &progress) : progress_(progress) {
+  const auto longest = static_cast<std::uint32_t>(std::max({extent.x, extent.y, extent.z, 1}));
+  totalCodes_ = std::uint64_t{1} << (3 * std::bit_width(longest - 1));
+}
+
+bool MortonProgress::at(Int3 low, std::uint64_t voxels) {
+  if (untilReport_-- != 0)
+    return true;
+  untilReport_ = kCallsBetweenReports;
+  progress_.at("build", static_cast<double>(mortonCode(low)) / static_cast<double>(totalCodes_), voxels);
+  return !progress_.stopped();
+}
+
+void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
+  source_.read({low, construct::kLog2Brick}, voxels);
+  voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
+  if (auto error = source_.failure())
+    store().fail(*error);
+  if (!progress_.at(low, voxels_))
+    store().fail(Error::interrupted());
+}
+
+} // namespace voxc

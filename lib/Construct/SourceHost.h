@@ -1,0 +1,43 @@
+// A host that serves the voxels of a source.
+#pragma once
+
+#include "BuildHost.h"
+
+#include "voxc/Source/VoxelSource.h"
+#include "voxc/Support/Progress.h"
+
+namespace voxc {
+
+/// Tells how far work in Morton order is, and hears whether it shall stop.
+class MortonProgress {
+public:
+  MortonProgress(Int3 extent, const Progress &progress);
+
+  /// Work has come to `low` and found so many voxels. False if it shall stop.
+  bool at(Int3 low, std::uint64_t voxels);
+
+private:
+  const Progress &progress_;
+  std::uint64_t totalCodes_; ///< Of the bounding cube.
+  unsigned untilReport_ = 0;
+};
+
+/// Reads and counts voxels; also the host of a part, whose result it keeps.
+class SourceHost : public BuildHost {
+public:
+  SourceHost(VoxelSource &source, NodeStore &store, std::size_t levels, const Progress &progress)
+      : BuildHost(store, levels), source_(source), progress_(source.extent(), progress) {}
+
+  std::uint64_t voxels() const { return voxels_; }
+
+protected:
+  bool isEmpty(const Cube &cube) override { return source_.empty(cube); }
+  void readBrick(Int3 low, std::uint32_t *voxels) override;
+
+private:
+  VoxelSource &source_;
+  MortonProgress progress_;
+  std::uint64_t voxels_ = 0;
+};
+
+} // namespace voxc

@@ -1,0 +1,61 @@
+// Opening and completing a volume.
+#include "VolumeBuild.h"
+
+namespace voxc {
+
+Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const BuildOptions &options) {
+  std::unique_ptr<VolumeBuild> build(new VolumeBuild(std::move(info), options));
+  auto words = build->openWords();
+  if (!words)
+    return words.error();
+  build->store_ =
+      std::make_unique<NodeStore>(std::move(*words), build->info_.format.levels.size(), options.memory);
+  return build;
+}
+
+Expected<WordStore> VolumeBuild::openWords() {
+  if (!options_.path.empty()) {
+    auto writer = VolumeFileWriter::create(options_.path, info_);
+    if (!writer)
+      return writer.error();
+    isStreamed_ = writer->canSettle();
+    if (isStreamed_)
+      writer_.emplace(std::move(*writer));
+  }
+  if (!isStreamed_)
+    return WordStore::create(options_.memory);
+  return WordStore::create(options_.memory,
+                           [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
+                             return writer_->settle(block, begin, bytes, *options_.memory);
+                           });
+}
+
+Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, const BuildHost &host) {
+  if (store_->failure())
+    return *store_->failure();
+  options_.progress.at("write", 0);
+  const Stopwatch writing;
+  WordStore &words = store_->words();
+  words.setRoot(root);
+  info_.voxels = voxels;
+  const auto span = words.span();
+  BuildReport report;
+  report.voxels = voxels;
+  report.levels = store_->report();
+  for (std::size_t level = 1; level <= report.levels.size(); ++level)
+    report.levels[level - 1].sharedNodes += host.shared()[level];
+  if (isStreamed_)
+    if (auto finished = writer_->finish(info_, span, words.settled(), *options_.memory); !finished)
+      return finished.error();
+  Volume volume(std::move(info_), span, std::make_shared<const MemoryBlock>(words.take()));
+  if (!options_.path.empty() && !isStreamed_)
+    if (auto saved = volume.save(options_.path); !saved)
+      return saved.error();
+  report.writeSeconds = writing.seconds();
+  report.seconds = watch_.seconds();
+  report.cpuSeconds = watch_.cpuSeconds();
+  report.scratchBytes = options_.memory->scratchPeak();
+  return Built{std::move(volume), std::move(report)};
+}
+
+} // namespace voxc

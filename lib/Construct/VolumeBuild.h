@@ -1,0 +1,40 @@
+// One volume being built: where its words go, and what is reported when they are complete.
+#pragma once
+
+#include "BuildHost.h"
+#include "NodeStore.h"
+
+#include "Volume/VolumeFileWriter.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <memory>
+#include <optional>
+
+namespace voxc {
+
+/// From the first word to the finished volume.
+class VolumeBuild {
+public:
+  /// `info`: of the volume, but for the number of voxels. `options.memory` is set. Errors: nothing can be
+  /// written to the path; no memory.
+  static Expected<std::unique_ptr<VolumeBuild>> start(VolumeInfo info, const BuildOptions &options);
+
+  NodeStore &store() { return *store_; }
+
+  /// Completes the volume. `root`: the offset of the root sub-volume. Errors: the store's; a full disk.
+  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels, const BuildHost &host);
+
+private:
+  VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}
+  Expected<WordStore> openWords();
+
+  Stopwatch watch_;
+  VolumeInfo info_;
+  const BuildOptions &options_;
+  std::optional<VolumeFileWriter> writer_;
+  bool isStreamed_ = false; ///< The words lie in the file already.
+  std::unique_ptr<NodeStore> store_;
+};
+
+} // namespace voxc

@@ -1,0 +1,67 @@
+// Growth of the words of a volume, and their way to the file.
+#include "WordStore.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 30;
+constexpr std::uint64_t kSmallestStep = std::uint64_t{1} << 20;
+constexpr std::uint64_t kLargestStep = std::uint64_t{64} << 20;
+/// Words that settle do so in pieces of this size, and so are copied in pieces too.
+constexpr std::uint64_t kSettledBytes = std::uint64_t{4} << 20;
+constexpr std::uint64_t kPieceWords = kSettledBytes / sizeof(std::uint32_t);
+
+} // namespace
+
+Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memory, Settle settle) {
+  WordStore store(memory);
+  store.settle_ = std::move(settle);
+  store.settledBegin_ = store.settledEnd_ = WorkingMemory::pageBytes();
+  auto block = memory->reserve(kMostBytes);
+  if (!block)
+    return block.error();
+  store.block_ = std::move(*block);
+  const std::uint32_t root = 0;
+  if (auto appended = store.append({&root, 1}); !appended)
+    return appended.error();
+  return store;
+}
+
+Expected<void> WordStore::append(std::span<const std::uint32_t> words) {
+  while (!words.empty()) {
+    const auto piece = words.first(std::min<std::uint64_t>(words.size(), kPieceWords));
+    if (bytes() + piece.size_bytes() > block_.size())
+      if (auto room = makeRoom(piece.size()); !room)
+        return room;
+    std::copy(piece.begin(), piece.end(), this->words() + size_);
+    size_ += piece.size();
+    words = words.subspan(piece.size());
+    if (!words.empty())
+      memory_->relieve(2 * piece.size_bytes());
+  }
+  return {};
+}
+
+Expected<void> WordStore::makeRoom(std::uint64_t words) {
+  if (settle_)
+    if (auto settled = settleComplete(); !settled)
+      return settled;
+  const std::uint64_t needed = bytes() + words * sizeof(std::uint32_t) - block_.size();
+  const std::uint64_t step = std::clamp(block_.size(), kSmallestStep, settle_ ? kSettledBytes : kLargestStep);
+  const std::uint64_t more = std::max(needed, step);
+  return settle_ ? memory_->extendInMemory(block_, more) : memory_->extend(block_, more);
+}
+
+Expected<void> WordStore::settleComplete() {
+  const std::uint64_t end = bytes() / WorkingMemory::pageBytes() * WorkingMemory::pageBytes();
+  if (end <= settledEnd_)
+    return {};
+  if (auto settled = settle_(block_, settledEnd_, end - settledEnd_); !settled)
+    return settled;
+  settledEnd_ = end;
+  return {};
+}
+
+} // namespace voxc

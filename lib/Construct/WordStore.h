@@ -1,0 +1,55 @@
+// The words of a volume while it is built: appended at the end, read anywhere.
+#pragma once
+
+#include "voxc/Support/WorkingMemory.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <utility>
+
+namespace voxc {
+
+/// Words at addresses that never change, in working memory or, but for the last ones, in a file. The first is
+/// kept for the root's offset.
+class WordStore {
+public:
+  /// Writes pages of the block to where they shall stay, [begin, begin + bytes), and maps them from there.
+  using Settle = std::function<Expected<void>(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes)>;
+
+  /// Words in working memory; if `settle` is given, they move there as they become complete. Error:
+  /// `Environment`.
+  static Expected<WordStore> create(const std::shared_ptr<WorkingMemory> &memory, Settle settle = {});
+
+  std::uint64_t size() const { return size_; }
+  std::span<const std::uint32_t> span() const { return {words(), size_}; }
+  /// Bytes [first, second) were settled.
+  std::pair<std::uint64_t, std::uint64_t> settled() const { return {settledBegin_, settledEnd_}; }
+
+  /// Appends words; the caller has seen to it that there are at most 2^32 in all. Error: `Environment`.
+  Expected<void> append(std::span<const std::uint32_t> words);
+  /// The first page is never settled.
+  void setRoot(std::uint32_t offset) { words()[0] = offset; }
+  /// Forgets all words but the first; keeps the memory. Not for words that settle.
+  void clear() { size_ = 1; }
+
+  /// The memory itself; the store is empty afterwards.
+  MemoryBlock take() { return std::move(block_); }
+
+private:
+  explicit WordStore(std::shared_ptr<WorkingMemory> memory) : memory_(std::move(memory)) {}
+  std::uint32_t *words() const { return reinterpret_cast<std::uint32_t *>(block_.data()); }
+  std::uint64_t bytes() const { return size_ * sizeof(std::uint32_t); }
+  Expected<void> makeRoom(std::uint64_t words);
+  Expected<void> settleComplete();
+
+  std::shared_ptr<WorkingMemory> memory_;
+  MemoryBlock block_;
+  Settle settle_;
+  std::uint64_t size_ = 0;
+  std::uint64_t settledBegin_ = 0;
+  std::uint64_t settledEnd_ = 0;
+};
+
+} // namespace voxc

@@ -1,0 +1,26 @@
+// What the readers of the parts of a glTF model share.
+#pragma once
+
+#include "Mesh/Gltf/GltfObject.h"
+#include "Mesh/Warnings.h"
+#include "voxc/Mesh/TriangleScene.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace voxc {
+
+struct GltfContext {
+  GltfObject root;
+  std::optional<std::span<const std::byte>> binary; ///< The chunk of a .glb.
+  std::uint64_t fileBytes = 0;                      ///< Of the file itself.
+  std::string folder;                               ///< With a slash at its end, or empty.
+  std::shared_ptr<WorkingMemory> memory;
+  TriangleScene &scene;
+  Warnings &warnings;
+  Problem &problem;
+};
+
+} // namespace voxc

@@ -1,0 +1,50 @@
+// The table of extensions.
+#include "Mesh/Gltf/GltfExtensions.h"
+
+#include <algorithm>
+#include <array>
+
+namespace voxc {
+
+namespace {
+
+/// Those that are read, and those that say nothing about where the surface is or which colour it has. A name
+/// that ends in _ stands for all that begin so.
+constexpr std::array<std::string_view, 17> kHarmless{"KHR_texture_transform",
+                                                     "KHR_mesh_quantization",
+                                                     "EXT_mesh_gpu_instancing",
+                                                     "KHR_materials_",
+                                                     "KHR_lights_",
+                                                     "KHR_animation_",
+                                                     "KHR_node_",
+                                                     "KHR_xmp",
+                                                     "KHR_xmp_json_ld",
+                                                     "KHR_audio_",
+                                                     "EXT_lights_",
+                                                     "EXT_mesh_manifold",
+                                                     "EXT_structural_",
+                                                     "EXT_instance_features",
+                                                     "EXT_mesh_features",
+                                                     "MSFT_lod",
+                                                     "MSFT_packing_"};
+
+bool isHarmless(std::string_view name) {
+  return std::any_of(kHarmless.begin(), kHarmless.end(), [&](std::string_view known) {
+    return known.ends_with('_') ? name.starts_with(known) : name == known;
+  });
+}
+
+} // namespace
+
+void checkGltfExtensions(GltfContext &context) {
+  const GltfList required = context.root.list("extensionsRequired");
+  for (std::size_t i = 0; i < required.size(); ++i)
+    if (const std::string name(required.text(i)); !isHarmless(name))
+      context.problem.set("it requires the extension '" + name + "', which is not read");
+  const GltfList used = context.root.list("extensionsUsed");
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (const std::string name(used.text(i)); !isHarmless(name))
+      context.warnings.add("the model uses the extension '" + name + "', which is not read");
+}
+
+} // namespace voxc

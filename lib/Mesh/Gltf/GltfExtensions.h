@@ -1,0 +1,11 @@
+// Which extensions of glTF are read, which may be passed over, and which not.
+#pragma once
+
+#include "Mesh/Gltf/GltfContext.h"
+
+namespace voxc {
+
+/// Problem: a required extension that a model cannot be read without. Warnings: others that are not known.
+void checkGltfExtensions(GltfContext &context);
+
+} // namespace voxc

@@ -1,0 +1,100 @@
+// Primitives: positions, indices, and the attributes that colour them.
+#include "Mesh/Gltf/GltfMeshes.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+namespace {
+
+using Type = AttributeView::Type;
+
+constexpr std::uint64_t kModes = 7;
+constexpr std::uint64_t kTriangles = 4;
+
+/// What may stand in an index.
+bool isIndexType(Type type) { return type == Type::Uint8 || type == Type::Uint16 || type == Type::Uint32; }
+
+bool isFloat(Type type) { return type == Type::Float32 || type == Type::Float64; }
+
+} // namespace
+
+GltfMeshes::GltfMeshes(GltfContext &context, GltfAccessors &accessors, GltfMaterials &materials)
+    : context_(context), accessors_(accessors), materials_(materials), list_(context.root.list("meshes")),
+      known_(list_.size()) {}
+
+GltfMeshes::Parts GltfMeshes::parts(std::size_t mesh) {
+  std::optional<Parts> &known = known_[mesh];
+  if (known)
+    return *known;
+  const GltfObject json = list_[mesh];
+  const GltfList primitives = json.list("primitives");
+  Parts parts;
+  parts.begin = static_cast<std::uint32_t>(context_.scene.parts.size());
+  for (std::size_t i = 0; i < primitives.size() && !context_.problem; ++i)
+    readPrimitive(primitives[i]);
+  parts.end = static_cast<std::uint32_t>(context_.scene.parts.size());
+  if (json.has("weights") && !std::exchange(sawMorphing_, true))
+    context_.warnings.add("morph targets are not applied: the model is read without them");
+  known = parts;
+  return parts;
+}
+
+void GltfMeshes::readPrimitive(const GltfObject &primitive) {
+  MeshPart part;
+  const std::uint64_t mode = primitive.count("mode").value_or(kTriangles);
+  if (mode >= kModes) {
+    primitive.problem("has the mode " + std::to_string(mode) + "; there are 0 to 6");
+    return;
+  }
+  part.mode = static_cast<PrimitiveMode>(mode);
+  const GltfObject attributes = primitive.object("attributes");
+  if (!attributes.has("POSITION")) {
+    context_.warnings.add(primitive.name() + " has no positions and is left out");
+    return;
+  }
+  part.positions = attribute(attributes, "POSITION", 3, 3, part);
+  part.indices = readIndices(primitive);
+  const GltfMaterials::Use use = materials_.use(primitive);
+  part.material = use.material;
+  if (context_.scene.materials[use.material].texture.texture >= 0)
+    part.uvs = attribute(attributes, "TEXCOORD_" + std::to_string(use.uvSet), 2, 2, part);
+  readColours(attributes, part);
+  const bool isEmpty = part.positions.count == 0 || (primitive.has("indices") && part.indices.count == 0);
+  if (!context_.problem && !isEmpty)
+    context_.scene.parts.push_back(part);
+}
+
+void GltfMeshes::readColours(const GltfObject &attributes, MeshPart &part) {
+  part.colours = attribute(attributes, "COLOR_0", 3, 4, part);
+  // Integers of colours are fractions whether the accessor says so or not.
+  part.colours.normalized = !isFloat(part.colours.type);
+}
+
+AttributeView GltfMeshes::attribute(const GltfObject &attributes, const std::string &name,
+                                    std::uint8_t fewest, std::uint8_t most, const MeshPart &part) {
+  const auto index = attributes.index(name, accessors_.list());
+  if (!index)
+    return {};
+  const AttributeView view = accessors_.view(*index);
+  const std::string accessor = accessors_.list()[*index].name();
+  if (view && (view.components < fewest || view.components > most))
+    attributes.problem("uses " + accessor + " as " + name + ", but it has " +
+                       std::to_string(view.components) + " components");
+  else if (part.positions && view.count < part.positions.count)
+    attributes.problem("uses " + accessor + " as " + name + ", but it has " + std::to_string(view.count) +
+                       " rows for " + std::to_string(part.positions.count) + " positions");
+  return view;
+}
+
+AttributeView GltfMeshes::readIndices(const GltfObject &primitive) {
+  const auto index = primitive.index("indices", accessors_.list());
+  if (!index)
+    return {};
+  const AttributeView view = accessors_.view(*index);
+  if (view && (view.components != 1 || !isIndexType(view.type)))
+    primitive.problem("has indices that are not whole numbers from 0 on");
+  return view;
+}
+
+} // namespace voxc

@@ -1,0 +1,42 @@
+// Meshes of a glTF model as parts of a scene.
+#pragma once
+
+#include "Mesh/Gltf/GltfAccessors.h"
+#include "Mesh/Gltf/GltfMaterials.h"
+
+#include <optional>
+#include <vector>
+
+namespace voxc {
+
+class GltfMeshes {
+public:
+  GltfMeshes(GltfContext &context, GltfAccessors &accessors, GltfMaterials &materials);
+
+  const GltfList &list() const { return list_; }
+
+  /// The scene's parts from `begin` to before `end`.
+  struct Parts {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+
+  /// The parts of a mesh, which are read when it is asked for first.
+  Parts parts(std::size_t mesh);
+
+private:
+  void readPrimitive(const GltfObject &primitive);
+  void readColours(const GltfObject &attributes, MeshPart &part);
+  AttributeView attribute(const GltfObject &attributes, const std::string &name, std::uint8_t fewest,
+                          std::uint8_t most, const MeshPart &part);
+  AttributeView readIndices(const GltfObject &primitive);
+
+  GltfContext &context_;
+  GltfAccessors &accessors_;
+  GltfMaterials &materials_;
+  GltfList list_;
+  std::vector<std::optional<Parts>> known_;
+  bool sawMorphing_ = false;
+};
+
+} // namespace voxc

@@ -1,0 +1,120 @@
+// Walking the node tree without recursion: a file may nest its nodes as deep as it likes.
+#include "Mesh/Gltf/GltfNodes.h"
+
+#include "Mesh/Gltf/GltfTransforms.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+namespace {
+
+/// Instances take a hundred bytes each, and a file can ask for many in few words: as many as it has bytes are
+/// plenty, and so many more.
+constexpr std::uint64_t kFewInstances = std::uint64_t{1} << 19;
+
+class NodeReader {
+public:
+  NodeReader(GltfContext &context, GltfMeshes &meshes, GltfAccessors &accessors)
+      : context_(context), meshes_(meshes), accessors_(accessors), nodes_(context.root.list("nodes")),
+        wasReached_(nodes_.size()) {}
+
+  void read() {
+    pushRoots();
+    while (!pending_.empty() && !context_.problem) {
+      const Pending next = pending_.back();
+      pending_.pop_back();
+      visit(next);
+    }
+  }
+
+private:
+  struct Pending {
+    std::size_t node;
+    Transform parent;
+  };
+
+  void pushRoots() {
+    const GltfList scenes = context_.root.list("scenes");
+    if (const auto scene = context_.root.index("scene", scenes))
+      pushAll(scenes[*scene].list("nodes"), {});
+    else
+      pushAllRoots();
+  }
+
+  /// No scene is the default: every node that is no one's child.
+  void pushAllRoots() {
+    std::vector<bool> isChild(nodes_.size());
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+      const GltfList children = nodes_[node].list("children");
+      for (std::size_t i = 0; i < children.size(); ++i)
+        if (const auto child = children.index(i, nodes_))
+          isChild[*child] = true;
+    }
+    for (std::size_t node = nodes_.size(); node-- > 0;)
+      if (!isChild[node])
+        push(node, {});
+  }
+
+  /// The last of a list is pushed first, so that the first is visited first.
+  void pushAll(const GltfList &list, const Transform &parent) {
+    for (std::size_t i = list.size(); i-- > 0;)
+      if (const auto node = list.index(i, nodes_))
+        push(*node, parent);
+  }
+
+  void push(std::size_t node, const Transform &parent) {
+    if (wasReached_[node])
+      nodes_[node].problem("is reached twice, but nodes make a tree");
+    wasReached_[node] = true;
+    pending_.push_back({node, parent});
+  }
+
+  void visit(const Pending &pending) {
+    const GltfObject node = nodes_[pending.node];
+    const Transform toModel = compose(pending.parent, readTransform(node));
+    if (!isFinite(toModel))
+      node.problem("has a transform that is not finite");
+    if (const auto mesh = node.index("mesh", meshes_.list())) {
+      addMesh(node, *mesh, toModel);
+      if (node.has("skin") && !std::exchange(sawSkin_, true))
+        context_.warnings.add("skins are not applied: the model is read as its nodes place it");
+    }
+    pushAll(node.list("children"), toModel);
+  }
+
+  void addMesh(const GltfObject &node, std::size_t mesh, const Transform &toModel) {
+    const GltfMeshes::Parts parts = meshes_.parts(mesh);
+    const GltfObject instancing = node.extension("EXT_mesh_gpu_instancing");
+    if (!instancing)
+      return addInstance(node, parts, toModel);
+    const InstanceTransforms transforms(instancing, accessors_);
+    for (std::uint64_t i = 0; i < transforms.count() && !context_.problem; ++i)
+      addInstance(node, parts, compose(toModel, transforms.at(i)));
+  }
+
+  void addInstance(const GltfObject &node, GltfMeshes::Parts parts, const Transform &toModel) {
+    const std::uint64_t most = kFewInstances + context_.fileBytes;
+    if (context_.scene.instances.size() + (parts.end - parts.begin) > most)
+      return node.problem("and those before it make more than " + std::to_string(most) +
+                          " instances of primitives, too many for a file of its size");
+    for (std::uint32_t part = parts.begin; part < parts.end; ++part)
+      context_.scene.instances.push_back({part, toModel});
+  }
+
+  GltfContext &context_;
+  GltfMeshes &meshes_;
+  GltfAccessors &accessors_;
+  GltfList nodes_;
+  std::vector<bool> wasReached_;
+  std::vector<Pending> pending_;
+  bool sawSkin_ = false;
+};
+
+} // namespace
+
+void readGltfNodes(GltfContext &context, GltfMeshes &meshes, GltfAccessors &accessors) {
+  NodeReader(context, meshes, accessors).read();
+}
+
+} // namespace voxc

@@ -1,0 +1,65 @@
+// The reading of a glTF model from its container to its instances.
+#include "Mesh/Gltf/GltfReader.h"
+
+#include "Mesh/Gltf/GltfExtensions.h"
+#include "Mesh/Gltf/GltfFile.h"
+#include "Mesh/Gltf/GltfNodes.h"
+#include "Mesh/ResidentGrowth.h"
+
+namespace voxc {
+
+namespace {
+
+void checkVersion(GltfContext &context) {
+  const GltfObject asset = context.root.object("asset");
+  const std::string version(asset.text("version"));
+  if (version.empty())
+    context.problem.set("it has no asset.version, so it is no glTF");
+  else if (!version.starts_with("2."))
+    context.problem.set("it is glTF " + version + "; only glTF 2 is read");
+}
+
+void readModel(GltfContext &context) {
+  checkVersion(context);
+  checkGltfExtensions(context);
+  if (context.problem)
+    return;
+  GltfBuffers buffers(context);
+  GltfAccessors accessors(context, buffers);
+  GltfMaterials materials(context, buffers);
+  GltfMeshes meshes(context, accessors, materials);
+  readGltfNodes(context, meshes, accessors);
+  context.scene.loaderPeakBytes += materials.libraryPeakBytes();
+}
+
+} // namespace
+
+Expected<TriangleScene> readGltf(const MeshInput &input) {
+  const auto parts = splitGltf(input.file->bytes());
+  if (!parts)
+    return parts.error();
+  const ResidentGrowth growth;
+  const auto document = JsonDocument::parse(parts->json);
+  if (!document)
+    return document.error();
+  TriangleScene scene;
+  scene.loaderPeakBytes = growth.bytes();
+  Warnings warnings;
+  Problem problem;
+  GltfContext context{GltfObject(document->root(), "", problem),
+                      parts->binary,
+                      input.file->bytes().size(),
+                      input.folder(),
+                      input.memory,
+                      scene,
+                      warnings,
+                      problem};
+  readModel(context);
+  if (problem)
+    return problem.error();
+  scene.warnings = warnings.take();
+  scene.storage.push_back(input.file);
+  return scene;
+}
+
+} // namespace voxc

@@ -1,0 +1,166 @@
+// Joining positions with texture coordinates, and cutting faces.
+#include "Mesh/Obj/ObjGeometry.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+constexpr std::uint32_t kWhite = 0xffffffff;
+constexpr std::uint64_t kMostVertices = std::numeric_limits<std::uint32_t>::max();
+
+/// Each becomes a part, which takes two hundred bytes beside the bound.
+constexpr std::size_t kMostRuns = std::size_t{1} << 16;
+
+} // namespace
+
+ObjGeometry::ObjGeometry(const std::shared_ptr<WorkingMemory> &memory, Problem &problem)
+    : memory_(memory), problem_(problem), positions_(memory), uvs_(memory), colours_(memory), latest_(memory),
+      vertexPositions_(memory), vertexUvs_(memory), vertexColours_(memory), indices_(memory) {}
+
+void ObjGeometry::addPosition(const Position &position, std::optional<std::uint32_t> colour) {
+  if (positions_.size() == kMostVertices)
+    return problem_.set("there are more than 2^32 vertices");
+  if (colour)
+    while (!problem_ && colours_.size() < positions_.size())
+      problem_.check(colours_.push(kWhite));
+  if (colour || !colours_.empty())
+    problem_.check(colours_.push(colour.value_or(kWhite)));
+  problem_.check(positions_.push(position));
+  problem_.check(latest_.push({}));
+}
+
+void ObjGeometry::add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material) {
+  vertices_.clear();
+  for (const ObjCorner &corner : corners)
+    vertices_.push_back(vertexOf(corner));
+  if (problem_)
+    return;
+  beginRun(mode, material);
+  if (mode == PrimitiveMode::Triangles)
+    addFace();
+  else if (mode == PrimitiveMode::Points)
+    problem_.check(indices_.append(vertices_));
+  else
+    for (std::size_t i = 1; i < vertices_.size(); ++i)
+      addIndices({vertices_[i - 1], vertices_[i]});
+}
+
+std::optional<std::uint64_t> ObjGeometry::resolve(std::int64_t number, std::uint64_t count,
+                                                  const char *what) {
+  const auto signedCount = static_cast<std::int64_t>(count);
+  if (number > 0 && number <= signedCount)
+    return static_cast<std::uint64_t>(number - 1);
+  if (number < 0 && number >= -signedCount)
+    return static_cast<std::uint64_t>(signedCount + number);
+  problem_.set("it names the " + std::string(what) + " " + std::to_string(number) + ", but " +
+               std::to_string(count) + " stand before it");
+  return std::nullopt;
+}
+
+std::uint32_t ObjGeometry::vertexOf(const ObjCorner &corner) {
+  const auto position = resolve(corner.position, positions_.size(), "vertex");
+  const auto uv =
+      corner.uv == 0 ? std::optional<std::uint64_t>() : resolve(corner.uv, uvs_.size(), "texture coordinate");
+  if (!position || (corner.uv != 0 && !uv))
+    return 0;
+  const std::uint32_t uvNumber = uv ? static_cast<std::uint32_t>(*uv) + 1 : 0;
+  Latest &latest = latest_[*position];
+  if (!latest.isMade || latest.uv != uvNumber)
+    latest = {uvNumber, makeVertex(*position, uvNumber), true};
+  return latest.vertex;
+}
+
+std::uint32_t ObjGeometry::makeVertex(std::uint64_t position, std::uint32_t uv) {
+  const std::uint64_t vertex = vertexPositions_.size();
+  if (vertex == kMostVertices)
+    problem_.set("its faces have more than 2^32 different corners");
+  problem_.check(vertexPositions_.push(positions_[position]));
+  problem_.check(vertexUvs_.push(uv == 0 ? Uv{} : uvs_[uv - 1]));
+  if (!colours_.empty()) {
+    while (!problem_ && vertexColours_.size() < vertex)
+      problem_.check(vertexColours_.push(kWhite));
+    problem_.check(vertexColours_.push(colours_[position]));
+  }
+  return static_cast<std::uint32_t>(vertex);
+}
+
+void ObjGeometry::beginRun(PrimitiveMode mode, std::uint32_t material) {
+  if (runs_.empty() || runs_.back().mode != mode || runs_.back().material != material)
+    runs_.push_back({mode, material, indices_.size()});
+}
+
+void ObjGeometry::addFace() {
+  if (vertices_.size() < 3) {
+    ++shortFaces_;
+    return;
+  }
+  points_.clear();
+  for (const std::uint32_t vertex : vertices_) {
+    const Position &position = vertexPositions_[vertex];
+    points_.push_back({position[0], position[1], position[2]});
+  }
+  for (const PolygonCutter::Corners &corners : cutter_.cut(points_))
+    addIndices({vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]});
+}
+
+void ObjGeometry::addIndices(std::initializer_list<std::uint32_t> vertices) {
+  problem_.check(indices_.append({vertices.begin(), vertices.size()}));
+}
+
+std::uint64_t ObjGeometry::endOf(std::size_t run) const {
+  return run + 1 < runs_.size() ? runs_[run + 1].begin : indices_.size();
+}
+
+void ObjGeometry::groupRuns() {
+  std::vector<std::size_t> order(runs_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto kindOf = [&](std::size_t run) { return std::pair(runs_[run].material, runs_[run].mode); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return kindOf(a) < kindOf(b); });
+  ScratchArray<std::uint32_t> grouped(memory_);
+  std::vector<Run> groups;
+  for (const std::size_t run : order) {
+    const Run &from = runs_[run];
+    if (groups.empty() || groups.back().mode != from.mode || groups.back().material != from.material)
+      groups.push_back({from.mode, from.material, grouped.size()});
+    problem_.check(grouped.append(indices_.span().subspan(from.begin, endOf(run) - from.begin)));
+  }
+  runs_ = std::move(groups);
+  indices_ = std::move(grouped);
+}
+
+void ObjGeometry::finish(TriangleScene &scene) {
+  if (runs_.size() > kMostRuns)
+    groupRuns();
+  MeshPart part;
+  const bool hasUvs = !uvs_.empty();
+  std::vector<std::uint64_t> ends;
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    ends.push_back(endOf(i));
+  part.positions = keep(std::move(vertexPositions_), kFloatRows3, scene);
+  if (hasUvs)
+    part.uvs = keep(std::move(vertexUvs_), kFloatRows2, scene);
+  // Empty where no face came after the first colour.
+  if (vertexColours_.size() == part.positions.count)
+    part.colours = keep(std::move(vertexColours_), kColourRows, scene);
+  const AttributeView indices = keep(std::move(indices_), kIndexRows, scene);
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (ends[i] == runs_[i].begin)
+      continue;
+    part.mode = runs_[i].mode;
+    part.material = runs_[i].material;
+    part.indices = indices;
+    part.indices.data += runs_[i].begin * sizeof(std::uint32_t);
+    part.indices.count = ends[i] - runs_[i].begin;
+    scene.instances.push_back({static_cast<std::uint32_t>(scene.parts.size()), {}});
+    scene.parts.push_back(part);
+  }
+}
+
+} // namespace voxc

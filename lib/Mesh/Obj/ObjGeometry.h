@@ -1,0 +1,85 @@
+// Vertices and primitives of an .obj.
+#pragma once
+
+#include "Mesh/KeptArray.h"
+#include "Mesh/Polygon.h"
+#include "Mesh/Problem.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace voxc {
+
+/// Numbers of an .obj's vertex and texture coordinate as it writes them: from 1, or backwards from -1; 0 is
+/// none.
+struct ObjCorner {
+  std::int64_t position = 0;
+  std::int64_t uv = 0;
+};
+
+/// Collects what the lines of an .obj say, as vertices that have all their attributes together.
+class ObjGeometry {
+public:
+  ObjGeometry(const std::shared_ptr<WorkingMemory> &memory, Problem &problem);
+
+  using Position = std::array<float, 3>;
+  using Uv = std::array<float, 2>;
+
+  void addPosition(const Position &position, std::optional<std::uint32_t> colour);
+  void addUv(const Uv &uv) { problem_.check(uvs_.push(uv)); }
+
+  /// Adds a face, a polyline or points. Problems: a corner that does not exist.
+  void add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material);
+
+  /// Moves everything to the scene. Faces stay in their order, but for a file that changes the material more
+  /// than 65536 times: there those of one material come together.
+  void finish(TriangleScene &scene);
+
+  std::uint64_t shortFaces() const { return shortFaces_; }
+  std::uint64_t badFans() const { return cutter_.badFans(); }
+
+private:
+  /// The vertex that was made last of a position: most often the next face asks for the same.
+  struct Latest {
+    std::uint32_t uv = 0; ///< Number of the texture coordinate from 1; 0: none.
+    std::uint32_t vertex = 0;
+    bool isMade = false;
+  };
+
+  /// Primitives of one kind and material that stand together.
+  struct Run {
+    PrimitiveMode mode;
+    std::uint32_t material;
+    std::uint64_t begin; ///< The first of `indices_`.
+  };
+
+  std::optional<std::uint64_t> resolve(std::int64_t number, std::uint64_t count, const char *what);
+  std::uint32_t vertexOf(const ObjCorner &corner);
+  std::uint32_t makeVertex(std::uint64_t position, std::uint32_t uv);
+  void beginRun(PrimitiveMode mode, std::uint32_t material);
+  void addFace();
+  void groupRuns();
+  std::uint64_t endOf(std::size_t run) const;
+  void addIndices(std::initializer_list<std::uint32_t> vertices);
+
+  std::shared_ptr<WorkingMemory> memory_;
+  Problem &problem_;
+  ScratchArray<Position> positions_;
+  ScratchArray<Uv> uvs_;
+  ScratchArray<std::uint32_t> colours_; ///< One a position from the first on that has a colour; else none.
+  ScratchArray<Latest> latest_;
+
+  ScratchArray<Position> vertexPositions_;
+  ScratchArray<Uv> vertexUvs_;
+  ScratchArray<std::uint32_t> vertexColours_;
+  ScratchArray<std::uint32_t> indices_;
+  std::vector<Run> runs_;
+
+  std::vector<std::uint32_t> vertices_; ///< Of the primitive that is being added.
+  std::vector<PolygonCutter::Point> points_;
+  PolygonCutter cutter_;
+  std::uint64_t shortFaces_ = 0;
+};
+
+} // namespace voxc

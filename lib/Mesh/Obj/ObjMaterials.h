@@ -1,0 +1,43 @@
+// The materials that an .obj uses, with their textures.
+#pragma once
+
+#include "Mesh/Image/TextureSet.h"
+#include "Mesh/MeshInput.h"
+#include "Mesh/Obj/MaterialLibrary.h"
+#include "Mesh/Problem.h"
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace voxc {
+
+class ObjMaterials {
+public:
+  ObjMaterials(const MeshInput &input, TriangleScene &scene, Warnings &warnings, Problem &problem);
+
+  /// Reads the libraries of a line `mtllib`; one that cannot be read becomes a warning.
+  void addLibraries(std::string_view names);
+
+  /// Index of the scene's material for a name; white, with a warning, if it is not known. "" is that of faces
+  /// without one.
+  std::uint32_t use(const std::string &name);
+
+  std::uint64_t libraryPeakBytes() const { return textures_.libraryPeakBytes(); }
+
+private:
+  bool addLibrary(const std::string &name);
+  Material makeMaterial(const MtlMaterial &found);
+  TextureUse makeTexture(const MtlTexture &texture);
+
+  const MeshInput &input_;
+  TriangleScene &scene_;
+  Warnings &warnings_;
+  Problem &problem_;
+  TextureSet textures_;
+  std::set<std::string> libraries_;
+  std::map<std::string, MtlMaterial> known_;
+  std::map<std::string, std::uint32_t> used_;
+};
+
+} // namespace voxc

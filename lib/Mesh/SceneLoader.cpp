@@ -1,0 +1,68 @@
+// Loading of mesh files: which reader takes which, and the check of what it made.
+#include "voxc/Mesh/TriangleScene.h"
+
+#include "Mesh/Gltf/GltfReader.h"
+#include "Mesh/MeshInput.h"
+#include "Mesh/NumberCheck.h"
+#include "Mesh/Obj/ObjReader.h"
+#include "Mesh/Ply/PlyScene.h"
+#include "Mesh/Stl/StlReader.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+namespace voxc {
+
+namespace {
+
+struct ReaderRow {
+  std::string_view ending;
+  std::string_view kind;
+  Expected<TriangleScene> (*read)(const MeshInput &input);
+};
+
+constexpr std::array<ReaderRow, 5> kReaders{{{".obj", "OBJ", readObj},
+                                             {".ply", "PLY", readPlyScene},
+                                             {".glb", "glTF", readGltf},
+                                             {".gltf", "glTF", readGltf},
+                                             {".stl", "STL", readStl}}};
+
+/// Says of which file an error is, unless it says so itself.
+Error named(const Error &error, const ReaderRow &reader, const std::string &path) {
+  const std::string quoted = "'" + path + "'";
+  if (error.kind != ErrorKind::Input || error.message.starts_with(quoted))
+    return error;
+  return Error::input(quoted + " is not a usable " + std::string(reader.kind) + " file: " + error.message);
+}
+
+Expected<TriangleScene> readAndCheck(const ReaderRow &reader, const MeshInput &input) {
+  auto scene = reader.read(input);
+  if (!scene)
+    return named(scene.error(), reader, input.path);
+  if (auto checked = checkNumbers(*scene, input); !checked)
+    return named(checked.error(), reader, input.path);
+  return scene;
+}
+
+} // namespace
+
+Expected<TriangleScene> loadScene(const std::string &path, const std::shared_ptr<WorkingMemory> &memory,
+                                  const Progress &progress) {
+  const std::string ending = pathEnding(path);
+  const auto *reader = std::find_if(kReaders.begin(), kReaders.end(),
+                                    [&](const ReaderRow &row) { return row.ending == ending; });
+  if (reader == kReaders.end())
+    return Error::input("'" + path +
+                        "' is no kind of mesh that is known; there are .obj .ply .glb .gltf .stl");
+  auto file = WatchedFile::open(path, memory);
+  if (!file)
+    return file.error();
+  try {
+    return readAndCheck(*reader, {path, *file, memory, progress});
+  } catch (const std::bad_alloc &) {
+    return Error::environment("there is not enough memory to read '" + path + "'");
+  }
+}
+
+} // namespace voxc

@@ -1,0 +1,86 @@
+// Telling binary from text, and reading each.
+#include "Mesh/Stl/StlReader.h"
+
+#include "Mesh/KeptArray.h"
+#include "Mesh/Problem.h"
+#include "Mesh/Stl/StlText.h"
+#include "Mesh/Text.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace voxc {
+
+namespace {
+
+constexpr std::size_t kHeaderBytes = 84; ///< 80 that mean nothing, and the number of triangles.
+constexpr std::size_t kCountOffset = 80;
+constexpr std::size_t kTriangleBytes = 50; ///< A normal, three corners, two bytes that mean nothing.
+constexpr std::size_t kNormalBytes = 12;
+constexpr std::size_t kCornerBytes = 12;
+constexpr std::uint64_t kBlock = 4096;
+
+std::uint32_t littleWord(const std::byte *at) {
+  std::array<std::uint8_t, 4> bytes;
+  std::memcpy(bytes.data(), at, bytes.size());
+  return bytes[0] | bytes[1] << 8u | bytes[2] << 16u | std::uint32_t{bytes[3]} << 24u;
+}
+
+StlCorner cornerAt(const std::byte *at) {
+  return {std::bit_cast<float>(littleWord(at)), std::bit_cast<float>(littleWord(at + 4)),
+          std::bit_cast<float>(littleWord(at + 8))};
+}
+
+/// Many binary files begin with "solid" as the text does, so what follows decides.
+bool isText(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos || lowerCase(text.substr(begin, 5)) != "solid")
+    return false;
+  if (bytes.size() >= kHeaderBytes &&
+      kHeaderBytes + std::uint64_t{littleWord(bytes.data() + kCountOffset)} * kTriangleBytes == bytes.size())
+    return false;
+  return text.substr(0, 512).find('\0') == std::string_view::npos;
+}
+
+void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem) {
+  const std::span<const std::byte> bytes = input.file->bytes();
+  if (bytes.size() < kHeaderBytes)
+    return problem.set("it is neither the text 'solid' nor has it the 84 bytes of a binary header");
+  const std::uint64_t count = littleWord(bytes.data() + kCountOffset);
+  if (count > (bytes.size() - kHeaderBytes) / kTriangleBytes)
+    return problem.set("it claims " + std::to_string(count) + " triangles, but has only " +
+                       std::to_string(bytes.size() - kHeaderBytes) + " bytes for them");
+  if (auto resized = corners.resize(3 * count); !resized)
+    return problem.check(resized);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i % kBlock == 0 && !input.at(i, count))
+      return problem.set(Error::interrupted());
+    const std::byte *triangle = bytes.data() + kHeaderBytes + i * kTriangleBytes + kNormalBytes;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      corners[3 * i + corner] = cornerAt(triangle + corner * kCornerBytes);
+  }
+}
+
+} // namespace
+
+Expected<TriangleScene> readStl(const MeshInput &input) {
+  ScratchArray<StlCorner> corners(input.memory);
+  Problem problem;
+  if (isText(input.file->bytes()))
+    readStlText(input, corners, problem);
+  else
+    readBinary(input, corners, problem);
+  if (problem)
+    return problem.error();
+  TriangleScene scene;
+  MeshPart part;
+  part.positions = keep(std::move(corners), kFloatRows3, scene);
+  scene.materials.emplace_back();
+  scene.parts.push_back(part);
+  scene.instances.push_back({});
+  return scene;
+}
+
+} // namespace voxc

@@ -1,0 +1,13 @@
+// Reading .stl, binary and text.
+#pragma once
+
+#include "Mesh/MeshInput.h"
+#include "voxc/Mesh/TriangleScene.h"
+
+namespace voxc {
+
+/// Reads the triangles; normals and the two bytes that some programs keep a colour in mean nothing. Errors: a
+/// file that is cut short or no STL.
+Expected<TriangleScene> readStl(const MeshInput &input);
+
+} // namespace voxc

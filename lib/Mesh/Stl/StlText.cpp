@@ -1,0 +1,116 @@
+// Words of a text .stl, one after the other: lines mean nothing but where a name ends.
+#include "Mesh/Stl/StlText.h"
+
+#include "Mesh/Polygon.h"
+#include "Mesh/Text.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+class TextReader {
+public:
+  TextReader(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem)
+      : input_(input), corners_(corners), problem_(problem), text_(input.file->text()), rest_(text_) {}
+
+  void read() {
+    for (std::uint64_t words = 0; !problem_; ++words) {
+      if (words % 4096 == 0 && !input_.at(text_.size() - rest_.size(), text_.size()))
+        return problem_.set(Error::interrupted());
+      const std::string_view word = takeWord(rest_);
+      if (word.empty())
+        break;
+      readStatement(lowerCase(word.substr(0, kLongestWord)));
+    }
+    if (!problem_ && isInside_)
+      wrong("it ends inside a facet");
+  }
+
+private:
+  static constexpr std::size_t kLongestWord = 16;
+
+  struct Statement {
+    std::string_view word;
+    void (TextReader::*read)();
+  };
+
+  void readStatement(const std::string &word) {
+    static constexpr std::array<Statement, 7> kStatements{{{"vertex", &TextReader::readVertex},
+                                                           {"facet", &TextReader::beginFacet},
+                                                           {"outer", &TextReader::skipWord},
+                                                           {"endloop", &TextReader::endLoop},
+                                                           {"endfacet", &TextReader::endFacet},
+                                                           {"solid", &TextReader::skipLine},
+                                                           {"endsolid", &TextReader::skipLine}}};
+    const auto *statement = std::find_if(kStatements.begin(), kStatements.end(),
+                                         [&](const Statement &s) { return s.word == word; });
+    if (statement == kStatements.end())
+      wrong("'" + word + "' stands where a facet or its end should");
+    else
+      (this->*statement->read)();
+  }
+
+  void readVertex() {
+    StlCorner corner;
+    for (float &coordinate : corner) {
+      const auto number = parseNumber(takeWord(rest_));
+      if (!number)
+        return wrong("a vertex lacks one of its three numbers");
+      coordinate = static_cast<float>(*number);
+    }
+    loop_.push_back(corner);
+  }
+
+  /// "normal" and three numbers, which mean nothing.
+  void beginFacet() {
+    isInside_ = true;
+    for (int i = 0; i < 4; ++i)
+      takeWord(rest_);
+  }
+
+  void endFacet() { isInside_ = false; }
+
+  void endLoop() {
+    if (loop_.size() < 3)
+      wrong("a loop has " + std::to_string(loop_.size()) + " vertices, fewer than three");
+    points_.clear();
+    for (const StlCorner &c : loop_)
+      points_.push_back({c[0], c[1], c[2]});
+    if (!problem_)
+      for (const PolygonCutter::Corners &triangle : cutter_.cut(points_))
+        for (const std::uint32_t corner : triangle)
+          problem_.check(corners_.push(loop_[corner]));
+    loop_.clear();
+  }
+
+  void skipWord() { takeWord(rest_); }
+
+  void skipLine() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
+
+  void wrong(const std::string &what) {
+    const std::string_view done = text_.substr(0, text_.size() - rest_.size());
+    problem_.set("line " + std::to_string(std::count(done.begin(), done.end(), '\n') + 1) + ": " + what);
+  }
+
+  const MeshInput &input_;
+  ScratchArray<StlCorner> &corners_;
+  Problem &problem_;
+  std::string_view text_;
+  std::string_view rest_;
+  bool isInside_ = false;
+  std::vector<StlCorner> loop_;
+  std::vector<PolygonCutter::Point> points_;
+  PolygonCutter cutter_;
+};
+
+} // namespace
+
+void readStlText(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem) {
+  TextReader(input, corners, problem).read();
+}
+
+} // namespace voxc

@@ -1,0 +1,48 @@
+// Words, lines and numbers of text files.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+/// Takes the next word off the front of `text`; empty if there is none.
+std::string_view takeWord(std::string_view &text);
+
+/// `text` without blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
+/// `text` with small letters for its capital ones.
+std::string lowerCase(std::string_view text);
+
+/// A decimal number, with a sign or without; infinite if it is too large for a double, and also for "inf" and
+/// "nan", as some programs write them.
+std::optional<double> parseNumber(std::string_view word);
+
+/// A whole number.
+std::optional<std::int64_t> parseInteger(std::string_view word);
+
+/// Lines of a text. A backslash at the end of a line joins it with the next.
+class TextLines {
+public:
+  explicit TextLines(std::string_view text) : text_(text), rest_(text) {}
+
+  /// The next line, without its end; valid until the next call.
+  std::optional<std::string_view> next();
+  /// The number of the line that `next` gave, from 1; of joined lines the last.
+  std::uint64_t number() const { return number_; }
+  /// Bytes that have been read.
+  std::uint64_t done() const { return text_.size() - rest_.size(); }
+
+private:
+  std::string_view takeLine();
+
+  std::string_view text_;
+  std::string_view rest_;
+  std::uint64_t number_ = 0;
+  std::string joined_;
+};
+
+} // namespace voxc

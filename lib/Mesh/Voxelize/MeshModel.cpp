@@ -1,0 +1,46 @@
+// Fitting a scene into voxels.
+#include "Mesh/Voxelize/MeshModel.h"
+
+#include "Mesh/Voxelize/SceneBounds.h"
+
+#include <utility>
+
+namespace voxc {
+
+Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOptions &options,
+                                    WorkingMemory *memory) {
+  if (auto checked = checkReferences(scene); !checked)
+    return checked.error();
+  TriangleNumbers numbers(scene);
+  const auto model = boundsOf(scene, numbers, memory, options.progress);
+  if (!model)
+    return model.error();
+  FrameOptions place{*model, options.resolution, options.maxExtent, options.zUp};
+  if (options.bounds) {
+    const std::array<double, 6> &b = *options.bounds;
+    place.bounds = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+  }
+  const auto frame = ModelFrame::fit(place);
+  if (!frame)
+    return frame.error();
+  const auto grid = SnapGrid::fit(*frame, *model);
+  if (!grid)
+    return grid.error();
+  return MeshModel{std::move(numbers), *grid};
+}
+
+SnappedTriangle MeshModel::snapped(const TriangleCursor &cursor) const {
+  const std::array<Double3, 3> corners = cursor.corners();
+  return {{grid.snap(corners[0]), grid.snap(corners[1]), grid.snap(corners[2])}};
+}
+
+std::array<Double3, 3> MeshModel::inVoxels(const SnappedTriangle &triangle) const {
+  const double step = 1.0 / static_cast<double>(std::int64_t{1} << grid.bits());
+  std::array<Double3, 3> corners;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      corners[corner][axis] = static_cast<double>(triangle.corners[corner][axis]) * step;
+  return corners;
+}
+
+} // namespace voxc

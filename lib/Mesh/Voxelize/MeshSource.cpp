@@ -1,0 +1,211 @@
+// The voxels of a scene, made chunk by chunk when they are asked for.
+#include "Mesh/Voxelize/ChunkVoxels.h"
+#include "Mesh/Voxelize/MeshVoxels.h"
+#include "Mesh/Voxelize/NearestPoint.h"
+#include "Mesh/Voxelize/SurfaceColour.h"
+#include "Source/CubeTools.h"
+
+#include <ctime>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+/// Triangles between two looks at memory and at whether to stop.
+constexpr std::size_t kStep = 64;
+
+/// Adds the time that this thread computes while it lives.
+class ThreadTimer {
+public:
+  explicit ThreadTimer(std::atomic<std::uint64_t> &nanoseconds) : nanoseconds_(nanoseconds), begin_(now()) {}
+  ~ThreadTimer() { nanoseconds_.fetch_add(now() - begin_, std::memory_order_relaxed); }
+  ThreadTimer(const ThreadTimer &) = delete;
+  ThreadTimer &operator=(const ThreadTimer &) = delete;
+
+private:
+  static std::uint64_t now() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(time.tv_nsec);
+  }
+
+  std::atomic<std::uint64_t> &nanoseconds_;
+  std::uint64_t begin_;
+};
+
+/// One reader: it holds the chunk asked for last, and where bins are larger than chunks, the triangles of the
+/// cubes around it.
+class MeshSource final : public VoxelSource {
+public:
+  explicit MeshSource(std::shared_ptr<const MeshVoxels> mesh)
+      : mesh_(std::move(mesh)), cursor_(*mesh_->scene, mesh_->model.numbers), colour_(*mesh_->scene),
+        voxels_(mesh_->log2Chunk) {
+    for (int log2Side = mesh_->log2Chunk; log2Side < mesh_->bins.log2Chunk(); ++log2Side)
+      lists_.push_back({{-1, -1, -1}, ScratchArray<std::uint32_t>(mesh_->memory)});
+  }
+
+  Int3 extent() const override { return mesh_->model.extent(); }
+  int log2Chunk() const override { return mesh_->log2Chunk; }
+  double readSeconds() const override { return 1e-9 * static_cast<double>(mesh_->nanoseconds); }
+  Transform voxelToModel() const override { return mesh_->model.grid.frame().voxelToModel(); }
+  std::optional<Error> failure() const override { return failure_; }
+  std::unique_ptr<VoxelSource> view() const override { return std::make_unique<MeshSource>(mesh_); }
+
+  bool empty(const Cube &cube) override {
+    if (isOutside(cube, extent()))
+      return true;
+    if (cube.log2Side >= mesh_->bins.log2Chunk())
+      return mesh_->bins.empty(cube);
+    if (cube.log2Side >= mesh_->log2Chunk)
+      return trianglesOf(cube.low >> cube.log2Side, cube.log2Side).empty();
+    return chunkAt(cube.low).empty(cube);
+  }
+
+  void read(const Cube &cube, std::uint32_t *words) override {
+    if (isOutside(cube, extent()))
+      std::fill_n(words, cellCount(cube.log2Side), 0u);
+    else
+      chunkAt(cube.low).read(cube, words);
+  }
+
+private:
+  /// The triangles of a cube of a size below the bins'.
+  struct List {
+    Int3 cube; ///< In cubes of this size; negative before the first.
+    ScratchArray<std::uint32_t> triangles;
+  };
+
+  /// A voxel of the chunk, and how near a triangle is.
+  struct Place {
+    std::uint32_t code;
+    std::uint32_t distance;
+  };
+
+  SnappedTriangle triangle(std::uint32_t number) {
+    cursor_.moveTo(number);
+    return mesh_->model.snapped(cursor_);
+  }
+
+  /// True if it is time to leave off; then `failure_` says why.
+  bool isStopped(std::size_t triangles) {
+    if (triangles % kStep != 0)
+      return false;
+    mesh_->memory->relieve();
+    if (mesh_->progress.stopped())
+      failure_ = Error::interrupted();
+    return failure_.has_value();
+  }
+
+  std::span<const std::uint32_t> trianglesOf(Int3 cube, int log2Side) {
+    if (log2Side == mesh_->bins.log2Chunk())
+      return mesh_->bins.at(cube);
+    List &list = lists_[static_cast<std::size_t>(log2Side - mesh_->log2Chunk)];
+    if (list.cube != cube) {
+      const auto around = trianglesOf(cube >> 1, log2Side + 1);
+      const ThreadTimer timer(mesh_->nanoseconds);
+      select(around, cube, log2Side, list.triangles);
+      list.cube = cube;
+    }
+    return std::as_const(list.triangles).span();
+  }
+
+  /// Sets `selected` to those of `triangles` that touch a cube.
+  void select(std::span<const std::uint32_t> triangles, Int3 cube, int log2Side,
+              ScratchArray<std::uint32_t> &selected) {
+    const CellShape shape = CellShape::cube(mesh_->model.grid.bits() + log2Side);
+    auto chosen = selected.resize(0);
+    for (std::size_t i = 0; i < triangles.size() && chosen && !isStopped(i); ++i) {
+      coverCells(triangle(triangles[i]), shape, {cube, cube + Int3{1, 1, 1}}, masks_);
+      if (!masks_.empty() && masks_[0].slices[0] != 0)
+        chosen = selected.push(triangles[i]);
+    }
+    if (!chosen)
+      failure_ = chosen.error();
+  }
+
+  const ChunkVoxels &chunkAt(Int3 voxel) {
+    const Int3 chunk = voxel >> mesh_->log2Chunk;
+    if (chunk_ != chunk) {
+      const auto triangles = trianglesOf(chunk, mesh_->log2Chunk);
+      const ThreadTimer timer(mesh_->nanoseconds);
+      rasterize(triangles, chunk * (1 << mesh_->log2Chunk));
+      chunk_ = chunk;
+    }
+    return voxels_;
+  }
+
+  void rasterize(std::span<const std::uint32_t> triangles, Int3 low) {
+    const int side = 1 << mesh_->log2Chunk;
+    const Int3 extent = mesh_->model.extent();
+    const CellRange within{low,
+                           {std::min(low.x + side, extent.x), std::min(low.y + side, extent.y),
+                            std::min(low.z + side, extent.z)}};
+    voxels_.clear(low);
+    for (std::size_t i = 0; i < triangles.size() && !isStopped(i); ++i)
+      propose(triangle(triangles[i]), within);
+  }
+
+  void propose(const SnappedTriangle &triangle, const CellRange &within) {
+    coverCells(triangle, mesh_->voxelShape, within, masks_);
+    if (masks_.empty())
+      return;
+    colour_.moveTo(cursor_);
+    findNearer(NearestPoints(mesh_->model.inVoxels(triangle)));
+    colour_.at(weights_, words_);
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (words_[i] != 0)
+        voxels_.set(places_[i].code, places_[i].distance, words_[i]);
+  }
+
+  /// Lists the voxels of `masks_` to which no earlier triangle is as near.
+  void findNearer(const NearestPoints &nearest) {
+    places_.clear();
+    weights_.clear();
+    for (const CellMask &mask : masks_)
+      forEachCell(mask, [&](Int3 voxel) {
+        const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
+        const std::uint32_t code = voxels_.codeOf(voxel);
+        const std::uint32_t distance = comparedDistance(point.distanceSquared);
+        if (!voxels_.isNearer(code, distance))
+          return;
+        places_.push_back({code, distance});
+        weights_.push_back(point.weights);
+      });
+  }
+
+  std::shared_ptr<const MeshVoxels> mesh_;
+  TriangleCursor cursor_;
+  SurfaceColour colour_;
+  ChunkVoxels voxels_;
+  Int3 chunk_{-1, -1, -1}; ///< Whose voxels these are.
+  std::vector<List> lists_;
+  // Of the triangle in work.
+  std::vector<CellMask> masks_;
+  std::vector<Place> places_;
+  std::vector<Double3> weights_;
+  std::vector<std::uint32_t> words_;
+  std::optional<Error> failure_;
+};
+
+} // namespace
+
+Expected<std::unique_ptr<VoxelSource>> makeMeshSource(std::shared_ptr<const TriangleScene> scene,
+                                                      const VoxelizeOptions &options,
+                                                      const std::shared_ptr<WorkingMemory> &memory,
+                                                      const MeshTuning &tuning) {
+  auto mesh = MeshVoxels::open(std::move(scene), options, memory, tuning);
+  if (!mesh)
+    return mesh.error();
+  return std::unique_ptr<VoxelSource>(std::make_unique<MeshSource>(std::move(*mesh)));
+}
+
+Expected<std::unique_ptr<VoxelSource>> makeMeshSource(std::shared_ptr<const TriangleScene> scene,
+                                                      const VoxelizeOptions &options,
+                                                      const std::shared_ptr<WorkingMemory> &memory) {
+  return makeMeshSource(std::move(scene), options, memory, {});
+}
+
+} // namespace voxc

@@ -1,0 +1,75 @@
+// Sorting the triangles of a scene into chunks.
+#include "Mesh/Voxelize/MeshVoxels.h"
+
+#include <utility>
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+/// Triangles between two looks at memory and whether to stop, and between two words on the progress.
+constexpr std::uint64_t kStep = 64;
+constexpr std::uint64_t kProgressStep = 1 << 14;
+
+CellRange allChunks(Int3 extent, int log2Chunk) {
+  return {{}, ((extent - Int3{1, 1, 1}) >> log2Chunk) + Int3{1, 1, 1}};
+}
+
+/// Calls `visit(chunk, triangle)` for each triangle and each bin's chunk that it touches. This is one half of
+/// the work, `done` of which is done.
+template <typename Visit> Expected<void> forEachChunk(const MeshVoxels &mesh, double done, Visit visit) {
+  const CellShape shape = CellShape::cube(mesh.model.grid.bits() + mesh.bins.log2Chunk());
+  const CellRange chunks = allChunks(mesh.model.extent(), mesh.bins.log2Chunk());
+  const std::uint64_t count = mesh.model.numbers.size();
+  TriangleCursor cursor(*mesh.scene, mesh.model.numbers);
+  std::vector<CellMask> masks;
+  for (std::uint64_t number = 0; number < count; ++number) {
+    if (number % kStep == 0) {
+      if (mesh.progress.stopped())
+        return Error::interrupted();
+      mesh.memory->relieve();
+    }
+    if (number % kProgressStep == 0)
+      mesh.progress.at("bin", done + 0.5 * static_cast<double>(number) / static_cast<double>(count));
+    cursor.moveTo(number);
+    coverCells(mesh.model.snapped(cursor), shape, chunks, masks);
+    for (const CellMask &mask : masks)
+      forEachCell(mask, [&](Int3 chunk) { visit(chunk, static_cast<std::uint32_t>(number)); });
+  }
+  return {};
+}
+
+Expected<void> fill(ChunkBins<std::uint32_t> &bins, const MeshVoxels &mesh) {
+  const auto count = [&](Int3 chunk, std::uint32_t) { bins.count(chunk); };
+  if (auto counted = forEachChunk(mesh, 0, count); !counted)
+    return counted;
+  if (auto allocated = bins.allocate(); !allocated)
+    return allocated;
+  return forEachChunk(mesh, 0.5, [&](Int3 chunk, std::uint32_t number) { bins.place(chunk, number); });
+}
+
+} // namespace
+
+Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<const TriangleScene> scene,
+                                                             const VoxelizeOptions &options,
+                                                             const std::shared_ptr<WorkingMemory> &memory,
+                                                             const MeshTuning &tuning) {
+  auto model = MeshModel::open(*scene, options, memory.get());
+  if (!model)
+    return model.error();
+  using Bins = ChunkBins<std::uint32_t>;
+  const int log2Bin = Bins::log2ChunkFor(model->extent(), tuning.log2Chunk, tuning.log2Grid);
+  auto bins = Bins::create(model->extent(), log2Bin, memory);
+  if (!bins)
+    return bins.error();
+  const int bits = model->grid.bits();
+  const CellShape shape = options.coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits);
+  auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
+                                           shape, tuning.log2Chunk, options.progress);
+  if (auto filled = fill(mesh->bins, *mesh); !filled)
+    return filled.error();
+  return std::shared_ptr<const MeshVoxels>(std::move(mesh));
+}
+
+} // namespace voxc

@@ -1,0 +1,50 @@
+// The point of a triangle that is nearest to another point.
+#pragma once
+
+#include "Mesh/ModelFrame.h"
+
+#include <array>
+#include <cstdint>
+
+namespace voxc {
+
+/// A point of a triangle by its weights at the three corners, and how far away it is.
+struct NearestPoint {
+  Double3 weights;
+  double distanceSquared;
+};
+
+/// Finds points of a closed triangle, which may be a segment or a point.
+class NearestPoints {
+public:
+  explicit NearestPoints(const std::array<Double3, 3> &triangle);
+
+  /// The point nearest to `point`.
+  NearestPoint to(const Double3 &point) const;
+
+private:
+  /// From one corner to the next.
+  struct Edge {
+    Double3 direction;
+    double inverseSquare; ///< 1 over the square of the length; 0 without one.
+  };
+
+  /// The nearest point on those edges that may have it; `offsets` lead from the corners to the point.
+  NearestPoint onEdges(const std::array<Double3, 3> &offsets, const std::array<bool, 3> &candidates) const;
+
+  std::array<Double3, 3> corners_;
+  std::array<Edge, 3> edges_;
+  Double3 normal_{};                   ///< Of length 1, or 0 without an area.
+  std::array<Double3, 2> gradients_{}; ///< Of the weights of the second and third corner.
+  bool hasArea_ = false;
+};
+
+/// A squared distance in voxels as it is compared: in steps of 2^-30, so that rounding does not decide
+/// between triangles that meet.
+inline std::uint32_t comparedDistance(double squared) {
+  constexpr double kMost = 0x1p32 - 2;
+  const double steps = squared * 0x1p30 + 0.5;
+  return static_cast<std::uint32_t>(steps < kMost ? steps : kMost);
+}
+
+} // namespace voxc

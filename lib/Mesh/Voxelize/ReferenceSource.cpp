@@ -1,0 +1,149 @@
+// The simple way to voxelize: each voxel of each triangle's box is held against the definition.
+#include "Mesh/Voxelize/MeshModel.h"
+#include "Mesh/Voxelize/NearestPoint.h"
+#include "Mesh/Voxelize/SurfaceColour.h"
+#include "Mesh/Voxelize/VoxelCandidates.h"
+
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+__extension__ using Wide = __int128;
+using Wide3 = std::array<Wide, 3>;
+
+/// Triangles between two looks at the progress.
+constexpr std::uint64_t kProgressStep = 1024;
+
+Wide dot(const Wide3 &a, const Wide3 &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Wide3 cross(const Wide3 &a, const Wide3 &b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Wide3 difference(const Point64 &a, const Point64 &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+/// All directions along which a triangle and a box with the axes of space may be apart.
+std::vector<Wide3> separatingAxes(const SnappedTriangle &triangle) {
+  const std::array<Wide3, 3> units{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto &[a, b, c] = triangle.corners;
+  std::vector<Wide3> axes(units.begin(), units.end());
+  axes.push_back(cross(difference(b, a), difference(c, a)));
+  for (const Wide3 &edge : {difference(b, a), difference(c, b), difference(a, c)})
+    for (const Wide3 &unit : units)
+      axes.push_back(cross(edge, unit));
+  return axes;
+}
+
+/// Have the triangle and the closed box a point in common?
+bool touches(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, const Point64 &centre,
+             const Point64 &half) {
+  for (const Wide3 &axis : axes) {
+    Wide reach = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      reach += (axis[i] < 0 ? -axis[i] : axis[i]) * half[i];
+    bool isAbove = true;
+    bool isBelow = true;
+    for (const Point64 &corner : triangle.corners) {
+      const Wide shadow = dot(axis, difference(corner, centre));
+      isAbove = isAbove && shadow > reach;
+      isBelow = isBelow && shadow < -reach;
+    }
+    if (isAbove || isBelow)
+      return false;
+  }
+  return true;
+}
+
+class Reference {
+public:
+  Reference(const TriangleScene &scene, const MeshModel &model, Coverage coverage)
+      : model_(model), cursor_(scene, model.numbers), colour_(scene),
+        side_(std::int64_t{1} << model.grid.bits()) {
+    const std::int64_t half = side_ / 2;
+    if (coverage == Coverage::Conservative)
+      boxes_ = {{half, half, half}};
+    else
+      boxes_ = {{half, 0, 0}, {0, half, 0}, {0, 0, half}};
+  }
+
+  void add(std::uint32_t number) {
+    cursor_.moveTo(number);
+    colour_.moveTo(cursor_);
+    number_ = number;
+    const SnappedTriangle triangle = model_.snapped(cursor_);
+    const std::vector<Wide3> axes = separatingAxes(triangle);
+    const NearestPoints nearest(model_.inVoxels(triangle));
+    const auto [low, high] = voxelsOf(triangle);
+    for (Int3 voxel = low; voxel.z <= high.z; ++voxel.z)
+      for (voxel.y = low.y; voxel.y <= high.y; ++voxel.y)
+        for (voxel.x = low.x; voxel.x <= high.x; ++voxel.x)
+          if (isTaken(triangle, axes, voxel))
+            propose(voxel, nearest);
+  }
+
+  std::vector<CodedVoxel> take() { return candidates_.take(); }
+
+private:
+  /// The first and the last voxel that the triangle's box may touch, on each axis.
+  std::pair<Int3, Int3> voxelsOf(const SnappedTriangle &triangle) const {
+    const Int3 extent = model_.extent();
+    Int3 low;
+    Int3 high;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      const std::int64_t last = extent[axis] - 1;
+      // Division cuts towards 0, where the volume begins: a voxel more on each side makes up for it.
+      low[axis] = static_cast<int>(std::clamp<std::int64_t>(triangle.low(i) / side_ - 1, 0, last + 1));
+      high[axis] = static_cast<int>(std::clamp<std::int64_t>(triangle.high(i) / side_ + 1, -1, last));
+    }
+    return {low, high};
+  }
+
+  bool isTaken(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, Int3 voxel) const {
+    Point64 centre;
+    for (int axis = 0; axis < 3; ++axis)
+      centre[static_cast<std::size_t>(axis)] = voxel[axis] * side_ + side_ / 2;
+    return std::any_of(boxes_.begin(), boxes_.end(),
+                       [&](const Point64 &half) { return touches(triangle, axes, centre, half); });
+  }
+
+  void propose(Int3 voxel, const NearestPoints &nearest) {
+    const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
+    colour_.at({&point.weights, 1}, words_);
+    if (words_[0] != 0)
+      candidates_.add(mortonCode(voxel), comparedDistance(point.distanceSquared), number_, words_[0]);
+  }
+
+  const MeshModel &model_;
+  TriangleCursor cursor_;
+  SurfaceColour colour_;
+  std::int64_t side_; ///< Of a voxel, in steps of the grid.
+  std::vector<Point64> boxes_;
+  std::uint32_t number_ = 0;
+  std::vector<std::uint32_t> words_; ///< Of the voxel in work.
+  VoxelCandidates candidates_;
+};
+
+} // namespace
+
+Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleScene &scene,
+                                                               const VoxelizeOptions &options) {
+  const auto model = MeshModel::open(scene, options, nullptr);
+  if (!model)
+    return model.error();
+  Reference reference(scene, *model, options.coverage);
+  const std::uint64_t count = model->numbers.size();
+  for (std::uint64_t number = 0; number < count; ++number) {
+    if (number % kProgressStep == 0) {
+      if (options.progress.stopped())
+        return Error::interrupted();
+      options.progress.at("voxelize", static_cast<double>(number) / static_cast<double>(count));
+    }
+    reference.add(static_cast<std::uint32_t>(number));
+  }
+  return makeSortedSource(model->extent(), reference.take(), model->grid.frame().voxelToModel());
+}
+
+} // namespace voxc

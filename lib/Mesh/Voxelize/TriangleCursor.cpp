@@ -1,0 +1,91 @@
+// Reading triangles in place, with short ways for what most files hold.
+#include "Mesh/Voxelize/TriangleCursor.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace voxc {
+
+namespace {
+
+using Type = AttributeView::Type;
+
+Double3 transformed(const Transform &transform, const Double3 &point) {
+  const std::array<double, 12> &m = transform.rows;
+  return {m[0] * point[0] + m[1] * point[1] + m[2] * point[2] + m[3],
+          m[4] * point[0] + m[5] * point[1] + m[6] * point[2] + m[7],
+          m[8] * point[0] + m[9] * point[1] + m[10] * point[2] + m[11]};
+}
+
+template <typename Index> std::array<std::uint32_t, 3> indicesAt(const std::byte *row, std::uint32_t stride) {
+  std::array<std::uint32_t, 3> indices;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Index index;
+    std::memcpy(&index, row + i * stride, sizeof index);
+    indices[i] = index;
+  }
+  return indices;
+}
+
+} // namespace
+
+TriangleNumbers::TriangleNumbers(const TriangleScene &scene) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 33;
+  firsts_.reserve(scene.instances.size() + 1);
+  firsts_.push_back(0);
+  for (const MeshInstance &instance : scene.instances)
+    firsts_.push_back(
+        std::min(firsts_.back() + std::min(scene.parts[instance.part].triangles(), kMost), kMost));
+}
+
+std::size_t TriangleNumbers::instanceOf(std::uint64_t triangle) const {
+  const auto behind = std::upper_bound(firsts_.begin(), firsts_.end(), triangle);
+  return static_cast<std::size_t>(behind - firsts_.begin()) - 1;
+}
+
+void TriangleCursor::enter(std::size_t instance) {
+  first_ = numbers_.first(instance);
+  end_ = numbers_.first(instance + 1);
+  instance_ = &scene_.instances[instance];
+  part_ = &scene_.parts[instance_->part];
+  isMoved_ = instance_->toModel != Transform();
+  const AttributeView &indices = part_->indices;
+  const bool isPlain = part_->mode == PrimitiveMode::Triangles &&
+                       (indices.type == Type::Uint32 || indices.type == Type::Uint16);
+  indexRows_ = isPlain ? indices.data : nullptr;
+  const AttributeView &positions = part_->positions;
+  const bool isFloats = positions.type == Type::Float32 && positions.components >= 3;
+  positionRows_ = isFloats ? positions.data : nullptr;
+}
+
+void TriangleCursor::moveTo(std::uint64_t triangle) {
+  if (triangle < first_ || triangle >= end_)
+    enter(numbers_.instanceOf(triangle));
+  const std::uint64_t place = triangle - first_;
+  const std::uint32_t stride = part_->indices.stride;
+  const std::byte *row = indexRows_ + 3 * place * stride;
+  if (!indexRows_)
+    vertices_ = part_->corners(place);
+  else if (part_->indices.type == Type::Uint32)
+    vertices_ = indicesAt<std::uint32_t>(row, stride);
+  else
+    vertices_ = indicesAt<std::uint16_t>(row, stride);
+}
+
+Double3 TriangleCursor::corner(std::uint32_t vertex) const {
+  if (!positionRows_)
+    return readRow<3>(part_->positions, vertex);
+  std::array<float, 3> point;
+  std::memcpy(point.data(), positionRows_ + std::uint64_t{vertex} * part_->positions.stride, sizeof point);
+  return {point[0], point[1], point[2]};
+}
+
+std::array<Double3, 3> TriangleCursor::corners() const {
+  std::array<Double3, 3> corners{corner(vertices_[0]), corner(vertices_[1]), corner(vertices_[2])};
+  if (isMoved_)
+    for (Double3 &point : corners)
+      point = transformed(instance_->toModel, point);
+  return corners;
+}
+
+} // namespace voxc

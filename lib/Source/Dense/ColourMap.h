@@ -1,0 +1,16 @@
+// Colour maps: what the samples of a dense volume look like.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+/// The 256 opaque colours of the map `name`. Error: there is none, naming those there are.
+Expected<std::array<std::uint32_t, 256>> colourMap(std::string_view name);
+
+} // namespace voxc

@@ -1,0 +1,69 @@
+// The samples of a dense volume as they are stored, and how they become words.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+enum class SampleType : std::uint8_t {
+  Int8,
+  Uint8,
+  Int16,
+  Uint16,
+  Int32,
+  Uint32,
+  Int64,
+  Uint64,
+  Float32,
+  Float64
+};
+
+/// Bytes of one sample.
+std::uint64_t byteSize(SampleType type);
+
+/// How samples lie in memory, one after the other.
+struct SampleLayout {
+  SampleType type = SampleType::Uint8;
+  bool bigEndian = false;
+};
+
+/// A type as "uint8", "int16le" or "float32be"; nothing if it is none of these.
+std::optional<SampleLayout> parseSampleLayout(std::string_view text);
+/// All types as `parseSampleLayout` takes them, for messages.
+std::string sampleLayoutNames();
+
+/// The least and the greatest of numbers, but for those that are not finite.
+struct SampleRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+/// What a sample means and looks like. All arithmetic is in float64.
+struct SampleMap {
+  double slope = 1; ///< A sample's value is slope * stored + intercept.
+  double intercept = 0;
+  /// Samples from here up are voxels; without it, all but 0. NaN is never one.
+  std::optional<double> threshold;
+  SampleRange window;                       ///< The values of the first and the last colour.
+  std::array<std::uint32_t, 256> colours{}; ///< None of them 0.
+
+  std::uint32_t word(double stored) const;
+};
+
+/// Writes the words of `count` samples.
+void mapSamples(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,
+                std::uint32_t *words);
+
+/// Widens `range` by the values of `count` samples.
+void addToRange(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,
+                SampleRange &range);
+
+} // namespace voxc

@@ -1,0 +1,285 @@
+// Blocks in memory or in an unnamed scratch file, and what keeps the process within its bound.
+#include "voxc/Support/WorkingMemory.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <fcntl.h>
+#include <mutex>
+#include <string_view>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <vector>
+
+namespace voxc {
+namespace {
+
+/// Bytes touched between two looks at the process.
+constexpr std::uint64_t kBytesBetweenLooks = std::uint64_t{8} << 20;
+/// Blocks from here up ask for large pages.
+constexpr std::uint64_t kLargePages = std::uint64_t{4} << 20;
+
+std::string reason() { return std::strerror(errno); }
+
+std::uint64_t wholePages(std::uint64_t bytes) {
+  const std::uint64_t page = WorkingMemory::pageBytes();
+  return (bytes + page - 1) / page * page;
+}
+
+std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
+
+std::string scratchFolderOr(std::string chosen) {
+  if (!chosen.empty())
+    return chosen;
+  const char *temporary = std::getenv("TMPDIR");
+  return temporary && *temporary ? temporary : "/var/tmp";
+}
+
+/// A file without a name, so that nothing is left of it however the process ends.
+int openUnnamed(const std::string &folder) {
+  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL))
+    return file;
+  std::string path = folder + "/voxc-scratch.XXXXXX";
+  const int named = ::mkostemp(path.data(), O_CLOEXEC);
+  if (named >= 0)
+    ::unlink(path.c_str());
+  return named;
+}
+
+/// Bytes of this process that are in memory now; 0 where the system does not tell.
+class ResidentSize {
+public:
+  ResidentSize() : file_(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC)) {}
+  ~ResidentSize() {
+    if (file_ >= 0)
+      ::close(file_);
+  }
+  ResidentSize(const ResidentSize &) = delete;
+  ResidentSize &operator=(const ResidentSize &) = delete;
+
+  std::uint64_t now() const {
+    std::array<char, 128> text{};
+    if (file_ < 0 || ::pread(file_, text.data(), text.size() - 1, 0) <= 0)
+      return 0;
+    const std::string_view numbers(text.data());
+    const std::size_t blank = std::min(numbers.find(' '), numbers.size() - 1);
+    std::uint64_t pages = 0;
+    std::from_chars(numbers.data() + blank + 1, numbers.data() + numbers.size(), pages);
+    return pages * WorkingMemory::pageBytes();
+  }
+
+private:
+  int file_;
+};
+
+} // namespace
+
+struct WorkingMemory::State {
+  std::string scratchFolder;
+  ResidentSize resident;
+  std::uint64_t limit = 0; ///< Of the resident size of the whole process.
+  std::atomic<std::uint64_t> touched{0};
+
+  mutable std::mutex mutex; ///< Guards what follows.
+  std::uint64_t inMemory = 0;
+  int file = -1;
+  std::uint64_t fileEnd = 0;
+  std::uint64_t inFile = 0;
+  std::uint64_t filePeak = 0;
+  std::vector<std::span<const std::byte>> watched; ///< Mapped: their pages can be brought back.
+};
+
+std::uint64_t WorkingMemory::pageBytes() {
+  static const auto bytes = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  return bytes;
+}
+
+std::shared_ptr<WorkingMemory> WorkingMemory::create(std::uint64_t bound, std::string scratchFolder) {
+  return std::shared_ptr<WorkingMemory>(new WorkingMemory(bound, std::move(scratchFolder)));
+}
+
+std::shared_ptr<WorkingMemory> WorkingMemory::createDefault() {
+  return create(static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * pageBytes() / 4);
+}
+
+WorkingMemory::WorkingMemory(std::uint64_t bound, std::string scratchFolder)
+    : bound_(bound), state_(std::make_unique<State>()) {
+  state_->scratchFolder = scratchFolderOr(std::move(scratchFolder));
+  state_->limit = state_->resident.now() + bound;
+}
+
+WorkingMemory::~WorkingMemory() {
+  if (state_->file >= 0)
+    ::close(state_->file);
+}
+
+std::uint64_t WorkingMemory::scratchPeak() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->filePeak;
+}
+
+Expected<MemoryBlock> WorkingMemory::reserve(std::uint64_t most) {
+  const std::uint64_t bytes = wholePages(std::max<std::uint64_t>(most, 1));
+  void *address = bytes < most
+                      ? MAP_FAILED
+                      : ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (address == MAP_FAILED)
+    return Error::environment("no memory has the addresses for " + std::to_string(most) + " bytes");
+  MemoryBlock block;
+  block.owner_ = shared_from_this();
+  block.data_ = static_cast<std::byte *>(address);
+  block.reserved_ = bytes;
+  return block;
+}
+
+Expected<MemoryBlock> WorkingMemory::allocate(std::uint64_t bytes) {
+  auto block = reserve(bytes);
+  if (!block)
+    return block;
+  if (auto extended = extend(*block, block->reserved_); !extended)
+    return extended.error();
+  return block;
+}
+
+Expected<void> WorkingMemory::extend(MemoryBlock &block, std::uint64_t bytes) {
+  const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
+  const std::lock_guard lock(state_->mutex);
+  const bool fits = size <= bound_ && state_->inMemory + size <= bound_ / 4 * 3;
+  return fits ? addMemory(block, size) : addScratch(block, size);
+}
+
+Expected<void> WorkingMemory::extendInMemory(MemoryBlock &block, std::uint64_t bytes) {
+  const std::lock_guard lock(state_->mutex);
+  return addMemory(block, std::min(wholePages(bytes), block.reserved_ - block.size_));
+}
+
+Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes) {
+  if (::mprotect(block.data_ + block.size_, bytes, PROT_READ | PROT_WRITE) != 0)
+    return Error::environment("cannot get " + megabytes(bytes) + " of memory: " + reason());
+  // Tables are read at random: large pages spare much of the way to each.
+  if (bytes >= kLargePages)
+    ::madvise(block.data_ + block.size_, bytes, MADV_HUGEPAGE);
+  state_->inMemory += bytes;
+  block.inMemory_ += bytes;
+  block.size_ += bytes;
+  return {};
+}
+
+Expected<void> WorkingMemory::addScratch(MemoryBlock &block, std::uint64_t bytes) {
+  if (state_->file < 0)
+    state_->file = openUnnamed(state_->scratchFolder);
+  const auto offset = static_cast<off_t>(state_->fileEnd);
+  // Room is taken now: a full disk found out later, by a write to the mapping, would end the process.
+  int why = state_->file < 0 ? errno : ::posix_fallocate(state_->file, offset, static_cast<off_t>(bytes));
+  std::byte *const end = block.data_ + block.size_;
+  if (why == 0 &&
+      ::mmap(end, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, state_->file, offset) == MAP_FAILED)
+    why = errno;
+  if (why != 0)
+    return Error::environment("cannot get " + megabytes(bytes) + " of scratch space in '" +
+                              state_->scratchFolder + "': " + std::strerror(why));
+  // Reading ahead would make large pages in the system's cache, which are dear to dirty a little at a time.
+  ::madvise(end, bytes, MADV_RANDOM);
+  block.extents_.push_back({state_->fileEnd, bytes});
+  block.size_ += bytes;
+  state_->watched.push_back({end, bytes});
+  state_->fileEnd += bytes;
+  state_->inFile += bytes;
+  state_->filePeak = std::max(state_->filePeak, state_->inFile);
+  return {};
+}
+
+Expected<void> WorkingMemory::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
+                                     std::uint64_t offset) {
+  std::byte *const pages = block.data_ + begin;
+  for (std::uint64_t done = 0; done < bytes;) {
+    const ssize_t written = ::pwrite(file, pages + done, bytes - done, static_cast<off_t>(offset + done));
+    if (written <= 0)
+      return Error::environment("cannot write another " + megabytes(bytes) + ": " + reason());
+    done += static_cast<std::uint64_t>(written);
+  }
+  const std::lock_guard lock(state_->mutex);
+  if (::mmap(pages, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, file, static_cast<off_t>(offset)) == MAP_FAILED)
+    return Error::environment("cannot map what was written: " + reason());
+  state_->watched.push_back({pages, bytes});
+  state_->inMemory -= bytes;
+  block.inMemory_ -= bytes;
+  return {};
+}
+
+Expected<void> WorkingMemory::resize(MemoryBlock &block, std::uint64_t bytes) {
+  auto resized = allocate(bytes);
+  if (!resized)
+    return resized.error();
+  constexpr std::uint64_t kStep = std::uint64_t{1} << 20;
+  const std::uint64_t kept = std::min(bytes, block.size_);
+  for (std::uint64_t done = 0; done < kept; done += kStep) {
+    std::memcpy(resized->data_ + done, block.data_ + done, std::min(kStep, kept - done));
+    relieveNow();
+  }
+  block = std::move(*resized);
+  return {};
+}
+
+void WorkingMemory::release(MemoryBlock &block) {
+  ::munmap(block.data_, block.reserved_);
+  const std::lock_guard lock(state_->mutex);
+  state_->inMemory -= block.inMemory_;
+  std::erase_if(state_->watched, [&](const auto &span) {
+    return span.data() >= block.data_ && span.data() < block.data_ + block.reserved_;
+  });
+  for (const MemoryBlock::Extent &extent : block.extents_) {
+    state_->inFile -= extent.bytes;
+    // Where the system cannot punch holes the room is given back at the end.
+    ::fallocate(state_->file, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(extent.offset),
+                static_cast<off_t>(extent.bytes));
+  }
+}
+
+void WorkingMemory::watch(std::span<const std::byte> mapped) {
+  const std::lock_guard lock(state_->mutex);
+  state_->watched.push_back(mapped);
+}
+
+void WorkingMemory::unwatch(std::span<const std::byte> mapped) {
+  const std::lock_guard lock(state_->mutex);
+  std::erase_if(state_->watched, [&](const auto &span) { return span.data() == mapped.data(); });
+}
+
+void WorkingMemory::relieve(std::uint64_t touchedBytes) {
+  const std::uint64_t before = state_->touched.fetch_add(touchedBytes, std::memory_order_relaxed);
+  if (before / kBytesBetweenLooks != (before + touchedBytes) / kBytesBetweenLooks)
+    relieveNow();
+}
+
+void WorkingMemory::relieveNow() {
+  if (state_->resident.now() <= state_->limit)
+    return;
+  const std::lock_guard lock(state_->mutex);
+  // Shared pages stay in the system's cache, and what was written to them is not lost.
+  for (const auto &span : state_->watched)
+    if (!span.empty())
+      ::madvise(const_cast<std::byte *>(span.data()), span.size(), MADV_DONTNEED);
+}
+
+MemoryBlock::~MemoryBlock() {
+  if (data_)
+    owner_->release(*this);
+}
+
+MemoryBlock::MemoryBlock(MemoryBlock &&other) noexcept { *this = std::move(other); }
+
+MemoryBlock &MemoryBlock::operator=(MemoryBlock &&other) noexcept {
+  std::swap(owner_, other.owner_);
+  std::swap(data_, other.data_);
+  std::swap(size_, other.size_);
+  std::swap(reserved_, other.reserved_);
+  std::swap(inMemory_, other.inMemory_);
+  std::swap(extents_, other.extents_);
+  return *this;
+}
+
+} // namespace voxc

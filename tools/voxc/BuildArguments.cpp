@@ -1,0 +1,77 @@
+// Options of building, and sizes as people write them.
+#include "BuildArguments.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+namespace voxc::tool {
+
+namespace {
+
+struct Unit {
+  std::string_view name;
+  std::uint64_t bytes;
+};
+
+constexpr std::array<Unit, 8> kUnits{{{"", 1},
+                                      {"K", 1ULL << 10},
+                                      {"KiB", 1ULL << 10},
+                                      {"M", 1ULL << 20},
+                                      {"MiB", 1ULL << 20},
+                                      {"G", 1ULL << 30},
+                                      {"GiB", 1ULL << 30},
+                                      {"TiB", 1ULL << 40}}};
+
+/// A whole number and a unit, or nothing.
+std::optional<std::uint64_t> parseSize(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view name(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  const auto *unit = std::ranges::find(kUnits, name, &Unit::name);
+  if (failure != std::errc() || unit == kUnits.end() || number > ~std::uint64_t{0} / unit->bytes)
+    return std::nullopt;
+  return number * unit->bytes;
+}
+
+std::string checkSize(const std::string &text) {
+  constexpr std::uint64_t kSmallest = std::uint64_t{16} << 20;
+  const auto size = parseSize(text);
+  if (!size)
+    return "'" + text + "' is no size; write a number of bytes, or one with K, M, G or KiB, MiB, GiB";
+  return *size < kSmallest ? "'" + text + "' is too little memory; give 16MiB or more" : std::string();
+}
+
+} // namespace
+
+void addMemoryArguments(CLI::App &app, BuildArguments &arguments) {
+  app.add_option("--memory", arguments.memory,
+                 "Bound on the memory of building, such as 512MiB; default: a quarter of the machine's")
+      ->type_name("SIZE")
+      ->check(CLI::Validator(checkSize, "", ""));
+  app.add_option("--scratch", arguments.scratch, "Folder for what does not fit; default: $TMPDIR or /var/tmp")
+      ->type_name("DIR");
+}
+
+void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
+  app.add_option("--threads", arguments.threads, "Threads that build; default: as many as the machine has")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1024u).description(""));
+}
+
+std::shared_ptr<WorkingMemory> makeWorkingMemory(const BuildArguments &arguments) {
+  if (arguments.memory.empty() && arguments.scratch.empty())
+    return WorkingMemory::createDefault();
+  const std::uint64_t bound =
+      arguments.memory.empty() ? WorkingMemory::createDefault()->bound() : *parseSize(arguments.memory);
+  return WorkingMemory::create(bound, arguments.scratch);
+}
+
+unsigned threadsOf(const BuildArguments &arguments) {
+  return arguments.threads > 0 ? arguments.threads : std::max(std::thread::hardware_concurrency(), 1u);
+}
+
+} // namespace voxc::tool

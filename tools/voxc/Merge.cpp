@@ -1,0 +1,66 @@
+// voxc merge: joins the fragments of a volume.
+#include "Building.h"
+#include "Figures.h"
+#include "Outputs.h"
+#include "Subcommand.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "voxc/Construct/Constructor.h"
+
+namespace voxc::tool {
+
+namespace {
+
+class MergeCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override {
+    app.add_option("FRAGMENT", fragments_, "All fragments of one volume, in any order")
+        ->required()
+        ->type_name("");
+    app.add_option("-o,--output", output_, "Volume to write")->type_name("V.hvx")->required();
+    addMemoryArguments(app, arguments_);
+    addCommonOptions(app, common_);
+  }
+
+  Expected<void> run() override {
+    if (Expected<void> writable = checkOutputFile(output_); !writable)
+      return writable;
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (Expected<void> merged = merge(bar.progress(), figures); !merged)
+      return merged;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+private:
+  Expected<void> merge(const Progress &progress, Json &figures) {
+    Expected<Format> format = formatOfFragment(fragments_.front());
+    if (!format)
+      return format.error();
+    Expected<Constructor> constructor = Constructor::compile(*format);
+    if (!constructor)
+      return constructor.error();
+    const BuildOptions options{"", 1, makeWorkingMemory(arguments_), output_, progress};
+    Expected<Built> built = constructor->merge(fragments_, options);
+    if (!built)
+      return built.error();
+    figures["fragments"] = fragments_.size();
+    addVolumeFigures(figures, built->volume);
+    addBuildFigures(figures, built->report);
+    addFileFigure(figures, output_);
+    return {};
+  }
+
+  std::vector<std::string> fragments_;
+  std::string output_;
+  BuildArguments arguments_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeMergeCommand() { return std::make_unique<MergeCommand>(); }
+
+} // namespace voxc::tool

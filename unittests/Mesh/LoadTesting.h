@@ -1,0 +1,79 @@
+// What tests of the readers share: small files, and scenes as plain triangles.
+#pragma once
+
+#include "Source/SourceTesting.h"
+
+#include "voxc/Mesh/TriangleScene.h"
+
+#include <cstring>
+
+namespace voxc {
+
+using Corner = std::array<double, 3>;
+
+/// Loads files of a folder that disappears.
+class LoadTest : public testing::Test {
+protected:
+  TriangleScene load(const std::string &name, const std::string &content) {
+    auto scene = loadScene(folder_.file(name, content), memory_);
+    EXPECT_TRUE(scene) << scene.error().message;
+    return scene ? std::move(*scene) : TriangleScene{};
+  }
+  std::string problem(const std::string &name, const std::string &content) {
+    auto scene = loadScene(folder_.file(name, content), memory_);
+    return scene ? "no error" : scene.error().message;
+  }
+
+  TemporaryFolder folder_;
+  std::shared_ptr<WorkingMemory> memory_ = WorkingMemory::create(std::uint64_t{64} << 20);
+};
+
+inline Corner transformed(const Transform &transform, const Corner &point) {
+  Corner result;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double *r = transform.rows.data() + 4 * row;
+    result[row] = r[0] * point[0] + r[1] * point[1] + r[2] * point[2] + r[3];
+  }
+  return result;
+}
+
+/// The corners of every triangle, in model space.
+inline std::vector<std::array<Corner, 3>> trianglesOf(const TriangleScene &scene) {
+  std::vector<std::array<Corner, 3>> triangles;
+  for (const MeshInstance &instance : scene.instances) {
+    const MeshPart &part = scene.parts[instance.part];
+    for (std::uint64_t i = 0; i < part.triangles(); ++i) {
+      std::array<Corner, 3> &triangle = triangles.emplace_back();
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        triangle[corner] = transformed(instance.toModel, readRow<3>(part.positions, part.corners(i)[corner]));
+    }
+  }
+  return triangles;
+}
+
+inline std::uint64_t countTriangles(const TriangleScene &scene) {
+  std::uint64_t count = 0;
+  for (const MeshInstance &instance : scene.instances)
+    count += scene.parts[instance.part].triangles();
+  return count;
+}
+
+inline const Material &materialOf(const TriangleScene &scene, std::size_t part) {
+  return scene.materials[scene.parts[part].material];
+}
+
+/// The bytes of values as they lie in memory.
+template <typename Value> std::string bytesOf(std::initializer_list<Value> values) {
+  return {reinterpret_cast<const char *>(values.begin()), values.size() * sizeof(Value)};
+}
+
+/// 2 x 1 texels as an uncompressed TGA from the top: red, then green at a quarter of its alpha.
+inline const std::string kImage("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\40\50\0\0\377\377\0\377\0\100", 26);
+inline const std::vector<std::uint32_t> kTexels{0xff0000ff, 0x4000ff00};
+
+inline std::vector<std::uint32_t> texelsOf(const Texture &texture) {
+  const auto texels = texture.texels->span();
+  return {texels.begin(), texels.end()};
+}
+
+} // namespace voxc

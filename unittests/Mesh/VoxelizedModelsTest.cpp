@@ -1,0 +1,76 @@
+// Models with known colours and sizes, from their files to voxels.
+#include "SharedModels.h"
+#include "Source/SourceTesting.h"
+
+#include "voxc/Mesh/MeshSource.h"
+
+#include <set>
+
+namespace voxc {
+namespace {
+
+struct Model {
+  std::shared_ptr<const TriangleScene> scene;
+  Voxels voxels;
+};
+
+/// The voxels of a shared model, which the reference confirms.
+Model voxelized(const std::string &name, int resolution, Coverage coverage = Coverage::Conservative) {
+  const auto memory = WorkingMemory::create(std::uint64_t{64} << 20);
+  auto scene = loadScene(sharedModel(name), memory);
+  EXPECT_TRUE(scene) << scene.error().message;
+  if (!scene)
+    return {};
+  Model model{std::make_shared<const TriangleScene>(std::move(*scene)), {}};
+  VoxelizeOptions options;
+  options.resolution = resolution;
+  options.coverage = coverage;
+  auto source = makeMeshSource(model.scene, options, memory);
+  auto reference = makeReferenceMeshSource(*model.scene, options);
+  EXPECT_TRUE(source && reference);
+  if (!source || !reference)
+    return model;
+  model.voxels = voxelsOf(**source);
+  EXPECT_EQ(voxelsOf(**reference), model.voxels);
+  return model;
+}
+
+TEST(Models, CubeOfVertexColours) {
+  VOXC_SKIP_WITHOUT("cube_with_vertexcolors.obj");
+  Voxels voxels = voxelized("cube_with_vertexcolors.obj", 64).voxels;
+  // The corner (0, 0, 0) is 0.48627 0.43137 0.47059: 124, 110, 120. The voxel's centre is half a voxel away.
+  const std::uint32_t corner = voxels[mortonCode({0, 0, 0})];
+  EXPECT_NEAR(corner & 255, 124, 2);
+  EXPECT_NEAR(corner >> 8 & 255, 110, 2);
+  EXPECT_NEAR(corner >> 16 & 255, 120, 2);
+  EXPECT_EQ(voxels.size(), 64u * 64 * 64 - 62 * 62 * 62);
+}
+
+TEST(Models, SpotIsTheSameAsGlbAndPly) {
+  VOXC_SKIP_WITHOUT("spot_vertex_colors.glb");
+  const Voxels voxels = voxelized("spot_vertex_colors.ply", 48).voxels;
+  EXPECT_GT(voxels.size(), 1000u);
+  EXPECT_EQ(voxelized("spot_vertex_colors.glb", 48).voxels, voxels);
+}
+
+TEST(Models, ThinSpotHasFewerVoxels) {
+  VOXC_SKIP_WITHOUT("spot_vertex_colors.ply");
+  const Voxels voxels = voxelized("spot_vertex_colors.ply", 64).voxels;
+  const Voxels thin = voxelized("spot_vertex_colors.ply", 64, Coverage::Thin).voxels;
+  EXPECT_LT(thin.size(), voxels.size());
+  EXPECT_GT(thin.size(), voxels.size() / 2);
+}
+
+TEST(Models, BoxTexturedShowsItsTexture) {
+  VOXC_SKIP_WITHOUT("BoxTextured.glb");
+  const Model model = voxelized("BoxTextured.glb", 32);
+  EXPECT_EQ(model.voxels.size(), 32u * 32 * 32 - 30 * 30 * 30);
+  ASSERT_EQ(model.scene->textures.size(), 1u);
+  const auto texels = model.scene->textures[0].texels->span();
+  const std::set<std::uint32_t> colours(texels.begin(), texels.end());
+  for (const auto &[code, word] : model.voxels)
+    EXPECT_TRUE(colours.contains(word));
+}
+
+} // namespace
+} // namespace voxc

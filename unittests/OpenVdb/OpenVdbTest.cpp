@@ -1,0 +1,106 @@
+// OpenVDB files: level sets and fog, where the component was built; a clear message where it was not.
+#include "Mesh/SharedModels.h"
+#include "Source/SourceTesting.h"
+
+#include "voxc/Source/Input.h"
+
+#include <gmock/gmock.h>
+
+#ifdef VOXC_HAS_OPENVDB
+#include "voxc/OpenVdb/OpenVdb.h"
+#endif
+
+namespace voxc {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(OpenVdb, ABuildWithoutItSaysSo) {
+  const TemporaryFolder folder;
+  const auto input = openInput(folder.file("a.vdb", ""), {});
+  ASSERT_FALSE(input);
+  EXPECT_EQ(input.error().kind, ErrorKind::Environment);
+  EXPECT_THAT(input.error().message, HasSubstr("VOXC_OPENVDB=ON"));
+}
+
+#ifdef VOXC_HAS_OPENVDB
+
+InputOptions withOpenVdb() {
+  InputOptions options;
+  options.otherKinds = {openVdbKind()};
+  return options;
+}
+
+TEST(OpenVdb, FogIsTheVolumeThatItWasMadeFrom) {
+  VOXC_SKIP_WITHOUT("volumes/fuel_fog.vdb");
+  const auto fog = openInput(sharedModel("volumes/fuel_fog.vdb"), withOpenVdb());
+  ASSERT_TRUE(fog) << fog.error().message;
+  EXPECT_EQ(fog->source->extent(), (Int3{63, 32, 32}));
+  const Voxels voxels = voxelsOf(*fog->source);
+  EXPECT_EQ(voxels.size(), 13731u);
+  EXPECT_EQ(voxelsOf(*fog->source->view()), voxels);
+  // The box of the samples that are not 0 is smaller than the grid that has them.
+  const auto grid = openInput("raw:64x33x32:uint8:" + sharedModel("volumes/fuel_64x33x32_uint8.raw"), {});
+  ASSERT_TRUE(grid);
+  const Voxels dense = voxelsOf(*grid->source);
+  ASSERT_EQ(dense.size(), voxels.size());
+  const auto lowest = [](const Voxels &of) {
+    Int3 low{1 << 21, 1 << 21, 1 << 21};
+    for (const auto &[code, word] : of)
+      for (int axis = 0; axis < 3; ++axis)
+        low[axis] = std::min(low[axis], mortonCell(code)[axis]);
+    return low;
+  };
+  const Int3 shift = lowest(dense) - lowest(voxels);
+  for (const auto &[code, word] : voxels)
+    ASSERT_TRUE(dense.contains(mortonCode(mortonCell(code) + shift)));
+}
+
+TEST(OpenVdb, LevelSetsAreFilled) {
+  VOXC_SKIP_WITHOUT("volumes/bunny_levelset.vdb");
+  InputOptions options = withOpenVdb();
+  const std::string path = sharedModel("volumes/bunny_levelset.vdb");
+  const auto inside = openInput(path, options);
+  ASSERT_TRUE(inside) << inside.error().message;
+  EXPECT_EQ(inside->source->extent(), (Int3{214, 212, 167}));
+  const Voxels filled = voxelsOf(*inside->source);
+  options.threshold = -1e9;
+  const auto none = openInput(path, options);
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(voxelsOf(*none->source).empty());
+  // `empty` hides nothing.
+  std::size_t count = 0;
+  for (std::uint64_t brick = 0; brick < 32 * 32 * 32; ++brick) {
+    std::array<std::uint32_t, 512> words;
+    inside->source->read({mortonCell(brick) * 8, 3}, words.data());
+    count += 512 - static_cast<std::size_t>(std::count(words.begin(), words.end(), 0u));
+  }
+  EXPECT_EQ(filled.size(), count);
+  EXPECT_EQ(count, 102602u);
+  options = withOpenVdb();
+  options.zUp = true;
+  const auto turned = openInput(path, options);
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(turned->source->extent(), (Int3{214, 167, 212}));
+  EXPECT_EQ(voxelsOf(*turned->source).size(), count);
+}
+
+TEST(OpenVdb, BrokenFilesAreErrors) {
+  const TemporaryFolder folder;
+  for (const std::string &content : {std::string(), std::string("nonsense"), std::string(5000, 'x')}) {
+    const auto input = openInput(folder.file("a.vdb", content), withOpenVdb());
+    ASSERT_FALSE(input);
+    EXPECT_THAT(input.error().message, HasSubstr("is not a usable OpenVDB file"));
+  }
+  EXPECT_FALSE(openInput(folder.path("none.vdb"), withOpenVdb()));
+  VOXC_SKIP_WITHOUT("volumes/fuel_fog.vdb");
+  InputOptions small = withOpenVdb();
+  small.formatExtent = {16, 16, 16};
+  EXPECT_THAT(openInput(sharedModel("volumes/fuel_fog.vdb"), small).error().message,
+              HasSubstr("its grid takes 63x32x32 voxels, but the format holds 16x16x16"));
+}
+
+#endif
+
+} // namespace
+} // namespace voxc
