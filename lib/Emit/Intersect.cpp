@@ -28,6 +28,7 @@ public:
     for (auto level = plan_.levels.rbegin(); level != plan_.levels.rend(); ++level)
       emitLevel(*level);
     file("root.glsl");
+    file("dispatch.glsl");
     return std::move(text_);
   }
 
