@@ -28,6 +28,8 @@ Plan makePlan(const Format &format, const PlanOptions &options) {
   Plan plan;
   plan.format = format;
   plan.addressing = options.addressing;
+  plan.predicate =
+      format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     plan.levels.push_back({static_cast<int>(i) + 1, level.kind, level.log2Size(), format.log2CellSide(i),

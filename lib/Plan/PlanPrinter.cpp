@@ -7,7 +7,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<std::string_view, 5> kDescents = {"index", "distance", "single", "stack", "restart"};
-constexpr std::array<std::string_view, 1> kPredicates = {"float32"};
+constexpr std::array<std::string_view, 2> kPredicates = {"exact", "float32"};
 constexpr std::array<std::string_view, 3> kSharings = {"none", "sub-volume", "level"};
 
 std::string cells(Int3 log2) {

@@ -5,6 +5,7 @@
 
 #include "common/Files.h"
 #include "common/Statistics.h"
+#include "frontend/AttributeOptions.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Emit/Emit.h"
@@ -108,6 +109,7 @@ private:
   Expected<void> write(const std::vector<OutputText> &outputs) const;
 
   CommonOptions common_;
+  AttributeOptions attributes_;
   PassOptions passes_;
   std::string format_;
   std::string folder_ = ".";
@@ -135,6 +137,7 @@ void CompileCommand::declare(CLI::App &app) {
       ->check(CLI::IsMember(addressingNames()).description(""))
       ->capture_default_str();
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+  attributes_.declare(app);
   passes_.declare(app, PassChoice::All);
   addCommonOptions(app, common_);
 }
@@ -179,6 +182,7 @@ Expected<void> CompileCommand::run() {
     return format.error();
   if (Expected<void> passed = passes_.apply(*format); !passed)
     return passed;
+  attributes_.apply(*format);
 
   const Stopwatch watch;
   Expected<std::vector<OutputText>> outputs = generate(*format);

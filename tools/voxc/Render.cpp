@@ -17,7 +17,7 @@ public:
     volume_.declare(app);
     rendering_.declare(app);
     tracing_.declare(app);
-    volume_.declareWalkPasses(app);
+    volume_.declareKernelOptions(app);
     addCommonOptions(app, common_);
   }
 

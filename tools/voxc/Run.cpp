@@ -6,6 +6,7 @@
 #include "Subcommand.h"
 
 #include "common/Terminal.h"
+#include "frontend/AttributeOptions.h"
 
 namespace voxc::tool {
 
@@ -19,6 +20,7 @@ public:
     rendering_.declare(app);
     app.add_option("--volume", volumePath_, "Keeps the volume too")->type_name("V.hvx");
     tracing_.declare(app);
+    attributes_.declare(app);
     addCommonOptions(app, common_);
   }
 
@@ -41,6 +43,7 @@ private:
     Expected<Format> format = building_.readFormat();
     if (!format)
       return format.error();
+    attributes_.apply(*format);
     if (Expected<void> opened = tracing_.openDevice(); !opened)
       return opened;
     building_.useThreads(tracing_.threads());
@@ -53,6 +56,7 @@ private:
   }
 
   Building building_;
+  AttributeOptions attributes_;
   Rendering rendering_;
   Tracing tracing_;
   std::string volumePath_;

@@ -37,7 +37,7 @@ public:
     app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
     check_.declare(app);
     tracing_.declare(app);
-    volume_.declareWalkPasses(app);
+    volume_.declareKernelOptions(app);
     addCommonOptions(app, common_);
   }
 

@@ -84,7 +84,7 @@ void VerifyCommand::declare(CLI::App &app) {
   app.add_flag("--allow-boundary", allowBoundary_,
                "Accept, but still count, differences that float rounding at a cell's boundary explains");
   tracing_.declare(app);
-  volume_.declareWalkPasses(app);
+  volume_.declareKernelOptions(app);
   addCommonOptions(app, common_);
 }
 

@@ -22,6 +22,7 @@ enum class Descent {
 
 /// Which arithmetic orders the faces that a ray crosses. Each value is a file of shaders-runtime/step.
 enum class Predicate {
+  Exact,   ///< Float32 where its error bound decides, integers elsewhere: the exact hit for every ray.
   Float32, ///< Plain float32: wrong only by rounding at a boundary.
 };
 
@@ -46,7 +47,7 @@ struct LevelPlan {
 struct Plan {
   Format format;
   Addressing addressing = Addressing::Buffer;
-  Predicate predicate = Predicate::Float32;
+  Predicate predicate = Predicate::Exact;
   std::vector<LevelPlan> levels;
 };
 
