@@ -21,8 +21,11 @@ public:
     preamble();
     file("interface.glsl");
     file("memory/" + std::string(toString(plan_.addressing)) + ".glsl");
-    file("ray.glsl");
+    for (const char *path : {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"})
+      file(path);
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
+    for (const char *path : {"step.glsl", "enter.glsl", "time.glsl"})
+      file(path);
     file("unit.glsl");
     // A function stands before its callers: the last level first.
     for (auto level = plan_.levels.rbegin(); level != plan_.levels.rend(); ++level)
