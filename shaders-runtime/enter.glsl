@@ -1,15 +1,22 @@
 // Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
-const float ROUNDING = 1.0f / 1048576.0f; // 2^-20: eight roundings of 2^-23, whichever way each goes.
-const float CLOSE = 1.0f / 2048.0f;       // In voxels.
+const float CLOSE = 1.0f / 2048.0f; // In voxels.
+const uint TINY_BITS = 0x30800000u; // Of 2^-30.
 
-// What float32 gets wrong, at most, of coordinates and of t in a walk through the volume. An operation may round by
-// 2^-23 of its result and a division by 2.5 times that; all that stands between the ray and either comes to less than
-// eight roundings of the largest coordinate difference.
+// What float32 gets wrong, at most, of coordinates in a walk through the volume, and of t beside its roundings, where the
+// origin itself is wrong by `of_origin`.
 void bound_errors(inout Ray ray, vec3 of_origin) {
   vec3 reach = max(abs(ray.origin), abs(vec3(VOLUME_SIZE) - ray.origin));
-  ray.error = reach * ROUNDING + of_origin;
-  ray.slack = ray.error * abs(ray.inverse);
+  ray.error = reach * ROUNDINGS + of_origin;
+  vec3 slack = of_origin * abs(ray.inverse);
+  ray.slack = 2.0f * max(max(slack.x, slack.y), slack.z);
+}
+
+// True where the ray moves from a coordinate so close to 0 that float32 may lose its distance from there.
+bvec3 starts_tiny(const Ray ray) {
+  uvec3 size = ray.given_origin & ~SIGN_BIT;
+  bvec3 tiny = lessThan(size - 1u, uvec3(TINY_BITS - 1u));
+  return greaterThan(ivec3(tiny) * ivec3(ray.moves), ivec3(0));
 }
 
 // Of the axes that let the ray into their slab at a face, the last, where a falling one comes after a rising one.
@@ -45,7 +52,7 @@ void start_at(inout Ray ray, int axis, int face) {
       ray.origin[other] = float(face);
     } else if (ray.moves[other]) {
       ray.origin[other] = coordinate_at(ray, axis, face, other);
-      error[other] = CLOSE + abs(ray.origin[other]) * ROUNDING;
+      error[other] = CLOSE + abs(ray.origin[other]) * ROUNDINGS;
     }
   }
   bound_errors(ray, error);
@@ -61,6 +68,8 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
   if (enters != below + above)
     return false;
   bound_errors(ray, vec3(0.0f));
+  if (any(starts_tiny(ray)))
+    ray.slack = NEVER;
   walk.cell = cell;
   ivec3 face = mix(ivec3(0), size, ray.falls);
   int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
@@ -73,10 +82,9 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
     crossing.axis = axis;
     crossing.face = face[axis];
     crossing.rising = !ray.falls[axis];
-    ivec3 least = mix(cell, ivec3(-1), ray.moves);
-    ivec3 most = mix(cell, size, ray.moves);
-    least[axis] = most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
-    walk.cell = exact_cell(ray, crossing, least, most);
+    Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, size, ray.moves));
+    range.least[axis] = range.most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
+    walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
     walk.axis = axis;
   }
   return is_inside(walk);
