@@ -79,7 +79,7 @@ TEST(Explain, ListsNoMoreCellsThanAreAskedFor) {
 
 TEST(Explain, ARayThatIsNotFiniteHasNoCells) {
   const VoxelRuns voxels = gridOf({8, 8, 8}, {{0, 0, 0}});
-  for (const Ray &ray : hardRays({8, 8, 8}, "not-finite", 50, 3)) {
+  for (const Ray &ray : hardRays(Int3{8, 8, 8}, "not-finite", 50, 3)) {
     const Explanation explained = explainExactly(voxels, ray, 100);
     EXPECT_FALSE(explained.hit.isHit());
     EXPECT_TRUE(explained.cells.empty());
