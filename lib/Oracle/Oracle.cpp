@@ -114,6 +114,8 @@ Explanation Oracle::explain(const Ray &ray, std::size_t maxCells) const {
   return explainExactly(state_->voxels, ray, maxCells);
 }
 
+std::vector<Int3> Oracle::sampleVoxels(std::size_t count) const { return state_->voxels.sample(count); }
+
 std::uint32_t Oracle::voxel(Int3 cell) const {
   return contains(state_->voxels.extent(), cell) ? state_->voxels.word(cell) : 0;
 }

@@ -72,6 +72,17 @@ std::uint32_t VoxelRuns::word(Int3 cell) const {
   return words_[static_cast<std::size_t>(std::upper_bound(first, last, code) - starts_.begin()) - 1];
 }
 
+std::vector<Int3> VoxelRuns::sample(std::size_t count) const {
+  std::vector<Int3> ends;
+  // An odd step: runs that are empty and others take turns.
+  const std::size_t step = 2 * words_.size() / std::max<std::size_t>(count, 1) | 1;
+  for (std::size_t run = 0; run < words_.size(); run += step)
+    for (const std::uint64_t code : {starts_[run], starts_[run + 1] - 1})
+      if (words_[run] != 0 && ends.size() < count && contains(extent_, mortonCell(code)))
+        ends.push_back(mortonCell(code));
+  return ends;
+}
+
 std::optional<Cube> VoxelRuns::emptyAround(Int3 cell) const {
   const std::optional<int> log2Side = occupancy_.emptyAround(cell);
   if (!log2Side)

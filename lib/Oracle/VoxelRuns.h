@@ -35,6 +35,9 @@ public:
   /// cell is not empty. The cube may reach beyond the extent, where all is empty.
   std::optional<Cube> emptyAround(Int3 cell) const;
 
+  /// The first and the last cell of runs that are not empty, at most `count` cells, evenly spread over them.
+  std::vector<Int3> sample(std::size_t count) const;
+
 private:
   void startRun(std::uint64_t code, std::uint32_t word);
   std::vector<std::uint64_t> changes() const;

@@ -58,6 +58,9 @@ public:
   /// The hit of `ray`, the face by which it is entered, and the first `maxCells` cells on the way to it.
   Explanation explain(const Ray &ray, std::size_t maxCells) const;
 
+  /// Some of the voxels that are not empty: at most `count`, spread evenly over their runs in Morton order.
+  std::vector<Int3> sampleVoxels(std::size_t count) const;
+
   /// The word of a voxel; 0 outside.
   std::uint32_t voxel(Int3 cell) const;
 
