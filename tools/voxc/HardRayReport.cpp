@@ -63,11 +63,13 @@ void HardRayReport::add(const RaySet &set, const Oracle &oracle, std::span<const
     failed_ += failed;
     if (failed == 0 || kept_.size() == kMostKept)
       continue;
-    std::vector<std::uint64_t> examples = error.examples;
-    examples.resize(std::min(examples.size(), kMostKeptAtOnce));
+    std::vector<std::uint64_t> worst;
+    for (const std::uint64_t index : error.examples)
+      if (worst.size() < kMostKeptAtOnce)
+        worst.push_back(index);
     if (rules_.maxUlp && error.maxUlpDt > *rules_.maxUlp)
-      examples.push_back(error.latest);
-    for (const std::uint64_t index : examples)
+      worst.push_back(error.latest);
+    for (const std::uint64_t index : worst)
       keep(set, part.begin + index, hits[part.begin + index], {oneLine(format), device, part.name, {}, {}});
   }
 }
