@@ -1,6 +1,7 @@
 // Random formats, under the names that tests know them by.
 #pragma once
 
+#include "voxc/Passes/Pass.h"
 #include "voxc/Passes/RandomFormat.h"
 
 namespace voxc::test {

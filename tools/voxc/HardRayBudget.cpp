@@ -50,6 +50,8 @@ Expected<HardRayBudget> HardRayBudget::parse(std::string_view text, const std::s
                           std::to_string(kMostWeight));
     budget.lines_.push_back(std::move(entry));
   }
+  if (std::ranges::all_of(budget.lines_, [](const Line &entry) { return entry.weight == 0; }))
+    return Error::input(name + ": no class has a weight above 0");
   return budget;
 }
 
@@ -70,7 +72,7 @@ std::vector<ClassShare> HardRayBudget::share(std::string_view scene, std::size_t
   for (const HardRayClass &row : hardRayClasses())
     sum += weight(row.name, scene);
   std::vector<ClassShare> shares;
-  std::uint64_t passed = 0;
+  std::uint64_t passed = 0; // Weights of the classes before.
   for (const HardRayClass &row : hardRayClasses()) {
     const unsigned own = weight(row.name, scene);
     if (own == 0)

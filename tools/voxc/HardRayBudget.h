@@ -19,7 +19,8 @@ struct ClassShare {
 class HardRayBudget {
 public:
   /// Reads lines "CLASS SCENE WEIGHT"; * stands for every class or scene, and the last line that fits a class
-  /// and a scene counts. # starts a comment. Errors name `name` and the line: an unknown class, no number.
+  /// and a scene counts. # starts a comment. Errors name `name` and the line: an unknown class, no number, no
+  /// weight at all.
   static Expected<HardRayBudget> parse(std::string_view text, const std::string &name);
   /// The table that is built in: test/hard-rays/budget.txt.
   static Expected<HardRayBudget> builtin();

@@ -141,8 +141,11 @@ Expected<void> HardRaysCommand::run() {
     return written;
   if (!swept)
     return swept;
-  const std::optional<Error> verdict = report.verdict();
-  return verdict ? Expected<void>(*verdict) : Expected<void>();
+  std::optional<Error> verdict = report.verdict();
+  if (!verdict)
+    return {};
+  verdict->message += "; seed " + std::to_string(size_.seed) + " makes the same again";
+  return *verdict;
 }
 
 } // namespace
