@@ -4,6 +4,9 @@ const uint *words;
 const uint *ray_words;
 // Six words of a hit: voxel, rgba, t, lookups.
 uint *hit_words;
+// Count the lookups of each ray. A choice at run time: it costs next to nothing, and a second kernel twice the
+// compile time.
+bool COUNT_LOOKUPS;
 
 // Every ray is a dispatch of its own, and nothing cuts it short.
 static constexpr struct {

@@ -3,6 +3,16 @@
 
 #include "voxc_vector.h"
 
+// Kernels want all functions in their loops, in registers, but for those that are seldom called.
+#define OUT_OF_LINE [[gnu::noinline, gnu::cold]]
+#ifdef __clang__
+#define VOXC_BEGIN_INLINE _Pragma("clang attribute push([[gnu::always_inline]], apply_to = function)")
+#define VOXC_END_INLINE _Pragma("clang attribute pop")
+#else
+#define VOXC_BEGIN_INLINE
+#define VOXC_END_INLINE
+#endif
+
 namespace voxc::glsl {
 
 template <typename T>
@@ -80,15 +90,32 @@ VOXC_INLINE void imulExtended(int a, int b, int &high, int &low) {
     return vectorOf<bool, N>(a.lanes op b.lanes);                                                            \
   }
 
-VOXC_UNARY(abs)
+#if __has_builtin(__builtin_elementwise_floor) // Clang: all lanes at once.
+#define VOXC_UNARY_LANES(name, builtin)                                                                      \
+  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> v) {                               \
+    return vectorOf<T, N>(builtin(v.lanes));                                                                 \
+  }
+#define VOXC_BINARY_LANES(name, builtin)                                                                     \
+  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> a, Vector<T, N> b) {               \
+    return vectorOf<T, N>(builtin(a.lanes, b.lanes));                                                        \
+  }                                                                                                          \
+  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> a, Scalar<T> b) {                  \
+    return name(a, Vector<T, N>(b));                                                                         \
+  }
+#else
+#define VOXC_UNARY_LANES(name, builtin) VOXC_UNARY(name)
+#define VOXC_BINARY_LANES(name, builtin) VOXC_BINARY(name)
+#endif
+
 VOXC_UNARY(sign)
-VOXC_UNARY(floor)
-VOXC_UNARY(ceil)
-VOXC_UNARY(trunc)
-VOXC_UNARY(roundEven)
 VOXC_UNARY(sqrt)
-VOXC_BINARY(min)
-VOXC_BINARY(max)
+VOXC_UNARY_LANES(abs, __builtin_elementwise_abs)
+VOXC_UNARY_LANES(floor, __builtin_elementwise_floor)
+VOXC_UNARY_LANES(ceil, __builtin_elementwise_ceil)
+VOXC_UNARY_LANES(trunc, __builtin_elementwise_trunc)
+VOXC_UNARY_LANES(roundEven, __builtin_elementwise_roundeven)
+VOXC_BINARY_LANES(min, __builtin_elementwise_min)
+VOXC_BINARY_LANES(max, __builtin_elementwise_max)
 VOXC_COMPARISON(lessThan, <)
 VOXC_COMPARISON(lessThanEqual, <=)
 VOXC_COMPARISON(greaterThan, >)
@@ -120,7 +147,9 @@ VOXC_EXTENDED(imulExtended)
 #undef VOXC_CARRYING
 #undef VOXC_EXTENDED
 #undef VOXC_UNARY
+#undef VOXC_UNARY_LANES
 #undef VOXC_BINARY
+#undef VOXC_BINARY_LANES
 #undef VOXC_COMPARISON
 
 template <typename T, int N, typename Bound>

@@ -55,8 +55,8 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol) {
          ".\n// Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:\n"
          "//     -O3 -fwrapv -ffp-contract=off -fno-strict-aliasing\n"
          "#include \"voxc_glsl.h\"\n\nusing namespace voxc::glsl;\n\nnamespace {\n\n"
-         "template <bool COUNT_LOOKUPS> struct Kernel {\n" +
-         indented(members) + "};\n\n" + replaced(file("entry.cpp"), "THE_SYMBOL", symbol);
+         "VOXC_BEGIN_INLINE\n\nstruct Kernel {\n" +
+         indented(members) + "};\n\nVOXC_END_INLINE\n\n" + replaced(file("entry.cpp"), "THE_SYMBOL", symbol);
 }
 
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {

@@ -95,6 +95,7 @@ Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, cons
   const bool valid = clang::CompilerInvocation::CreateFromArgs(*invocation, list, *diagnostics);
 
   clang::CompilerInstance compiler;
+  compiler.setVerboseOutputStream(llvm::nulls()); // Where it would say how many warnings there were.
   compiler.setInvocation(invocation);
   compiler.setDiagnostics(diagnostics.get());
   clang::ProcessWarningOptions(*diagnostics, invocation->getDiagnosticOpts());
