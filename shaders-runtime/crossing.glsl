@@ -58,7 +58,7 @@ int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
 }
 
 // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-ivec3 settle(const Ray ray, const Crossing crossing, const Range range) {
+OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range range) {
   ivec3 low = range.least;
   ivec3 high = range.most;
   int axis = low.x != high.x ? 0 : low.y != high.y ? 1 : 2;

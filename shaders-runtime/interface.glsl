@@ -1,3 +1,6 @@
+// Before a function that is seldom called: kernels in C++ keep it out of the loops, into which all others go.
+#define OUT_OF_LINE
+
 layout(local_size_x = 64) in;
 
 // Count the lookups of each ray; off, it costs nothing.

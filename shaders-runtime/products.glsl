@@ -41,7 +41,7 @@ void add(inout Sum sum, uint high, uint low, bool negative) {
 // a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w, of bits of float32. A product is below 2^48 times its power of two.
 // They are added from the largest power down; once the sum has 61 bits at the next power, all that is left is too small
 // to change its sign.
-Sum sum_of_products(uvec4 a, uvec4 b) {
+OUT_OF_LINE Sum sum_of_products(uvec4 a, uvec4 b) {
   uvec4 high, low;
   umulExtended(uvec4(significand_of(a.x), significand_of(a.y), significand_of(a.z), significand_of(a.w)),
                uvec4(significand_of(b.x), significand_of(b.y), significand_of(b.z), significand_of(b.w)), high, low);

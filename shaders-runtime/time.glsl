@@ -93,7 +93,7 @@ uint rounded(uint value, int exponent, bool inexact) {
 }
 
 // When the ray passes a face ahead of its origin: |face - origin| / |direction|, as bits of float32.
-uint crossing_time(const Ray ray, int axis, int face) {
+OUT_OF_LINE uint crossing_time(const Ray ray, int axis, int face) {
   Distance distance = distance_to(uint(face), ray.given_origin[axis]);
   if (distance.number.high == 0u)
     return 0u;

@@ -16,7 +16,7 @@ ivec3 cell_after(const Ray ray, const Crossing crossing, const Range range, inou
 }
 
 // The axes whose coordinates pass their face first: 1, others 0.
-ivec3 settle_first(const Ray ray, ivec3 face) {
+OUT_OF_LINE ivec3 settle_first(const Ray ray, ivec3 face) {
   int first = ray.moves.x ? 0 : ray.moves.y ? 1 : 2;
   ivec3 crossed = ivec3(0);
   crossed[first] = 1;

@@ -44,7 +44,7 @@ private:
     if (!format)
       return format.error();
     attributes_.apply(*format);
-    if (Expected<void> opened = tracing_.openDevice(); !opened)
+    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     building_.useThreads(tracing_.threads());
     Expected<Volume> volume = building_.build(*format, volumePath_, common_, bar.progress(), figures);

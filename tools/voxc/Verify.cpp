@@ -128,7 +128,7 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
   Expected<Format> format = volume_.kernelFormat(volume);
   if (!format)
     return format.error();
-  if (Expected<void> opened = tracing_.openDevice(); !opened)
+  if (Expected<void> opened = tracing_.openDevice(common_); !opened)
     return opened;
   if (Expected<void> prepared = tracing_.prepare(volume, *format, figures_); !prepared)
     return prepared;
