@@ -29,6 +29,7 @@ void HardRayFormats::declare(CLI::App &app) {
                  "So many random formats of 2^3 to 2^7 voxels an axis, with random passes")
       ->type_name("N")
       ->check(CLI::Range(0u, 1000000u).description(""));
+  attributes_.declare(app);
   passes_.declare(app, PassChoice::All);
 }
 
@@ -66,6 +67,8 @@ Expected<std::vector<Format>> HardRayFormats::read(std::uint64_t seed) const {
     const int log2Side = pick(random, kLeastLog2Side, kMostLog2Side);
     formats.push_back(randomFormat(random, log2Side));
   }
+  for (Format &format : formats)
+    attributes_.apply(format);
   return formats;
 }
 

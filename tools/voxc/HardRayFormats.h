@@ -1,6 +1,7 @@
 // The formats that hard rays are traced in: given, listed in a file, or random.
 #pragma once
 
+#include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Support/Error.h"
@@ -15,10 +16,10 @@ namespace voxc::tool {
 
 class HardRayFormats {
 public:
-  /// Adds --format, --formats, --random and the passes to a command.
+  /// Adds --format, --formats, --random, --precision and the passes to a command.
   void declare(CLI::App &app);
 
-  /// All of them, the passes run on those that are not random. Without any, two that hold every kind of
+  /// All of them at the precision asked for, the passes run on those that are not random. Without any, two that hold every kind of
   /// level. Errors: an unreadable file, a bad format, a pass that does not apply.
   Expected<std::vector<Format>> read(std::uint64_t seed) const;
 
@@ -28,6 +29,7 @@ private:
   std::vector<std::string> formats_;
   std::string file_;
   std::uint32_t random_ = 0;
+  AttributeOptions attributes_;
   PassOptions passes_;
 };
 

@@ -121,7 +121,7 @@ Expected<void> HardRaysCommand::run() {
   Expected<std::vector<Format>> formats = formats_.read(size_.seed);
   if (!formats)
     return formats.error();
-  if (Expected<void> opened = devices_.open(); !opened)
+  if (Expected<void> opened = devices_.open(common_); !opened)
     return opened;
   Json figures{{"formats", formats->size()}};
   if (tellsOnStdout(common_))

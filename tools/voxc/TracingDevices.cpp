@@ -29,7 +29,7 @@ void TracingDevices::declare(CLI::App &app) {
   device->description(device->get_description() + "; may be given several times");
 }
 
-Expected<void> TracingDevices::open() {
+Expected<void> TracingDevices::open(const CommonOptions &common) {
   std::vector<std::string> names = app_->get_option(kDevice)->results();
   if (names.empty())
     names.emplace_back();
@@ -42,7 +42,7 @@ Expected<void> TracingDevices::open() {
     if (!name.empty())
       arguments.push_back(std::string(kDevice) + "=" + name);
     options.parse(std::move(arguments));
-    if (Expected<void> opened = tracing.openDevice(); !opened)
+    if (Expected<void> opened = tracing.openDevice(common); !opened)
       return opened;
   }
   return {};

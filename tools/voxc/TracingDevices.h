@@ -19,7 +19,7 @@ public:
   /// Adds the options of `Tracing` to a command, of which --device may be given several times.
   void declare(CLI::App &app);
   /// Opens every device that was asked for. Errors: as `Tracing::openDevice`.
-  Expected<void> open();
+  Expected<void> open(const CommonOptions &common);
 
   std::vector<Device> &all() { return devices_; }
   /// What --threads says; 0: nothing.
