@@ -20,10 +20,14 @@ public:
   std::string emit() {
     preamble();
     file("interface.glsl");
+    if (plan_.detail == Detail::Cone)
+      file("detail/spread.glsl");
     file("memory/" + std::string(toString(plan_.addressing)) + ".glsl");
     file("ray.glsl");
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
     file("unit.glsl");
+    if (plan_.detail == Detail::Cone)
+      file("detail/cone.glsl");
     // A function stands before its callers: the last level first.
     for (auto level = plan_.levels.rbegin(); level != plan_.levels.rend(); ++level)
       emitLevel(*level);
@@ -49,12 +53,19 @@ private:
       text_ += "\n" + std::string(runtimeFile(shaderFiles(), path));
   }
 
+  /// A file that is written for each level.
+  void leaf(const LevelPlan &level, const std::string &path) {
+    text_ += instantiate(resolveConditions(runtimeFile(shaderFiles(), path), level.stops), plan_, level);
+  }
+
   void emitLevel(const LevelPlan &level) {
     const bool isTree = level.kind->arrangement == Arrangement::Tree;
     if (level.descent != Descent::Single)
       file("level/" + std::string(level.kind->name) + ".glsl");
     if (isTree && level.descent != Descent::Single)
       file("walk/tree.glsl");
+    if (level.sampled && level.descent != Descent::Single)
+      file("detail/" + std::string(level.kind->name) + ".glsl");
     text_ += levelComment(level);
     const std::string prefix = "LEVEL_" + std::to_string(level.number) + "_";
     if (isTree)
@@ -62,8 +73,10 @@ private:
     else
       text_ += "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(level.log2Size) + ";\n";
     text_ += "const int " + prefix + "LOG2_CELL = " + std::to_string(level.log2CellSide) + ";\n\n";
-    const std::string walk = "walk/" + std::string(toString(level.descent)) + ".glsl";
-    text_ += instantiate(runtimeFile(shaderFiles(), walk), plan_, level);
+    if (level.sampled)
+      leaf(level, isTree ? level.descent == Descent::Single ? "detail/single.glsl" : "detail/tree.glsl"
+                         : "detail/grid.glsl");
+    leaf(level, "walk/" + std::string(toString(level.descent)) + ".glsl");
   }
 
   const Plan &plan_;
