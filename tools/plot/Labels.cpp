@@ -1,4 +1,4 @@
-// Greedy placing of labels.
+// Placing labels one by one, each where it covers least.
 #include "plot/Labels.h"
 
 #include <algorithm>
@@ -43,8 +43,8 @@ std::vector<Box> places(const LabelRequest &request, double width, double size) 
 
 /// A label where it might go.
 struct Candidate {
-  PlacedLabel label;
-  std::vector<Box> boxes; ///< What it takes: the text, and pieces of its leader.
+  PlacedLabel label{};
+  std::vector<Box> boxes{}; ///< What it takes: the text, and pieces of its leader.
 };
 
 Candidate makeCandidate(const LabelRequest &request, const Box &box, double size) {
@@ -76,6 +76,15 @@ double cost(const Candidate &candidate, const std::vector<Box> &taken, const Box
   return sum;
 }
 
+Candidate bestPlace(const LabelRequest &request, const std::vector<Box> &taken, const Box &frame,
+                    double size) {
+  std::vector<Candidate> tried;
+  for (const Box &box : places(request, textWidth(request.text, size), size))
+    tried.push_back(makeCandidate(request, box, size));
+  return *std::ranges::min_element(tried, {},
+                                   [&](const Candidate &candidate) { return cost(candidate, taken, frame); });
+}
+
 } // namespace
 
 double textWidth(const std::string &text, double fontSize) {
@@ -86,21 +95,25 @@ double textWidth(const std::string &text, double fontSize) {
 
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
                                      double fontSize) {
-  std::vector<Box> taken;
+  std::vector<Box> points;
   const double radius = kPointRadius * fontSize;
   for (const LabelRequest &request : requests)
-    taken.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
-  std::vector<PlacedLabel> placed;
-  for (const LabelRequest &request : requests) {
-    std::vector<Candidate> tried;
-    for (const Box &box : places(request, textWidth(request.text, fontSize), fontSize))
-      tried.push_back(makeCandidate(request, box, fontSize));
-    const Candidate &best = *std::ranges::min_element(
-        tried, {}, [&](const Candidate &candidate) { return cost(candidate, taken, frame); });
-    taken.insert(taken.end(), best.boxes.begin(), best.boxes.end());
-    placed.push_back(best.label);
-  }
-  return placed;
+    points.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
+  std::vector<Candidate> placed(requests.size());
+  // Each is placed anew, now that it knows where the others went, until they have settled.
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      std::vector<Box> taken = points;
+      for (std::size_t other = 0; other < placed.size(); ++other)
+        if (other != i)
+          taken.insert(taken.end(), placed[other].boxes.begin(), placed[other].boxes.end());
+      placed[i] = bestPlace(requests[i], taken, frame, fontSize);
+    }
+  std::vector<PlacedLabel> labels;
+  for (const Candidate &candidate : placed)
+    labels.push_back(candidate.label);
+  return labels;
 }
 
 } // namespace voxc::plot

@@ -12,7 +12,7 @@ namespace voxc::plot {
 namespace {
 
 constexpr double kWidth = 800;
-constexpr double kHeight = 500;
+constexpr double kHeight = 560;
 
 /// Colours that keep apart in both schemes and for the colour-blind (after Okabe and Ito).
 constexpr std::string_view kStyle = R"(
@@ -77,8 +77,8 @@ std::vector<double> coordinatesOf(const Plot &plot, double Point::*axis) {
 /// One of the two drawings: all sizes follow from that of the letters.
 class Drawing {
 public:
-  Drawing(const Plot &plot, std::string_view name, double fontSize)
-      : plot_(plot), name_(name), size_(fontSize), frame_(makeFrame()),
+  Drawing(const Plot &plot, std::string_view name, double fontSize, bool hasLegend)
+      : plot_(plot), name_(name), size_(fontSize), hasLegend_(hasLegend), frame_(makeFrame()),
         x_(plot.x, coordinatesOf(plot, &Point::x), frame_.left, frame_.right,
            static_cast<int>((frame_.right - frame_.left) / (4.5 * fontSize))),
         y_(plot.y, coordinatesOf(plot, &Point::y), frame_.bottom, frame_.top,
@@ -89,7 +89,7 @@ public:
     axes();
     for (std::size_t i = 0; i < plot_.series.size(); ++i)
       drawSeries(i);
-    if (!plot_.connected)
+    if (!hasLegend_)
       labels();
     return element("g", {{"class", std::string(name_)}}, "\n" + text_);
   }
@@ -101,7 +101,7 @@ private:
   std::vector<std::vector<std::size_t>> legendRows() const {
     std::vector<std::vector<std::size_t>> rows;
     double x = kWidth;
-    for (std::size_t i = 0; plot_.connected && i < plot_.series.size(); ++i) {
+    for (std::size_t i = 0; hasLegend_ && i < plot_.series.size(); ++i) {
       const double width = textWidth(plot_.series[i].label, size_) + 3 * size_;
       if (x + width > kWidth - size_) {
         rows.emplace_back();
@@ -190,6 +190,7 @@ private:
   const Plot &plot_;
   std::string_view name_;
   double size_;
+  bool hasLegend_; ///< Otherwise each series is labelled at its first point.
   Box frame_;
   Scale x_;
   Scale y_;
@@ -200,12 +201,13 @@ private:
 
 std::string toSvg(const Plot &plot) {
   // On a telephone 800 units are about 360 pixels.
-  constexpr double kWideLetters = 15, kNarrowLetters = 28;
+  constexpr double kWideLetters = 15, kNarrowLetters = 24;
   const std::string box = "0 0 " + coordinate(kWidth) + " " + coordinate(kHeight);
-  const std::string content =
-      "\n" + element("title", {}, escaped(plot.title)) + element("style", {}, kStyle) +
-      element("rect", {{"class", "paper"}, {"width", "100%"}, {"height", "100%"}}) +
-      Drawing(plot, "wide", kWideLetters).draw() + Drawing(plot, "narrow", kNarrowLetters).draw();
+  const std::string content = "\n" + element("title", {}, escaped(plot.title)) +
+                              element("style", {}, kStyle) +
+                              element("rect", {{"class", "paper"}, {"width", "100%"}, {"height", "100%"}}) +
+                              Drawing(plot, "wide", kWideLetters, plot.connected).draw() +
+                              Drawing(plot, "narrow", kNarrowLetters, true).draw();
   return element("svg",
                  {{"xmlns", "http://www.w3.org/2000/svg"},
                   {"class", "voxc-plot"},

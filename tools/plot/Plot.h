@@ -38,7 +38,8 @@ struct Plot {
   Axis x;
   Axis y;
   std::vector<Series> series;
-  bool connected = false; ///< Lines with a legend; otherwise each series is labelled at its first point.
+  bool connected = false; ///< Lines with a legend; otherwise labels at the first point of each series, where
+                          ///< there is room.
 };
 
 /// The plot as an SVG document, which may stand alone or inside HTML. Values that are not finite are left
