@@ -18,6 +18,11 @@ void Tracing::declare(CLI::App &app) {
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
+void Tracing::choose(const std::string &device, unsigned threads) {
+  deviceName_ = device;
+  threads_ = threads;
+}
+
 Expected<void> Tracing::openDevice() {
   // Lavapipe takes its number of threads from here alone, once, when it is loaded.
   if (threads_ > 0)

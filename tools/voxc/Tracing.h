@@ -18,6 +18,9 @@ public:
   /// Adds --device, --threads and --spirv-opt to a command.
   void declare(CLI::App &app);
 
+  /// Chooses as --device and --threads do, in a command that has several of these.
+  void choose(const std::string &device, unsigned threads);
+
   /// Opens the device; asked first, so that its absence is told before long work.
   Expected<void> openDevice();
   /// Compiles the kernel that walks `volume` as `format` says, and uploads the volume. Its figures are added.
