@@ -1,8 +1,9 @@
 // Deliberate approximation: a ray is a cone, and a walk stops at what looks smaller than the cone is wide, with the
 // colour of one voxel from inside.
 
-// How far the walk's cell is from the ray's origin, in voxels.
-float travelled(const Ray ray, const Walk walk) { return walk.t * length(ray.direction); }
+// How far the walk's cell is from the ray's origin, in voxels. That of the cell, not of the point where it is entered,
+// so that it does not matter how a step keeps its t.
+float travelled(const Ray ray, const Walk walk) { return length(vec3(walk.cell) + 0.5 - ray.origin); }
 
 // log2 of the side of the largest cubes that look small at the walk's cell; -1 if voxels do not.
 int small_height(const Ray ray, const Walk walk) {

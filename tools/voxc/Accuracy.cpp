@@ -41,6 +41,8 @@ private:
                                                                 const Volume &volume) const;
   Expected<std::vector<LodFinding>> findLods(const Variant &variant, const Volume &volume, const Rays &rays,
                                              const Progress &progress) const;
+  Expected<void> findSeries(const std::vector<Variant> &variants, const Volume &volume, const Oracle &oracle,
+                            const Progress &progress, Findings &findings) const;
   Expected<void> tell(const Volume &volume, const Findings &findings) const;
 
   VolumeArgument volume_;
@@ -56,30 +58,42 @@ private:
   CommonOptions common_;
 };
 
+/// Lets an option be given several times, a value each time (or several between its delimiters), so that it
+/// never takes the argument behind it.
+void takeSeveral(CLI::Option *option) {
+  option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void declareValues(CLI::App &app, const char *name, std::vector<std::string> &values, const char *summary,
+                   const AttributeKind &kind) {
+  std::string defaults;
+  for (const std::string &value : values)
+    defaults += (defaults.empty() ? "" : ",") + value;
+  takeSeveral(app.add_option(name, values, summary)
+                  ->delimiter(',')
+                  ->type_name("A,B")
+                  ->check(CLI::IsMember(valuesOf(kind)).description(""))
+                  ->default_str(defaults));
+}
+
 void AccuracyCommand::declareChoice(CLI::App &app) {
-  app.add_option("--device", choice_.devices,
-                 "Trace on the device whose name contains this; may be given several times")
-      ->type_name("NAME")
-      ->default_str("");
+  takeSeveral(app.add_option("--device", choice_.devices,
+                             "Trace on the device whose name contains this; may be given several times")
+                  ->type_name("NAME")
+                  ->default_str(""));
   app.add_option("--threads", choice_.threads, "Threads of a device that is this processor; default: all")
       ->type_name("N")
       ->check(CLI::Range(1u, 1024u).description(""));
-  app.add_option("--precisions", choice_.precisions, "Precisions to compare, separated by commas")
-      ->delimiter(',')
-      ->type_name("A,B")
-      ->check(CLI::IsMember(valuesOf(kPrecisionAttribute)).description(""))
-      ->default_str("exact,fast");
-  app.add_option("--walks", choice_.walks, "Walks of trees to compare, separated by commas")
-      ->delimiter(',')
-      ->type_name("A,B")
-      ->check(CLI::IsMember(valuesOf(kWalkAttribute)).description(""))
-      ->default_str("stack,restart");
-  app.add_option(
-         "--lods", lods_,
-         "Sizes in pixels at which to stop early, as --lod of voxc render does, with the first of the others")
-      ->delimiter(',')
-      ->type_name("A,B")
-      ->check(CLI::Range(0.0, 1e6).description(""));
+  declareValues(app, "--precisions", choice_.precisions, "Precisions to compare, separated by commas",
+                kPrecisionAttribute);
+  declareValues(app, "--walks", choice_.walks, "Walks of trees to compare, separated by commas",
+                kWalkAttribute);
+  takeSeveral(app.add_option("--lods", lods_,
+                             "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
+                             "first of the others")
+                  ->delimiter(',')
+                  ->type_name("A,B")
+                  ->check(CLI::Range(0.0, 1e6).description("")));
 }
 
 void AccuracyCommand::declare(CLI::App &app) {
@@ -200,13 +214,20 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
       return lods.error();
     findings.lods = std::move(*lods);
   }
-  if (!series_)
-    return findings;
+  if (series_)
+    if (Expected<void> found = findSeries(variants, volume, *oracle, progress, findings); !found)
+      return found.error();
+  return findings;
+}
+
+Expected<void> AccuracyCommand::findSeries(const std::vector<Variant> &variants, const Volume &volume,
+                                           const Oracle &oracle, const Progress &progress,
+                                           Findings &findings) const {
   const SeriesOptions options{seriesRays_, rounds_, choice_.threads, progress};
-  auto fresh = prepareAll(variants, volume);
-  if (!fresh)
-    return fresh.error();
-  auto distances = distanceSeries(*fresh, *oracle, volume.info().extent, options);
+  const auto contestants = prepareAll(variants, volume);
+  if (!contestants)
+    return contestants.error();
+  auto distances = distanceSeries(*contestants, oracle, volume.info().extent, options);
   if (!distances)
     return distances.error();
   auto resolutions = resolutionSeries(choice_, options);
@@ -214,7 +235,7 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
     return resolutions.error();
   findings.distances = std::move(*distances);
   findings.resolutions = std::move(*resolutions);
-  return findings;
+  return {};
 }
 
 Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findings) const {

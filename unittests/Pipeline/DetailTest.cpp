@@ -74,15 +74,18 @@ TEST_F(DetailKernels, StopAtVoxelsWithoutSpread) {
 }
 
 TEST_F(DetailKernels, StopAtTheFirstChildOfTheRootThatIsNotEmptyWhenAllIsSmall) {
-  for (const char *text : {"S(5)", "G(5)", "R(1^3) G(4)", "D(1^3, 2) S(4)", "R(1^3) R(3^3) G(1)", "D(1^3, 1) D(4^3, 6)",
-                           "S(1) R(4^3)", "G(1) S(0) D(4^3, 3)", "R(1^3) G(0) S(4)"}) {
+  for (const char *text : {"S(5)", "G(5)", "R(1^3) G(4)", "D(1^3, 2) S(4)", "R(1^3) R(3^3) G(1)",
+                           "D(1^3, 1) D(4^3, 6)", "S(1) R(4^3)", "G(1) S(0) D(4^3, 3)", "R(1^3) G(0) S(4)"}) {
     const Format format = *parseFormat(text);
-    const auto voxel = [](Int3 c) { return test::hashed(c) % 40 == 0 && (c.y >= 16 || c.x < 16) ? 0xff00ffffu : 0u; };
+    const auto voxel = [](Int3 c) {
+      return test::hashed(c) % 40 == 0 && (c.y >= 16 || c.x < 16) ? 0xff00ffffu : 0u;
+    };
     const auto built = Constructor::compile(format)->build(*makeFunctionSource({32, 32, 32}, voxel));
     // The root's children as voxels of a volume of their own, and the rays in its measure.
-    const auto coarse = Constructor::compile(*parseFormat("R(1^3)"))->build(*makeFunctionSource({2, 2, 2}, [](Int3 c) {
-      return c.y == 1 || c.x == 0 ? 1u : 0u;
-    }));
+    const auto coarse =
+        Constructor::compile(*parseFormat("R(1^3)"))->build(*makeFunctionSource({2, 2, 2}, [](Int3 c) {
+          return c.y == 1 || c.x == 0 ? 1u : 0u;
+        }));
     const Oracle oracle = *Oracle::of(coarse->volume);
     for (const char *walk : {"stack", "restart"}) {
       Format walked = format;
@@ -120,7 +123,8 @@ TEST_F(DetailKernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
     const auto hits = hitsOf(built->volume, stack, "cone", spread, rays);
     EXPECT_FALSE(areSame(hits, full)) << spread;
     EXPECT_TRUE(areSame(hits, hitsOf(built->volume, restart, "cone", spread, rays))) << spread;
-    EXPECT_TRUE(areSame(hits, hitsOf(built->volume, stack, "cone", spread, rays, Addressing::Segments))) << spread;
+    EXPECT_TRUE(areSame(hits, hitsOf(built->volume, stack, "cone", spread, rays, Addressing::Segments)))
+        << spread;
   }
 }
 
