@@ -119,7 +119,7 @@ TEST_F(DetailKernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   const auto built = Constructor::compile(stack)->build(*test::hardScenes(stack.extent())[7].source());
   const auto rays = verifyRays(stack.extent(), 10000, 3);
   const auto full = hitsOf(built->volume, stack, "full", 0, rays);
-  for (const float spread : {0.01f, 0.05f, 0.2f}) {
+  for (const float spread : {0.01f, 0.05f, 0.2f, 3.0f}) {
     const auto hits = hitsOf(built->volume, stack, "cone", spread, rays);
     EXPECT_FALSE(areSame(hits, full)) << spread;
     EXPECT_TRUE(areSame(hits, hitsOf(built->volume, restart, "cone", spread, rays))) << spread;
