@@ -10,14 +10,14 @@ namespace voxc::plot {
 /// How values become places.
 enum class Spacing {
   Linear,  ///< From 0.
-  Decades, ///< Logarithmic, ticks at powers of 10; 0 has a place of its own before the least of them.
+  Decades, ///< Logarithmic, ticks at powers of 10; 0 may have a place of its own before the least of them.
   Octaves, ///< Logarithmic, ticks at powers of 2; no 0.
 };
 
 struct Axis {
   std::string label; ///< With its unit.
   Spacing spacing = Spacing::Linear;
-  double least = 1; ///< `Decades`: the smallest value that can occur beside 0, so that its place is there.
+  double least = 0; ///< `Decades`: the smallest value that can occur beside 0; then both have a place always.
 };
 
 struct Point {

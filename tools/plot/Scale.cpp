@@ -63,15 +63,17 @@ void Scale::fitLinear(const std::vector<double> &values, int maxTicks) {
 
 void Scale::fitPowers(const Axis &axis, const std::vector<double> &values, int maxTicks) {
   base_ = axis.spacing == Spacing::Decades ? 10 : 2;
-  zero_ = std::ranges::any_of(values, [](double value) { return value <= 0; });
+  zero_ = axis.least > 0 || std::ranges::any_of(values, [](double value) { return value <= 0; });
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const double value : values)
     if (value > 0) {
       least = std::min(least, value);
       most = std::max(most, value);
     }
-  if (zero_ || most == 0)
+  if (axis.least > 0)
     least = std::min(least, axis.least);
+  if (std::isinf(least))
+    least = 1;
   most = std::max(most, least);
   constexpr double kRounding = 1e-9;
   low_ = std::floor(std::log(least) / std::log(base_) + kRounding);

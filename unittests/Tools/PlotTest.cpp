@@ -33,6 +33,8 @@ TEST(Scale, HasAPlaceForZeroBeforeTheLeastPower) {
   EXPECT_DOUBLE_EQ(scale.place(0), 100);
   EXPECT_LT(scale.place(1), scale.breakPlace());
   EXPECT_NEAR(scale.place(1000), 0, 1e-9);
+  EXPECT_EQ(texts(Scale({"", Spacing::Decades, 1}, {20}, 0, 1, 5)).front(), "0");
+  EXPECT_EQ(texts(Scale({"", Spacing::Decades}, {0}, 0, 1, 5)), (std::vector<std::string>{"0", "1", "10"}));
   EXPECT_FALSE(std::isfinite(Scale({"", Spacing::Decades}, {1, 10}, 0, 1, 5).breakPlace()));
 }
 
