@@ -7,6 +7,8 @@ uint *hit_words;
 // Count the lookups of each ray. A choice at run time: it costs next to nothing, and a second kernel twice the
 // compile time.
 bool COUNT_LOOKUPS;
+// How wide a ray's cone grows for each voxel of its length, in kernels that stop at what looks smaller.
+float SPREAD;
 
 // Every ray is a dispatch of its own, and nothing cuts it short.
 static constexpr struct {

@@ -161,6 +161,8 @@ VOXC_INLINE Vector<T, N> mix(Vector<T, N> a, Vector<T, N> b, Vector<bool, N> tak
   return vectorOf<T, N>(takesB.lanes ? b.lanes : a.lanes);
 }
 
+VOXC_INLINE float length(vec3 v) { return sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
 template <int N> VOXC_INLINE bool all(Vector<bool, N> v) {
   int mask = -1;
   for (int i = 0; i < N; ++i)

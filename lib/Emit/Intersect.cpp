@@ -22,6 +22,7 @@ std::string file(const std::string &path) { return "\n" + std::string(runtimeFil
 
 std::string emitIntersect(const Plan &plan) {
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
+         (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
          file("memory/" + std::string(toString(plan.addressing)) + ".glsl") + kernelFunctions(plan) +
          file("dispatch.glsl");
 }

@@ -23,6 +23,8 @@ public:
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
     for (const char *path : {"step.glsl", "enter.glsl", "time.glsl", "unit.glsl"})
       file(path);
+    if (plan_.detail == Detail::Cone)
+      file("detail/cone.glsl");
     // A function stands before its callers: the last level first.
     for (auto level = plan_.levels.rbegin(); level != plan_.levels.rend(); ++level)
       emitLevel(*level);
@@ -37,12 +39,19 @@ private:
       text_ += "\n" + std::string(runtimeFile(shaderFiles(), path));
   }
 
+  /// A file that is written for each level.
+  void leaf(const LevelPlan &level, const std::string &path) {
+    text_ += instantiate(resolveConditions(runtimeFile(shaderFiles(), path), level.stops), plan_, level);
+  }
+
   void emitLevel(const LevelPlan &level) {
     const bool isTree = level.kind->arrangement == Arrangement::Tree;
     if (level.descent != Descent::Single)
       file("level/" + std::string(level.kind->name) + ".glsl");
     if (isTree && level.descent != Descent::Single)
       file("walk/tree.glsl");
+    if (level.sampled && level.descent != Descent::Single)
+      file("detail/" + std::string(level.kind->name) + ".glsl");
     text_ += levelComment(level);
     const std::string prefix = "LEVEL_" + std::to_string(level.number) + "_";
     if (isTree)
@@ -50,8 +59,10 @@ private:
     else
       text_ += "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(level.log2Size) + ";\n";
     text_ += "const int " + prefix + "LOG2_CELL = " + std::to_string(level.log2CellSide) + ";\n\n";
-    const std::string walk = "walk/" + std::string(toString(level.descent)) + ".glsl";
-    text_ += instantiate(runtimeFile(shaderFiles(), walk), plan_, level);
+    if (level.sampled)
+      leaf(level, isTree ? level.descent == Descent::Single ? "detail/single.glsl" : "detail/tree.glsl"
+                         : "detail/grid.glsl");
+    leaf(level, "walk/" + std::string(toString(level.descent)) + ".glsl");
   }
 
   const Plan &plan_;

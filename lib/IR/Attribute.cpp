@@ -8,6 +8,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
+constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
 
 } // namespace
 
@@ -15,8 +16,13 @@ const AttributeKind kPrecisionAttribute = {
     "precision", AttributeEffect::Walk, kPrecisionValues,
     "which hits the kernel gives: the exact ones, or those of plain float32, wrong only by rounding"};
 
+const AttributeKind kDetailAttribute = {
+    "detail", AttributeEffect::Walk, kDetailValues,
+    "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"};
+
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 1> kAttributes = {&kPrecisionAttribute};
+  static constexpr std::array<const AttributeKind *, 2> kAttributes = {&kPrecisionAttribute,
+                                                                       &kDetailAttribute};
   return kAttributes;
 }
 

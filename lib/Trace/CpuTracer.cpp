@@ -34,7 +34,7 @@ struct Pass {
       return false;
     const std::size_t count = std::min(kChunkRays, rays.size() - first);
     kernel.function(words, rays[first].origin, reinterpret_cast<std::uint32_t *>(&hits[first]), count,
-                    options.countSteps);
+                    options.countSteps, options.spread);
     done.fetch_add(count, std::memory_order_relaxed);
     return true;
   }

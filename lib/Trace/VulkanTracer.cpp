@@ -158,13 +158,14 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
 }
 
 Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
-  bool countSteps = work.options.countSteps;
-  if (pipeline_.isPrepared(countSteps))
+  const bool countSteps = work.options.countSteps;
+  const float spread = work.options.spread;
+  if (pipeline_.isPrepared(countSteps, spread))
     return {};
   // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
   // both.
   double begin = wallSeconds();
-  if (auto prepared = pipeline_.prepare(countSteps); !prepared)
+  if (auto prepared = pipeline_.prepare(countSteps, spread); !prepared)
     return prepared;
   auto time =
       tiles_.run({.pipeline = &pipeline_, .countSteps = countSteps, .rays = std::min(rays, kWorkgroupSize)});

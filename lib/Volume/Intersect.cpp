@@ -10,7 +10,7 @@ Expected<Hit> Volume::intersect(const CpuKernel &kernel, const Ray &ray) const {
   if (auto fits = checkFit(kernel.storageDigest, *this, "cpu"); !fits)
     return fits.error();
   Hit hit;
-  kernel.function(words().data(), ray.origin, reinterpret_cast<std::uint32_t *>(&hit), 1, false);
+  kernel.function(words().data(), ray.origin, reinterpret_cast<std::uint32_t *>(&hit), 1, false, 0);
   return hit;
 }
 

@@ -44,6 +44,7 @@ private:
     if (!format)
       return format.error();
     attributes_.apply(*format);
+    rendering_.applyLod(*format);
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     building_.useThreads(tracing_.threads());

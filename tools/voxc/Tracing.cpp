@@ -23,6 +23,11 @@ void Tracing::declare(CLI::App &app) {
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
+void Tracing::choose(const std::string &device, unsigned threads) {
+  deviceName_ = device;
+  threads_ = threads;
+}
+
 Expected<void> Tracing::openDevice(const CommonOptions &common) {
   if (deviceName_ == cpuDeviceInfo().name)
     return {};

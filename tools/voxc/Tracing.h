@@ -19,6 +19,9 @@ public:
   /// Adds --device, --threads and --spirv-opt to a command.
   void declare(CLI::App &app);
 
+  /// Chooses as --device and --threads do, in a command that has several of these.
+  void choose(const std::string &device, unsigned threads);
+
   /// Opens the device; asked first, so that its absence is told before long work. Where no device was named
   /// and there is none of Vulkan's, it is this processor, and a note says so.
   Expected<void> openDevice(const CommonOptions &common);

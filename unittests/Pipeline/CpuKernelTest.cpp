@@ -113,7 +113,7 @@ TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
 
 TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {
   const Format format = *parseFormat("R(18,0,0)");
-  const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, format.extent()});
+  const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
   ASSERT_TRUE(volume) << volume.error().message;
   const std::vector<Ray> rays = {{{262143.5f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}}};
   const auto hits = cpuHits(*volume, format, rays);

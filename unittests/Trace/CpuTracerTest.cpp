@@ -18,7 +18,7 @@ Volume emptyVolume() {
 
 /// Not a kernel of any format: every ray hits the voxel that its origin names, after one lookup.
 void echo(const std::uint32_t *, const float *rays, std::uint32_t *hits, unsigned long long count,
-          int countLookups) {
+          int countLookups, float) {
   for (unsigned long long i = 0; i < count; ++i) {
     Hit hit{{0, 0, 0}, 1, 0, countLookups ? 1u : 0u};
     for (int axis = 0; axis < 3; ++axis)

@@ -30,6 +30,7 @@ extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
+extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
 
 /// The attributes that a format takes.
 AttributeKinds formatAttributes();

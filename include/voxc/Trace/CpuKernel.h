@@ -18,9 +18,10 @@ namespace voxc {
 /// May be called from any number of threads at once.
 struct CpuKernel {
   /// Traces `count` rays, six floats each (`Ray`), through a volume's words into as many hits, six words each
-  /// (`Hit`); counts lookups if `countLookups` is not 0. Trusts its arguments.
+  /// (`Hit`); counts lookups if `countLookups` is not 0; `spread` is that of
+  /// `TraceOptions`. Trusts its arguments.
   using Function = void (*)(const std::uint32_t *words, const float *rays, std::uint32_t *hits,
-                            unsigned long long count, int countLookups);
+                            unsigned long long count, int countLookups, float spread);
 
   Function function = nullptr;
   std::uint64_t storageDigest = 0;   ///< Of the formats that it fits: `storageDigest(format)`.
