@@ -19,8 +19,8 @@ public:
   /// Adds --format, --formats, --random, --precision and the passes to a command.
   void declare(CLI::App &app);
 
-  /// All of them at the precision asked for, the passes run on those that are not random. Without any, two that hold every kind of
-  /// level. Errors: an unreadable file, a bad format, a pass that does not apply.
+  /// All of them at the precision asked for, the passes run on those that are not random. Without any, two
+  /// that hold every kind of level. Errors: an unreadable file, a bad format, a pass that does not apply.
   Expected<std::vector<Format>> read(std::uint64_t seed) const;
 
 private:
