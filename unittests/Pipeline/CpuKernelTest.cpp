@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <map>
+#include <string>
 #include <thread>
 
 namespace voxc {
@@ -19,6 +21,18 @@ namespace {
 
 constexpr const char *kBaseFormats[] = {"R(4^3)",     "D(4^3, 6)", "S(4)", "G(4)",     "R(2,3,1)",
                                         "D(1,4,2,9)", "S(0)",      "G(0)", "R(1,0,2)", "D(2^3,2) G(2)"};
+
+/// What `compile` gives for the format, remembered for the next scene.
+template <typename Compile> auto compiledOnce(const Format &format, Compile compile) {
+  static std::map<std::string, std::decay_t<decltype(*compile())>> known;
+  const std::string key = printIr(format);
+  if (!known.contains(key)) {
+    auto kernel = compile();
+    EXPECT_TRUE(kernel) << kernel.error().message;
+    known.emplace(key, std::move(*kernel));
+  }
+  return known.at(key);
+}
 
 class CpuKernels : public ::testing::Test {
 protected:
@@ -43,9 +57,8 @@ protected:
 
   static std::vector<Hit> cpuHits(const Volume &volume, const Format &format, std::span<const Ray> rays,
                                   bool countSteps = false) {
-    const auto kernel = compileCpuKernel(format);
-    EXPECT_TRUE(kernel) << kernel.error().message;
-    return traced(createCpuTracer(*kernel, volume, 2), rays, countSteps);
+    const auto kernel = compiledOnce(format, [&] { return compileCpuKernel(format); });
+    return traced(createCpuTracer(kernel, volume, 2), rays, countSteps);
   }
 
   /// The rays, and the lookups that each takes, must come out alike. Nothing to compare without llvmpipe.
@@ -54,9 +67,8 @@ protected:
     auto device = Device::open("llvmpipe");
     if (!device)
       return;
-    const auto kernel = compileKernel(format);
-    ASSERT_TRUE(kernel) << kernel.error().message;
-    const auto theirs = traced(createTracer(*device, *kernel, volume), rays, true);
+    const auto kernel = compiledOnce(format, [&] { return compileKernel(format); });
+    const auto theirs = traced(createTracer(*device, kernel, volume), rays, true);
     const auto ours = cpuHits(volume, format, rays, true);
     for (std::size_t i = 0; i < rays.size(); ++i)
       ASSERT_EQ(std::memcmp(&ours[i], &theirs[i], sizeof(Hit)), 0)
