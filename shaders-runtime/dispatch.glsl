@@ -1,16 +1,18 @@
 // One invocation a ray: from the buffers to a walk, and back.
-vec3 load_vector(uint at) { return vec3(ray_floats[at], ray_floats[at + 1u], ray_floats[at + 2u]); }
+
+uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
 
 // A hit is its voxel. A miss is -1. A walk that ended inside the volume without a hit was cut short by the device, which
-// may limit how long a loop runs (Mesa's llvmpipe: 65535 turns in all); it is kept as -2 - cell, to be resumed.
-void store(uint at, const Walk walk, bool hit) {
+// may limit how long a loop runs (Mesa's llvmpipe: 65535 turns in all); it is kept as -2 - cell, with its axis in place of
+// t, to be resumed.
+void store(uint at, const Walk walk, bool hit, uint t) {
   bool unfinished = !hit && is_inside(walk);
   ivec3 voxel = hit ? walk.cell : unfinished ? -2 - walk.cell : ivec3(-1);
   hit_words[at] = uint(voxel.x);
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
   hit_words[at + 3u] = hit ? walk.rgba : 0u;
-  hit_words[at + 4u] = hit || unfinished ? floatBitsToUint(walk.t) : 0u;
+  hit_words[at + 4u] = hit ? t : unfinished ? uint(walk.axis) : 0u;
   hit_words[at + 5u] = walk.lookups;
 }
 
@@ -18,14 +20,15 @@ void main() {
   if (gl_GlobalInvocationID.x >= ray_count)
     return;
   uint at = 6u * (first_ray + gl_GlobalInvocationID.x);
-  Walk walk = Walk(ivec3(-1), 0.0, 0u, 0u);
+  Walk walk = Walk(ivec3(-1), -1, 0u, 0u);
   if (resumes != 0u) {
     walk.cell = -2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]);
     if (!is_inside(walk))
       return;
-    walk.t = uintBitsToFloat(hit_words[at + 4u]);
+    walk.axis = int(hit_words[at + 4u]);
     walk.lookups = hit_words[at + 5u];
   }
-  bool hit = trace(load_vector(at), load_vector(at + 3u), walk);
-  store(at, walk, hit);
+  uint t = 0u;
+  bool hit = trace(load_bits(at), load_bits(at + 3u), walk, t);
+  store(at, walk, hit, t);
 }

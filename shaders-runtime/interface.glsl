@@ -1,10 +1,13 @@
+// Before a function that is seldom called: kernels in C++ keep it out of the loops, into which all others go.
+#define OUT_OF_LINE
+
 layout(local_size_x = 64) in;
 
 // Count the lookups of each ray; off, it costs nothing.
 layout(constant_id = 0) const bool COUNT_LOOKUPS = false;
 
-// Six floats a ray: origin, direction.
-layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { float ray_floats[]; };
+// Six words a ray, the bits of float32: origin, direction.
+layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uint ray_words[]; };
 // Six words a hit: voxel, rgba, t, lookups.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uint hit_words[]; };
 // The rays of this dispatch; `resumes` is 1 for those that an earlier dispatch left unfinished.

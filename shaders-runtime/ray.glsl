@@ -1,24 +1,33 @@
-// A ray, prepared for walking. All t are those of the scaled direction.
+// A ray, prepared for walking. Its float32 members are approximate; what must be exact is asked of the ray as given.
 struct Ray {
-  vec3 origin;
-  vec3 direction; // Scaled by a power of two, so that no product overflows.
-  vec3 inverse;   // 1 / direction where the ray moves.
-  bvec3 moves;    // False on an axis whose coordinate never changes.
-  bvec3 falls;    // The coordinate falls.
-  ivec3 heading;  // 1, -1 or 0.
-  ivec3 ahead;    // 1 where the coordinate rises, else 0: picks the face of a cube that lies ahead.
+  uvec3 given_origin;    // The bits of six float32 taken as exact numbers.
+  uvec3 given_direction;
+  vec3 origin;           // Where walking counts from: the given origin, or where a ray from far away enters.
+  vec3 direction;        // Scaled by a power of two: the largest component is in [1, 2), and none so small that
+  vec3 inverse;          // its inverse overflows. All t are those of this direction, from this origin.
+  vec3 error;            // Bounds of what float32 gets wrong: of a coordinate, in voxels,
+  float slack;           // and of a t, in which it is wrong by a few roundings besides.
+  bvec3 moves;           // False on an axis whose coordinate never changes.
+  bvec3 falls;           // The coordinate falls.
+  ivec3 heading;         // 1, -1 or 0.
+  ivec3 ahead;           // 1 where the coordinate rises, else 0: picks the face of a cube that lies ahead.
 };
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back, which
 // bounds every loop by the volume's size.
 struct Walk {
-  ivec3 cell;   // In voxels; outside the volume before and after the walk.
-  float t;      // Where the ray entered the cell.
-  uint rgba;    // Of the voxel that was hit.
+  ivec3 cell; // In voxels; outside the volume before and after the walk.
+  int axis;   // The axis on which the ray entered the cell; -1 where it started.
+  uint rgba;  // Of the voxel that was hit.
   uint lookups;
 };
 
-const float INFINITY = 1.0 / 0.0;
+const float NEVER = 1e30f;
+
+// Twelve roundings of 2^-23, whichever way each goes. A t is a difference, an inverse (2.5 roundings) and a product; the
+// order of two t is certain beyond 10 roundings of the later, and a coordinate within 9.5 of how far it may be from the
+// origin.
+const float ROUNDINGS = 12.0f / 8388608.0f;
 
 void count_lookup(inout Walk walk) {
   if (COUNT_LOOKUPS)
@@ -30,22 +39,12 @@ bool is_inside(const Walk walk) { return all(lessThan(uvec3(walk.cell), uvec3(VO
 // True for a cell of a grid of 2^log2_size cells.
 bool in_grid(ivec3 cell, ivec3 log2_size) { return (cell >> log2_size) == ivec3(0); }
 
-// The power of two that brings the largest component of a direction near 1.
-float direction_scale(vec3 direction) {
-  vec3 size = abs(direction);
-  uint exponent = floatBitsToUint(max(max(size.x, size.y), size.z)) >> 23;
-  return uintBitsToFloat((254u - clamp(exponent, 1u, 253u)) << 23);
+// The face through which the ray entered its cell.
+int entered_face(const Ray ray, const Walk walk) {
+  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
 }
 
-Ray prepare_ray(vec3 origin, vec3 direction) {
-  Ray ray;
-  ray.origin = origin;
-  ray.direction = direction;
-  ray.inverse = vec3(1.0) / direction;
-  // A component so small that its inverse overflows moves by less than a cell in any volume's width of the others.
-  ray.moves = lessThan(abs(ray.inverse), vec3(INFINITY));
-  ray.falls = lessThan(direction, vec3(0.0));
-  ray.heading = ivec3(sign(direction)) * ivec3(ray.moves);
-  ray.ahead = max(ray.heading, ivec3(0));
-  return ray;
+// About when each coordinate passes its face.
+vec3 times_of(const Ray ray, ivec3 face) {
+  return mix(vec3(NEVER), (vec3(face) - ray.origin) * ray.inverse, ray.moves);
 }

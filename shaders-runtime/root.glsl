@@ -1,29 +1,54 @@
-// The whole volume: word 0 leads to level 1, unless the volume is empty. A walk that starts outside is first put into it.
-bool intersect_root(const Ray ray, inout Walk walk) {
-  uint root = load_word(0u);
-  if (root == 0u || (!is_inside(walk) && !enter_volume(ray, walk, VOLUME_SIZE)))
-    return false;
-  return intersect_level_1(ray, walk, root, ivec3(0));
+// The parts of a direction that walking needs, scaled so that its largest component is in [1, 2).
+Ray prepare_ray(uvec3 origin, uvec3 direction) {
+  Ray ray;
+  ray.given_origin = origin;
+  ray.given_direction = direction;
+  ray.origin = uintBitsToFloat(origin);
+  ivec3 exponent;
+  int largest = -1000;
+  for (int axis = 0; axis < 3; axis++) {
+    uint significand = significand_of(direction[axis]);
+    ray.moves[axis] = significand != 0u;
+    ray.falls[axis] = significand != 0u && direction[axis] >= SIGN_BIT;
+    exponent[axis] = exponent_of(direction[axis]) + findMSB(significand);
+    largest = significand != 0u ? max(largest, exponent[axis]) : largest;
+  }
+  for (int axis = 0; axis < 3; axis++) {
+    uint significand = significand_of(direction[axis]);
+    float size = float(significand) * power_of_two(-findMSB(significand)) * power_of_two(max(exponent[axis] - largest, -60));
+    float component = ray.falls[axis] ? -size : size;
+    ray.direction[axis] = ray.moves[axis] ? component : 0.0f;
+    ray.inverse[axis] = ray.moves[axis] ? 1.0f / component : 0.0f;
+  }
+  ray.ahead = ivec3(ray.moves) - ivec3(ray.falls);
+  ray.heading = ray.ahead - ivec3(ray.falls);
+  return ray;
 }
 
-bool is_finite(vec3 v) { return all(lessThan(abs(v), vec3(INFINITY))); }
+bool is_finite(uvec3 bits) { return is_finite(bits.x) && is_finite(bits.y) && is_finite(bits.z); }
 
-// Traces one ray from where its walk is; walk.t is that of the ray as it was given.
-bool trace(vec3 origin, vec3 direction, inout Walk walk) {
-  if (!is_finite(origin) || !is_finite(direction))
+// Traces one ray from where its walk is, if that has begun, and gives its t. Word 0 leads to level 1, unless the volume
+// is empty.
+bool trace(uvec3 origin, uvec3 direction, inout Walk walk, inout uint t) {
+  uint root = load_word(0u);
+  if (root == 0u || !is_finite(origin) || !is_finite(direction))
     return false;
-  float scale = direction_scale(direction);
-  Ray ray = prepare_ray(origin, direction * scale);
   // A ray that goes nowhere can hit its own cell alone: let it go anywhere and take no later hit.
-  bool stands = !any(ray.moves);
-  if (stands)
-    ray = prepare_ray(origin, vec3(1.0, 0.0, 0.0));
-  walk.t /= scale;
-  bool hit = intersect_root(ray, walk);
-  if (stands && walk.t > 0.0) {
-    hit = false;
+  bool stands = ((direction.x | direction.y | direction.z) & ~SIGN_BIT) == 0u;
+  Ray ray = prepare_ray(origin, stands ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction);
+  Walk start = walk;
+  if (!enter_volume(ray, start))
+    return false;
+  if (!is_inside(walk))
+    walk = start;
+  bool hit = intersect_level_1(ray, walk, root, ivec3(0));
+  if (walk.axis < 0)
+    return hit;
+  if (stands) {
     walk.cell = ivec3(-1);
+    return false;
   }
-  walk.t *= scale;
+  if (hit)
+    t = crossing_time(ray, walk.axis, entered_face(ray, walk));
   return hit;
 }

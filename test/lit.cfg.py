@@ -14,6 +14,8 @@ config.excludes = ["Inputs"]
 
 bin_dir = os.path.join(config.voxc_binary_dir, "bin")
 shared_dir = os.environ.get("VOXC_SHARED", os.path.join(config.voxc_source_dir, "..", "shared"))
+if "VOXC_SEED" in os.environ:
+    config.environment["VOXC_SEED"] = os.environ["VOXC_SEED"]
 config.environment["PATH"] = os.pathsep.join([config.llvm_tools_dir, config.environment["PATH"]])
 
 # Longer names first: lit replaces them in this order, and %voxc begins the others.

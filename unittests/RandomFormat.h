@@ -1,58 +1,13 @@
-// Random formats of a given size, for property tests.
+// Random formats, under the names that tests know them by.
 #pragma once
 
-#include "voxc/IR/Format.h"
 #include "voxc/Passes/Pass.h"
-
-#include <random>
-#include <string>
+#include "voxc/Passes/RandomFormat.h"
 
 namespace voxc::test {
 
-/// A number in [low, high], the same for a seed with every standard library.
-inline int pick(std::mt19937 &random, int low, int high) {
-  return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
-}
-
-/// One level of 2^side cells an axis; the first may stretch its axes apart where `cubic` is not asked for.
-inline std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
-  const auto text = [](int number) { return std::to_string(number); };
-  std::string dims = text(side) + "^3";
-  if (!cubic)
-    dims = text(pick(random, 0, side)) + ", " + text(side) + ", " + text(pick(random, 0, side));
-  switch (pick(random, 0, 3)) {
-  case 0:
-    return "R(" + dims + ")";
-  case 1:
-    return "D(" + dims + ", " + text(pick(random, 1, 3 * (1 << side))) + ")";
-  case 2:
-    return "S(" + text(side) + ")";
-  default:
-    return "G(" + text(side) + ")";
-  }
-}
-
-/// A format string of 1 to 5 levels, 2^log2Side voxels on its longest axis; now and then not a cube.
-inline std::string randomFormatText(std::mt19937 &random, int log2Side) {
-  std::string text;
-  int left = log2Side;
-  const int levels = pick(random, 1, 5);
-  for (int level = 0; level < levels; ++level) {
-    const int side = level + 1 == levels ? left : pick(random, 0, left);
-    left -= side;
-    text += (text.empty() ? "" : " ") + randomLevel(random, side, level > 0 || random() % 4 != 0);
-  }
-  return text;
-}
-
-/// A parsed random format, with random passes.
-inline Format randomFormat(std::mt19937 &random, int log2Side) {
-  Format format = *parseFormat(randomFormatText(random, log2Side));
-  Diagnostics diagnostics;
-  for (const Pass &pass : passes())
-    if (random() % 2 != 0)
-      pass.run(format, diagnostics);
-  return format;
-}
+using voxc::pick;
+using voxc::randomFormat;
+using voxc::randomFormatText;
 
 } // namespace voxc::test

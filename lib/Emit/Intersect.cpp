@@ -1,78 +1,30 @@
-// Printing a plan as intersect.glsl: the runtime files that it names, in order of use, with each level's
-// constants.
+// Printing a plan as intersect.glsl: a compute shader around the functions of the kernel.
+#include "KernelFunctions.h"
 #include "RuntimeFile.h"
 
 #include "voxc/Emit/Emit.h"
 
-#include <set>
-
 namespace voxc {
 namespace {
 
-std::string intVector(Int3 v) {
-  return "ivec3(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+std::string preamble(const Plan &plan) {
+  std::string text = "#version 460\n// intersect.glsl: first hits of rays with volumes of the format " +
+                     toString(plan.format) + ".\n";
+  if (plan.addressing == Addressing::Segments)
+    text += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
+            "require\n";
+  return text;
 }
 
-class IntersectEmitter {
-public:
-  explicit IntersectEmitter(const Plan &plan) : plan_(plan) {}
-
-  std::string emit() {
-    preamble();
-    file("interface.glsl");
-    file("memory/" + std::string(toString(plan_.addressing)) + ".glsl");
-    file("ray.glsl");
-    file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
-    file("unit.glsl");
-    // A function stands before its callers: the last level first.
-    for (auto level = plan_.levels.rbegin(); level != plan_.levels.rend(); ++level)
-      emitLevel(*level);
-    file("root.glsl");
-    file("dispatch.glsl");
-    return std::move(text_);
-  }
-
-private:
-  void preamble() {
-    text_ = "#version 460\n// intersect.glsl: first hits of rays with volumes of the format " +
-            toString(plan_.format) + ".\n";
-    if (plan_.addressing == Addressing::Segments)
-      text_ += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
-               "require\n";
-    text_ +=
-        "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + intVector(plan_.format.extent()) + ";\n";
-  }
-
-  /// A file that does not depend on a level, once.
-  void file(const std::string &path) {
-    if (written_.insert(path).second)
-      text_ += "\n" + std::string(runtimeFile(shaderFiles(), path));
-  }
-
-  void emitLevel(const LevelPlan &level) {
-    const bool isTree = level.kind->arrangement == Arrangement::Tree;
-    if (level.descent != Descent::Single)
-      file("level/" + std::string(level.kind->name) + ".glsl");
-    if (isTree && level.descent != Descent::Single)
-      file("walk/tree.glsl");
-    text_ += levelComment(level);
-    const std::string prefix = "LEVEL_" + std::to_string(level.number) + "_";
-    if (isTree)
-      text_ += "const int " + prefix + "DEPTH = " + std::to_string(level.log2Size.x) + ";\n";
-    else
-      text_ += "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(level.log2Size) + ";\n";
-    text_ += "const int " + prefix + "LOG2_CELL = " + std::to_string(level.log2CellSide) + ";\n\n";
-    const std::string walk = "walk/" + std::string(toString(level.descent)) + ".glsl";
-    text_ += instantiate(runtimeFile(shaderFiles(), walk), plan_, level);
-  }
-
-  const Plan &plan_;
-  std::string text_;
-  std::set<std::string> written_;
-};
+std::string file(const std::string &path) { return "\n" + std::string(runtimeFile(shaderFiles(), path)); }
 
 } // namespace
 
-std::string emitIntersect(const Plan &plan) { return IntersectEmitter(plan).emit(); }
+std::string emitIntersect(const Plan &plan) {
+  return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
+         (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
+         file("memory/" + std::string(toString(plan.addressing)) + ".glsl") + kernelFunctions(plan) +
+         file("dispatch.glsl");
+}
 
 } // namespace voxc

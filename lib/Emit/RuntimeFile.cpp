@@ -49,6 +49,25 @@ std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan
   return result;
 }
 
+std::string resolveConditions(std::string_view text, bool defined) {
+  std::string result;
+  bool applies = true;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    const std::string_view line = text.substr(begin, end - begin);
+    if (line.starts_with("#ifdef "))
+      applies = defined;
+    else if (line.starts_with("#else"))
+      applies = !applies;
+    else if (line.starts_with("#endif"))
+      applies = true;
+    else if (applies)
+      result += line;
+    begin = end;
+  }
+  return result;
+}
+
 std::string levelComment(const LevelPlan &level) {
   const Int3 size = level.log2Size;
   std::string text =

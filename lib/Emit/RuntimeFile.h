@@ -17,6 +17,10 @@ std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_vi
 /// number, NEXT by "level_<number + 1>" or, in the last level, "voxel", KIND by the kind's name.
 std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan &level);
 
+/// `text` without its lines between "#ifdef NAME", "#else" and "#endif" that do not apply, and without these.
+/// They stand alone on their lines, one within another is not understood, and NAME is the same throughout.
+std::string resolveConditions(std::string_view text, bool defined);
+
 /// "// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side." and an empty line before it.
 std::string levelComment(const LevelPlan &level);
 

@@ -1,8 +1,6 @@
 // Levels and formats: sizes and attributes.
 #include "voxc/IR/Format.h"
 
-#include <algorithm>
-
 namespace voxc {
 
 std::uint32_t Level::parameter(ParameterRole role) const {
@@ -24,27 +22,12 @@ bool Level::isCubic() const {
   return size.x == size.y && size.y == size.z;
 }
 
-std::string_view Level::attribute(const AttributeKind &attribute) const {
-  for (const Attribute &set : attributes)
-    if (set.kind == &attribute)
-      return attribute.values[set.value];
-  return attribute.values[0];
+bool Level::setAttribute(const AttributeKind &attribute, std::string_view value) {
+  return attributes.set(kind->attributes, attribute, value);
 }
 
-bool Level::setAttribute(const AttributeKind &attribute, std::string_view value) {
-  const auto takes = std::ranges::find(kind->attributes, &attribute) != kind->attributes.end();
-  if (!takes || this->attribute(attribute) == value)
-    return false;
-  std::erase_if(attributes, [&](const Attribute &set) { return set.kind == &attribute; });
-  const auto index =
-      static_cast<std::size_t>(std::ranges::find(attribute.values, value) - attribute.values.begin());
-  if (index > 0)
-    attributes.push_back({&attribute, index});
-  // Kept in the kind's order, so that equal formats compare equal whatever the order of the passes.
-  std::ranges::sort(attributes, {}, [&](const Attribute &set) {
-    return std::ranges::find(kind->attributes, set.kind) - kind->attributes.begin();
-  });
-  return true;
+bool Format::setAttribute(const AttributeKind &attribute, std::string_view value) {
+  return attributes.set(formatAttributes(), attribute, value);
 }
 
 Int3 Format::log2Extent() const {
@@ -67,9 +50,9 @@ int Format::log2CellSide(std::size_t index) const {
 }
 
 Format storageFormat(Format format) {
+  format.attributes.eraseWalk();
   for (Level &level : format.levels)
-    std::erase_if(level.attributes,
-                  [](const Attribute &set) { return set.kind->effect == AttributeEffect::Walk; });
+    level.attributes.eraseWalk();
   return format;
 }
 

@@ -19,7 +19,8 @@ public:
   IrParser(std::string_view text, Diagnostics &diagnostics) : lexer_(text), diagnostics_(diagnostics) {}
 
   Format parse() {
-    if (!expectWord("format") || !expect('{'))
+    if (!expectWord("format") || !parseAttributes("a format", formatAttributes(), format_.attributes) ||
+        !expect('{'))
       return format_;
     while (!lexer_.peek().is('}') && lexer_.peek().kind != TokenKind::End)
       if (!parseLevel())
@@ -86,28 +87,28 @@ private:
     if (!arguments)
       return false;
     level.range.end = arguments->empty() ? name.range.end : arguments->back().range.end + 1;
-    if (!setParameters(level, *arguments, name.range, diagnostics_) || !parseAttributes(level))
+    if (!setParameters(level, *arguments, name.range, diagnostics_) ||
+        !parseAttributes(level.kind->name, level.kind->attributes, level.attributes))
       return false;
     format_.levels.push_back(std::move(level));
     return true;
   }
 
-  bool parseAttributes(Level &level) {
+  /// The attributes of `owner`, which takes those of `taken`.
+  bool parseAttributes(std::string_view owner, AttributeKinds taken, AttributeSet &attributes) {
     while (lexer_.peek().kind == TokenKind::Word && !lexer_.peek().isWord("level"))
-      if (!parseAttribute(level))
+      if (!parseAttribute(owner, taken, attributes))
         return false;
     return true;
   }
 
-  bool parseAttribute(Level &level) {
+  bool parseAttribute(std::string_view owner, AttributeKinds taken, AttributeSet &attributes) {
     const Token name = lexer_.next();
-    const auto attributes = level.kind->attributes;
-    const auto found =
-        std::ranges::find(attributes, name.text, [](const AttributeKind *kind) { return kind->name; });
-    if (found == attributes.end()) {
-      const std::string known = listed(attributes, [](const AttributeKind *kind) { return kind->name; });
-      diagnostics_.error(name.range, quoted(name) + " is no attribute of " + std::string(level.kind->name) +
-                                         "; it has " + known);
+    const auto found = std::ranges::find(taken, name.text, &AttributeKind::name);
+    if (found == taken.end()) {
+      const std::string known = listed(taken, [](const AttributeKind *kind) { return kind->name; });
+      diagnostics_.error(name.range,
+                         quoted(name) + " is no attribute of " + std::string(owner) + "; it has " + known);
       return false;
     }
     if (!expect('='))
@@ -119,7 +120,7 @@ private:
                                           listed((*found)->values, [](std::string_view v) { return v; }));
       return false;
     }
-    level.setAttribute(**found, value.text);
+    attributes.set(taken, **found, value.text);
     return true;
   }
 

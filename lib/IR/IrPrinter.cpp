@@ -17,14 +17,11 @@ std::string parameters(const Level &level) {
 } // namespace
 
 std::string printIr(const Format &format) {
-  std::string text = "format {\n";
+  std::string text = "format" + printAttributes(format.attributes, formatAttributes()) + " {\n";
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
-    text += "  level " + std::to_string(i + 1) + ": " + std::string(level.kind->name) + parameters(level);
-    for (const AttributeKind *kind : level.kind->attributes)
-      if (level.attribute(*kind) != kind->values[0])
-        text += " " + std::string(kind->name) + "=" + std::string(level.attribute(*kind));
-    text += "\n";
+    text += "  level " + std::to_string(i + 1) + ": " + std::string(level.kind->name) + parameters(level) +
+            printAttributes(level.attributes, level.kind->attributes) + "\n";
   }
   return text + "}\n";
 }

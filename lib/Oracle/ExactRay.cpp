@@ -1,11 +1,13 @@
-// A ray in exact arithmetic: double filters with proven bounds, and wide integers behind them.
+// A ray in exact arithmetic: double filters with proven bounds, pairs of doubles, and wide integers behind
+// them.
 #include "ExactRay.h"
+
+#include "DoublePair.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -20,9 +22,8 @@ namespace mp = boost::multiprecision;
 using Integer = mp::number<mp::cpp_int_backend<640, 640, mp::signed_magnitude, mp::unchecked, void>>;
 constexpr int kScale = 149;
 
-// A time is a difference and a quotient of doubles that hold their operands exactly and can neither overflow
-// nor underflow: two roundings, less than 2^-51 relative. The filters leave room for their own roundings.
-constexpr double kTimeSlack = 0x1p-50;
+// A coordinate is an approximate time, at most 3 roundings, times a direction, and a sum: 6 of 2^-53 at most
+// with the rounding of a test. Doubles hold the operands exactly and neither overflow nor underflow.
 constexpr double kPositionSlack = 0x1p-50;
 
 /// A time as a fraction; the denominator is positive.
@@ -50,12 +51,25 @@ int exactCell(const Integer &numerator, const Integer &denominator, bool open) {
   return static_cast<int>(quotient) - (below ? 1 : 0);
 }
 
-/// The cell of a coordinate known to within `error`, unless an integer is so near that it could be two.
-std::optional<int> certainCell(double coordinate, double error) {
-  const double cell = std::floor(coordinate - error);
-  if (coordinate - error > cell && coordinate + error < cell + 1)
-    return static_cast<int>(cell);
-  return std::nullopt;
+/// `value` rounded down; unlike the standard library's, in line on every machine.
+int floorToInt(double value) {
+  const int towardsZero = static_cast<int>(value);
+  return towardsZero - (towardsZero > value ? 1 : 0);
+}
+
+/// Distance times speed of the other axis; the order of two times is that of two of these. Nothing, if a
+/// difference is not exact in double.
+std::optional<DoublePair> crossProduct(const ExactRay &ray, const Moment &moment, const Moment &other) {
+  const std::optional<double> distance = exactDifference(moment.face, ray.origin(moment.axis));
+  if (!distance)
+    return std::nullopt;
+  return exactProduct(std::abs(*distance), std::abs(ray.direction(other.axis)));
+}
+
+/// The order of two times by wide integers alone.
+int compareWide(const ExactRay &ray, const Moment &a, const Moment &b) {
+  const Fraction timeA = exactTime(ray, a), timeB = exactTime(ray, b);
+  return Integer(timeA.numerator * timeB.denominator).compare(timeB.numerator * timeA.denominator);
 }
 
 /// Which of two neighbouring float32 is nearer to `time`.
@@ -76,40 +90,51 @@ bool isFinite(const Ray &ray) {
   return std::ranges::all_of(ray.origin, finite) && std::ranges::all_of(ray.direction, finite);
 }
 
-Moment ExactRay::crossing(int axis, int face) const {
-  return {axis, face, direction(axis) < 0, std::abs((face - origin(axis)) / direction(axis))};
+ExactRay::ExactRay(const Ray &ray) {
+  for (int axis = 0; axis < 3; ++axis) {
+    origin_[axis] = ray.origin[axis];
+    direction_[axis] = ray.direction[axis];
+    reciprocal_[axis] = 1 / direction_[axis];
+  }
 }
 
-std::weak_ordering ExactRay::compare(const Moment &a, const Moment &b) const {
-  if (a.approximate * (1 + kTimeSlack) < b.approximate)
-    return std::weak_ordering::less;
-  if (b.approximate * (1 + kTimeSlack) < a.approximate)
-    return std::weak_ordering::greater;
-  if (a.axis != b.axis || a.face != b.face) {
-    const Fraction timeA = exactTime(*this, a), timeB = exactTime(*this, b);
-    const int order =
-        Integer(timeA.numerator * timeB.denominator).compare(timeB.numerator * timeA.denominator);
-    if (order != 0)
-      return order <=> 0;
-  }
-  return a.after <=> b.after;
+std::weak_ordering ExactRay::compareExactly(const Moment &a, const Moment &b) const {
+  const bool same = a.axis == b.axis && a.face == b.face;
+  // The start, and a face that holds the origin, are at 0, and nothing else is.
+  if (same || (a.approximate == 0 && b.approximate == 0))
+    return a.after <=> b.after;
+  if (a.axis < 0 || b.axis < 0)
+    return a.approximate < b.approximate ? std::weak_ordering::less : std::weak_ordering::greater;
+  const std::optional<DoublePair> left = crossProduct(*this, a, b), right = crossProduct(*this, b, a);
+  const int found = left && right ? order(*left, *right) : compareWide(*this, a, b);
+  return found != 0 ? found <=> 0 : a.after <=> b.after;
+}
+
+/// The cell on `axis` at a moment at which no boundary but `face` can be within the error of a double.
+int ExactRay::cellNear(int axis, int face, const Moment &moment) const {
+  const bool falls = direction_[axis] < 0;
+  const bool behind = falls ? face > origin_[axis] : face < origin_[axis];
+  const bool passed = behind || compare(crossing(axis, face), moment) <= 0;
+  return passed == falls ? face - 1 : face;
 }
 
 int ExactRay::cell(int axis, const Moment &moment) const {
   if (moment.axis == axis)
     return moment.after ? moment.face - 1 : moment.face;
-  if (moment.axis < 0 || direction(axis) == 0)
-    return static_cast<int>(std::floor(origin(axis)));
+  if (moment.axis < 0 || direction_[axis] == 0)
+    return floorToInt(origin_[axis]);
 
-  const double travelled = moment.approximate * direction(axis);
-  const double error = (std::abs(origin(axis)) + std::abs(travelled)) * kPositionSlack;
-  if (const std::optional<int> cell = certainCell(origin(axis) + travelled, error))
-    return *cell;
-
+  const double travelled = moment.approximate * direction_[axis];
+  const double error = (std::abs(origin_[axis]) + std::abs(travelled)) * kPositionSlack;
+  const double coordinate = origin_[axis] + travelled;
+  if (error < 0.25) {
+    const int low = floorToInt(coordinate - error), high = floorToInt(coordinate + error);
+    const bool touches = low == coordinate - error;
+    return low == high && !touches ? low : cellNear(axis, touches ? low : high, moment);
+  }
   const Fraction time = exactTime(*this, moment);
-  const Integer coordinate =
-      scaled(origin(axis)) * time.denominator + scaled(direction(axis)) * time.numerator;
-  return exactCell(coordinate, time.denominator << kScale, moment.after && direction(axis) < 0);
+  const Integer exact = scaled(origin_[axis]) * time.denominator + scaled(direction_[axis]) * time.numerator;
+  return exactCell(exact, time.denominator << kScale, moment.after && direction_[axis] < 0);
 }
 
 float ExactRay::time(const Moment &moment) const {

@@ -68,23 +68,80 @@ Int3 cellAt(const ExactRay &ray, const Moment &moment) {
   return {ray.cell(0, moment), ray.cell(1, moment), ray.cell(2, moment)};
 }
 
+/// A ray's first cell that is not empty, and when it gets there.
+struct Arrival {
+  Moment moment;
+  Int3 cell;
+};
+
+std::optional<Arrival> arrive(const VoxelRuns &voxels, const ExactRay &ray) {
+  std::optional<Moment> moment = enterGrid(ray, voxels.extent());
+  while (moment) {
+    const Int3 cell = cellAt(ray, *moment);
+    if (!contains(voxels.extent(), cell))
+      break;
+    const std::optional<Cube> empty = voxels.emptyAround(cell);
+    if (!empty)
+      return Arrival{*moment, cell};
+    moment = leaveCube(ray, *empty);
+  }
+  return std::nullopt;
+}
+
+Hit hitOf(const VoxelRuns &voxels, const ExactRay &ray, const Arrival &arrival) {
+  const Int3 cell = arrival.cell;
+  return {{cell.x, cell.y, cell.z}, voxels.word(cell), ray.time(arrival.moment), 0};
+}
+
+/// The first axis whose coordinate comes into the cell at that very moment.
+Face entryFace(const ExactRay &ray, const Arrival &arrival) {
+  for (int axis = 0; axis < 3 && arrival.moment.axis >= 0; ++axis) {
+    const double direction = ray.direction(axis);
+    const int face = arrival.cell[axis] + (direction < 0 ? 1 : 0);
+    const bool behind = direction < 0 ? face > ray.origin(axis) : face < ray.origin(axis);
+    if (direction != 0 && !behind && ray.compare(ray.crossing(axis, face), arrival.moment) == 0)
+      return {axis, direction < 0 ? 1 : -1};
+  }
+  return {};
+}
+
+/// Adds the cells up to the first that is not empty; false if there are more than `maxCells`.
+bool listCells(const VoxelRuns &voxels, const ExactRay &ray, std::size_t maxCells, std::vector<Int3> &cells) {
+  for (std::optional<Moment> moment = enterGrid(ray, voxels.extent()); moment;) {
+    const Int3 cell = cellAt(ray, *moment);
+    if (!contains(voxels.extent(), cell))
+      break;
+    if (cells.size() == maxCells)
+      return false;
+    cells.push_back(cell);
+    if (!voxels.emptyAround(cell))
+      break;
+    moment = leaveCube(ray, {cell, 0});
+  }
+  return true;
+}
+
 } // namespace
 
 Hit traceExactly(const VoxelRuns &voxels, const Ray &ray) {
   if (!isFinite(ray))
     return kMiss;
   const ExactRay exact(ray);
-  std::optional<Moment> moment = enterGrid(exact, voxels.extent());
-  while (moment) {
-    const Int3 cell = cellAt(exact, *moment);
-    if (!contains(voxels.extent(), cell))
-      return kMiss;
-    const UniformCube here = voxels.at(cell);
-    if (here.word != 0)
-      return {{cell.x, cell.y, cell.z}, here.word, exact.time(*moment), 0};
-    moment = leaveCube(exact, here.cube);
+  const std::optional<Arrival> arrival = arrive(voxels, exact);
+  return arrival ? hitOf(voxels, exact, *arrival) : kMiss;
+}
+
+Explanation explainExactly(const VoxelRuns &voxels, const Ray &ray, std::size_t maxCells) {
+  Explanation explanation{kMiss, {}, {}, true};
+  if (!isFinite(ray))
+    return explanation;
+  const ExactRay exact(ray);
+  if (const std::optional<Arrival> arrival = arrive(voxels, exact)) {
+    explanation.hit = hitOf(voxels, exact, *arrival);
+    explanation.face = entryFace(exact, *arrival);
   }
-  return kMiss;
+  explanation.complete = listCells(voxels, exact, maxCells, explanation.cells);
+  return explanation;
 }
 
 } // namespace voxc

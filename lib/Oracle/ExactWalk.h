@@ -3,11 +3,17 @@
 
 #include "VoxelRuns.h"
 
+#include "voxc/Oracle/Oracle.h"
 #include "voxc/Trace/Ray.h"
+
+#include <cstddef>
 
 namespace voxc {
 
 /// The first cell of the ray that is not empty; `voxels` is finished. Any six float32 are a ray.
 Hit traceExactly(const VoxelRuns &voxels, const Ray &ray);
+
+/// The same with the face by which the cell is entered, and the first `maxCells` cells up to it, one by one.
+Explanation explainExactly(const VoxelRuns &voxels, const Ray &ray, std::size_t maxCells);
 
 } // namespace voxc

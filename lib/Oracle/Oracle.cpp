@@ -1,29 +1,93 @@
-// The oracle: a volume decoded into runs, and the exact walk over them.
+// The oracle: voxels as runs, of a volume or a source, and the exact walk over them.
 #include "voxc/Oracle/Oracle.h"
 
 #include "ExactWalk.h"
+#include "ParallelRanges.h"
 #include "VoxelRuns.h"
 
+#include <algorithm>
+#include <array>
+#include <string>
+
 namespace voxc {
+
+namespace {
+
+// A run takes twelve bytes.
+constexpr std::size_t kMaxRuns = std::size_t{1} << 29;
+
+Error tooManyRuns() {
+  return Error::input("the voxels fall into " + std::to_string(kMaxRuns) +
+                      " runs of equal ones or more, which are too many to be checked one by one");
+}
+
+/// Asks a source for all its voxels, cube by cube in Morton order.
+class SourceReader {
+public:
+  SourceReader(VoxelSource &source, VoxelRuns &runs, const Progress &progress)
+      : source_(source), runs_(runs), progress_(progress) {}
+
+  Expected<void> read() {
+    readCube({{0, 0, 0}, std::max(log2BoundingSide(source_.extent()), kLog2Brick)});
+    if (const std::optional<Error> failure = source_.failure())
+      return *failure;
+    if (progress_.stopped())
+      return Error::interrupted();
+    return isFull() ? Expected<void>(tooManyRuns()) : Expected<void>();
+  }
+
+private:
+  static constexpr int kLog2Brick = 3;
+
+  bool isFull() const { return runs_.size() >= kMaxRuns; }
+
+  void readCube(const Cube &cube) {
+    if (isFull() || progress_.stopped() || source_.empty(cube))
+      return;
+    if (cube.log2Side == kLog2Brick)
+      return readBrick(cube);
+    const int half = cube.log2Side - 1;
+    for (std::uint64_t child = 0; child < 8; ++child)
+      readCube({cube.low + mortonCell(child) * (1 << half), half});
+  }
+
+  void readBrick(const Cube &brick) {
+    source_.read(brick, words_.data());
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if (words_[i] != 0)
+        runs_.add({brick.low + mortonCell(i), 0}, words_[i]);
+  }
+
+  VoxelSource &source_;
+  VoxelRuns &runs_;
+  const Progress &progress_;
+  std::array<std::uint32_t, 1 << 3 * kLog2Brick> words_{};
+};
+
+} // namespace
 
 struct Oracle::State {
   VoxelRuns voxels;
 };
 
 Expected<Oracle> Oracle::of(const Volume &volume, const Progress &progress) {
-  // A run takes twelve bytes, and there may be an empty one before each cube.
-  constexpr std::uint64_t kMaxCubes = std::uint64_t{1} << 28;
   auto state = std::make_unique<State>(State{VoxelRuns(volume.format().extent())});
-  std::uint64_t cubes = 0;
   const auto add = [&](const Cube &cube, std::uint32_t word) {
     state->voxels.add(cube, word);
-    return ++cubes < kMaxCubes;
+    return state->voxels.size() < kMaxRuns;
   };
   if (auto decoded = decode(volume, add, progress); !decoded)
     return decoded.error();
-  if (cubes == kMaxCubes)
-    return Error::input("the volume is made of " + std::to_string(kMaxCubes) +
-                        " uniform cubes or more, which are too many to be checked one by one");
+  if (state->voxels.size() >= kMaxRuns)
+    return tooManyRuns();
+  state->voxels.finish();
+  return Oracle(std::move(state));
+}
+
+Expected<Oracle> Oracle::of(VoxelSource &source, const Progress &progress) {
+  auto state = std::make_unique<State>(State{VoxelRuns(source.extent())});
+  if (Expected<void> read = SourceReader(source, state->voxels, progress).read(); !read)
+    return read.error();
   state->voxels.finish();
   return Oracle(std::move(state));
 }
@@ -34,8 +98,26 @@ Oracle::Oracle(Oracle &&) noexcept = default;
 
 Hit Oracle::trace(const Ray &ray) const { return traceExactly(state_->voxels, ray); }
 
+Expected<std::vector<Hit>> Oracle::trace(std::span<const Ray> rays, unsigned threads,
+                                         const Progress &progress) const {
+  std::vector<Hit> hits(rays.size());
+  const auto traceRange = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      hits[i] = trace(rays[i]);
+  };
+  if (!forEachRange(rays.size(), threads, progress, traceRange))
+    return Error::interrupted();
+  return hits;
+}
+
+Explanation Oracle::explain(const Ray &ray, std::size_t maxCells) const {
+  return explainExactly(state_->voxels, ray, maxCells);
+}
+
+std::vector<Int3> Oracle::sampleVoxels(std::size_t count) const { return state_->voxels.sample(count); }
+
 std::uint32_t Oracle::voxel(Int3 cell) const {
-  return contains(state_->voxels.extent(), cell) ? state_->voxels.at(cell).word : 0;
+  return contains(state_->voxels.extent(), cell) ? state_->voxels.word(cell) : 0;
 }
 
 } // namespace voxc

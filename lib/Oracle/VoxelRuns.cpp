@@ -13,13 +13,12 @@ constexpr int kMaxIndexBits = 20;
 /// Cells in a cube; 2^63 for the largest.
 constexpr std::uint64_t cubeCells(int log2Side) { return std::uint64_t{1} << 3 * log2Side; }
 
-/// log2 of the side of the smallest aligned cube that holds an extent.
+} // namespace
+
 int log2BoundingSide(Int3 extent) {
   auto longest = static_cast<unsigned>(std::max({extent.x, extent.y, extent.z, 1}));
   return std::bit_width(longest - 1);
 }
-
-} // namespace
 
 void VoxelRuns::startRun(std::uint64_t code, std::uint32_t word) {
   if (!words_.empty() && words_.back() == word)
@@ -39,8 +38,21 @@ void VoxelRuns::add(const Cube &cube, std::uint32_t word) {
 void VoxelRuns::finish() {
   startRun(end_, 0);
   starts_.push_back(cubeCells(kMaxLog2Extent));
+  const int log2Side = log2BoundingSide(extent_);
+  makeIndex(3 * log2Side);
+  occupancy_ = OccupancyTree(changes(), log2Side);
+}
 
-  const int codeBits = 3 * log2BoundingSide(extent_);
+/// The codes at which empty cells follow on others, or others on empty ones.
+std::vector<std::uint64_t> VoxelRuns::changes() const {
+  std::vector<std::uint64_t> changes;
+  for (std::size_t run = 0; run < words_.size(); ++run)
+    if ((words_[run] != 0) != (changes.size() % 2 == 1))
+      changes.push_back(starts_[run]);
+  return changes;
+}
+
+void VoxelRuns::makeIndex(int codeBits) {
   indexShift_ = std::max(0, codeBits - kMaxIndexBits);
   const std::size_t blocks = std::size_t{1} << (codeBits - indexShift_);
   firstRun_.resize(blocks + 1, words_.size() - 1);
@@ -52,25 +64,31 @@ void VoxelRuns::finish() {
   }
 }
 
-std::size_t VoxelRuns::runOf(std::uint64_t code) const {
+std::uint32_t VoxelRuns::word(Int3 cell) const {
+  const std::uint64_t code = mortonCode(cell);
   const std::size_t block = code >> indexShift_;
   const auto first = starts_.begin() + static_cast<std::ptrdiff_t>(firstRun_[block]);
   const auto last = starts_.begin() + static_cast<std::ptrdiff_t>(firstRun_[block + 1]) + 1;
-  return static_cast<std::size_t>(std::upper_bound(first, last, code) - starts_.begin()) - 1;
+  return words_[static_cast<std::size_t>(std::upper_bound(first, last, code) - starts_.begin()) - 1];
 }
 
-UniformCube VoxelRuns::at(Int3 cell) const {
-  const std::uint64_t code = mortonCode(cell);
-  const std::size_t run = runOf(code);
-  int log2Side = 0;
-  while (log2Side < kMaxLog2Extent) {
-    const std::uint64_t cells = cubeCells(log2Side + 1);
-    const std::uint64_t low = code & ~(cells - 1);
-    if (low < starts_[run] || low + cells > starts_[run + 1])
-      break;
-    ++log2Side;
-  }
-  return {{mortonCell(code & ~(cubeCells(log2Side) - 1)), log2Side}, words_[run]};
+std::vector<Int3> VoxelRuns::sample(std::size_t count) const {
+  std::vector<Int3> ends;
+  // An odd step: runs that are empty and others take turns.
+  const std::size_t step = 2 * words_.size() / std::max<std::size_t>(count, 1) | 1;
+  for (std::size_t run = 0; run < words_.size(); run += step)
+    for (const std::uint64_t code : {starts_[run], starts_[run + 1] - 1})
+      if (words_[run] != 0 && ends.size() < count && contains(extent_, mortonCell(code)))
+        ends.push_back(mortonCell(code));
+  return ends;
+}
+
+std::optional<Cube> VoxelRuns::emptyAround(Int3 cell) const {
+  const std::optional<int> log2Side = occupancy_.emptyAround(cell);
+  if (!log2Side)
+    return std::nullopt;
+  const int mask = -1 << *log2Side;
+  return Cube{{cell.x & mask, cell.y & mask, cell.z & mask}, *log2Side};
 }
 
 } // namespace voxc

@@ -89,6 +89,10 @@ Camera cameraFromAngles(Int3 extent, Double3 position, double pitch, double yaw,
   return camera;
 }
 
+double pixelSpread(const Camera &camera) {
+  return 2 * std::tan(camera.verticalFov / 2 * kRadians) / camera.height;
+}
+
 std::vector<Ray> cameraRays(const Camera &camera) {
   View view = viewOf(camera.look - camera.eye, camera.up);
   double tangent = std::tan(camera.verticalFov / 2 * kRadians);

@@ -2,6 +2,8 @@
 #include "TracePipeline.h"
 
 #include <array>
+#include <cstddef>
+#include <iterator>
 
 namespace voxc {
 namespace {
@@ -10,6 +12,17 @@ namespace {
 constexpr std::uint32_t kBindings = 3;
 
 constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
+
+/// The kernel's specialization constants; those that a kernel does not have are ignored.
+struct Constants {
+  VkBool32 countSteps;
+  float spread;
+};
+
+constexpr VkSpecializationMapEntry kConstantEntries[] = {
+    {0, offsetof(Constants, countSteps), sizeof(Constants::countSteps)},
+    {1, offsetof(Constants, spread), sizeof(Constants::spread)},
+};
 
 Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
@@ -96,10 +109,10 @@ void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Bu
   vkUpdateDescriptorSets(device_->device, kBindings, writes.data(), 0, nullptr);
 }
 
-Expected<void> TracePipeline::prepare(bool countSteps) {
-  VkBool32 count = countSteps;
-  VkSpecializationMapEntry entry{0, 0, sizeof count};
-  VkSpecializationInfo specialization{1, &entry, sizeof count, &count};
+Expected<void> TracePipeline::prepare(bool countSteps, float spread) {
+  const Constants constants{countSteps, spread};
+  VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
+                                      &constants};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
@@ -111,12 +124,12 @@ Expected<void> TracePipeline::prepare(bool countSteps) {
   VkResult result = vkCreateComputePipelines(device_->device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS)
     return vulkanError("compile the kernel", result);
-  variants_[countSteps] = PipelineHandle(device_->device, pipeline);
+  variants_[countSteps] = {PipelineHandle(device_->device, pipeline), spread};
   return {};
 }
 
 void TracePipeline::recordDispatch(VkCommandBuffer commands, bool countSteps, const RayTile &tile) const {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[countSteps].get());
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[countSteps].pipeline.get());
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
   vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
   vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);

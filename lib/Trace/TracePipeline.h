@@ -24,10 +24,13 @@ public:
   /// Binds the buffers of the kernel's interface; nothing that uses the old ones may be running.
   void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words);
 
-  /// Whether the variant that counts lookups, or the one that does not, is made already.
-  bool isPrepared(bool countSteps) const { return static_cast<bool>(variants_[countSteps]); }
-  /// Makes a variant, which may compile for long.
-  Expected<void> prepare(bool countSteps);
+  /// Whether the variant that counts lookups, or the one that does not, is made already for
+  /// this spread.
+  bool isPrepared(bool countSteps, float spread) const {
+    return variants_[countSteps].pipeline && variants_[countSteps].spread == spread;
+  }
+  /// Makes a variant, in place of that for another spread; may compile for long. Nothing may be running.
+  Expected<void> prepare(bool countSteps, float spread);
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant.
   void recordDispatch(VkCommandBuffer commands, bool countSteps, const RayTile &tile) const;
 
@@ -36,13 +39,18 @@ private:
   Expected<void> createLayouts();
   Expected<void> createSet();
 
+  struct Variant {
+    PipelineHandle pipeline;
+    float spread = 0;
+  };
+
   Device::State *device_;
   ShaderModuleHandle module_;
   SetLayoutHandle setLayout_;
   PipelineLayoutHandle layout_;
   DescriptorPoolHandle pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE; ///< Belongs to the pool.
-  PipelineHandle variants_[2];           ///< Without and with counting.
+  Variant variants_[2];                  ///< Without and with counting.
 };
 
 } // namespace voxc

@@ -3,6 +3,7 @@
 
 #include "Capabilities.h"
 #include "Clock.h"
+#include "KernelFit.h"
 
 #include <algorithm>
 #include <array>
@@ -22,15 +23,6 @@ constexpr int kMaxResumes = 4096;
 std::uint64_t batchRays(const DeviceInfo &device) {
   std::uint64_t bytes = std::min(device.maxStorageBufferBytes, device.maxAllocationBytes);
   return std::min(kMaxBatchRays, bytes / sizeof(Ray));
-}
-
-Expected<void> checkFit(const Kernel &kernel, const Volume &volume) {
-  if (kernel.storageDigest == storageDigest(volume.format()))
-    return {};
-  return Error::input(
-      "this kernel was made for another format than the volume's: compile one with `voxc compile "
-      "'" +
-      toString(volume.format()) + "' --emit=spirv` and the passes that the volume was built with");
 }
 
 } // namespace
@@ -56,7 +48,7 @@ VulkanTracer::VulkanTracer(Device::State &device, Transfer transfer, VolumeWords
 
 Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, const Kernel &kernel,
                                                        const Volume &volume) {
-  if (auto fits = checkFit(kernel, volume); !fits)
+  if (auto fits = checkFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
   if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
     return capable.error();
@@ -166,13 +158,14 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
 }
 
 Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
-  bool countSteps = work.options.countSteps;
-  if (pipeline_.isPrepared(countSteps))
+  const bool countSteps = work.options.countSteps;
+  const float spread = work.options.spread;
+  if (pipeline_.isPrepared(countSteps, spread))
     return {};
   // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
   // both.
   double begin = wallSeconds();
-  if (auto prepared = pipeline_.prepare(countSteps); !prepared)
+  if (auto prepared = pipeline_.prepare(countSteps, spread); !prepared)
     return prepared;
   auto time =
       tiles_.run({.pipeline = &pipeline_, .countSteps = countSteps, .rays = std::min(rays, kWorkgroupSize)});

@@ -43,15 +43,8 @@ void describePasses() {
                 std::string(pass.summary).c_str(), std::string(pass.details).c_str());
 }
 
-void describeLevel(const LevelKind &kind) {
-  std::string parameters;
-  for (const ParameterKind &parameter : kind.parameters)
-    parameters += (parameters.empty() ? "" : ", ") + std::string(parameter.name);
-  std::printf("%c(%s), in IR %s(%s)\n  %s\n\n", kind.letter, parameters.c_str(),
-              std::string(kind.name).c_str(), parameters.c_str(), std::string(kind.summary).c_str());
-  for (const ParameterKind &parameter : kind.parameters)
-    std::printf("  %s: %s\n", std::string(parameter.name).c_str(), std::string(parameter.meaning).c_str());
-  for (const AttributeKind *attribute : kind.attributes) {
+void describeAttributes(AttributeKinds attributes) {
+  for (const AttributeKind *attribute : attributes) {
     std::printf("  %s (%s):", std::string(attribute->name).c_str(),
                 attribute->effect == AttributeEffect::Storage ? "storage" : "walk");
     for (const std::string_view value : attribute->values)
@@ -61,9 +54,22 @@ void describeLevel(const LevelKind &kind) {
   std::printf("\n");
 }
 
+void describeLevel(const LevelKind &kind) {
+  std::string parameters;
+  for (const ParameterKind &parameter : kind.parameters)
+    parameters += (parameters.empty() ? "" : ", ") + std::string(parameter.name);
+  std::printf("%c(%s), in IR %s(%s)\n  %s\n\n", kind.letter, parameters.c_str(),
+              std::string(kind.name).c_str(), parameters.c_str(), std::string(kind.summary).c_str());
+  for (const ParameterKind &parameter : kind.parameters)
+    std::printf("  %s: %s\n", std::string(parameter.name).c_str(), std::string(parameter.meaning).c_str());
+  describeAttributes(kind.attributes);
+}
+
 void describeLevels() {
   for (const LevelKind *kind : levelKinds())
     describeLevel(*kind);
+  std::printf("A format as a whole, in IR after the word format\n\n");
+  describeAttributes(formatAttributes());
 }
 
 void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,

@@ -1,102 +1,25 @@
 // voxc compile: writes what voxc generates for a format.
+#include "Artefacts.h"
 #include "Figures.h"
 #include "Outputs.h"
 #include "Subcommand.h"
 
 #include "common/Files.h"
 #include "common/Statistics.h"
+#include "frontend/AttributeOptions.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
-#include "voxc/Emit/Emit.h"
-#include "voxc/Kernel/Compile.h"
 
 #include <cstdio>
 #include <filesystem>
-#include <optional>
-#include <span>
 
 namespace voxc::tool {
 
 namespace {
 
-/// What artefacts are made of; the kernel is compiled when it is first asked for.
-class Generator {
-public:
-  Generator(const Format &format, Addressing addressing, bool optimise)
-      : plan_(makePlan(format, {.addressing = addressing})), optimise_(optimise) {}
-
-  const Plan &plan() const { return plan_; }
-
-  Expected<const Kernel *> kernel() {
-    if (!kernel_) {
-      Expected<Kernel> kernel = compileGlsl(emitIntersect(plan_), plan_, optimise_);
-      if (!kernel)
-        return kernel.error();
-      kernel_ = std::move(*kernel);
-    }
-    return &*kernel_;
-  }
-
-private:
-  Plan plan_;
-  bool optimise_;
-  std::optional<Kernel> kernel_;
-};
-
-Expected<std::string> makeIr(Generator &generator) { return printIr(generator.plan().format); }
-Expected<std::string> makePlanText(Generator &generator) { return printPlan(generator.plan()); }
-Expected<std::string> makeConstruct(Generator &generator) { return emitConstruct(generator.plan()); }
-Expected<std::string> makeGlsl(Generator &generator) { return emitIntersect(generator.plan()); }
-
-Expected<std::string> makeSpirv(Generator &generator) {
-  Expected<const Kernel *> kernel = generator.kernel();
-  if (!kernel)
-    return kernel.error();
-  const auto bytes = std::as_bytes(std::span((*kernel)->spirv));
-  return std::string(reinterpret_cast<const char *>(bytes.data()), bytes.size());
-}
-
-Expected<std::string> makeSpirvText(Generator &generator) {
-  Expected<const Kernel *> kernel = generator.kernel();
-  return kernel ? disassemble(**kernel) : Expected<std::string>(kernel.error());
-}
-
-struct ArtefactKind {
-  const char *name; ///< As given to --emit.
-  const char *file;
-  Expected<std::string> (*make)(Generator &generator);
-};
-
-constexpr ArtefactKind kArtefacts[] = {
-    {"ir", "format.vir", makeIr},
-    {"plan", "format.plan", makePlanText},
-    {"construct", "construct.cpp", makeConstruct},
-    {"glsl", "intersect.glsl", makeGlsl},
-    {"spirv", "intersect.spv", makeSpirv},
-    {"spvasm", "intersect.spvasm", makeSpirvText},
-};
-
-constexpr const char *kConstructHeaderFile = "voxc_construct.h";
-
-std::vector<std::string> artefactNames() {
-  std::vector<std::string> names;
-  for (const ArtefactKind &kind : kArtefacts)
-    names.emplace_back(kind.name);
-  return names;
-}
-
 std::vector<std::string> addressingNames() {
   return {std::string(toString(Addressing::Buffer)), std::string(toString(Addressing::Segments))};
 }
-
-const ArtefactKind &findArtefact(const std::string &name) {
-  return *std::ranges::find_if(kArtefacts, [&](const ArtefactKind &kind) { return name == kind.name; });
-}
-
-struct OutputText {
-  std::string file;
-  std::string text;
-};
 
 class CompileCommand final : public Subcommand {
 public:
@@ -104,16 +27,18 @@ public:
   Expected<void> run() override;
 
 private:
-  Expected<std::vector<OutputText>> generate(const Format &format) const;
-  Expected<void> write(const std::vector<OutputText> &outputs) const;
+  Expected<std::vector<Artefact>> generate(const Format &format) const;
+  Expected<void> write(const std::vector<Artefact> &artefacts) const;
 
   CommonOptions common_;
+  AttributeOptions attributes_;
   PassOptions passes_;
   std::string format_;
   std::string folder_ = ".";
   std::vector<std::string> kinds_{"construct", "glsl"};
   std::string addressing_{toString(Addressing::Buffer)};
   bool optimise_ = false;
+  CpuObjectOptions cpu_;
 };
 
 void CompileCommand::declare(CLI::App &app) {
@@ -124,7 +49,7 @@ void CompileCommand::declare(CLI::App &app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--emit", kinds_,
-                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, separated by commas")
+                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, cpp, cpu, separated by commas")
       ->delimiter(',')
       ->type_name("KINDS")
       ->check(CLI::IsMember(artefactNames()).description(""))
@@ -135,34 +60,33 @@ void CompileCommand::declare(CLI::App &app) {
       ->check(CLI::IsMember(addressingNames()).description(""))
       ->capture_default_str();
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+  app.add_option("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option(
+         "--processor", cpu_.processor,
+         "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
+         "architecture")
+      ->type_name("NAME");
+  attributes_.declare(app);
   passes_.declare(app, PassChoice::All);
   addCommonOptions(app, common_);
 }
 
-Expected<std::vector<OutputText>> CompileCommand::generate(const Format &format) const {
+Expected<std::vector<Artefact>> CompileCommand::generate(const Format &format) const {
   const bool segments = addressing_ == toString(Addressing::Segments);
-  Generator generator(format, segments ? Addressing::Segments : Addressing::Buffer, optimise_);
-  std::vector<OutputText> outputs;
-  for (const std::string &name : kinds_) {
-    const ArtefactKind &kind = findArtefact(name);
-    Expected<std::string> text = kind.make(generator);
-    if (!text)
-      return text.error();
-    outputs.push_back({kind.file, std::move(*text)});
-    if (name == "construct" && folder_ != "-") // So that a plain compiler finds what the text includes.
-      outputs.push_back({kConstructHeaderFile, std::string(constructHeader())});
-  }
-  return outputs;
+  const KernelChoices choices = {segments ? Addressing::Segments : Addressing::Buffer, optimise_, cpu_};
+  return makeArtefacts(format, kinds_, choices, folder_ == "-");
 }
 
-Expected<void> CompileCommand::write(const std::vector<OutputText> &outputs) const {
+Expected<void> CompileCommand::write(const std::vector<Artefact> &artefacts) const {
   if (folder_ == "-")
-    return writeText("-", outputs.front().text);
+    return writeText("-", artefacts.front().contents);
   if (Expected<void> made = makeOutputFolder(folder_); !made)
     return made;
-  for (const OutputText &output : outputs)
+  for (const Artefact &artefact : artefacts)
     if (Expected<void> written =
-            writeText((std::filesystem::path(folder_) / output.file).string(), output.text);
+            writeText((std::filesystem::path(folder_) / artefact.file).string(), artefact.contents);
         !written)
       return written;
   return {};
@@ -179,19 +103,20 @@ Expected<void> CompileCommand::run() {
     return format.error();
   if (Expected<void> passed = passes_.apply(*format); !passed)
     return passed;
+  attributes_.apply(*format);
 
   const Stopwatch watch;
-  Expected<std::vector<OutputText>> outputs = generate(*format);
-  if (!outputs)
-    return outputs.error();
+  Expected<std::vector<Artefact>> artefacts = generate(*format);
+  if (!artefacts)
+    return artefacts.error();
   Json figures{{"format", toString(*format)}, {"emit_seconds", watch.seconds()}};
-  for (const OutputText &output : *outputs)
-    figures["files"].push_back(output.file);
-  if (Expected<void> written = write(*outputs); !written)
+  for (const Artefact &artefact : *artefacts)
+    figures["files"].push_back(artefact.file);
+  if (Expected<void> written = write(*artefacts); !written)
     return written;
   if (folder_ != "-" && !common_.quiet)
-    for (const OutputText &output : *outputs)
-      printNote("wrote " + (std::filesystem::path(folder_) / output.file).string());
+    for (const Artefact &artefact : *artefacts)
+      printNote("wrote " + (std::filesystem::path(folder_) / artefact.file).string());
   return writeStatistics(common_.stats, figures);
 }
 

@@ -3,7 +3,7 @@
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
-#include "voxc/Trace/Tracer.h"
+#include "voxc/Trace/CpuKernel.h"
 
 #include <cstdio>
 
@@ -25,6 +25,11 @@ Json describe(const DeviceInfo &device) {
 
 void print(const DeviceInfo &device) {
   std::printf("%s (%s)\n", device.name.c_str(), device.kind.c_str());
+  if (device.apiVersion.empty()) {
+    std::printf("  %s, without Vulkan; %.1f GiB of memory\n", device.driver.c_str(),
+                double(device.memoryBytes) / (1 << 30));
+    return;
+  }
   std::printf("  driver %s, Vulkan %s\n", device.driver.c_str(), device.apiVersion.c_str());
   std::printf("  %.1f GiB of memory; one storage buffer holds %.1f MiB; device addresses: %s\n",
               double(device.memoryBytes) / (1 << 30), double(device.maxStorageBufferBytes) / (1 << 20),
@@ -38,10 +43,10 @@ public:
   void declare(CLI::App &app) override { addCommonOptions(app, common_); }
 
   Expected<void> run() override {
-    const std::vector<DeviceInfo> devices = listDevices();
-    if (devices.empty())
-      return Error::environment(
-          "no Vulkan device found; install a driver, such as Debian's mesa-vulkan-drivers");
+    std::vector<DeviceInfo> devices = listDevices();
+    if (devices.empty() && !common_.quiet)
+      printNote("there is no Vulkan device; a driver, such as Debian's mesa-vulkan-drivers, brings one");
+    devices.push_back(cpuDeviceInfo());
     Json figures{{"devices", Json::array()}};
     for (const DeviceInfo &device : devices) {
       figures["devices"].push_back(describe(device));

@@ -17,7 +17,7 @@ public:
     volume_.declare(app);
     rendering_.declare(app);
     tracing_.declare(app);
-    volume_.declareWalkPasses(app);
+    volume_.declareKernelOptions(app);
     addCommonOptions(app, common_);
   }
 
@@ -43,7 +43,8 @@ private:
     Expected<Format> format = volume_.kernelFormat(*volume);
     if (!format)
       return format.error();
-    if (Expected<void> opened = tracing_.openDevice(); !opened)
+    rendering_.applyLod(*format);
+    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;

@@ -14,6 +14,12 @@ void Rendering::declare(CLI::App &app) {
   app.add_option("-o,--output", output_, "Picture to write, as PNG")->type_name("P.png")->required();
   app.add_flag("--heatmap", heatmap_, "Show the lookups that each ray took, with a legend");
   addCameraOptions(app, camera_);
+  app.add_option(
+         "--lod", lod_,
+         "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: "
+         "at voxels alone")
+      ->type_name("PIXELS")
+      ->check(CLI::Range(0.0, 1e6).description(""));
   check_.declare(app);
 }
 
@@ -25,6 +31,11 @@ Expected<void> Rendering::check(const CommonOptions &common) const {
   return camera ? Expected<void>() : camera.error();
 }
 
+void Rendering::applyLod(Format &format) const {
+  if (lod_ > 0)
+    format.setAttribute(kDetailAttribute, "cone");
+}
+
 Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const Progress &progress,
                                  Json &figures) const {
   Expected<Camera> camera = makeCamera(camera_, volume.info().extent);
@@ -32,8 +43,9 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const P
     return camera.error();
   const std::vector<Ray> rays = cameraRays(*camera);
   std::vector<Hit> hits(rays.size());
-  if (Expected<void> traced =
-          tracing.trace(rays, hits, {.countSteps = heatmap_, .progress = progress}, figures);
+  const auto spread = static_cast<float>(lod_ * pixelSpread(*camera));
+  if (Expected<void> traced = tracing.trace(
+          rays, hits, {.countSteps = heatmap_, .spread = spread, .progress = progress}, figures);
       !traced)
     return traced;
   if (Expected<void> checked = check_.run(volume, rays, hits, progress, figures); !checked)

@@ -19,6 +19,8 @@ public:
 
   /// Looks at the output's path and the camera's options, before any work.
   Expected<void> check(const CommonOptions &common) const;
+  /// Lets the kernel stop early if --lod says so.
+  void applyLod(Format &format) const;
   /// Traces the camera's rays and writes the picture. Its figures are added.
   Expected<void> render(const Volume &volume, Tracing &tracing, const Progress &progress,
                         Json &figures) const;
@@ -26,6 +28,7 @@ public:
 private:
   std::string output_;
   bool heatmap_ = false;
+  double lod_ = 0; ///< Pixels; 0: full detail.
   CameraOptions camera_;
   ErrorCheck check_;
 };

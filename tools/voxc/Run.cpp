@@ -6,6 +6,7 @@
 #include "Subcommand.h"
 
 #include "common/Terminal.h"
+#include "frontend/AttributeOptions.h"
 
 namespace voxc::tool {
 
@@ -19,6 +20,7 @@ public:
     rendering_.declare(app);
     app.add_option("--volume", volumePath_, "Keeps the volume too")->type_name("V.hvx");
     tracing_.declare(app);
+    attributes_.declare(app);
     addCommonOptions(app, common_);
   }
 
@@ -41,7 +43,9 @@ private:
     Expected<Format> format = building_.readFormat();
     if (!format)
       return format.error();
-    if (Expected<void> opened = tracing_.openDevice(); !opened)
+    attributes_.apply(*format);
+    rendering_.applyLod(*format);
+    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     building_.useThreads(tracing_.threads());
     Expected<Volume> volume = building_.build(*format, volumePath_, common_, bar.progress(), figures);
@@ -53,6 +57,7 @@ private:
   }
 
   Building building_;
+  AttributeOptions attributes_;
   Rendering rendering_;
   Tracing tracing_;
   std::string volumePath_;

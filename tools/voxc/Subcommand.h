@@ -25,6 +25,8 @@ std::unique_ptr<Subcommand> makeRenderCommand();
 std::unique_ptr<Subcommand> makeRunCommand();
 std::unique_ptr<Subcommand> makeTraceCommand();
 std::unique_ptr<Subcommand> makeVerifyCommand();
+std::unique_ptr<Subcommand> makeHardRaysCommand();
+std::unique_ptr<Subcommand> makeAccuracyCommand();
 std::unique_ptr<Subcommand> makeExportCommand();
 std::unique_ptr<Subcommand> makeInfoCommand();
 std::unique_ptr<Subcommand> makeDevicesCommand();

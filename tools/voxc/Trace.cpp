@@ -34,10 +34,15 @@ public:
         ->type_name("N")
         ->check(CLI::Range(1u, 1000000u).description(""))
         ->capture_default_str();
+    app.add_option(
+           "--lod-spread", options_.spread,
+           "Stop at nodes and cells narrower than this times their distance, with a colour from inside")
+        ->type_name("S")
+        ->check(CLI::Range(0.0f, 1e6f).description(""));
     app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
     check_.declare(app);
     tracing_.declare(app);
-    volume_.declareWalkPasses(app);
+    volume_.declareKernelOptions(app);
     addCommonOptions(app, common_);
   }
 
@@ -64,10 +69,12 @@ private:
     Expected<Format> format = volume_.kernelFormat(*volume);
     if (!format)
       return format.error();
+    if (options_.spread > 0)
+      format->setAttribute(kDetailAttribute, "cone");
     Expected<std::vector<Ray>> rays = readRays(rays_);
     if (!rays)
       return rays.error();
-    if (Expected<void> opened = tracing_.openDevice(); !opened)
+    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;

@@ -3,26 +3,43 @@
 
 #include "common/Statistics.h"
 #include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/CompileCpu.h"
 
 #include <cstdlib>
 
 namespace voxc::tool {
 
 void Tracing::declare(CLI::App &app) {
-  app.add_option("--device", deviceName_, "Trace on the device whose name contains this; see 'voxc devices'")
+  app.add_option(
+         "--device", deviceName_,
+         "Trace on the device whose name contains this, or on cpu: this processor, without Vulkan; see "
+         "'voxc devices'")
       ->type_name("NAME");
-  app.add_option("--threads", threads_,
-                 "Threads that compute, also of a device that is this processor (lavapipe); default: all")
+  app.add_option(
+         "--threads", threads_,
+         "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")
       ->type_name("N")
       ->check(CLI::Range(1u, 1024u).description(""));
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
-Expected<void> Tracing::openDevice() {
+void Tracing::choose(const std::string &device, unsigned threads) {
+  deviceName_ = device;
+  threads_ = threads;
+}
+
+Expected<void> Tracing::openDevice(const CommonOptions &common) {
+  if (deviceName_ == cpuDeviceInfo().name)
+    return {};
   // Lavapipe takes its number of threads from here alone, once, when it is loaded.
   if (threads_ > 0)
     ::setenv("LP_NUM_THREADS", std::to_string(threads_).c_str(), 1);
   Expected<Device> device = Device::open(deviceName_);
+  if (!device && deviceName_.empty()) {
+    if (!common.quiet)
+      printNote(device.error().message + "; tracing on the cpu instead");
+    return {};
+  }
   if (!device)
     return device.error();
   device_ = std::make_unique<Device>(std::move(*device));
@@ -30,6 +47,25 @@ Expected<void> Tracing::openDevice() {
 }
 
 Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json &figures) {
+  auto tracer = device_ ? makeVulkanTracer(volume, format, figures) : makeCpuTracer(volume, format, figures);
+  if (!tracer)
+    return tracer.error();
+  tracer_ = std::move(*tracer);
+  return {};
+}
+
+Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, const Format &format,
+                                                         Json &figures) {
+  const Stopwatch watch;
+  const Expected<CpuKernel> kernel = compileCpuKernel(format);
+  if (!kernel)
+    return kernel.error();
+  figures["kernel_seconds"] = watch.seconds();
+  return createCpuTracer(*kernel, volume, threads_);
+}
+
+Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume, const Format &format,
+                                                            Json &figures) {
   const Stopwatch watch;
   const Addressing addressing = device_->addressingFor(volume.words().size());
   Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing, .optimise = optimise_});
@@ -40,11 +76,8 @@ Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json
 
   const Stopwatch upload;
   Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume);
-  if (!tracer)
-    return tracer.error();
   figures["upload_seconds"] = upload.seconds();
-  tracer_ = std::move(*tracer);
-  return {};
+  return tracer;
 }
 
 Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
@@ -52,7 +85,8 @@ Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, co
   Expected<TraceReport> report = tracer_->trace(rays, hits, options);
   if (!report)
     return report.error();
-  addTraceFigures(figures, *report, hits, device_->info().name, options.countSteps);
+  const DeviceInfo device = device_ ? device_->info() : cpuDeviceInfo();
+  addTraceFigures(figures, *report, hits, device.name, options.countSteps);
   return {};
 }
 

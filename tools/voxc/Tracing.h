@@ -1,6 +1,7 @@
 // From a volume to hits: what every command that traces shares.
 #pragma once
 
+#include "common/Command.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Trace/Tracer.h"
@@ -18,8 +19,12 @@ public:
   /// Adds --device, --threads and --spirv-opt to a command.
   void declare(CLI::App &app);
 
-  /// Opens the device; asked first, so that its absence is told before long work.
-  Expected<void> openDevice();
+  /// Chooses as --device and --threads do, in a command that has several of these.
+  void choose(const std::string &device, unsigned threads);
+
+  /// Opens the device; asked first, so that its absence is told before long work. Where no device was named
+  /// and there is none of Vulkan's, it is this processor, and a note says so.
+  Expected<void> openDevice(const CommonOptions &common);
   /// Compiles the kernel that walks `volume` as `format` says, and uploads the volume. Its figures are added.
   Expected<void> prepare(const Volume &volume, const Format &format, Json &figures);
   /// Traces rays through the prepared volume. The trace's figures are added.
@@ -30,10 +35,14 @@ public:
   unsigned threads() const { return threads_; }
 
 private:
+  Expected<std::unique_ptr<Tracer>> makeCpuTracer(const Volume &volume, const Format &format, Json &figures);
+  Expected<std::unique_ptr<Tracer>> makeVulkanTracer(const Volume &volume, const Format &format,
+                                                     Json &figures);
+
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
-  std::unique_ptr<Device> device_; // Outlives the tracer.
+  std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
   std::unique_ptr<Tracer> tracer_;
 };
 

@@ -84,7 +84,7 @@ void VerifyCommand::declare(CLI::App &app) {
   app.add_flag("--allow-boundary", allowBoundary_,
                "Accept, but still count, differences that float rounding at a cell's boundary explains");
   tracing_.declare(app);
-  volume_.declareWalkPasses(app);
+  volume_.declareKernelOptions(app);
   addCommonOptions(app, common_);
 }
 
@@ -128,7 +128,7 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
   Expected<Format> format = volume_.kernelFormat(volume);
   if (!format)
     return format.error();
-  if (Expected<void> opened = tracing_.openDevice(); !opened)
+  if (Expected<void> opened = tracing_.openDevice(common_); !opened)
     return opened;
   if (Expected<void> prepared = tracing_.prepare(volume, *format, figures_); !prepared)
     return prepared;

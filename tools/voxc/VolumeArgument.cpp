@@ -8,7 +8,10 @@ void VolumeArgument::declare(CLI::App &app) {
   app.add_flag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
 }
 
-void VolumeArgument::declareWalkPasses(CLI::App &app) { walkPasses_.declare(app, PassChoice::WalkOnly); }
+void VolumeArgument::declareKernelOptions(CLI::App &app) {
+  attributes_.declare(app);
+  walkPasses_.declare(app, PassChoice::WalkOnly);
+}
 
 Expected<Volume> VolumeArgument::load() const { return Volume::load(path_, trusted_); }
 
@@ -16,6 +19,7 @@ Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
   Format format = volume.format();
   if (Expected<void> passed = walkPasses_.apply(format); !passed)
     return passed.error();
+  attributes_.apply(format);
   return format;
 }
 

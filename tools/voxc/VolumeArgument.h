@@ -1,6 +1,7 @@
 // The V.hvx argument of the commands that take a finished volume.
 #pragma once
 
+#include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Volume/Volume.h"
 
@@ -14,8 +15,8 @@ class VolumeArgument {
 public:
   /// Adds VOLUME and --trusted to a command.
   void declare(CLI::App &app);
-  /// Adds the walk passes, for a command that traces the volume.
-  void declareWalkPasses(CLI::App &app);
+  /// Adds --precision and the walk passes, for a command that traces the volume.
+  void declareKernelOptions(CLI::App &app);
 
   Expected<Volume> load() const;
   /// Whether offsets were left unproven.
@@ -26,6 +27,7 @@ public:
 private:
   std::string path_;
   bool trusted_ = false;
+  AttributeOptions attributes_;
   PassOptions walkPasses_;
 };
 

@@ -27,6 +27,8 @@ constexpr CommandKind kCommands[] = {
     {"run", "Compile, build and render in one go", makeRunCommand},
     {"trace", "Trace the rays of a file through a volume", makeTraceCommand},
     {"verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
+    {"hard-rays", "Check the kernels of many formats on rays that are hard to trace", makeHardRaysCommand},
+    {"accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
     {"export", "Decode a volume to a dense grid, points or MagicaVoxel", makeExportCommand},
     {"info", "Describe a volume", makeInfoCommand},
     {"devices", "List the devices that can trace", makeDevicesCommand},

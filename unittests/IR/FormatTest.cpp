@@ -64,9 +64,20 @@ TEST(Format, KeepsAttributesInOneOrder) {
   other.levels[1].setAttribute(kDedupAttribute, "level");
   EXPECT_EQ(one, other);
   EXPECT_FALSE(one.levels[0].setAttribute(kDedupAttribute, "level")) << "a raw grid has no such attribute";
-  EXPECT_EQ(storageFormat(one).levels[1].attributes.size(), 1u);
+  EXPECT_EQ(storageFormat(one).levels[1].attribute(kWalkAttribute), "stack");
+  EXPECT_EQ(storageFormat(one).levels[1].attribute(kDedupAttribute), "level");
   EXPECT_EQ(storageDigest(one), storageDigest(storageFormat(one)));
   EXPECT_NE(storageDigest(one), storageDigest(*parseFormat("R(1^3) G(2)")));
+}
+
+TEST(Ir, AFormatHasAttributesOfItsOwn) {
+  Format format = *parseFormat("format precision=fast { level 1: raw(2, 2, 2) }");
+  EXPECT_EQ(format.attributes.value(kPrecisionAttribute), "fast");
+  EXPECT_EQ(printIr(format), "format precision=fast {\n  level 1: raw(2, 2, 2)\n}\n");
+  EXPECT_EQ(storageDigest(format), storageDigest(*parseFormat("R(2^3)")));
+  EXPECT_TRUE(format.setAttribute(kPrecisionAttribute, "exact"));
+  EXPECT_EQ(format, *parseFormat("R(2^3)"));
+  EXPECT_FALSE(format.setAttribute(kWalkAttribute, "restart")) << "an attribute of levels";
 }
 
 TEST(Ir, RoundTripsRandomFormats) {

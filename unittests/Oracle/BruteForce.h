@@ -2,16 +2,19 @@
 // rationals.
 #pragma once
 
+#include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Trace/Ray.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace voxc::test {
@@ -62,6 +65,47 @@ inline std::optional<Interval> timesIn(float origin, float direction, int cell) 
   const End atLow{(Rational(cell) - o) / d, true}, atHigh{(Rational(cell + 1) - o) / d, false};
   times = intersection(times, d > 0 ? Interval{atLow, atHigh} : Interval{atHigh, atLow});
   return isEmpty(times) ? std::nullopt : std::optional(times);
+}
+
+/// All t >= 0 at which a ray's cell is `cell`, if there are any.
+inline std::optional<Interval> timesIn(const Ray &ray, Int3 cell) {
+  Interval times;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto own = timesIn(ray.origin[axis], ray.direction[axis], cell[axis]);
+    if (!own)
+      return std::nullopt;
+    times = intersection(times, *own);
+  }
+  return isEmpty(times) ? std::nullopt : std::optional(times);
+}
+
+/// Every cell of an extent that a finite ray has, in order.
+inline std::vector<Int3> bruteForceCells(Int3 extent, const Ray &ray) {
+  std::vector<std::pair<End, Int3>> found;
+  for (Int3 cell; cell.z < extent.z; ++cell.z)
+    for (cell.y = 0; cell.y < extent.y; ++cell.y)
+      for (cell.x = 0; cell.x < extent.x; ++cell.x)
+        if (const auto times = timesIn(ray, cell))
+          found.emplace_back(times->low, cell);
+  std::ranges::sort(found, startsSooner, &std::pair<End, Int3>::first);
+  std::vector<Int3> cells;
+  for (const auto &[start, cell] : found)
+    cells.push_back(cell);
+  return cells;
+}
+
+/// The face by which a finite ray enters a cell that it has: of the first axis whose own interval begins when
+/// the ray's time in the cell does.
+inline Face bruteForceFace(const Ray &ray, Int3 cell) {
+  const End low = timesIn(ray, cell)->low;
+  if (*low.t == 0 && low.closed)
+    return {};
+  for (int axis = 0; axis < 3; ++axis) {
+    const End own = timesIn(ray.origin[axis], ray.direction[axis], cell[axis])->low;
+    if (*own.t == *low.t && own.closed == low.closed)
+      return {axis, ray.direction[axis] > 0 ? -1 : 1};
+  }
+  return {};
 }
 
 /// The float32 nearest to t >= 0, by halving the range of their bit patterns; ties to the even pattern.

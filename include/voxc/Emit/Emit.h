@@ -1,4 +1,4 @@
-// Printing a plan as text: the construction code in C++ and the intersection kernel in GLSL.
+// Printing a plan as text: the construction code in C++, and the intersection kernel in GLSL and in C++.
 #pragma once
 
 #include "voxc/Plan/Plan.h"
@@ -13,6 +13,14 @@ std::string emitConstruct(const Plan &plan);
 
 /// intersect.glsl: a complete compute shader; one function a level, a unit and a root function.
 std::string emitIntersect(const Plan &plan);
+
+/// intersect.cpp: the same functions in C++, one ray at a time, behind one extern "C" function named `symbol`
+/// of the type `CpuKernel::Function`. Needs only `intersectHeaders()` beside it. The plan's addressing plays
+/// no part: the words lie in one array.
+std::string emitIntersectCpp(const Plan &plan, std::string_view symbol);
+
+/// intersect.h: declares that function in C, with the format and its storage digest.
+std::string emitIntersectHeader(const Plan &plan, std::string_view symbol);
 
 /// The text of voxc_construct.h, the one header that construct.cpp includes.
 std::string_view constructHeader();

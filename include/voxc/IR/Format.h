@@ -1,6 +1,7 @@
 // The level IR: a hybrid format as a list of levels with their parameters and attributes.
 #pragma once
 
+#include "voxc/IR/Attribute.h"
 #include "voxc/IR/LevelKind.h"
 #include "voxc/Support/Diagnostic.h"
 #include "voxc/Support/Geometry.h"
@@ -12,19 +13,11 @@
 
 namespace voxc {
 
-/// An attribute set to one of its kind's values; defaults are never stored.
-struct Attribute {
-  const AttributeKind *kind;
-  std::size_t value; ///< Index into kind->values, at least 1.
-
-  bool operator==(const Attribute &) const = default;
-};
-
 /// One level: a base format, its parameters in the order of its kind, and its attributes in that order too.
 struct Level {
   const LevelKind *kind = nullptr;
   std::vector<std::uint32_t> parameters;
-  std::vector<Attribute> attributes;
+  AttributeSet attributes;
   SourceRange range; ///< Where it was written, for diagnostics; not compared.
 
   /// log2 of the cells along each axis.
@@ -33,7 +26,7 @@ struct Level {
   std::uint32_t parameter(ParameterRole role) const;
   bool isCubic() const;
   /// The value of an attribute: its default if it was not set or does not apply.
-  std::string_view attribute(const AttributeKind &kind) const;
+  std::string_view attribute(const AttributeKind &kind) const { return attributes.value(kind); }
   /// Sets an attribute that the kind takes; a default value removes it. True if the level changed.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
@@ -45,6 +38,7 @@ struct Level {
 /// A hybrid format: levels from the highest (level 1) to the lowest.
 struct Format {
   std::vector<Level> levels;
+  AttributeSet attributes; ///< Of `formatAttributes()`: what concerns the kernel as a whole.
 
   /// log2 of the voxels along each axis of the whole format.
   Int3 log2Extent() const;
@@ -52,6 +46,8 @@ struct Format {
   Int3 extent() const;
   /// log2 of the voxels along a side of a cell of levels[index]: 0 for the last level.
   int log2CellSide(std::size_t index) const;
+  /// Sets an attribute of `formatAttributes()`; a default value removes it. True if the format changed.
+  bool setAttribute(const AttributeKind &kind, std::string_view value);
 
   bool operator==(const Format &) const = default;
 };

@@ -1,6 +1,8 @@
 // The table of level kinds: each base format is described once, in lib/Level, and everything draws from it.
 #pragma once
 
+#include "voxc/IR/Attribute.h"
+
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -26,17 +28,6 @@ struct ParameterKind {
   std::string_view name; ///< As in the grammar: "W", "L", "M".
   ParameterRole role;
   std::string_view meaning; ///< For documentation and diagnostics.
-};
-
-/// Whether an attribute changes the volume's words or the kernel alone (contract, section 4).
-enum class AttributeEffect { Storage, Walk };
-
-/// A choice that a pass may set on a level. The first value is the default and is not printed.
-struct AttributeKind {
-  std::string_view name;
-  AttributeEffect effect;
-  std::span<const std::string_view> values;
-  std::string_view summary;
 };
 
 /// How a level arranges its cells: decides which families of walks and constructions apply.
@@ -78,10 +69,5 @@ std::span<const LevelKind *const> levelKinds();
 /// The kind with this letter (or IR name), or null.
 const LevelKind *findLevelKind(char letter);
 const LevelKind *findLevelKind(std::string_view name);
-
-/// The attributes that exist, whichever kinds take them.
-extern const AttributeKind kDedupAttribute; ///< dedup: sub-volume | level
-extern const AttributeKind kShareAttribute; ///< share: none | level
-extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart
 
 } // namespace voxc

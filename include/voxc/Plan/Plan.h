@@ -22,7 +22,14 @@ enum class Descent {
 
 /// Which arithmetic orders the faces that a ray crosses. Each value is a file of shaders-runtime/step.
 enum class Predicate {
+  Exact,   ///< Float32 where its error bound decides, integers elsewhere: the exact hit for every ray.
   Float32, ///< Plain float32: wrong only by rounding at a boundary.
+};
+
+/// Where a walk may stop.
+enum class Detail {
+  Full, ///< At voxels.
+  Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
 /// Which nodes of a tree, or whole grids, may be shared when they are built.
@@ -41,12 +48,15 @@ struct LevelPlan {
   std::uint32_t reach = 0; ///< Largest stored distance; 0 if the kind stores none.
   Descent descent = Descent::Index;
   Sharing sharing = Sharing::None;
+  bool stops = false;   ///< `Detail::Cone`: the walk may stop at nodes and cells of this level.
+  bool sampled = false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this level.
 };
 
 struct Plan {
   Format format;
   Addressing addressing = Addressing::Buffer;
-  Predicate predicate = Predicate::Float32;
+  Predicate predicate = Predicate::Exact;
+  Detail detail = Detail::Full;
   std::vector<LevelPlan> levels;
 };
 
@@ -62,6 +72,7 @@ std::string printPlan(const Plan &plan);
 
 std::string_view toString(Descent descent);
 std::string_view toString(Predicate predicate);
+std::string_view toString(Detail detail);
 std::string_view toString(Sharing sharing);
 
 } // namespace voxc

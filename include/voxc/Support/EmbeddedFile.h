@@ -18,4 +18,10 @@ std::span<const EmbeddedFile> shaderFiles();
 /// The files of construct-runtime.
 std::span<const EmbeddedFile> constructFiles();
 
+/// The leaves of cpu-runtime.
+std::span<const EmbeddedFile> cpuFiles();
+
+/// The headers of cpu-runtime: what intersect.cpp includes.
+std::span<const EmbeddedFile> intersectHeaders();
+
 } // namespace voxc

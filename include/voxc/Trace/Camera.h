@@ -29,6 +29,9 @@ Camera frameExtent(Int3 extent, int width, int height);
 Camera cameraFromAngles(Int3 extent, Double3 position, double pitch, double yaw, double verticalFov,
                         int width, int height);
 
+/// The width of a pixel at the picture's centre, per unit of distance from the eye.
+double pixelSpread(const Camera &camera);
+
 /// One ray a pixel, rows from the top; directions are unit length up to rounding.
 std::vector<Ray> cameraRays(const Camera &camera);
 

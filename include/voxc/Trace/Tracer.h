@@ -56,6 +56,9 @@ private:
 struct TraceOptions {
   bool countSteps = false;
   unsigned repeat = 1; ///< Traces the rays so often; times of every repeat are kept.
+  /// Kernels of `detail=cone` stop at what is narrower than `spread` times its distance from the ray's
+  /// origin.
+  float spread = 0;
   Progress progress;
 };
 

@@ -1,5 +1,7 @@
-// C++ text to callable code in this process. No LLVM type appears here.
+// Object code as callable code in this process. No LLVM type appears here.
 #pragma once
+
+#include "ClangFrontend.h"
 
 #include "voxc/Support/Error.h"
 
@@ -10,18 +12,13 @@
 
 namespace voxc {
 
-/// A file that the compiled text may include.
-struct MemoryFile {
-  std::string name;
-  std::string_view text;
-};
-
 /// Compiled code; its functions live as long as it does.
 class JitCode {
 public:
-  /// Compiles freestanding C++20 (`files[0]`, which may include the others) for this machine.
-  /// Error: the compiler's diagnostics.
-  static Expected<JitCode> compile(const std::vector<MemoryFile> &files);
+  /// Links object code that `compileToObject` made for this processor. Error: the linker's message.
+  static Expected<JitCode> link(std::string_view object);
+  /// Compiles and links. Errors: as of either.
+  static Expected<JitCode> compile(const std::vector<MemoryFile> &files, const ClangOptions &options);
   ~JitCode();
   JitCode(JitCode &&) noexcept;
 

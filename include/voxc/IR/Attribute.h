@@ -1,0 +1,63 @@
+// Attributes: choices that passes and options set on a level, or on a format as a whole.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// Whether an attribute changes the volume's words or the kernel alone (contract, section 4).
+enum class AttributeEffect { Storage, Walk };
+
+/// A choice that may be set. The first value is the default and is not printed.
+struct AttributeKind {
+  std::string_view name;
+  AttributeEffect effect;
+  std::span<const std::string_view> values;
+  std::string_view summary;
+};
+
+/// The kinds that a level or a format takes, in the order in which they are printed.
+using AttributeKinds = std::span<const AttributeKind *const>;
+
+// Attributes of levels, whichever kinds take them.
+extern const AttributeKind kDedupAttribute; ///< dedup: sub-volume | level
+extern const AttributeKind kShareAttribute; ///< share: none | level
+extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart
+
+// Attributes of formats.
+extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
+extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
+
+/// The attributes that a format takes.
+AttributeKinds formatAttributes();
+
+/// The attributes of one level or format that differ from their defaults.
+class AttributeSet {
+public:
+  /// The value of an attribute: its default if it was not set.
+  std::string_view value(const AttributeKind &kind) const;
+  /// Sets one of `taken` to one of its values; a default removes it. True if the set changed.
+  bool set(AttributeKinds taken, const AttributeKind &kind, std::string_view value);
+  /// Removes what concerns the kernel alone.
+  void eraseWalk();
+
+  bool operator==(const AttributeSet &) const = default;
+
+private:
+  struct Attribute {
+    const AttributeKind *kind;
+    std::size_t value; // Index into kind->values, at least 1.
+
+    bool operator==(const Attribute &) const = default;
+  };
+  std::vector<Attribute> attributes_; // In the order of the kinds that are taken.
+};
+
+/// The attributes of `set` as IR text, " name=value" each, in the order of `taken`.
+std::string printAttributes(const AttributeSet &set, AttributeKinds taken);
+
+} // namespace voxc

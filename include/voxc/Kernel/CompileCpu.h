@@ -1,0 +1,29 @@
+// From a format to a kernel for this processor, or to object code for a program that has no compiler.
+#pragma once
+
+#include "voxc/Plan/Plan.h"
+#include "voxc/Trace/CpuKernel.h"
+
+#include <string>
+
+namespace voxc {
+
+/// Emits and compiles the kernel of `format` for this very processor, in the process. An error here is a
+/// defect of voxc and says so.
+Expected<CpuKernel> compileCpuKernel(const Format &format);
+
+struct CpuObjectOptions {
+  /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels
+  /// gives each a name of its own. A C identifier.
+  std::string symbol = "voxc_intersect";
+  /// The processor to compile for, as Clang names it ("x86-64-v3", "znver4"); "native" is this very one, ""
+  /// any of this architecture.
+  std::string processor;
+};
+
+/// Emits and compiles the kernel of `format` to a relocatable object file of this platform, which needs no
+/// library but C's for mathematics; `emitIntersectHeader` declares what is in it. Errors: `symbol` is no
+/// identifier (`Usage`); Clang knows no such processor (`Input`).
+Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options = {});
+
+} // namespace voxc

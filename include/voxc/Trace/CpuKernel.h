@@ -1,0 +1,39 @@
+// An intersection kernel as a function on this processor: compiled in the process, or linked into the
+// program.
+#pragma once
+
+#include "voxc/Support/Error.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace voxc {
+
+/// A kernel that needs no device. `compileCpuKernel` makes one; so does a program that links the
+/// `intersect.o` of `voxc compile --emit=cpu`, from what `intersect.h` declares:
+///
+///     const voxc::CpuKernel kernel{voxc_intersect, VOXC_INTERSECT_STORAGE_DIGEST};
+///
+/// May be called from any number of threads at once.
+struct CpuKernel {
+  /// Traces `count` rays, six floats each (`Ray`), through a volume's words into as many hits, six words each
+  /// (`Hit`); counts lookups if `countLookups` is not 0; `spread` is that of
+  /// `TraceOptions`. Trusts its arguments.
+  using Function = void (*)(const std::uint32_t *words, const float *rays, std::uint32_t *hits,
+                            unsigned long long count, int countLookups, float spread);
+
+  Function function = nullptr;
+  std::uint64_t storageDigest = 0;   ///< Of the formats that it fits: `storageDigest(format)`.
+  std::shared_ptr<const void> owner; ///< Keeps the code, where it was compiled in the process.
+};
+
+/// A tracer on this processor, with so many threads; 0: as many as it runs at once. `volume` must outlive it.
+/// Error: the kernel was made for other storage (`Input`).
+Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const Volume &volume,
+                                                  unsigned threads = 0);
+
+/// What `createCpuTracer` traces on, as a device in a list beside others: its name is "cpu".
+DeviceInfo cpuDeviceInfo();
+
+} // namespace voxc

@@ -1,0 +1,60 @@
+// Attributes: the table of a format's, and sets of them.
+#include "voxc/IR/Attribute.h"
+
+#include <algorithm>
+#include <array>
+
+namespace voxc {
+namespace {
+
+constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
+constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
+
+} // namespace
+
+const AttributeKind kPrecisionAttribute = {
+    "precision", AttributeEffect::Walk, kPrecisionValues,
+    "which hits the kernel gives: the exact ones, or those of plain float32, wrong only by rounding"};
+
+const AttributeKind kDetailAttribute = {
+    "detail", AttributeEffect::Walk, kDetailValues,
+    "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"};
+
+AttributeKinds formatAttributes() {
+  static constexpr std::array<const AttributeKind *, 2> kAttributes = {&kPrecisionAttribute,
+                                                                       &kDetailAttribute};
+  return kAttributes;
+}
+
+std::string_view AttributeSet::value(const AttributeKind &kind) const {
+  const auto found = std::ranges::find(attributes_, &kind, &Attribute::kind);
+  return kind.values[found == attributes_.end() ? 0 : found->value];
+}
+
+bool AttributeSet::set(AttributeKinds taken, const AttributeKind &kind, std::string_view value) {
+  if (std::ranges::find(taken, &kind) == taken.end() || this->value(kind) == value)
+    return false;
+  std::erase_if(attributes_, [&](const Attribute &attribute) { return attribute.kind == &kind; });
+  const auto index = static_cast<std::size_t>(std::ranges::find(kind.values, value) - kind.values.begin());
+  if (index > 0)
+    attributes_.push_back({&kind, index});
+  // Kept in the order of the table, so that equal sets compare equal whatever the order of the passes.
+  std::ranges::sort(attributes_, {}, [&](const Attribute &attribute) {
+    return std::ranges::find(taken, attribute.kind) - taken.begin();
+  });
+  return true;
+}
+
+void AttributeSet::eraseWalk() {
+  std::erase_if(attributes_, [](const Attribute &set) { return set.kind->effect == AttributeEffect::Walk; });
+}
+
+std::string printAttributes(const AttributeSet &set, AttributeKinds taken) {
+  std::string text;
+  for (const AttributeKind *kind : taken)
+    if (set.value(*kind) != kind->values[0])
+      text += " " + std::string(kind->name) + "=" + std::string(set.value(*kind));
+  return text;
+}
+
+} // namespace voxc

@@ -1,0 +1,112 @@
+// Clang as a library: cc1 arguments, an in-memory file system, object code out.
+#include "ClangFrontend.h"
+
+#include <clang/Basic/Diagnostic.h>
+#include <clang/Basic/DiagnosticOptions.h>
+#include <clang/CodeGen/CodeGenAction.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/CompilerInvocation.h>
+#include <clang/Frontend/TextDiagnosticPrinter.h>
+#include <llvm/ADT/SmallString.h>
+#include <llvm/Support/TargetSelect.h>
+#include <llvm/Support/VirtualFileSystem.h>
+#include <llvm/Support/raw_ostream.h>
+#include <llvm/TargetParser/Host.h>
+
+#include <mutex>
+
+namespace voxc {
+namespace {
+
+void initializeTarget() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    llvm::InitializeNativeTarget();
+    llvm::InitializeNativeTargetAsmPrinter();
+  });
+}
+
+/// cc1's arguments for a processor.
+std::vector<std::string> processorArguments(const std::string &processor) {
+  if (processor.empty())
+    return {};
+  if (processor != "native")
+    return {"-target-cpu", processor};
+  std::vector<std::string> list = {"-target-cpu", llvm::sys::getHostCPUName().str()};
+  for (const auto &feature : llvm::sys::getHostCPUFeatures()) {
+    list.emplace_back("-target-feature");
+    list.push_back((feature.getValue() ? "+" : "-") + feature.getKey().str());
+  }
+  return list;
+}
+
+/// cc1's arguments for freestanding C++20. Integers wrap, nothing is contracted and floats may be read as
+/// their bits, as in the GLSL that kernels share with other devices.
+std::vector<std::string> arguments(const std::string &mainFile, const ClangOptions &options) {
+  std::vector<std::string> list = {"-triple",
+                                   llvm::sys::getDefaultTargetTriple(),
+                                   "-emit-obj",
+                                   "-x",
+                                   "c++",
+                                   "-std=c++20",
+                                   "-O" + std::to_string(options.optimisation),
+                                   "-ffreestanding",
+                                   "-nostdsysteminc",
+                                   "-fwrapv",
+                                   "-relaxed-aliasing",
+                                   "-ffp-contract=off",
+                                   "-fgnuc-version=4.2.1",
+                                   "-mrelocation-model",
+                                   "pic",
+                                   "-pic-level",
+                                   "2"};
+  if (options.optimisation > 1)
+    list.insert(list.end(), {"-vectorize-loops", "-vectorize-slp"});
+  for (std::string &argument : processorArguments(options.processor))
+    list.push_back(std::move(argument));
+  list.push_back(mainFile);
+  return list;
+}
+
+llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> fileSystem(const std::vector<MemoryFile> &files) {
+  auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
+  for (const MemoryFile &file : files)
+    memory->addFile(file.name, 0, llvm::MemoryBuffer::getMemBufferCopy({file.text.data(), file.text.size()}));
+  return memory;
+}
+
+} // namespace
+
+Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+  initializeTarget();
+  std::string log;
+  llvm::raw_string_ostream logStream(log);
+  auto diagnosticOptions = llvm::makeIntrusiveRefCnt<clang::DiagnosticOptions>();
+  // Owned by the engine.
+  auto *printer = new clang::TextDiagnosticPrinter(logStream, diagnosticOptions.get());
+  auto diagnostics = llvm::makeIntrusiveRefCnt<clang::DiagnosticsEngine>(
+      llvm::makeIntrusiveRefCnt<clang::DiagnosticIDs>(), diagnosticOptions, printer);
+
+  const std::vector<std::string> owned = arguments(files.front().name, options);
+  std::vector<const char *> list;
+  for (const std::string &argument : owned)
+    list.push_back(argument.c_str());
+  auto invocation = std::make_shared<clang::CompilerInvocation>();
+  const bool valid = clang::CompilerInvocation::CreateFromArgs(*invocation, list, *diagnostics);
+
+  clang::CompilerInstance compiler;
+  compiler.setVerboseOutputStream(llvm::nulls()); // Where it would say how many warnings there were.
+  compiler.setInvocation(invocation);
+  compiler.setDiagnostics(diagnostics.get());
+  clang::ProcessWarningOptions(*diagnostics, invocation->getDiagnosticOpts());
+  compiler.createFileManager(fileSystem(files));
+  compiler.createSourceManager(compiler.getFileManager());
+  llvm::SmallString<0> object;
+  compiler.setOutputStream(std::make_unique<llvm::raw_svector_ostream>(object));
+  clang::EmitObjAction action;
+  if (!valid || !compiler.ExecuteAction(action))
+    return Error::input("clang rejects " + files.front().name + ": " + logStream.str());
+  return std::string(object);
+}
+
+} // namespace voxc

@@ -1,0 +1,29 @@
+// C++ text to object code with Clang; the one file that includes Clang's frontend is ClangFrontend.cpp.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// A file that the compiled text may include.
+struct MemoryFile {
+  std::string name;
+  std::string_view text;
+};
+
+struct ClangOptions {
+  int optimisation = 1; ///< 0 to 3, as in -O2.
+  /// The processor to compile for, as Clang names it ("x86-64-v3"); "native" is this one, "" the baseline of
+  /// this architecture.
+  std::string processor = "native";
+};
+
+/// Compiles freestanding C++20 (`files[0]`, which may include the others) to position-independent object code
+/// of this platform. Error: the compiler's diagnostics.
+Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options);
+
+} // namespace voxc

@@ -1,0 +1,126 @@
+// A tracer on this processor: threads that take chunks of the rays as they come.
+#include "Clock.h"
+#include "KernelFit.h"
+
+#include "voxc/Trace/CpuKernel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
+
+namespace voxc {
+namespace {
+
+/// Small enough that threads end together and an interrupt is felt at once; far more work than taking it.
+constexpr std::size_t kChunkRays = 2048;
+
+/// One pass over all rays, shared by its threads.
+struct Pass {
+  const CpuKernel &kernel;
+  const std::uint32_t *words;
+  std::span<const Ray> rays;
+  std::span<Hit> hits;
+  const TraceOptions &options;
+  std::atomic<std::size_t> next = 0; ///< The first ray that no thread has taken.
+  std::atomic<std::size_t> done = 0;
+
+  /// Traces one chunk; false if none is left or the caller wants to stop.
+  bool step() {
+    const std::size_t first = next.fetch_add(kChunkRays, std::memory_order_relaxed);
+    if (first >= rays.size() || options.progress.stopped())
+      return false;
+    const std::size_t count = std::min(kChunkRays, rays.size() - first);
+    kernel.function(words, rays[first].origin, reinterpret_cast<std::uint32_t *>(&hits[first]), count,
+                    options.countSteps, options.spread);
+    done.fetch_add(count, std::memory_order_relaxed);
+    return true;
+  }
+};
+
+class CpuTracer final : public Tracer {
+public:
+  CpuTracer(CpuKernel kernel, const Volume &volume, unsigned threads)
+      : kernel_(std::move(kernel)), words_(volume.words()), threads_(threads) {}
+
+  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+                              const TraceOptions &options) override;
+
+private:
+  /// Traces the rays once. `before` rays of `total` were traced by earlier repeats.
+  Expected<TraceTime> run(Pass &pass, double before, double total) const;
+
+  CpuKernel kernel_;
+  std::span<const std::uint32_t> words_;
+  unsigned threads_;
+};
+
+Expected<TraceReport> CpuTracer::trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                       const TraceOptions &options) {
+  if (rays.size() != hits.size())
+    return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
+                        std::to_string(hits.size()) + " hits");
+  TraceReport report;
+  const auto count = static_cast<double>(rays.size());
+  const unsigned repeats = std::max(options.repeat, 1u);
+  for (unsigned repeat = 0; repeat < repeats; ++repeat) {
+    Pass pass{kernel_, words_.data(), rays, hits, options};
+    auto time = run(pass, repeat * count, repeats * count);
+    if (!time)
+      return time.error();
+    report.repeats.push_back(*time);
+  }
+  return report;
+}
+
+Expected<TraceTime> CpuTracer::run(Pass &pass, double before, double total) const {
+  const double wall = wallSeconds();
+  const double cpu = processCpuSeconds();
+  const std::size_t chunks = (pass.rays.size() + kChunkRays - 1) / kChunkRays;
+  {
+    std::vector<std::jthread> others;
+    while (others.size() + 1 < std::min<std::size_t>(threads_, chunks))
+      others.emplace_back([&pass] {
+        while (pass.step())
+          ;
+      });
+    // This thread works too, and tells of the progress of all.
+    const Progress &progress = pass.options.progress;
+    while (pass.step()) {
+      const double traced = before + static_cast<double>(pass.done.load(std::memory_order_relaxed));
+      progress.at("trace", traced / total, static_cast<std::uint64_t>(traced));
+    }
+  }
+  if (pass.done != pass.rays.size())
+    return Error::interrupted();
+  const double traced = before + static_cast<double>(pass.done);
+  pass.options.progress.at("trace", total > 0 ? traced / total : 1, static_cast<std::uint64_t>(traced));
+  return TraceTime{.wall = wallSeconds() - wall, .cpu = processCpuSeconds() - cpu};
+}
+
+} // namespace
+
+Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const Volume &volume,
+                                                  unsigned threads) {
+  if (auto fits = checkFit(kernel.storageDigest, volume, "cpu"); !fits)
+    return fits.error();
+  if (threads == 0)
+    threads = std::max(std::thread::hardware_concurrency(), 1u);
+  return std::unique_ptr<Tracer>(std::make_unique<CpuTracer>(kernel, volume, threads));
+}
+
+DeviceInfo cpuDeviceInfo() {
+  DeviceInfo info;
+  info.name = "cpu";
+  info.driver = "voxc, " + std::to_string(std::max(std::thread::hardware_concurrency(), 1u)) + " threads";
+  info.kind = "cpu";
+  info.memoryBytes =
+      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  info.maxStorageBufferBytes = info.maxAllocationBytes = info.memoryBytes;
+  info.usable = info.deviceAddresses = true;
+  return info;
+}
+
+} // namespace voxc

@@ -1,0 +1,24 @@
+// Deliberate approximation: a ray is a cone, and a walk stops at what looks smaller than the cone is wide, with the
+// colour of one voxel from inside.
+
+// How far the walk's cell is from the ray's origin, in voxels. That of the cell, not of the point where it is entered,
+// so that it does not matter where walking counts from.
+float travelled(const Ray ray, const Walk walk) {
+  return length(vec3(walk.cell) + 0.5f - uintBitsToFloat(ray.given_origin));
+}
+
+// log2 of the side of the largest cubes that look small at the walk's cell; -1 if voxels do not.
+int small_height(const Ray ray, const Walk walk) {
+  float width = SPREAD * travelled(ray, walk);
+  // The exponent of the float below: a cube as wide as the cone is not small. No number is not above 1 either.
+  return width > 1.0 ? int((floatBitsToUint(width) - 1u) >> 23) - 127 : -1;
+}
+
+// Ends the walk in its cell. A colour is missing only where the device cut its search short: the walk then stays in its
+// cell, to be resumed.
+bool stop_with(inout Walk walk, uint rgba) {
+  walk.rgba = rgba;
+  return rgba != 0u;
+}
+
+uint sample_voxel(uint rgba) { return rgba; }

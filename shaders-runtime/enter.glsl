@@ -1,0 +1,91 @@
+// Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+
+const float CLOSE = 1.0f / 2048.0f; // In voxels.
+const uint TINY_BITS = 0x30800000u; // Of 2^-30.
+
+// What float32 gets wrong, at most, of coordinates in a walk through the volume, and of t beside its roundings, where the
+// origin itself is wrong by `of_origin`.
+void bound_errors(inout Ray ray, vec3 of_origin) {
+  vec3 reach = max(abs(ray.origin), abs(vec3(VOLUME_SIZE) - ray.origin));
+  ray.error = reach * ROUNDINGS + of_origin;
+  vec3 slack = of_origin * abs(ray.inverse);
+  ray.slack = 2.0f * max(max(slack.x, slack.y), slack.z);
+}
+
+// True where the ray moves from a coordinate so close to 0 that float32 may lose its distance from there.
+bvec3 starts_tiny(const Ray ray) {
+  uvec3 size = ray.given_origin & ~SIGN_BIT;
+  bvec3 tiny = lessThan(size - 1u, uvec3(TINY_BITS - 1u));
+  return greaterThan(ivec3(tiny) * ivec3(ray.moves), ivec3(0));
+}
+
+// Of the axes that let the ray into their slab at a face, the last, where a falling one comes after a rising one.
+int last_entered(const Ray ray, bvec3 enters, ivec3 face) {
+  int last = -1;
+  for (int axis = 0; axis < 3; axis++) {
+    if (enters[axis]) {
+      int order = last < 0 ? 1 : compare_crossings(ray, axis, face[axis], last, face[last]);
+      if (order > 0 || (order == 0 && ray.falls[axis]))
+        last = axis;
+    }
+  }
+  return last;
+}
+
+// The coordinate, kept within a voxel of the volume, that a ray has where it passes a face. Each turn leaves less than
+// 2^-10 of the error of the guess before, and what float32 rounds.
+float coordinate_at(const Ray ray, int axis, int face, int other) {
+  float size = float(VOLUME_SIZE[other]);
+  float at = 0.5f * size;
+  for (float error = size; error > CLOSE; error *= 1.0f / 1024.0f) {
+    float move = quotient(crossing_difference(ray, axis, float(face), other, at), ray.given_direction[axis]);
+    at = clamp(at + move, -1.0f, size + 1.0f);
+  }
+  return at;
+}
+
+// Lets a ray from far away start where it passes a face, so that its errors do not grow with its distance.
+void start_at(inout Ray ray, int axis, int face) {
+  vec3 error = vec3(0.0f);
+  for (int other = 0; other < 3; other++) {
+    if (other == axis) {
+      ray.origin[other] = float(face);
+    } else if (ray.moves[other]) {
+      ray.origin[other] = coordinate_at(ray, axis, face, other);
+      error[other] = CLOSE + abs(ray.origin[other]) * ROUNDINGS;
+    }
+  }
+  bound_errors(ray, error);
+}
+
+// Puts the walk into the first cell of the volume on the ray; false if there is none.
+bool enter_volume(inout Ray ray, inout Walk walk) {
+  ivec3 size = VOLUME_SIZE;
+  ivec3 cell = ivec3(floor_of(ray.given_origin.x), floor_of(ray.given_origin.y), floor_of(ray.given_origin.z));
+  ivec3 below = ivec3(lessThan(cell, ivec3(0)));
+  ivec3 above = ivec3(greaterThanEqual(cell, size));
+  ivec3 enters = below * ray.ahead + above * ivec3(ray.falls);
+  if (enters != below + above)
+    return false;
+  bound_errors(ray, vec3(0.0f));
+  if (any(starts_tiny(ray)))
+    ray.slack = NEVER;
+  walk.cell = cell;
+  ivec3 face = mix(ivec3(0), size, ray.falls);
+  int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
+  if (axis >= 0) {
+    float far = 2.0f * float(max(max(size.x, size.y), size.z));
+    if (any(greaterThan(abs(ray.origin), vec3(far))))
+      start_at(ray, axis, face[axis]);
+    Crossing crossing;
+    crossing.t = (float(face[axis]) - ray.origin[axis]) * ray.inverse[axis];
+    crossing.axis = axis;
+    crossing.face = face[axis];
+    crossing.rising = !ray.falls[axis];
+    Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, size, ray.moves));
+    range.least[axis] = range.most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
+    walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
+    walk.axis = axis;
+  }
+  return is_inside(walk);
+}

@@ -1,0 +1,114 @@
+// The t of a face, correctly rounded, in integers.
+
+// An unsigned number of 64 bits.
+struct Wide {
+  uint high;
+  uint low;
+};
+
+bool is_below(const Wide a, const Wide b) { return a.high < b.high || (a.high == b.high && a.low < b.low); }
+
+Wide sum_of(const Wide a, const Wide b) {
+  uint carry;
+  uint low = uaddCarry(a.low, b.low, carry);
+  return Wide(a.high + b.high + carry, low);
+}
+
+Wide difference_of(const Wide a, const Wide b) {
+  uint borrow;
+  uint low = usubBorrow(a.low, b.low, borrow);
+  return Wide(a.high - b.high - borrow, low);
+}
+
+int log2_of(const Wide number) { return number.high != 0u ? 32 + findMSB(number.high) : findMSB(number.low); }
+
+// number * 2^shift, shift in [-63, 63]. Bits that fall off the low end are told of; none falls off the high end.
+Wide shifted(const Wide number, int shift, inout bool inexact) {
+  int right = max(-shift, 0);
+  int left = max(shift, 0);
+  uint high = number.high;
+  uint low = number.low;
+  if (right >= 32) {
+    inexact = inexact || low != 0u;
+    low = high;
+    high = 0u;
+    right -= 32;
+  } else if (left >= 32) {
+    high = low;
+    low = 0u;
+    left -= 32;
+  }
+  if (right > 0) {
+    inexact = inexact || (low & ((1u << right) - 1u)) != 0u;
+    low = low >> right | high << (32 - right);
+    high >>= right;
+  } else if (left > 0) {
+    high = high << left | low >> (32 - left);
+    low <<= left;
+  }
+  return Wide(high, low);
+}
+
+// A number of 50 bits, times 2^exponent.
+struct Distance {
+  Wide number;
+  int exponent;
+  bool inexact; // The exact distance is a little more.
+};
+
+// |face - origin|, its leading 50 bits.
+Distance distance_to(uint face, uint origin) {
+  uint significand = significand_of(origin);
+  int exponent = exponent_of(origin) - 150;
+  // The larger of the two has its first bit at place 61, and so none below place 0.
+  int top = max(face == 0u ? -1000 : findMSB(face), significand == 0u ? -1000 : exponent + findMSB(significand));
+  Distance distance = Distance(Wide(0u, 0u), 0, false);
+  Wide a = shifted(Wide(0u, face), clamp(61 - top, -63, 63), distance.inexact);
+  Wide b = shifted(Wide(0u, significand), clamp(61 - top + exponent, -63, 63), distance.inexact);
+  if (origin >= SIGN_BIT) {
+    a = sum_of(a, b);
+  } else {
+    a = is_below(a, b) ? difference_of(b, a) : difference_of(a, b);
+    if (distance.inexact) // What fell off was to be taken away.
+      a = difference_of(a, Wide(0u, 1u));
+  }
+  int place = log2_of(a) - 49;
+  distance.number = shifted(a, -place, distance.inexact);
+  distance.exponent = top - 61 + place;
+  return distance;
+}
+
+// value * 2^exponent of a value below 2^27, rounded to the nearest float32, ties to even; `inexact` if it is a little more.
+uint rounded(uint value, int exponent, bool inexact) {
+  int log2_value = findMSB(value) + exponent;
+  if (log2_value > 127)
+    return INFINITY_BITS;
+  int drop = min(findMSB(value) - 23 + max(-126 - log2_value, 0), 31);
+  uint kept = value >> drop;
+  uint rest = value & ((1u << drop) - 1u);
+  uint middle = 1u << (drop - 1);
+  if (rest > middle || (rest == middle && (inexact || (kept & 1u) != 0u)))
+    kept++;
+  return min((uint(max(log2_value + 126, 0)) << 23) + kept, INFINITY_BITS);
+}
+
+// When the ray passes a face ahead of its origin: |face - origin| / |direction|, as bits of float32.
+OUT_OF_LINE uint crossing_time(const Ray ray, int axis, int face) {
+  Distance distance = distance_to(uint(face), ray.given_origin[axis]);
+  if (distance.number.high == 0u)
+    return 0u;
+  uint divisor = significand_of(ray.given_direction[axis]);
+  int shift = 23 - findMSB(divisor);
+  divisor <<= shift;
+  // Long division: the first 24 of the 50 bits, then the others one by one.
+  uint rest = distance.number.high << 6 | distance.number.low >> 26;
+  uint value = 0u;
+  for (int place = 26; place >= 0; place--) {
+    if (place < 26)
+      rest = rest << 1 | (distance.number.low >> place & 1u);
+    value = value << 1 | (rest >= divisor ? 1u : 0u);
+    rest -= rest >= divisor ? divisor : 0u;
+  }
+  int exponent = distance.exponent - (exponent_of(ray.given_direction[axis]) - 150 - shift);
+  return rounded(value, exponent, distance.inexact || rest != 0u);
+}

@@ -1,0 +1,36 @@
+// What repeated timings say.
+#include "Repeats.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voxc::tool {
+
+double median(Repeats repeats) {
+  if (repeats.empty())
+    return 0;
+  std::ranges::sort(repeats);
+  const std::size_t half = repeats.size() / 2;
+  return repeats.size() % 2 ? repeats[half] : (repeats[half - 1] + repeats[half]) / 2;
+}
+
+double spread(const Repeats &repeats) {
+  const double middle = median(repeats);
+  return middle > 0 ? (std::ranges::max(repeats) - std::ranges::min(repeats)) / middle : 0;
+}
+
+bool areEqual(const Repeats &a, const Repeats &b) {
+  const double first = median(a), second = median(b);
+  return std::abs(first - second) <= std::max(first * spread(a), second * spread(b));
+}
+
+Json repeatsJson(const Repeats &repeats) {
+  if (repeats.empty())
+    return nullptr;
+  return {{"min", std::ranges::min(repeats)},
+          {"median", median(repeats)},
+          {"max", std::ranges::max(repeats)},
+          {"spread", spread(repeats)}};
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,119 @@
+// Placing labels one by one, each where it covers least.
+#include "plot/Labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voxc::plot {
+namespace {
+
+constexpr double kPointRadius = 0.55; ///< Of what a point takes, in font sizes.
+
+double overlap(const Box &a, const Box &b) {
+  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
+  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+  return width > 0 && height > 0 ? width * height : 0;
+}
+
+double outside(const Box &box, const Box &frame) {
+  const double area = (box.right - box.left) * (box.bottom - box.top);
+  return area - overlap(box, frame);
+}
+
+/// Where labels are tried, best first: right, left, above, below, then further up and down on both sides.
+std::vector<Box> places(const LabelRequest &request, double width, double size) {
+  const double gap = 0.9 * size, height = 1.2 * size;
+  std::vector<Box> boxes;
+  const auto add = [&](double left, double middle) {
+    boxes.push_back({left, middle - height / 2, left + width, middle + height / 2});
+  };
+  add(request.x + gap, request.y);
+  add(request.x - gap - width, request.y);
+  add(request.x - width / 2, request.y - 1.3 * size);
+  add(request.x - width / 2, request.y + 1.3 * size);
+  for (int row = 1; row <= 8; ++row)
+    for (const double side : {-1.0, 1.0}) {
+      const double middle = request.y + side * (0.6 + 1.3 * row) * size;
+      add(request.x - width / 2, middle);
+      add(request.x + gap, middle);
+      add(request.x - gap - width, middle);
+    }
+  return boxes;
+}
+
+/// A label where it might go.
+struct Candidate {
+  PlacedLabel label{};
+  std::vector<Box> boxes{}; ///< What it takes: the text, and pieces of its leader.
+};
+
+Candidate makeCandidate(const LabelRequest &request, const Box &box, double size) {
+  Candidate candidate{{request.text, box.left, box.bottom - 0.3 * size, request.x, request.y, 0, 0, false},
+                      {box}};
+  PlacedLabel &label = candidate.label;
+  label.hasLeader = std::abs((box.top + box.bottom) / 2 - request.y) > 1.5 * size;
+  label.leaderX = std::clamp(request.x, box.left + 0.5 * size, box.right - 0.5 * size);
+  label.leaderY = box.bottom < request.y ? box.bottom : box.top;
+  constexpr int kPieces = 12;
+  for (int i = 2; label.hasLeader && i < kPieces; ++i) {
+    const double share = double(i) / kPieces;
+    const double x = request.x + share * (label.leaderX - request.x);
+    const double y = request.y + share * (label.leaderY - request.y);
+    const double half = 0.15 * size;
+    candidate.boxes.push_back({x - half, y - half, x + half, y + half});
+  }
+  return candidate;
+}
+
+/// How much a candidate covers or leaves the frame; crossing something with a leader counts as much as
+/// covering it.
+double cost(const Candidate &candidate, const std::vector<Box> &taken, const Box &frame) {
+  constexpr double kLeaderWeight = 10;
+  double sum = outside(candidate.boxes.front(), frame);
+  for (const Box &box : candidate.boxes)
+    for (const Box &other : taken)
+      sum += overlap(box, other) * (&box == &candidate.boxes.front() ? 1 : kLeaderWeight);
+  return sum;
+}
+
+Candidate bestPlace(const LabelRequest &request, const std::vector<Box> &taken, const Box &frame,
+                    double size) {
+  std::vector<Candidate> tried;
+  for (const Box &box : places(request, textWidth(request.text, size), size))
+    tried.push_back(makeCandidate(request, box, size));
+  return *std::ranges::min_element(tried, {},
+                                   [&](const Candidate &candidate) { return cost(candidate, taken, frame); });
+}
+
+} // namespace
+
+double textWidth(const std::string &text, double fontSize) {
+  // Bytes that continue a character take no width.
+  const auto characters = std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; });
+  return 0.56 * fontSize * static_cast<double>(characters);
+}
+
+std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
+                                     double fontSize) {
+  std::vector<Box> points;
+  const double radius = kPointRadius * fontSize;
+  for (const LabelRequest &request : requests)
+    points.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
+  std::vector<Candidate> placed(requests.size());
+  // Each is placed anew, now that it knows where the others went, until they have settled.
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      std::vector<Box> taken = points;
+      for (std::size_t other = 0; other < placed.size(); ++other)
+        if (other != i)
+          taken.insert(taken.end(), placed[other].boxes.begin(), placed[other].boxes.end());
+      placed[i] = bestPlace(requests[i], taken, frame, fontSize);
+    }
+  std::vector<PlacedLabel> labels;
+  for (const Candidate &candidate : placed)
+    labels.push_back(candidate.label);
+  return labels;
+}
+
+} // namespace voxc::plot

@@ -1,0 +1,35 @@
+// Labels beside points, placed so that none covers another, a point, or the frame.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace voxc::plot {
+
+struct Box {
+  double left, top, right, bottom;
+};
+
+/// Where a label went: its text begins at (x, baseline), and a line leads to it if it stands far off.
+struct PlacedLabel {
+  std::string text;
+  double x, baseline;
+  double pointX, pointY;
+  double leaderX, leaderY; ///< The leader's end at the text.
+  bool hasLeader;
+};
+
+struct LabelRequest {
+  std::string text;
+  double x, y; ///< The point.
+};
+
+/// About how wide a text is in the common sans-serif fonts.
+double textWidth(const std::string &text, double fontSize);
+
+/// Places the labels in their order inside `frame`. One for which no place is left stands where it covers
+/// least.
+std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
+                                     double fontSize);
+
+} // namespace voxc::plot

@@ -1,0 +1,132 @@
+// What `voxc compile` can write.
+#include "Artefacts.h"
+
+#include "voxc/Emit/Emit.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Support/EmbeddedFile.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <span>
+
+namespace voxc::tool {
+
+namespace {
+
+/// What artefacts are made of; kernels are compiled when they are first asked for.
+class Generator {
+public:
+  Generator(const Format &format, const KernelChoices &choices)
+      : plan_(makePlan(format, {.addressing = choices.addressing})), choices_(choices) {}
+
+  const Plan &plan() const { return plan_; }
+  const KernelChoices &choices() const { return choices_; }
+
+  Expected<const Kernel *> kernel() {
+    if (!kernel_) {
+      Expected<Kernel> kernel = compileGlsl(emitIntersect(plan_), plan_, choices_.optimise);
+      if (!kernel)
+        return kernel.error();
+      kernel_ = std::move(*kernel);
+    }
+    return &*kernel_;
+  }
+
+private:
+  Plan plan_;
+  KernelChoices choices_;
+  std::optional<Kernel> kernel_;
+};
+
+Expected<std::string> makeIr(Generator &generator) { return printIr(generator.plan().format); }
+Expected<std::string> makePlanText(Generator &generator) { return printPlan(generator.plan()); }
+Expected<std::string> makeConstruct(Generator &generator) { return emitConstruct(generator.plan()); }
+Expected<std::string> makeGlsl(Generator &generator) { return emitIntersect(generator.plan()); }
+Expected<std::string> makeCpp(Generator &generator) {
+  return emitIntersectCpp(generator.plan(), generator.choices().cpu.symbol);
+}
+
+Expected<std::string> makeSpirv(Generator &generator) {
+  Expected<const Kernel *> kernel = generator.kernel();
+  if (!kernel)
+    return kernel.error();
+  const auto bytes = std::as_bytes(std::span((*kernel)->spirv));
+  return std::string(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+}
+
+Expected<std::string> makeSpirvText(Generator &generator) {
+  Expected<const Kernel *> kernel = generator.kernel();
+  return kernel ? disassemble(**kernel) : Expected<std::string>(kernel.error());
+}
+
+Expected<std::string> makeCpuObject(Generator &generator) {
+  return compileCpuObject(generator.plan().format, generator.choices().cpu);
+}
+
+std::vector<Artefact> noCompanions(const Generator &) { return {}; }
+
+// So that a plain compiler finds what the texts include.
+std::vector<Artefact> constructCompanions(const Generator &) {
+  return {{"voxc_construct.h", std::string(constructHeader())}};
+}
+
+std::vector<Artefact> cppCompanions(const Generator &) {
+  std::vector<Artefact> files;
+  for (const EmbeddedFile &header : intersectHeaders())
+    files.push_back({std::string(header.path), std::string(header.text)});
+  return files;
+}
+
+std::vector<Artefact> cpuCompanions(const Generator &generator) {
+  return {{"intersect.h", emitIntersectHeader(generator.plan(), generator.choices().cpu.symbol)}};
+}
+
+struct ArtefactKind {
+  const char *name; ///< As given to --emit.
+  const char *file;
+  Expected<std::string> (*make)(Generator &generator);
+  std::vector<Artefact> (*companions)(const Generator &generator);
+};
+
+constexpr ArtefactKind kArtefacts[] = {
+    {"ir", "format.vir", makeIr, noCompanions},
+    {"plan", "format.plan", makePlanText, noCompanions},
+    {"construct", "construct.cpp", makeConstruct, constructCompanions},
+    {"glsl", "intersect.glsl", makeGlsl, noCompanions},
+    {"spirv", "intersect.spv", makeSpirv, noCompanions},
+    {"spvasm", "intersect.spvasm", makeSpirvText, noCompanions},
+    {"cpp", "intersect.cpp", makeCpp, cppCompanions},
+    {"cpu", "intersect.o", makeCpuObject, cpuCompanions},
+};
+
+const ArtefactKind &findArtefact(const std::string &name) {
+  return *std::ranges::find_if(kArtefacts, [&](const ArtefactKind &kind) { return name == kind.name; });
+}
+
+} // namespace
+
+std::vector<std::string> artefactNames() {
+  std::vector<std::string> names;
+  for (const ArtefactKind &kind : kArtefacts)
+    names.emplace_back(kind.name);
+  return names;
+}
+
+Expected<std::vector<Artefact>> makeArtefacts(const Format &format, const std::vector<std::string> &kinds,
+                                              const KernelChoices &choices, bool alone) {
+  Generator generator(format, choices);
+  std::vector<Artefact> artefacts;
+  for (const std::string &name : kinds) {
+    const ArtefactKind &kind = findArtefact(name);
+    Expected<std::string> contents = kind.make(generator);
+    if (!contents)
+      return contents.error();
+    artefacts.push_back({kind.file, std::move(*contents)});
+    if (!alone)
+      std::ranges::move(kind.companions(generator), std::back_inserter(artefacts));
+  }
+  return artefacts;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,33 @@
+// What `voxc compile` can write: one row a kind.
+#pragma once
+
+#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Support/Error.h"
+#include "voxc/Trace/Kernel.h"
+
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+/// How kernels are compiled.
+struct KernelChoices {
+  Addressing addressing = Addressing::Buffer;
+  bool optimise = false; ///< spirv-opt.
+  CpuObjectOptions cpu;
+};
+
+struct Artefact {
+  std::string file;
+  std::string contents;
+};
+
+/// The names of the kinds, as given to --emit.
+std::vector<std::string> artefactNames();
+
+/// The files of kinds that `artefactNames` has: each kind's own, and what it needs beside it. With `alone`
+/// the kinds' own files only. Errors: as of compiling a kernel.
+Expected<std::vector<Artefact>> makeArtefacts(const Format &format, const std::vector<std::string> &kinds,
+                                              const KernelChoices &choices, bool alone);
+
+} // namespace voxc::tool

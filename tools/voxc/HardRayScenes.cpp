@@ -1,0 +1,60 @@
+// Scenes by name.
+#include "HardRayScenes.h"
+
+#include "voxc/Source/HardScenes.h"
+
+#include <algorithm>
+
+namespace voxc::tool {
+
+namespace {
+
+constexpr const char *kInput = "input";
+
+Error unknownScene(const std::string &name) {
+  std::string names;
+  for (const HardScene &scene : hardScenes({1, 1, 1}))
+    names += (names.empty() ? "" : ", ") + scene.name;
+  return Error::input("there is no scene '" + name + "'; the scenes are " + names +
+                      ", and input if one is given");
+}
+
+} // namespace
+
+void HardRayScenes::declare(CLI::App &app) {
+  app.add_option("INPUT", input_, "One more scene, such as a scan: as INPUT of voxc build")->type_name("");
+  addInputArguments(app, inputArguments_);
+  app.add_option("--scene", chosen_, "This scene alone; may be given several times; input is INPUT")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+}
+
+Expected<std::vector<std::string>> HardRayScenes::names() const {
+  std::vector<std::string> names;
+  for (const HardScene &scene : hardScenes({1, 1, 1}))
+    names.push_back(scene.name);
+  if (!input_.empty())
+    names.emplace_back(kInput);
+  for (const std::string &name : chosen_)
+    if (std::ranges::find(names, name) == names.end())
+      return unknownScene(name);
+  return chosen_.empty() ? names : chosen_;
+}
+
+Expected<std::unique_ptr<VoxelSource>> HardRayScenes::open(const std::string &name, Int3 extent,
+                                                           const Progress &progress) const {
+  if (name == kInput && !input_.empty()) {
+    InputOptions options = makeInputOptions(inputArguments_, extent);
+    options.progress = progress;
+    Expected<Input> input = openInput(input_, options);
+    if (!input)
+      return input.error();
+    return std::move(input->source);
+  }
+  for (const HardScene &scene : hardScenes(extent))
+    if (scene.name == name)
+      return scene.source();
+  return unknownScene(name);
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,155 @@
+// voxc hard-rays: kernels of many formats against the exact oracle, on rays that are hard to trace.
+#include "Figures.h"
+#include "HardRayFormats.h"
+#include "HardRaySweep.h"
+#include "Subcommand.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "voxc/Oracle/HardRays.h"
+#include "voxc/Support/File.h"
+
+#include <cstdio>
+
+namespace voxc::tool {
+
+namespace {
+
+class HardRaysCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override;
+  Expected<void> run() override;
+
+private:
+  Expected<HardRayBudget> readBudget() const;
+  Expected<void> sweep(HardRaySweep &sweep) const;
+  void addFigures(const HardRaySweep &sweep, const HardRayReport &report, Json &figures) const;
+
+  HardRayFormats formats_;
+  HardRayScenes scenes_;
+  TracingDevices devices_;
+  SweepSize size_{.rays = 1000000, .seconds = 0, .seed = 1, .scenes = 4};
+  std::string budget_;
+  std::string corpus_;
+  bool list_ = false;
+  HardRayReport::Rules rules_;
+  CommonOptions common_;
+};
+
+void HardRaysCommand::declare(CLI::App &app) {
+  scenes_.declare(app);
+  formats_.declare(app);
+  app.add_option("--scenes", size_.scenes, "Scenes for each format, which takes them in turn; 0: all")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--rays", size_.rays, "Rays in all, over all formats, scenes and devices")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 50).description(""))
+      ->capture_default_str();
+  app.add_option("--seconds", size_.seconds,
+                 "Do it again and again, each time with other rays, until so much time has passed")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber.description(""));
+  app.add_option("--seed", size_.seed, "Another number makes other rays and other random formats")
+      ->type_name("N")
+      ->envname("VOXC_SEED")
+      ->capture_default_str();
+  app.add_option("--budget", budget_, "Weights of classes and scenes; default: those of docs/hard-rays.md")
+      ->type_name("FILE");
+  app.add_option("--corpus", corpus_,
+                 "Trace the rays of this file, whose exact hits stand beside them, instead")
+      ->type_name("FILE");
+  app.add_flag("--list", list_, "Print the classes, and do nothing else");
+  app.add_flag("--allow-boundary", rules_.allowBoundary,
+               "Accept, but still count, differences that float rounding at a cell's boundary explains");
+  app.add_option("--max-ulp", rules_.maxUlp,
+                 "Fail on a t that is further from the exact one, in float32 units")
+      ->type_name("U")
+      ->check(CLI::NonNegativeNumber.description(""));
+  devices_.declare(app);
+  addCommonOptions(app, common_);
+}
+
+Expected<HardRayBudget> HardRaysCommand::readBudget() const {
+  if (budget_.empty())
+    return HardRayBudget::builtin();
+  Expected<std::string> text = readTextFile(budget_);
+  if (!text)
+    return text.error();
+  return HardRayBudget::parse(*text, budget_);
+}
+
+Expected<void> HardRaysCommand::sweep(HardRaySweep &sweep) const {
+  if (corpus_.empty())
+    return sweep.run(size_);
+  const Expected<std::string> text = readTextFile(corpus_);
+  if (!text)
+    return text.error();
+  const Expected<std::vector<CorpusRay>> corpus = parseCorpus(*text, corpus_);
+  if (!corpus)
+    return corpus.error();
+  return sweep.runCorpus(*corpus);
+}
+
+void HardRaysCommand::addFigures(const HardRaySweep &sweep, const HardRayReport &report,
+                                 Json &figures) const {
+  figures["seed"] = size_.seed;
+  const SweepTimes &times = sweep.times();
+  figures["oracle_seconds"] = times.oracle;
+  figures["oracle_mrays_per_s"] =
+      times.oracle > 0 ? static_cast<double>(times.exactRays) / times.oracle * 1e-6 : 0;
+  figures["build_seconds"] = times.build;
+  figures["kernel_seconds"] = times.kernel;
+  figures["cpu_seconds"] = times.trace;
+  report.addTo(figures);
+}
+
+void printClasses() {
+  for (const HardRayClass &row : hardRayClasses())
+    std::printf("%-14s %s\n", std::string(row.name).c_str(), std::string(row.summary).c_str());
+}
+
+Expected<void> HardRaysCommand::run() {
+  if (list_) {
+    printClasses();
+    return {};
+  }
+  const Stopwatch watch;
+  Expected<HardRayBudget> budget = readBudget();
+  if (!budget)
+    return budget.error();
+  Expected<std::vector<Format>> formats = formats_.read(size_.seed);
+  if (!formats)
+    return formats.error();
+  if (Expected<void> opened = devices_.open(common_); !opened)
+    return opened;
+  Json figures{{"formats", formats->size()}};
+  if (tellsOnStdout(common_))
+    std::printf("%zu formats, seed %llu\n", formats->size(), static_cast<unsigned long long>(size_.seed));
+
+  HardRayReport report(rules_);
+  ProgressBar bar(common_.quiet);
+  HardRaySweep work(std::move(*formats), scenes_, *budget, devices_, report, bar.progress());
+  const Expected<void> swept = sweep(work);
+  bar.clear();
+  // What was found before an interrupt or an error is told all the same.
+  if (tellsOnStdout(common_) && report.rays() > 0)
+    report.print();
+  figures["seconds"] = watch.seconds();
+  addFigures(work, report, figures);
+  if (Expected<void> written = writeStatistics(common_.stats, figures); !written)
+    return written;
+  if (!swept)
+    return swept;
+  std::optional<Error> verdict = report.verdict();
+  if (!verdict)
+    return {};
+  verdict->message += "; seed " + std::to_string(size_.seed) + " makes the same again";
+  return *verdict;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeHardRaysCommand() { return std::make_unique<HardRaysCommand>(); }
+
+} // namespace voxc::tool

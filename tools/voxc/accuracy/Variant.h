@@ -1,0 +1,74 @@
+// Variants: one kernel on one device each, whose speeds and errors are compared on the same rays.
+#pragma once
+
+#include "Tracing.h"
+
+#include "common/Json.h"
+#include "common/Repeats.h"
+#include "voxc/Oracle/Oracle.h"
+#include "voxc/Support/Progress.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+/// What to compare: every precision with every walk on every device.
+struct VariantChoice {
+  std::vector<std::string> precisions;
+  std::vector<std::string> walks; ///< Of trees; formats without trees have but one walk.
+  std::vector<std::string> devices;
+  unsigned threads = 0; ///< 0: each device's own choice.
+};
+
+/// One kernel on one device.
+struct Variant {
+  std::string precision;
+  std::string walk; ///< "" where the format has no trees.
+  std::string device;
+  double lod = 0; ///< Pixels.
+  Format format;  ///< As the kernel walks it.
+
+  /// "exact restart cpu": what sets it apart from others; the device only where there are `severalDevices`.
+  std::string label(bool severalDevices) const;
+};
+
+/// The variants of a choice for a volume's format, walks inside precisions inside devices.
+std::vector<Variant> makeVariants(const Format &format, const VariantChoice &choice);
+
+/// The same kernel, stopping at what looks smaller than so many pixels.
+Variant withLod(const Variant &variant, double pixels);
+
+/// A variant that is ready to trace a volume, and what was found about it.
+struct Contestant {
+  Variant variant;
+  Tracing tracing;
+  float spread = 0; ///< Of the cone, for a variant with lod.
+  Json setup;       ///< The figures of preparing it.
+  std::vector<Hit> hits;
+  Repeats cpuSeconds, seconds, deviceSeconds;
+  double firstDispatchSeconds = 0;
+  ErrorFigures error;
+};
+
+/// Opens the variant's device and makes its kernel. The volume must outlive the contestant.
+Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume, unsigned threads);
+
+/// Traces the rays by each in turn, `rounds` times over (A B C A B C ...), after a round that is not counted
+/// and leaves the hits; earlier findings are replaced.
+Expected<void> traceInTurn(std::span<const std::unique_ptr<Contestant>> contestants,
+                           std::span<const Ray> rays, unsigned rounds, const Progress &progress);
+
+/// Compares each one's hits on `sample` rays, evenly spread over all, with the oracle's.
+void check(std::span<const std::unique_ptr<Contestant>> contestants, const Oracle &oracle,
+           std::span<const Ray> rays, std::size_t sample);
+
+/// Million rays a CPU second, by the median.
+double mraysPerCpuSecond(const Contestant &contestant);
+
+/// Rays missed, ghost or wrong, per million checked.
+double errorsPerMillion(const ErrorFigures &error);
+
+} // namespace voxc::tool

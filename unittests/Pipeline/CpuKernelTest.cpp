@@ -1,0 +1,189 @@
+// Kernels on this processor: the hits of Vulkan's, bit for bit, and those of the oracle.
+#include "RandomFormat.h"
+#include "Scenes.h"
+#include "TestLength.h"
+
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Oracle/HardRays.h"
+#include "voxc/Oracle/Oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <string>
+#include <thread>
+
+namespace voxc {
+namespace {
+
+constexpr const char *kBaseFormats[] = {"R(4^3)",     "D(4^3, 6)", "S(4)", "G(4)",     "R(2,3,1)",
+                                        "D(1,4,2,9)", "S(0)",      "G(0)", "R(1,0,2)", "D(2^3,2) G(2)"};
+
+/// What `compile` gives for the format, remembered for the next scene.
+template <typename Compile> auto compiledOnce(const Format &format, Compile compile) {
+  static std::map<std::string, std::decay_t<decltype(*compile())>> known;
+  const std::string key = printIr(format);
+  if (!known.contains(key)) {
+    auto kernel = compile();
+    EXPECT_TRUE(kernel) << kernel.error().message;
+    known.emplace(key, std::move(*kernel));
+  }
+  return known.at(key);
+}
+
+class CpuKernels : public ::testing::Test {
+protected:
+  static Expected<Volume> build(const Format &format, const test::Scene &scene) {
+    const auto constructor = Constructor::compile(format);
+    if (!constructor)
+      return constructor.error();
+    auto built = constructor->build(*scene.source());
+    if (!built)
+      return built.error();
+    return std::move(built->volume);
+  }
+
+  static std::vector<Hit> traced(Expected<std::unique_ptr<Tracer>> tracer, std::span<const Ray> rays,
+                                 bool countSteps) {
+    EXPECT_TRUE(tracer) << tracer.error().message;
+    std::vector<Hit> hits(rays.size());
+    const auto report = (*tracer)->trace(rays, hits, {.countSteps = countSteps});
+    EXPECT_TRUE(report) << report.error().message;
+    return hits;
+  }
+
+  static std::vector<Hit> cpuHits(const Volume &volume, const Format &format, std::span<const Ray> rays,
+                                  bool countSteps = false) {
+    const auto kernel = compiledOnce(format, [&] { return compileCpuKernel(format); });
+    return traced(createCpuTracer(kernel, volume, 2), rays, countSteps);
+  }
+
+  /// The rays, and the lookups that each takes, must come out alike. Nothing to compare without llvmpipe.
+  static void expectVulkansHits(const Volume &volume, const Format &format, std::span<const Ray> rays,
+                                const std::string &what) {
+    auto device = Device::open("llvmpipe");
+    if (!device)
+      return;
+    const auto kernel = compiledOnce(format, [&] { return compileKernel(format); });
+    const auto theirs = traced(createTracer(*device, kernel, volume), rays, true);
+    const auto ours = cpuHits(volume, format, rays, true);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      ASSERT_EQ(std::memcmp(&ours[i], &theirs[i], sizeof(Hit)), 0)
+          << what << ", ray " << i << ": t = " << ours[i].t << " and " << theirs[i].t << ", steps "
+          << ours[i].steps << " and " << theirs[i].steps;
+  }
+
+  static void expectHits(Format format, const test::Scene &scene, std::uint64_t seed) {
+    const auto volume = build(format, scene);
+    ASSERT_TRUE(volume) << volume.error().message;
+    const auto rays = verifyRays(scene.extent, 2000, seed);
+    const auto oracle = Oracle::of(*volume);
+    const ErrorFigures exact = compare(*oracle, rays, cpuHits(*volume, format, rays));
+    EXPECT_TRUE(exact.clean()) << printIr(format) << scene.name;
+    expectVulkansHits(*volume, format, rays, printIr(format) + scene.name);
+
+    format.setAttribute(kPrecisionAttribute, "fast");
+    const ErrorFigures fast = compare(*oracle, rays, cpuHits(*volume, format, rays));
+    EXPECT_EQ(fast.missed + fast.ghost + fast.wrong, fast.boundary) << printIr(format) << scene.name;
+    expectVulkansHits(*volume, format, rays, printIr(format) + scene.name);
+  }
+};
+
+TEST_F(CpuKernels, GiveTheHitsOfVulkanAndTheOracleOnBaseFormats) {
+  for (const char *text : kBaseFormats) {
+    const Format format = *parseFormat(text);
+    const auto scenes = test::hardScenes(format.extent());
+    for (const std::size_t scene : {5u, 7u})
+      expectHits(format, scenes[scene], scene);
+  }
+}
+
+TEST_F(CpuKernels, GiveTheHitsOfVulkanAndTheOracleOnRandomFormats) {
+  std::mt19937 random(17);
+  for (int i = 0; i < test::rounds(6); ++i) {
+    const Format format = test::randomFormat(random, test::pick(random, 4, 6));
+    const auto scenes = test::hardScenes(format.extent());
+    expectHits(format, scenes[random() % scenes.size()], random());
+  }
+}
+
+TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
+  Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
+  const test::Scene scene = test::hardScenes(format.extent())[6];
+  const auto volume = build(format, scene);
+  ASSERT_TRUE(volume) << volume.error().message;
+  const auto rays = verifyRays(scene.extent, 20000, 3);
+  const auto stack = cpuHits(*volume, format, rays);
+  Diagnostics diagnostics;
+  ASSERT_EQ(restartSv(format, diagnostics), PassResult::Changed);
+  const auto restart = cpuHits(*volume, format, rays);
+  EXPECT_EQ(std::memcmp(stack.data(), restart.data(), stack.size() * sizeof(Hit)), 0);
+}
+
+TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {
+  const Format format = *parseFormat("R(18,0,0)");
+  const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
+  ASSERT_TRUE(volume) << volume.error().message;
+  const std::vector<Ray> rays = {{{262143.5f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}}};
+  const auto hits = cpuHits(*volume, format, rays);
+  EXPECT_EQ(hits[0].voxel[0], 3);
+  EXPECT_EQ(hits[0].t, 262143.5f - 4.0f);
+}
+
+TEST_F(CpuKernels, AnswerOneRayAtATimeFromAnyThread) {
+  const Format format = *parseFormat("R(1^3) G(3)");
+  const test::Scene scene = test::hardScenes(format.extent())[7];
+  const auto volume = build(format, scene);
+  ASSERT_TRUE(volume) << volume.error().message;
+  const auto kernel = compileCpuKernel(format);
+  ASSERT_TRUE(kernel) << kernel.error().message;
+  const auto rays = verifyRays(scene.extent, 2000, 5);
+  const auto expected = cpuHits(*volume, format, rays);
+  const auto ask = [&](std::vector<Hit> &hits) {
+    for (const Ray &ray : rays)
+      hits.push_back(*volume->intersect(*kernel, ray));
+  };
+  std::vector<Hit> here, there;
+  std::jthread other(ask, std::ref(there));
+  ask(here);
+  other.join();
+  for (const auto &hits : {here, there})
+    EXPECT_EQ(std::memcmp(hits.data(), expected.data(), expected.size() * sizeof(Hit)), 0);
+}
+
+TEST_F(CpuKernels, FitOnlyTheStorageTheyWereMadeFor) {
+  const Format format = *parseFormat("R(1^3) G(2)");
+  const auto volume = build(format, test::hardScenes(format.extent())[1]);
+  ASSERT_TRUE(volume) << volume.error().message;
+  const auto other = compileCpuKernel(*parseFormat("R(2^3) G(1)"));
+  ASSERT_TRUE(other) << other.error().message;
+  const auto refused = createCpuTracer(*other, *volume);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Input);
+  const auto hit = volume->intersect(*other, Ray{});
+  ASSERT_FALSE(hit);
+  EXPECT_EQ(hit.error().message, refused.error().message);
+  const auto restart =
+      compileCpuKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) walk=restart }"));
+  EXPECT_TRUE(createCpuTracer(*restart, *volume)) << "a walk does not change storage";
+}
+
+TEST(CpuObject, IsMadeForAnyProcessorThatClangKnows) {
+  const Format format = *parseFormat("G(2)");
+  EXPECT_TRUE(compileCpuObject(format));
+  EXPECT_TRUE(compileCpuObject(format, {.processor = "native"}));
+  const auto unknown = compileCpuObject(format, {.processor = "abacus"});
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().message.find("abacus"), std::string::npos) << unknown.error().message;
+}
+
+TEST(CpuObject, NeedsANameThatCTakes) {
+  for (const char *symbol : {"", "1a", "a-b", "a b"})
+    EXPECT_FALSE(compileCpuObject(*parseFormat("G(2)"), {.symbol = symbol})) << symbol;
+}
+
+} // namespace
+} // namespace voxc
