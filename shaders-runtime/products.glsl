@@ -42,24 +42,22 @@ void add(inout Sum sum, uint high, uint low, bool negative) {
 // They are added from the largest power down; once the sum has 61 bits at the next power, all that is left is too small
 // to change its sign.
 OUT_OF_LINE Sum sum_of_products(uvec4 a, uvec4 b) {
-  uvec4 high, low;
-  umulExtended(uvec4(significand_of(a.x), significand_of(a.y), significand_of(a.z), significand_of(a.w)),
-               uvec4(significand_of(b.x), significand_of(b.y), significand_of(b.z), significand_of(b.w)), high, low);
   ivec4 exponent = ivec4(exponent_of(a.x) + exponent_of(b.x), exponent_of(a.y) + exponent_of(b.y),
                          exponent_of(a.z) + exponent_of(b.z), exponent_of(a.w) + exponent_of(b.w));
-  uvec4 sign = a ^ b;
   Sum sum = Sum(0, 0u, 0);
   int left = 4;
   while (left > 0) {
     int largest = max(max(exponent.x, exponent.y), max(exponent.z, exponent.w));
     int next = exponent.x == largest ? 0 : exponent.y == largest ? 1 : exponent.z == largest ? 2 : 3;
+    uint high, low;
+    umulExtended(significand_of(a[next]), significand_of(b[next]), high, low);
     if (sign_of(sum) == 0)
       sum.exponent = largest;
     int shift = sum.exponent - largest;
     left = log2_of(sum) + shift >= 61 ? 0 : left - 1;
     if (log2_of(sum) + shift < 61) {
       shift_left(sum, shift);
-      add(sum, high[next], low[next], sign[next] >= SIGN_BIT);
+      add(sum, high, low, (a[next] ^ b[next]) >= SIGN_BIT);
     }
     exponent[next] = -1;
   }

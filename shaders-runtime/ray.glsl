@@ -5,12 +5,13 @@ struct Ray {
   vec3 origin;           // Where walking counts from: the given origin, or where a ray from far away enters.
   vec3 direction;        // Scaled by a power of two: the largest component is in [1, 2), and none so small that
   vec3 inverse;          // its inverse overflows. All t are those of this direction, from this origin.
-  vec3 error;            // Bounds of what float32 gets wrong: of a coordinate, in voxels,
-  float slack;           // and of a t, in which it is wrong by a few roundings besides.
+  float slack;           // What float32 gets wrong of a t, beside a few roundings.
+  vec3 lowest;           // The least that float32 makes certain of the coordinates at the origin,
+  vec3 doubt;            // and how much more any coordinate on the way may be, in voxels.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
   ivec3 heading;         // 1, -1 or 0.
-  ivec3 ahead;           // 1 where the coordinate rises, else 0: picks the face of a cube that lies ahead.
+  ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
 };
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back, which
@@ -22,10 +23,10 @@ struct Walk {
   uint lookups;
 };
 
-const float NEVER = 1e30f;
+const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
 // Twelve roundings of 2^-23, whichever way each goes. A t is a difference, an inverse (2.5 roundings) and a product; the
-// order of two t is certain beyond 10 roundings of the later, and a coordinate within 9.5 of how far it may be from the
+// order of two t is certain beyond 11 roundings of the earlier, and a coordinate within 9.5 of how far it may be from the
 // origin.
 const float ROUNDINGS = 12.0f / 8388608.0f;
 
@@ -44,7 +45,7 @@ int entered_face(const Ray ray, const Walk walk) {
   return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
 }
 
+float min_of(vec3 v) { return min(min(v.x, v.y), v.z); }
+
 // About when each coordinate passes its face.
-vec3 times_of(const Ray ray, ivec3 face) {
-  return mix(vec3(NEVER), (vec3(face) - ray.origin) * ray.inverse, ray.moves);
-}
+vec3 times_of(const Ray ray, ivec3 face) { return (vec3(face) - ray.origin) * ray.inverse; }
