@@ -30,18 +30,6 @@ struct Range {
   ivec3 most;
 };
 
-// Where a crossing may lead to in the cube of `side` voxels at `corner`.
-Range landing_range(const Ray ray, const Walk walk, const Crossing crossing, ivec3 corner, int side) {
-  ivec3 last = corner + (side - 1);
-  Range range;
-  range.least = mix(max(corner, walk.cell), corner, ray.falls);
-  range.most = mix(min(last, walk.cell), last, greaterThan(ray.heading, ivec3(0)));
-  // An axis that has just been crossed is on its face.
-  range.least = mix(range.least, last, lessThan(crossing.step, ivec3(0)));
-  range.most = mix(range.most, corner, greaterThan(crossing.step, ivec3(0)));
-  return range;
-}
-
 // How far coordinate a is behind at_a when coordinate b passes at_b, with the sign of both speeds:
 // (at_a - origin_a) * direction_b - (at_b - origin_b) * direction_a.
 Sum crossing_difference(const Ray ray, int a, float at_a, int b, float at_b) {

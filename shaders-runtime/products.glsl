@@ -13,7 +13,7 @@ int sign_of(const Sum sum) { return sum.high < 0 ? -1 : (uint(sum.high) | sum.lo
 int log2_of(const Sum sum) {
   uint flip = uint(sum.high >> 31);
   uint high = uint(sum.high) ^ flip;
-  return high != 0u ? 32 + findMSB(high) : findMSB(sum.low ^ flip);
+  return findMSB(high != 0u ? high : sum.low ^ flip) + (high != 0u ? 32 : 0);
 }
 
 // Makes `shift` bits, at most 61, of room at the low end.
@@ -54,12 +54,14 @@ OUT_OF_LINE Sum sum_of_products(uvec4 a, uvec4 b) {
     if (sign_of(sum) == 0)
       sum.exponent = largest;
     int shift = sum.exponent - largest;
-    left = log2_of(sum) + shift >= 61 ? 0 : left - 1;
-    if (log2_of(sum) + shift < 61) {
+    exponent[next] = -1;
+    left--;
+    if (log2_of(sum) + shift >= 61) {
+      left = 0;
+    } else {
       shift_left(sum, shift);
       add(sum, high, low, (a[next] ^ b[next]) >= SIGN_BIT);
     }
-    exponent[next] = -1;
   }
   return sum;
 }

@@ -59,7 +59,8 @@ OUT_OF_LINE Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) 
       next++;
       if (next == 3) {
         crossing = crossing_of(ray, face, min_of(times_of(ray, face)), crossed);
-        range = approximate_cell(ray, crossing, landing_range(ray, walk, crossing, corner + crossing.step * side, side));
+        ivec3 target = corner + crossing.step * side;
+        range = approximate_cell(ray, crossing, Range(target, target + (side - 1)));
       }
     }
   }
