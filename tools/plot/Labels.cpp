@@ -94,17 +94,16 @@ double textWidth(const std::string &text, double fontSize) {
 }
 
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
-                                     double fontSize) {
-  std::vector<Box> points;
+                                     double fontSize, std::vector<Box> obstacles) {
   const double radius = kPointRadius * fontSize;
   for (const LabelRequest &request : requests)
-    points.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
+    obstacles.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
   std::vector<Candidate> placed(requests.size());
   // Each is placed anew, now that it knows where the others went, until they have settled.
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round)
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      std::vector<Box> taken = points;
+      std::vector<Box> taken = obstacles;
       for (std::size_t other = 0; other < placed.size(); ++other)
         if (other != i)
           taken.insert(taken.end(), placed[other].boxes.begin(), placed[other].boxes.end());

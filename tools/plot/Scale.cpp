@@ -27,6 +27,13 @@ std::string powerText(double base, int exponent) {
   return shortNumber(base) + superscript(exponent);
 }
 
+/// "512 KiB" for 2^19.
+std::string bytesText(int exponent) {
+  static constexpr std::array<const char *, 7> kUnits = {"B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+  const int unit = std::clamp(exponent / 10, 0, static_cast<int>(kUnits.size()) - 1);
+  return shortNumber(std::pow(2, exponent - 10 * unit)) + " " + kUnits[static_cast<std::size_t>(unit)];
+}
+
 /// The least of 1, 2 and 5 times a power of 10 that is not below `value`.
 double roundStep(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
@@ -82,7 +89,7 @@ void Scale::fitPowers(const Axis &axis, const std::vector<double> &values, int m
     ticks_.push_back({place(0), "0"});
   const int step = std::max(1, static_cast<int>(std::ceil((high_ - low_) / maxTicks)));
   for (int exponent = static_cast<int>(low_); exponent <= static_cast<int>(high_); exponent += step)
-    ticks_.push_back({place(std::pow(base_, exponent)), powerText(base_, exponent)});
+    ticks_.push_back({place(std::pow(base_, exponent)), axis.spacing == Spacing::Bytes ? bytesText(exponent) : powerText(base_, exponent)});
 }
 
 double Scale::place(double value) const {

@@ -1,0 +1,52 @@
+// The catalogue: cells with what all sections of the report need of them, and the stages on which formats
+// compete.
+#pragma once
+
+#include "report/Cells.h"
+#include "report/FormatLook.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voxc::report {
+
+struct Entry {
+  const Cell *cell = nullptr;
+  FormatLook look;
+  std::size_t format = 0; ///< The same for all entries of one format.
+  std::string passes;     ///< "whole-level-dedup, restart-sv", or "none".
+  std::string device;     ///< Short, and different for different devices.
+  std::string column;     ///< The model, with the rays where it is traced by several.
+  bool onFrontier = false;
+
+  bool hasPoint() const { return cell->measured && cell->volume.bytes && cell->speed.median; }
+  bool hasPass(std::string_view pass) const;
+};
+
+/// One competition: formats on the same model, rays, device, resolution and precision, with the same passes,
+/// those that most formats were measured with.
+struct Stage {
+  std::string model, column, device, precision, passes;
+  double resolution = 0;
+  bool hasClock = false;
+  std::vector<std::size_t> entries;
+  std::size_t otherPasses = 0; ///< Cells of the same competition that had other passes.
+};
+
+struct Catalogue {
+  std::vector<Entry> entries;       ///< In the order of the cells.
+  std::vector<Stage> stages;        ///< Models in their order; in each, large resolutions first.
+  std::vector<std::string> models;  ///< In the order in which they first came.
+  std::vector<std::string> columns; ///< Likewise, of all entries.
+  std::size_t formats = 0;
+  std::vector<std::string> devices;
+};
+
+/// The cells must outlive the catalogue.
+Catalogue makeCatalogue(const std::vector<Cell> &cells);
+
+/// What a speed counts in: "Mrays/CPU s" or "Mrays/GPU s".
+std::string speedUnit(bool hasClock);
+
+} // namespace voxc::report

@@ -1,0 +1,114 @@
+// A section a model: its picture, its facts, and size against speed on each device at each resolution.
+#include "report/FrontierChart.h"
+#include "report/Html.h"
+#include "report/Sections.h"
+#include "report/Words.h"
+
+#include <algorithm>
+
+namespace voxc::report {
+namespace {
+
+Chart makeChart(const Catalogue &catalogue, const Stage &stage) {
+  Chart chart{stage.model + ", " + stageTitle(stage) + ": size against speed", speedUnit(stage.hasClock), {}};
+  for (const std::size_t i : stage.entries) {
+    const Entry &entry = catalogue.entries[i];
+    if (entry.hasPoint())
+      chart.points.push_back({*entry.cell->volume.bytes, *entry.cell->speed.median, entry.look.family,
+                              entry.format, entry.onFrontier,
+                              entry.cell->error && entry.cell->error->sum() > 0, entry.look.name,
+                              pointNote(entry), "#" + rowId(catalogue, entry)});
+  }
+  return chart;
+}
+
+std::string failedNames(const Catalogue &catalogue, const Stage &stage) {
+  std::string names;
+  for (const std::size_t i : stage.entries)
+    if (const Entry &entry = catalogue.entries[i]; !entry.cell->measured)
+      names += (names.empty() ? "" : ", ") + entry.look.name;
+  return names;
+}
+
+/// What stands below a chart: what was wrong, what failed, and what is elsewhere.
+std::string remarks(const Catalogue &catalogue, const Stage &stage) {
+  std::string text = "Errors: " + errorSummary(catalogue, stage.entries) + ".";
+  const auto unsteady = std::ranges::count_if(stage.entries, [&](std::size_t i) {
+    return catalogue.entries[i].hasPoint() && !catalogue.entries[i].cell->speed.steady;
+  });
+  if (unsteady > 0)
+    text += " Not steady: " + plural(static_cast<std::size_t>(unsteady), "speed") + ".";
+  if (const std::string failed = failedNames(catalogue, stage); !failed.empty())
+    text += " Failed: " + failed + ".";
+  if (stage.otherPasses > 0)
+    text += " With other passes: " + plural(stage.otherPasses, "cell") + ", in the table.";
+  return text;
+}
+
+std::string figure(const Catalogue &catalogue, const Stage &stage) {
+  const Chart chart = makeChart(catalogue, stage);
+  if (chart.points.empty())
+    return {};
+  const std::string caption =
+      textTag("b", {}, stageTitle(stage)) + " " + textTag("span", {}, stageConditions(stage));
+  return tag("figure", {{"class", "stage"}},
+             tag("figcaption", {}, caption) + toSvg(chart) + textTag("p", {{"class", "remarks"}}, remarks(catalogue, stage))) +
+         "\n";
+}
+
+/// "2048 × 857 × 1260 voxels, of which 12,345,678 are not empty".
+std::string sizeWords(const ModelRecord &model) {
+  std::string words;
+  for (const Figure &side : model.size)
+    words += (words.empty() ? "" : " × ") + (side ? numberText(*side) : "?");
+  if (model.voxels)
+    words += " voxels, " + countText(*model.voxels) + " of them not empty";
+  return words;
+}
+
+/// The sizes of a model, a line a resolution.
+std::string facts(const Catalogue &catalogue, const std::string &name) {
+  std::vector<std::string> lines;
+  for (const Stage &stage : catalogue.stages)
+    for (const std::size_t i : stage.entries) {
+      const ModelRecord &model = catalogue.entries[i].cell->model;
+      if (const std::string words = sizeWords(model);
+          model.name == name && model.size[0] && std::ranges::find(lines, words) == lines.end())
+        lines.push_back(words);
+    }
+  std::string text;
+  for (const std::string &line : lines)
+    text += textTag("li", {}, line);
+  return text.empty() ? "" : tag("ul", {{"class", "facts"}}, text);
+}
+
+std::string anchor(std::size_t model) { return "model-" + std::to_string(model + 1); }
+
+std::string picture(const Pictures &pictures, const std::string &model) {
+  const auto found = pictures.find(model);
+  return found == pictures.end()
+             ? ""
+             : tag("img", {{"class", "portrait"}, {"src", found->second}, {"alt", "A picture of " + model}}, "");
+}
+
+} // namespace
+
+std::string modelSections(const Catalogue &catalogue, const Pictures &pictures) {
+  std::string text;
+  for (std::size_t model = 0; model < catalogue.models.size(); ++model) {
+    const std::string &name = catalogue.models[model];
+    std::string figures;
+    for (const Stage &stage : catalogue.stages)
+      if (stage.model == name)
+        figures += figure(catalogue, stage);
+    if (!figures.empty())
+      text += fill("section/model.html", {{"id", anchor(model)},
+                                          {"name", escaped(name)},
+                                          {"picture", picture(pictures, name)},
+                                          {"facts", facts(catalogue, name)},
+                                          {"figures", figures}});
+  }
+  return text;
+}
+
+} // namespace voxc::report

@@ -1,0 +1,48 @@
+// voxc bench report: one HTML file of the records of voxc bench.
+#include "BenchReport.h"
+
+#include "common/Files.h"
+#include "report/Report.h"
+
+#include <filesystem>
+
+namespace voxc::tool {
+namespace {
+
+constexpr std::size_t kLargePage = 1'000'000;
+constexpr std::size_t kMostNotes = 10;
+
+void tellNotes(const std::vector<std::string> &notes) {
+  for (std::size_t i = 0; i < notes.size() && i < kMostNotes; ++i)
+    printNote(notes[i]);
+  if (notes.size() > kMostNotes)
+    printNote("and " + std::to_string(notes.size() - kMostNotes) + " more of the kind");
+}
+
+} // namespace
+
+void BenchReport::declare(CLI::App &bench) {
+  app_ = bench.add_subcommand("report", "Make one HTML file of the records of measurements");
+  app_->add_option("DIR", folders_, "Folders of records, as voxc bench writes them")->required()->type_name("");
+  app_->add_option("-o,--output", output_, "The file; the default is report.html in the first folder, - standard output")
+      ->type_name("FILE");
+  app_->add_flag("--quiet", common_.quiet, "No notes");
+  app_->set_version_flag("--version", versionText());
+}
+
+Expected<void> BenchReport::run() const {
+  Expected<report::Records> records = report::readCells(folders_);
+  if (!records)
+    return records.error();
+  report::Report report = report::makeReport(*records);
+  if (report.html.size() > kLargePage)
+    report.notes.push_back("the report has " + std::to_string(report.html.size()) +
+                           " bytes; fewer folders would make a page that opens faster");
+  if (!common_.quiet)
+    tellNotes(report.notes);
+  const std::string path =
+      output_.empty() ? (std::filesystem::path(folders_.front()) / "report.html").string() : output_;
+  return writeText(path, report.html);
+}
+
+} // namespace voxc::tool
