@@ -5,6 +5,7 @@
 #include "report/Pareto.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -31,6 +32,34 @@ std::size_t addTo(std::vector<std::string> &list, const std::string &value) {
   return place;
 }
 
+std::optional<Errors> errorsOf(const Cell &cell) {
+  const tool::bench::ErrorPart &error = cell.error;
+  if (!error.rays || !error.missed || !error.ghost || !error.wrong)
+    return std::nullopt;
+  return Errors{double(*error.rays), double(*error.missed), double(*error.ghost), double(*error.wrong)};
+}
+
+bool isDrawable(const tool::bench::Speed &speed) {
+  return std::isfinite(speed.median) && speed.median > 0 && std::isfinite(speed.spread) && speed.spread >= 0;
+}
+
+/// The figures of a cell, as far as they make sense.
+Entry makeEntry(const Cell &cell) {
+  Entry entry{&cell, lookOf(cell.format.name)};
+  if (cell.volume.bytes && *cell.volume.bytes > 0)
+    entry.bytes = double(*cell.volume.bytes);
+  if (cell.build.peakRssBytes && *cell.build.peakRssBytes > 0)
+    entry.peakBytes = double(*cell.build.peakRssBytes);
+  entry.resolution = double(cell.resolution.value_or(0));
+  if (const auto &speed = speedOf(cell); cell.isMeasured() && speed && isDrawable(*speed))
+    entry.speed = speed;
+  entry.hasClock = cell.device.clock == "gpu";
+  entry.isSteady = cell.speed.steady.value_or(true);
+  entry.errors = errorsOf(cell);
+  entry.passes = joined(cell.format.passes);
+  return entry;
+}
+
 std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalogue) {
   const std::vector<std::string> devices = deviceNames(cells);
   std::map<std::string, std::vector<std::string>> raysOfModels;
@@ -40,9 +69,8 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
   std::vector<Entry> entries;
   std::vector<std::string> formats;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    Entry entry{&cells[i], lookOf(cells[i].format.name)};
+    Entry entry = makeEntry(cells[i]);
     entry.format = addTo(formats, entry.look.name);
-    entry.passes = joined(cells[i].format.passes);
     entry.device = devices[i];
     const std::string &model = cells[i].model.name;
     entry.column = raysOfModels[model].size() > 1 ? model + ", " + cells[i].rays.name : model;
@@ -73,7 +101,7 @@ void markFrontier(const Stage &stage, std::vector<Entry> &entries) {
   std::vector<std::size_t> indices;
   for (const std::size_t i : stage.entries)
     if (entries[i].hasPoint()) {
-      points.push_back({*entries[i].cell->volume.bytes, *entries[i].cell->speed.median});
+      points.push_back({*entries[i].bytes, entries[i].speed->median});
       indices.push_back(i);
     }
   const std::vector<bool> isOn = paretoFrontier(points);
@@ -84,7 +112,7 @@ void markFrontier(const Stage &stage, std::vector<Entry> &entries) {
 Stage makeStage(const std::vector<Entry> &entries, const std::vector<std::size_t> &indices) {
   const Entry &first = entries[indices.front()];
   Stage stage{first.cell->model.name, first.column, first.device, first.cell->precision,
-              commonPasses(entries, indices), first.cell->resolution, first.cell->device.hasClock};
+              commonPasses(entries, indices), first.resolution, first.hasClock};
   for (const std::size_t i : indices)
     if (entries[i].passes == stage.passes)
       stage.entries.push_back(i);
@@ -98,8 +126,8 @@ std::vector<Stage> makeStages(const Catalogue &catalogue) {
   for (std::size_t i = 0; i < catalogue.entries.size(); ++i) {
     const Entry &entry = catalogue.entries[i];
     groups[{placeIn(catalogue.models, entry.cell->model.name), placeIn(catalogue.columns, entry.column),
-            -entry.cell->resolution, placeIn(catalogue.devices, entry.device), entry.cell->precision,
-            entry.cell->device.hasClock}]
+            -entry.resolution, placeIn(catalogue.devices, entry.device), entry.cell->precision,
+            entry.hasClock}]
         .push_back(i);
   }
   std::vector<Stage> stages;

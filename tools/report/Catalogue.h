@@ -6,10 +6,21 @@
 #include "report/FormatLook.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace voxc::report {
+
+/// Rays checked against the exact oracle, and those of them that differ.
+struct Errors {
+  double rays = 0, missed = 0, ghost = 0, wrong = 0;
+
+  double sum() const { return missed + ghost + wrong; }
+};
+
+/// A figure that a record may lack.
+using Figure = std::optional<double>;
 
 struct Entry {
   const Cell *cell = nullptr;
@@ -20,7 +31,15 @@ struct Entry {
   std::string column;     ///< The model, with the rays where it is traced by several.
   bool onFrontier = false;
 
-  bool hasPoint() const { return cell->measured && cell->volume.bytes && cell->speed.median; }
+  Figure bytes;     ///< Of the volume; more than 0.
+  Figure peakBytes; ///< Of building it.
+  double resolution = 0;
+  std::optional<tool::bench::Speed> speed; ///< In what its device counts; finite and more than 0.
+  bool hasClock = false;                   ///< Its device counts its own timestamps, others CPU seconds.
+  bool isSteady = true;
+  std::optional<Errors> errors;
+
+  bool hasPoint() const { return bytes && speed; }
   bool hasPass(std::string_view pass) const;
 };
 

@@ -15,9 +15,9 @@ struct Column {
 
 std::string figureText(Figure value, double unit = 1) { return value ? numberText(*value / unit) : ""; }
 
-/// Of the three kinds of errors one, or "" if none was looked for.
-std::string errorText(const Entry &entry, double ErrorRecord::*kind) {
-  return entry.cell->error ? countText(*entry.cell->error.*kind) : "";
+/// A kind of errors, or "" if none was looked for.
+std::string errorText(const Entry &entry, double Errors::*kind) {
+  return entry.errors ? countText(*entry.errors.*kind) : "";
 }
 
 constexpr double kMebi = 1 << 20;
@@ -26,30 +26,30 @@ constexpr Column kColumns[] = {
     {"Format", false, [](const Entry &e) { return e.look.name; }},
     {"Label", false, [](const Entry &e) { return e.cell->format.label; }},
     {"Model", false, [](const Entry &e) { return e.column; }},
-    {"Side", true, [](const Entry &e) { return numberText(e.cell->resolution); }},
+    {"Side", true, [](const Entry &e) { return numberText(e.resolution); }},
     {"Device", false, [](const Entry &e) { return e.device; }},
     {"Steps", false, [](const Entry &e) { return e.cell->precision; }},
     {"Passes", false, [](const Entry &e) { return e.passes; }},
-    {"Size, MiB", true, [](const Entry &e) { return figureText(e.cell->volume.bytes, kMebi); }},
+    {"Size, MiB", true, [](const Entry &e) { return figureText(e.bytes, kMebi); }},
     {"Bytes a voxel", true, [](const Entry &e) { return figureText(e.cell->volume.bytesPerVoxel); }},
-    {"Speed, Mrays/s", true, [](const Entry &e) { return figureText(e.cell->speed.median); }},
-    {"Of", false, [](const Entry &e) { return std::string(e.cell->device.hasClock ? "GPU" : "CPU"); }},
-    {"Spread, %", true, [](const Entry &e) { return figureText(e.cell->speed.spread, 0.01); }},
-    {"Missed", true, [](const Entry &e) { return errorText(e, &ErrorRecord::missed); }},
-    {"Ghost", true, [](const Entry &e) { return errorText(e, &ErrorRecord::ghost); }},
-    {"Wrong", true, [](const Entry &e) { return errorText(e, &ErrorRecord::wrong); }},
-    {"Of rays", true, [](const Entry &e) { return errorText(e, &ErrorRecord::rays); }},
-    {"Lookups a ray", true, [](const Entry &e) { return figureText(e.cell->lookupsPerRay); }},
-    {"Words a ray", true, [](const Entry &e) { return figureText(e.cell->wordsPerRay); }},
-    {"Build, s", true, [](const Entry &e) { return figureText(e.cell->build.build); }},
-    {"Build, CPU s", true, [](const Entry &e) { return figureText(e.cell->build.buildCpu); }},
-    {"Peak, MiB", true, [](const Entry &e) { return figureText(e.cell->build.peakBytes, kMebi); }},
-    {"Kernel, s", true, [](const Entry &e) { return figureText(e.cell->kernel.compile); }},
-    {"First dispatch, s", true, [](const Entry &e) { return figureText(e.cell->kernel.firstDispatch); }},
+    {"Speed, Mrays/s", true, [](const Entry &e) { return e.speed ? numberText(e.speed->median) : std::string(); }},
+    {"Of", false, [](const Entry &e) { return std::string(e.hasClock ? "GPU" : "CPU"); }},
+    {"Spread, %", true, [](const Entry &e) { return e.speed ? numberText(e.speed->spread * 100) : std::string(); }},
+    {"Missed", true, [](const Entry &e) { return errorText(e, &Errors::missed); }},
+    {"Ghost", true, [](const Entry &e) { return errorText(e, &Errors::ghost); }},
+    {"Wrong", true, [](const Entry &e) { return errorText(e, &Errors::wrong); }},
+    {"Of rays", true, [](const Entry &e) { return errorText(e, &Errors::rays); }},
+    {"Lookups a ray", true, [](const Entry &e) { return figureText(e.cell->work.stepsPerRay); }},
+    {"Words a ray", true, [](const Entry &e) { return figureText(e.cell->work.wordsPerRay); }},
+    {"Build, s", true, [](const Entry &e) { return figureText(e.cell->build.buildSeconds); }},
+    {"Build, CPU s", true, [](const Entry &e) { return figureText(e.cell->build.buildCpuSeconds); }},
+    {"Peak, MiB", true, [](const Entry &e) { return figureText(e.peakBytes, kMebi); }},
+    {"Kernel, s", true, [](const Entry &e) { return figureText(e.cell->kernel.compileSeconds); }},
+    {"First dispatch, s", true, [](const Entry &e) { return figureText(e.cell->kernel.firstDispatchSeconds); }},
     {"Frontier", false, [](const Entry &e) { return std::string(e.onFrontier ? "●" : ""); }},
     {"Outcome", false,
      [](const Entry &e) {
-       return e.cell->measured ? std::string(e.cell->speed.steady ? "" : "not steady") : "failed";
+       return e.cell->isMeasured() ? std::string(e.isSteady ? "" : "not steady") : "failed";
      }},
 };
 

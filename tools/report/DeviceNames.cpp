@@ -15,10 +15,10 @@ std::string shortName(const Cell &cell) {
 }
 std::string wholeName(const Cell &cell) { return cell.device.name; }
 std::string withThreads(const Cell &cell) {
-  return cell.device.name + (cell.device.threads ? ", " + countText(*cell.device.threads) + " threads" : "");
+  return cell.device.name + (cell.device.threads ? ", " + countText(double(*cell.device.threads)) + " threads" : "");
 }
 std::string withProcessor(const Cell &cell) {
-  return withThreads(cell) + (cell.maker.processor.empty() ? "" : ", " + cell.maker.processor);
+  return withThreads(cell) + (cell.madeBy.processor.empty() ? "" : ", " + cell.madeBy.processor);
 }
 std::string withDriver(const Cell &cell) {
   return withProcessor(cell) + (cell.device.driver.empty() ? "" : ", " + cell.device.driver);

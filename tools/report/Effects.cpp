@@ -56,8 +56,8 @@ BarTable &tableFor(std::vector<BarTable> &tables, const std::string &caption) {
 }
 
 std::string speedNote(const Pair &pair, const char *with, const char *without) {
-  return std::string(with) + ": " + speedWords(*pair.with->cell) + "; " + errorWords(*pair.with->cell) + "\n" +
-         without + ": " + speedWords(*pair.without->cell) + "; " + errorWords(*pair.without->cell);
+  return std::string(with) + ": " + speedWords(*pair.with) + "; " + errorWords(*pair.with) + "\n" +
+         without + ": " + speedWords(*pair.without) + "; " + errorWords(*pair.without);
 }
 
 Tone toneOf(const Pair &pair) {
@@ -70,7 +70,7 @@ Tone toneOf(const Pair &pair) {
 std::string errorMark(const Pair &pair) {
   double sum = 0;
   for (const Entry *entry : {pair.with, pair.without})
-    sum += entry->cell->error ? entry->cell->error->sum() : 0;
+    sum += entry->errors ? entry->errors->sum() : 0;
   return sum > 0 ? ", " + plural(static_cast<std::size_t>(sum), "error") : "";
 }
 
@@ -99,8 +99,8 @@ std::string dedupSection(const Catalogue &catalogue) {
       continue;
     BarTable &table = tableFor(tables, "");
     const std::size_t row = table.row(pair.with->look.name), column = table.column(pair.with->cell->model.name);
-    const std::string note = bytesText(*pair.without->cell->volume.bytes) + " without, " +
-                             bytesText(*pair.with->cell->volume.bytes) + " with";
+    const std::string note = bytesText(*pair.without->bytes) + " without, " +
+                             bytesText(*pair.with->bytes) + " with";
     table.bars.try_emplace({row, column}, Bar{ratio, timesText(ratio), note, ratio > 1 ? Tone::Better : Tone::Equal});
   }
   return section("section/dedup.html", tables);

@@ -6,15 +6,17 @@
 namespace voxc::report {
 namespace {
 
+std::string reasonText(const tool::bench::Failure &failure) {
+  const std::string reason = failure.reason.empty() ? "no reason was recorded" : failure.reason;
+  return reason + (failure.words ? " (it reached " + countText(double(*failure.words)) + " words)" : "");
+}
+
 std::string row(const Entry &entry) {
-  const Cell &cell = *entry.cell;
-  std::string reason = cell.failure.reason.empty() ? "no reason was recorded" : cell.failure.reason;
-  if (cell.failure.words)
-    reason += " (it reached " + countText(*cell.failure.words) + " words)";
+  const tool::bench::Failure &failure = *entry.cell->failure;
   return tag("tr", {},
              textTag("th", {{"scope", "row"}}, entry.look.name) + textTag("td", {}, entry.column) +
                  textTag("td", {}, entry.passes) + textTag("td", {}, entry.device) +
-                 textTag("td", {}, cell.failure.stage) + textTag("td", {{"class", "words"}}, reason)) +
+                 textTag("td", {}, failure.stage) + textTag("td", {{"class", "words"}}, reasonText(failure))) +
          "\n";
 }
 
@@ -23,7 +25,7 @@ std::string row(const Entry &entry) {
 std::string failureSection(const Catalogue &catalogue) {
   std::string rows;
   for (const Entry &entry : catalogue.entries)
-    if (!entry.cell->measured)
+    if (!entry.cell->isMeasured())
       rows += row(entry);
   return rows.empty() ? "" : fill("section/failures.html", {{"rows", rows}});
 }

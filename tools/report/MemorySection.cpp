@@ -13,9 +13,9 @@ namespace {
 using Tables = std::map<double, BarTable, std::greater<>>;
 
 void addPeak(Tables &tables, const Entry &entry) {
-  BarTable &table = tables[entry.cell->resolution];
-  table.caption = sideText(entry.cell->resolution);
-  const double bytes = *entry.cell->build.peakBytes;
+  BarTable &table = tables[entry.resolution];
+  table.caption = sideText(entry.resolution);
+  const double bytes = *entry.peakBytes;
   Bar &bar = table.bars[{table.row(entry.look.name), table.column(entry.cell->model.name)}];
   if (bytes >= bar.value)
     bar = {bytes, bytesText(bytes), "passes: " + entry.passes};
@@ -38,7 +38,7 @@ void markLargest(BarTable &table) {
 std::string memorySection(const Catalogue &catalogue) {
   Tables tables;
   for (const Entry &entry : catalogue.entries)
-    if (entry.cell->build.peakBytes && *entry.cell->build.peakBytes > 0)
+    if (entry.peakBytes)
       addPeak(tables, entry);
   std::string content;
   for (auto &[resolution, table] : tables) {

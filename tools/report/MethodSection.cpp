@@ -33,12 +33,12 @@ std::string deviceItem(const Entry &entry) {
   append(words, cell.device.kind);
   append(words, cell.device.driver);
   append(words, cell.device.threads ? plural(static_cast<std::size_t>(*cell.device.threads), "thread") : "");
-  append(words, cell.device.hasClock ? "speeds by its own timestamps" : "speeds by CPU seconds of the process");
+  append(words, entry.hasClock ? "speeds by its own timestamps" : "speeds by CPU seconds of the process");
   return textTag("b", {}, cell.device.name) + " " + escaped(words);
 }
 
 std::string makerItem(const Entry &entry) {
-  const MakerRecord &maker = entry.cell->maker;
+  const tool::bench::MadeByPart &maker = entry.cell->madeBy;
   std::string words = maker.voxc.empty() ? "" : "voxc " + maker.voxc;
   append(words, maker.llvm.empty() ? "" : "LLVM " + maker.llvm);
   append(words, maker.processor);
@@ -47,17 +47,17 @@ std::string makerItem(const Entry &entry) {
 }
 
 std::string commandItem(const Entry &entry) {
-  const std::string &command = entry.cell->maker.command;
+  const std::string &command = entry.cell->madeBy.command;
   return command.empty() ? "" : textTag("code", {}, command);
 }
 
 std::string raysItem(const Entry &entry) {
-  const RaysRecord &rays = entry.cell->rays;
-  if (rays.name.empty() || !rays.count)
+  const tool::bench::RaysPart &rays = entry.cell->rays;
+  if (rays.name.empty())
     return {};
-  std::string words = countText(*rays.count) + " rays of a " + (rays.kind == "camera" ? "camera" : "file");
-  if (rays.size[0] && rays.size[1])
-    words += ", " + numberText(*rays.size[0]) + " × " + numberText(*rays.size[1]) + " pixels";
+  std::string words = countText(double(rays.count)) + " rays of a " + (rays.kind == "camera" ? "camera" : "file");
+  if (rays.size)
+    words += ", " + std::to_string(rays.size->front()) + " × " + std::to_string(rays.size->back()) + " pixels";
   return textTag("b", {}, rays.name) + " " + escaped(words);
 }
 
@@ -68,8 +68,8 @@ std::string steadiness(const Catalogue &catalogue) {
   for (const Entry &entry : catalogue.entries)
     if (entry.hasPoint()) {
       ++speeds;
-      unsteady += !entry.cell->speed.steady;
-      widest = std::max(widest, entry.cell->speed.spread.value_or(0));
+      unsteady += !entry.isSteady;
+      widest = std::max(widest, entry.speed->spread);
     }
   return plural(speeds, "speed") + ", the widest spread " + percentText(widest) + "; " +
          (unsteady == 0 ? "all are within the spread that their commands state"
@@ -90,7 +90,7 @@ std::string legend(const Catalogue &catalogue) {
 } // namespace
 
 std::string introductionSection(const Catalogue &catalogue) {
-  const auto failed = std::ranges::count_if(catalogue.entries, [](const Entry &e) { return !e.cell->measured; });
+  const auto failed = std::ranges::count_if(catalogue.entries, [](const Entry &e) { return !e.cell->isMeasured(); });
   std::string devices;
   for (const std::string &device : catalogue.devices)
     append(devices, device);

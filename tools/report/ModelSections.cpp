@@ -14,9 +14,9 @@ Chart makeChart(const Catalogue &catalogue, const Stage &stage) {
   for (const std::size_t i : stage.entries) {
     const Entry &entry = catalogue.entries[i];
     if (entry.hasPoint())
-      chart.points.push_back({*entry.cell->volume.bytes, *entry.cell->speed.median, entry.look.family,
+      chart.points.push_back({*entry.bytes, entry.speed->median, entry.look.family,
                               entry.format, entry.onFrontier,
-                              entry.cell->error && entry.cell->error->sum() > 0, entry.look.name,
+                              entry.errors && entry.errors->sum() > 0, entry.look.name,
                               pointNote(entry), "#" + rowId(catalogue, entry)});
   }
   return chart;
@@ -25,7 +25,7 @@ Chart makeChart(const Catalogue &catalogue, const Stage &stage) {
 std::string failedNames(const Catalogue &catalogue, const Stage &stage) {
   std::string names;
   for (const std::size_t i : stage.entries)
-    if (const Entry &entry = catalogue.entries[i]; !entry.cell->measured)
+    if (const Entry &entry = catalogue.entries[i]; !entry.cell->isMeasured())
       names += (names.empty() ? "" : ", ") + entry.look.name;
   return names;
 }
@@ -34,7 +34,7 @@ std::string failedNames(const Catalogue &catalogue, const Stage &stage) {
 std::string remarks(const Catalogue &catalogue, const Stage &stage) {
   std::string text = "Errors: " + errorSummary(catalogue, stage.entries) + ".";
   const auto unsteady = std::ranges::count_if(stage.entries, [&](std::size_t i) {
-    return catalogue.entries[i].hasPoint() && !catalogue.entries[i].cell->speed.steady;
+    return catalogue.entries[i].hasPoint() && !catalogue.entries[i].isSteady;
   });
   if (unsteady > 0)
     text += " Not steady: " + plural(static_cast<std::size_t>(unsteady), "speed") + ".";
@@ -56,14 +56,14 @@ std::string figure(const Catalogue &catalogue, const Stage &stage) {
          "\n";
 }
 
-/// "2048 × 857 × 1260 voxels, of which 12,345,678 are not empty".
-std::string sizeWords(const ModelRecord &model) {
+/// "2048 × 857 × 1260 voxels, 12,345,678 of them not empty"; nothing if the size is not known.
+std::string sizeWords(const tool::bench::ModelPart &model) {
+  if (!model.size)
+    return {};
   std::string words;
-  for (const Figure &side : model.size)
-    words += (words.empty() ? "" : " × ") + (side ? numberText(*side) : "?");
-  if (model.voxels)
-    words += " voxels, " + countText(*model.voxels) + " of them not empty";
-  return words;
+  for (const std::uint64_t side : *model.size)
+    words += (words.empty() ? "" : " × ") + std::to_string(side);
+  return words + " voxels" + (model.voxels ? ", " + countText(double(*model.voxels)) + " of them not empty" : "");
 }
 
 /// The sizes of a model, a line a resolution.
@@ -71,9 +71,9 @@ std::string facts(const Catalogue &catalogue, const std::string &name) {
   std::vector<std::string> lines;
   for (const Stage &stage : catalogue.stages)
     for (const std::size_t i : stage.entries) {
-      const ModelRecord &model = catalogue.entries[i].cell->model;
+      const tool::bench::ModelPart &model = catalogue.entries[i].cell->model;
       if (const std::string words = sizeWords(model);
-          model.name == name && model.size[0] && std::ranges::find(lines, words) == lines.end())
+          model.name == name && !words.empty() && std::ranges::find(lines, words) == lines.end())
         lines.push_back(words);
     }
   std::string text;

@@ -13,7 +13,7 @@ using Identity = std::vector<std::string>;
 
 Identity identity(const Entry &entry, std::string_view leftOutPass, const std::string &precision) {
   Identity words = {entry.cell->model.name, entry.column, entry.look.name, entry.device, precision,
-                    std::to_string(entry.cell->resolution)};
+                    std::to_string(entry.resolution)};
   for (const std::string &pass : entry.cell->format.passes)
     if (pass != leftOutPass)
       words.push_back(pass);
@@ -22,23 +22,17 @@ Identity identity(const Entry &entry, std::string_view leftOutPass, const std::s
 
 using Index = std::map<Identity, const Entry *>;
 
-bool isSide(double value) { return std::isfinite(value) && value > 0; }
-
-double ratio(Figure above, Figure below) {
-  return above && below && isSide(*above) && isSide(*below) ? *above / *below : 0;
-}
-
 } // namespace
 
 std::vector<Pair> pairsByPass(const Catalogue &catalogue, std::string_view pass) {
   Index without;
   for (const Entry &entry : catalogue.entries)
-    if (entry.cell->measured && !entry.hasPass(pass))
+    if (entry.cell->isMeasured() && !entry.hasPass(pass))
       without.emplace(identity(entry, pass, entry.cell->precision), &entry);
   std::vector<Pair> pairs;
   for (const Entry &entry : catalogue.entries) {
     const auto other = without.find(identity(entry, pass, entry.cell->precision));
-    if (entry.cell->measured && entry.hasPass(pass) && other != without.end())
+    if (entry.cell->isMeasured() && entry.hasPass(pass) && other != without.end())
       pairs.push_back({&entry, other->second});
   }
   return pairs;
@@ -47,30 +41,31 @@ std::vector<Pair> pairsByPass(const Catalogue &catalogue, std::string_view pass)
 std::vector<Pair> pairsByPrecision(const Catalogue &catalogue) {
   Index exact;
   for (const Entry &entry : catalogue.entries)
-    if (entry.cell->measured && entry.cell->precision == "exact")
+    if (entry.cell->isMeasured() && entry.cell->precision == "exact")
       exact.emplace(identity(entry, {}, {}), &entry);
   std::vector<Pair> pairs;
   for (const Entry &entry : catalogue.entries) {
     const auto other = exact.find(identity(entry, {}, {}));
-    if (entry.cell->measured && entry.cell->precision == "fast" && other != exact.end())
+    if (entry.cell->isMeasured() && entry.cell->precision == "fast" && other != exact.end())
       pairs.push_back({&entry, other->second});
   }
   return pairs;
 }
 
 double shrinkage(const Pair &pair) {
-  return ratio(pair.without->cell->volume.bytes, pair.with->cell->volume.bytes);
+  return pair.with->bytes && pair.without->bytes ? *pair.without->bytes / *pair.with->bytes : 0;
 }
 
 double speedUp(const Pair &pair) {
-  return ratio(pair.with->cell->speed.median, pair.without->cell->speed.median);
+  return pair.with->speed && pair.without->speed ? pair.with->speed->median / pair.without->speed->median : 0;
 }
 
 bool isAsFast(const Pair &pair) {
-  const SpeedRecord &with = pair.with->cell->speed, &without = pair.without->cell->speed;
-  const double first = with.median.value_or(0), second = without.median.value_or(0);
-  return std::abs(first - second) <=
-         std::max(first * with.spread.value_or(0), second * without.spread.value_or(0));
+  if (speedUp(pair) <= 0)
+    return false;
+  const tool::bench::Speed &with = *pair.with->speed, &without = *pair.without->speed;
+  return std::abs(with.median - without.median) <=
+         std::max(with.median * with.spread, without.median * without.spread);
 }
 
 } // namespace voxc::report

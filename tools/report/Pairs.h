@@ -24,7 +24,7 @@ std::vector<Pair> pairsByPrecision(const Catalogue &catalogue);
 double shrinkage(const Pair &pair);
 /// How many times as fast it is with it; 0 if a speed is not known.
 double speedUp(const Pair &pair);
-/// Whether the speeds differ by no more than the wider of their spreads.
+/// Whether both speeds are known and differ by no more than the wider of their spreads.
 bool isAsFast(const Pair &pair);
 
 } // namespace voxc::report

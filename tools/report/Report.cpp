@@ -20,8 +20,8 @@ constexpr std::size_t kMostOfOne = 90'000;
 std::map<std::string, std::string> picturePaths(const std::vector<Cell> &cells) {
   std::map<std::string, std::string> paths;
   for (const Cell &cell : cells)
-    if (!cell.model.picture.empty())
-      paths.try_emplace(cell.model.name, cell.model.picture);
+    if (cell.model.picture)
+      paths.try_emplace(cell.model.name, *cell.model.picture);
   return paths;
 }
 
@@ -46,11 +46,11 @@ struct Section {
 
 } // namespace
 
-Report makeReport(const Records &records) {
-  Report report{{}, records.notes};
-  const Catalogue catalogue = makeCatalogue(records.cells);
+Report makeReport(const std::vector<Cell> &cells) {
+  Report report;
+  const Catalogue catalogue = makeCatalogue(cells);
   const Section sections[] = {
-      {"models", "Models", modelSections(catalogue, loadPictures(records.cells, report.notes))},
+      {"models", "Models", modelSections(catalogue, loadPictures(cells, report.notes))},
       {"frontier", "Frontiers", frontierSection(catalogue)},
       {"dedup", "Sharing", dedupSection(catalogue)},
       {"restart", "Restarting", restartSection(catalogue)},

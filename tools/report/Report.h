@@ -13,7 +13,7 @@ struct Report {
   std::vector<std::string> notes; ///< What could not be shown, and why.
 };
 
-/// The report of these records; pictures are read from where the records say.
-Report makeReport(const Records &records);
+/// The report of these cells; pictures are read from where the records say.
+Report makeReport(const std::vector<Cell> &cells);
 
 } // namespace voxc::report

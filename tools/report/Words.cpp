@@ -6,41 +6,40 @@
 namespace voxc::report {
 namespace {
 
-std::string counts(const ErrorRecord &error) {
-  return "missed " + countText(error.missed) + ", ghost " + countText(error.ghost) + ", wrong " +
-         countText(error.wrong) + " of " + countText(error.rays) + " rays";
+std::string counts(const Errors &errors) {
+  return "missed " + countText(errors.missed) + ", ghost " + countText(errors.ghost) + ", wrong " +
+         countText(errors.wrong) + " of " + countText(errors.rays) + " rays";
 }
 
 /// How long a picture takes on a device that counts its own time.
-std::string frameWords(const Cell &cell) {
-  if (!cell.device.hasClock || cell.rays.kind != "camera" || !cell.rays.count || *cell.speed.median <= 0)
+std::string frameWords(const Entry &entry) {
+  const tool::bench::RaysPart &rays = entry.cell->rays;
+  if (!entry.hasClock || rays.kind != "camera")
     return {};
-  return ", " + numberText(*cell.rays.count / *cell.speed.median / 1000) + " ms a picture";
+  return ", " + numberText(double(rays.count) / entry.speed->median / 1000) + " ms a picture";
 }
 
 } // namespace
 
-std::string speedWords(const Cell &cell) {
-  if (!cell.speed.median)
+std::string speedWords(const Entry &entry) {
+  if (!entry.speed)
     return "no speed";
-  std::string words = numberText(*cell.speed.median) + " " + speedUnit(cell.device.hasClock) + frameWords(cell);
-  if (cell.speed.spread)
-    words += ", spread " + percentText(*cell.speed.spread);
-  return words + (cell.speed.steady ? "" : " (not steady)");
+  return numberText(entry.speed->median) + " " + speedUnit(entry.hasClock) + frameWords(entry) + ", spread " +
+         percentText(entry.speed->spread) + (entry.isSteady ? "" : " (not steady)");
 }
 
-std::string errorWords(const Cell &cell) {
-  return cell.error ? counts(*cell.error) : "errors were not checked";
+std::string errorWords(const Entry &entry) {
+  return entry.errors ? counts(*entry.errors) : "errors were not checked";
 }
 
 std::string pointNote(const Entry &entry) {
   const Cell &cell = *entry.cell;
-  std::string note = entry.look.name + "\n" + bytesText(*cell.volume.bytes);
+  std::string note = entry.look.name + "\n" + bytesText(*entry.bytes);
   if (cell.volume.bytesPerVoxel)
     note += ", " + numberText(*cell.volume.bytesPerVoxel) + " bytes a voxel";
-  note += "\n" + speedWords(cell) + "\n" + errorWords(cell);
-  if (cell.lookupsPerRay)
-    note += "\n" + numberText(*cell.lookupsPerRay) + " lookups a ray";
+  note += "\n" + speedWords(entry) + "\n" + errorWords(entry);
+  if (cell.work.stepsPerRay)
+    note += "\n" + numberText(*cell.work.stepsPerRay) + " lookups a ray";
   return note + (entry.onFrontier ? "\nOn the Pareto frontier" : "");
 }
 
@@ -56,14 +55,14 @@ std::string stageConditions(const Stage &stage) {
 }
 
 std::string errorSummary(const Catalogue &catalogue, const std::vector<std::size_t> &entries) {
-  ErrorRecord sum;
+  Errors sum;
   std::size_t unchecked = 0;
   for (const std::size_t i : entries)
-    if (const Entry &entry = catalogue.entries[i]; entry.hasPoint() && !entry.cell->error)
+    if (const Entry &entry = catalogue.entries[i]; entry.hasPoint() && !entry.errors)
       ++unchecked;
     else if (entry.hasPoint()) {
-      const ErrorRecord &error = *entry.cell->error;
-      sum = {sum.rays + error.rays, sum.missed + error.missed, sum.ghost + error.ghost, sum.wrong + error.wrong, {}, {}};
+      const Errors &error = *entry.errors;
+      sum = {sum.rays + error.rays, sum.missed + error.missed, sum.ghost + error.ghost, sum.wrong + error.wrong};
     }
   std::string words = sum.rays > 0 ? counts(sum) + " checked" : "";
   if (unchecked > 0)

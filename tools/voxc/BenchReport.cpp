@@ -31,10 +31,10 @@ void BenchReport::declare(CLI::App &bench) {
 }
 
 Expected<void> BenchReport::run() const {
-  Expected<report::Records> records = report::readCells(folders_);
-  if (!records)
-    return records.error();
-  report::Report report = report::makeReport(*records);
+  auto cells = report::readCells(folders_);
+  if (!cells)
+    return cells.error();
+  report::Report report = report::makeReport(*cells);
   if (report.html.size() > kLargePage)
     report.notes.push_back("the report has " + std::to_string(report.html.size()) +
                            " bytes; fewer folders would make a page that opens faster");
