@@ -27,8 +27,8 @@ struct LabelRequest {
 /// About how wide a text is in the common sans-serif fonts.
 double textWidth(const std::string &text, double fontSize);
 
-/// Places the labels in their order inside `frame`, away from their points and from `obstacles`. One for which
-/// no place is left stands where it covers least.
+/// Places the labels in their order inside `frame`, away from their points and from `obstacles`. One for
+/// which no place is left stands where it covers least.
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
                                      double fontSize, std::vector<Box> obstacles = {});
 

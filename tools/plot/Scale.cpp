@@ -89,7 +89,8 @@ void Scale::fitPowers(const Axis &axis, const std::vector<double> &values, int m
     ticks_.push_back({place(0), "0"});
   const int step = std::max(1, static_cast<int>(std::ceil((high_ - low_) / maxTicks)));
   for (int exponent = static_cast<int>(low_); exponent <= static_cast<int>(high_); exponent += step)
-    ticks_.push_back({place(std::pow(base_, exponent)), axis.spacing == Spacing::Bytes ? bytesText(exponent) : powerText(base_, exponent)});
+    ticks_.push_back({place(std::pow(base_, exponent)),
+                      axis.spacing == Spacing::Bytes ? bytesText(exponent) : powerText(base_, exponent)});
 }
 
 double Scale::place(double value) const {

@@ -62,7 +62,8 @@ std::string toHtml(const BarTable &table) {
   }
   const std::string caption = table.caption.empty() ? "" : textTag("caption", {}, table.caption);
   return tag("div", {{"class", "scroll"}},
-             tag("table", {{"class", "bars"}}, caption + head(table) + tag("tbody", {}, body)));
+             tag("table", {{"class", "bars"}, {"style", "--columns:" + std::to_string(table.columns.size())}},
+                 caption + head(table) + tag("tbody", {}, body)));
 }
 
 } // namespace voxc::report

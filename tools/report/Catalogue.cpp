@@ -111,7 +111,7 @@ void markFrontier(const Stage &stage, std::vector<Entry> &entries) {
 
 Stage makeStage(const std::vector<Entry> &entries, const std::vector<std::size_t> &indices) {
   const Entry &first = entries[indices.front()];
-  Stage stage{first.cell->model.name, first.column, first.device, first.cell->precision,
+  Stage stage{first.cell->model.name,         first.column,     first.device,  first.cell->precision,
               commonPasses(entries, indices), first.resolution, first.hasClock};
   for (const std::size_t i : indices)
     if (entries[i].passes == stage.passes)

@@ -32,9 +32,11 @@ constexpr Column kColumns[] = {
     {"Passes", false, [](const Entry &e) { return e.passes; }},
     {"Size, MiB", true, [](const Entry &e) { return figureText(e.bytes, kMebi); }},
     {"Bytes a voxel", true, [](const Entry &e) { return figureText(e.cell->volume.bytesPerVoxel); }},
-    {"Speed, Mrays/s", true, [](const Entry &e) { return e.speed ? numberText(e.speed->median) : std::string(); }},
+    {"Speed, Mrays/s", true,
+     [](const Entry &e) { return e.speed ? numberText(e.speed->median) : std::string(); }},
     {"Of", false, [](const Entry &e) { return std::string(e.hasClock ? "GPU" : "CPU"); }},
-    {"Spread, %", true, [](const Entry &e) { return e.speed ? numberText(e.speed->spread * 100) : std::string(); }},
+    {"Spread, %", true,
+     [](const Entry &e) { return e.speed ? numberText(e.speed->spread * 100) : std::string(); }},
     {"Missed", true, [](const Entry &e) { return errorText(e, &Errors::missed); }},
     {"Ghost", true, [](const Entry &e) { return errorText(e, &Errors::ghost); }},
     {"Wrong", true, [](const Entry &e) { return errorText(e, &Errors::wrong); }},
@@ -45,7 +47,8 @@ constexpr Column kColumns[] = {
     {"Build, CPU s", true, [](const Entry &e) { return figureText(e.cell->build.buildCpuSeconds); }},
     {"Peak, MiB", true, [](const Entry &e) { return figureText(e.peakBytes, kMebi); }},
     {"Kernel, s", true, [](const Entry &e) { return figureText(e.cell->kernel.compileSeconds); }},
-    {"First dispatch, s", true, [](const Entry &e) { return figureText(e.cell->kernel.firstDispatchSeconds); }},
+    {"First dispatch, s", true,
+     [](const Entry &e) { return figureText(e.cell->kernel.firstDispatchSeconds); }},
     {"Frontier", false, [](const Entry &e) { return std::string(e.onFrontier ? "●" : ""); }},
     {"Outcome", false,
      [](const Entry &e) {
@@ -64,7 +67,8 @@ std::string row(const Catalogue &catalogue, const Entry &entry) {
     else
       cells += textTag("td", {}, text);
   }
-  return tag("tr", {{"id", rowId(catalogue, entry)}, {"data-format", std::to_string(entry.format)}}, cells) + "\n";
+  return tag("tr", {{"id", rowId(catalogue, entry)}, {"data-format", std::to_string(entry.format)}}, cells) +
+         "\n";
 }
 
 } // namespace

@@ -15,7 +15,8 @@ std::string shortName(const Cell &cell) {
 }
 std::string wholeName(const Cell &cell) { return cell.device.name; }
 std::string withThreads(const Cell &cell) {
-  return cell.device.name + (cell.device.threads ? ", " + countText(double(*cell.device.threads)) + " threads" : "");
+  return cell.device.name +
+         (cell.device.threads ? ", " + countText(double(*cell.device.threads)) + " threads" : "");
 }
 std::string withProcessor(const Cell &cell) {
   return withThreads(cell) + (cell.madeBy.processor.empty() ? "" : ", " + cell.madeBy.processor);

@@ -56,8 +56,8 @@ BarTable &tableFor(std::vector<BarTable> &tables, const std::string &caption) {
 }
 
 std::string speedNote(const Pair &pair, const char *with, const char *without) {
-  return std::string(with) + ": " + speedWords(*pair.with) + "; " + errorWords(*pair.with) + "\n" +
-         without + ": " + speedWords(*pair.without) + "; " + errorWords(*pair.without);
+  return std::string(with) + ": " + speedWords(*pair.with) + "; " + errorWords(*pair.with) + "\n" + without +
+         ": " + speedWords(*pair.without) + "; " + errorWords(*pair.without);
 }
 
 Tone toneOf(const Pair &pair) {
@@ -98,10 +98,12 @@ std::string dedupSection(const Catalogue &catalogue) {
     if (ratio <= 0)
       continue;
     BarTable &table = tableFor(tables, "");
-    const std::size_t row = table.row(pair.with->look.name), column = table.column(pair.with->cell->model.name);
-    const std::string note = bytesText(*pair.without->bytes) + " without, " +
-                             bytesText(*pair.with->bytes) + " with";
-    table.bars.try_emplace({row, column}, Bar{ratio, timesText(ratio), note, ratio > 1 ? Tone::Better : Tone::Equal});
+    const std::size_t row = table.row(pair.with->look.name),
+                      column = table.column(pair.with->cell->model.name);
+    const std::string note =
+        bytesText(*pair.without->bytes) + " without, " + bytesText(*pair.with->bytes) + " with";
+    table.bars.try_emplace({row, column},
+                           Bar{ratio, timesText(ratio), note, ratio > 1 ? Tone::Better : Tone::Equal});
   }
   return section("section/dedup.html", tables);
 }

@@ -16,7 +16,8 @@ std::string row(const Entry &entry) {
   return tag("tr", {},
              textTag("th", {{"scope", "row"}}, entry.look.name) + textTag("td", {}, entry.column) +
                  textTag("td", {}, entry.passes) + textTag("td", {}, entry.device) +
-                 textTag("td", {}, failure.stage) + textTag("td", {{"class", "words"}}, reasonText(failure))) +
+                 textTag("td", {}, failure.stage) +
+                 textTag("td", {{"class", "words"}}, reasonText(failure))) +
          "\n";
 }
 

@@ -55,9 +55,9 @@ FormatLook lookOf(const std::string &text) {
   for (const Level &level : format->levels)
     look.name += (look.name.empty() ? "" : " ") + std::string(1, level.kind->letter) + "(" +
                  parametersText(level) + ")";
-  look.family = static_cast<std::size_t>(std::ranges::find_if(kConditions, [&](const auto &condition) {
-                                           return condition(*format);
-                                         }) - kConditions.begin());
+  look.family = static_cast<std::size_t>(
+      std::ranges::find_if(kConditions, [&](const auto &condition) { return condition(*format); }) -
+      kConditions.begin());
   return look;
 }
 

@@ -1,5 +1,5 @@
-// Drawing charts. Places along x are shares of the width, those along y pixels; the axes' words stand outside the
-// frame, in margins that style.css gives it.
+// Drawing charts. Places along x are shares of the width, those along y pixels; the axes' words stand outside
+// the frame, in margins that style.css gives it.
 #include "report/FrontierChart.h"
 
 #include "plot/Labels.h"
@@ -64,16 +64,26 @@ private:
     std::string text;
     for (const plot::Tick &tick : y_.ticks()) {
       const std::string y = coordinate(tick.place);
-      text += tag("line", {{"class", tick.place == kHeight ? "axis" : "grid"}, {"x2", "100%"}, {"y1", y}, {"y2", y}}, "");
+      text +=
+          tag("line",
+              {{"class", tick.place == kHeight ? "axis" : "grid"}, {"x2", "100%"}, {"y1", y}, {"y2", y}}, "");
       text += textTag("text", {{"class", "tick end"}, {"x", "-8"}, {"y", y}, {"dy", ".35em"}}, tick.text);
     }
     for (const plot::Tick &tick : x_.ticks()) {
       const std::string x = share(tick.place);
-      text += tag("line", {{"class", "axis"}, {"x1", x}, {"x2", x}, {"y1", coordinate(kHeight)}, {"y2", coordinate(kHeight + 5)}}, "");
-      text += textTag("text", {{"class", "tick middle"}, {"x", x}, {"y", coordinate(kHeight + 19)}}, tick.text);
+      text += tag("line",
+                  {{"class", "axis"},
+                   {"x1", x},
+                   {"x2", x},
+                   {"y1", coordinate(kHeight)},
+                   {"y2", coordinate(kHeight + 5)}},
+                  "");
+      text +=
+          textTag("text", {{"class", "tick middle"}, {"x", x}, {"y", coordinate(kHeight + 19)}}, tick.text);
     }
     text += textTag("text", {{"class", "unit"}, {"x", "-40"}, {"y", "-14"}}, "↑ " + chart_.speedLabel);
-    return text + textTag("text", {{"class", "unit end"}, {"x", "100%"}, {"y", coordinate(kHeight + 38)}}, "Size, logarithmic →");
+    return text + textTag("text", {{"class", "unit end"}, {"x", "100%"}, {"y", coordinate(kHeight + 38)}},
+                          "Size, logarithmic →");
   }
 
   std::vector<const ChartPoint *> frontierPoints() const {
@@ -95,7 +105,11 @@ private:
     }
     stairs += "H100";
     const std::string box = "0 0 100 " + coordinate(kHeight);
-    return tag("svg", {{"width", "100%"}, {"height", coordinate(kHeight)}, {"viewBox", box}, {"preserveAspectRatio", "none"}},
+    return tag("svg",
+               {{"width", "100%"},
+                {"height", coordinate(kHeight)},
+                {"viewBox", box},
+                {"preserveAspectRatio", "none"}},
                tag("path", {{"class", "dominated"}, {"d", stairs + "V" + coordinate(kHeight) + "Z"}}, "") +
                    tag("path", {{"class", "frontier"}, {"d", stairs}}, ""));
   }
@@ -121,12 +135,25 @@ private:
   static std::string labelFrame(const plot::PlacedLabel &label, double width) {
     std::string content;
     if (label.hasLeader)
-      content = tag("line", {{"class", "leader"}, {"x2", coordinate(label.leaderX - label.pointX)}, {"y2", coordinate(label.leaderY - label.pointY)}}, "");
-    content += textTag("text", {{"class", "label"}, {"x", coordinate(label.x - label.pointX)}, {"y", coordinate(label.baseline - label.pointY)}}, label.text);
-    return tag("svg", {{"x", fineShare(100 * label.pointX / width)}, {"y", coordinate(label.pointY)}, {"overflow", "visible"}}, content);
+      content = tag("line",
+                    {{"class", "leader"},
+                     {"x2", coordinate(label.leaderX - label.pointX)},
+                     {"y2", coordinate(label.leaderY - label.pointY)}},
+                    "");
+    content += textTag("text",
+                       {{"class", "label"},
+                        {"x", coordinate(label.x - label.pointX)},
+                        {"y", coordinate(label.baseline - label.pointY)}},
+                       label.text);
+    return tag("svg",
+               {{"x", fineShare(100 * label.pointX / width)},
+                {"y", coordinate(label.pointY)},
+                {"overflow", "visible"}},
+               content);
   }
 
-  /// Those of the frontier last, so that they lie on top; from small to large, which is the order of the tab key.
+  /// Those of the frontier last, so that they lie on top; from small to large, which is the order of the tab
+  /// key.
   std::string points() const {
     std::vector<const ChartPoint *> order;
     for (const ChartPoint &point : chart_.points)
@@ -147,7 +174,8 @@ private:
     content += tag("circle", {{"class", "reach"}, {"cx", x}, {"cy", y}, {"r", "12"}}, "");
     content += tag("use", {{"href", mark(point.family)}, {"x", x}, {"y", y}}, "");
     const std::string style = "point f" + std::to_string(point.family) + (point.onFrontier ? " on" : "");
-    return tag("a", {{"class", style}, {"href", point.target}, {"data-format", std::to_string(point.format)}}, content);
+    return tag("a", {{"class", style}, {"href", point.target}, {"data-format", std::to_string(point.format)}},
+               content);
   }
 
   const Chart &chart_;
@@ -162,18 +190,24 @@ std::string toSvg(const Chart &chart) { return Drawing(chart).draw(); }
 std::string markDefinitions() {
   /// Outlines about the origin, of equal weight to the eye.
   static constexpr std::array<std::string_view, 6> kOutlines = {
-      "M0-7.2 7.2 0 0 7.2-7.2 0Z",    "M-5.5 0A5.5 5.5 0 1 1 5.5 0 5.5 5.5 0 1 1-5.5 0Z", "M0-6.8 6.4 4.8H-6.4Z",
-      "M0 6.8 6.4-4.8H-6.4Z",         "M-5-5H5V5H-5Z",
+      "M0-7.2 7.2 0 0 7.2-7.2 0Z",
+      "M-5.5 0A5.5 5.5 0 1 1 5.5 0 5.5 5.5 0 1 1-5.5 0Z",
+      "M0-6.8 6.4 4.8H-6.4Z",
+      "M0 6.8 6.4-4.8H-6.4Z",
+      "M-5-5H5V5H-5Z",
       "M-2-6H2V-2H6V2H2V6H-2V2H-6V-2H-2Z"};
   std::string marks;
   for (std::size_t family = 0; family < kOutlines.size(); ++family)
     marks += tag("path", {{"id", mark(family).substr(1)}, {"d", std::string(kOutlines[family])}}, "");
-  return tag("svg", {{"class", "definitions"}, {"width", "0"}, {"height", "0"}, {"aria-hidden", "true"}}, tag("defs", {}, marks));
+  return tag("svg", {{"class", "definitions"}, {"width", "0"}, {"height", "0"}, {"aria-hidden", "true"}},
+             tag("defs", {}, marks));
 }
 
 std::string legendMark(std::size_t family) {
-  return tag("svg", {{"class", "key on f" + std::to_string(family)}, {"viewBox", "-8 -8 16 16"}, {"aria-hidden", "true"}},
-             tag("use", {{"href", mark(family)}}, ""));
+  return tag(
+      "svg",
+      {{"class", "key on f" + std::to_string(family)}, {"viewBox", "-8 -8 16 16"}, {"aria-hidden", "true"}},
+      tag("use", {{"href", mark(family)}}, ""));
 }
 
 } // namespace voxc::report

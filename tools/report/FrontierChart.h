@@ -1,5 +1,5 @@
-// Size against speed with the Pareto frontier, as SVG that lies inside the page: as wide as there is room, with
-// letters that keep their size.
+// Size against speed with the Pareto frontier, as SVG that lies inside the page: as wide as there is room,
+// with letters that keep their size.
 #pragma once
 
 #include <cstddef>

@@ -94,8 +94,10 @@ std::string roundHtml(const Catalogue &catalogue, const Round &round) {
                                                : "On the frontier of every model: " + winners + ".";
   const std::string caption = textTag("b", {}, sideText(first.resolution) + " on " + first.device) + " " +
                               textTag("span", {}, stageConditions(first)) + textTag("p", {}, sentence);
-  const std::string table = tag("table", {{"class", "dots"}}, tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body));
-  return tag("figure", {{"class", "round"}}, tag("figcaption", {}, caption) + tag("div", {{"class", "scroll"}}, table));
+  const std::string table =
+      tag("table", {{"class", "dots"}}, tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body));
+  return tag("figure", {{"class", "round"}},
+             tag("figcaption", {}, caption) + tag("div", {{"class", "scroll"}}, table));
 }
 
 } // namespace

@@ -55,9 +55,11 @@ std::string raysItem(const Entry &entry) {
   const tool::bench::RaysPart &rays = entry.cell->rays;
   if (rays.name.empty())
     return {};
-  std::string words = countText(double(rays.count)) + " rays of a " + (rays.kind == "camera" ? "camera" : "file");
+  std::string words =
+      countText(double(rays.count)) + " rays of a " + (rays.kind == "camera" ? "camera" : "file");
   if (rays.size)
-    words += ", " + std::to_string(rays.size->front()) + " × " + std::to_string(rays.size->back()) + " pixels";
+    words +=
+        ", " + std::to_string(rays.size->front()) + " × " + std::to_string(rays.size->back()) + " pixels";
   return textTag("b", {}, rays.name) + " " + escaped(words);
 }
 
@@ -72,8 +74,9 @@ std::string steadiness(const Catalogue &catalogue) {
       widest = std::max(widest, entry.speed->spread);
     }
   return plural(speeds, "speed") + ", the widest spread " + percentText(widest) + "; " +
-         (unsteady == 0 ? "all are within the spread that their commands state"
-                        : countText(double(unsteady)) + " of them are not steady: wider than their commands state");
+         (unsteady == 0
+              ? "all are within the spread that their commands state"
+              : countText(double(unsteady)) + " of them are not steady: wider than their commands state");
 }
 
 std::string legend(const Catalogue &catalogue) {
@@ -90,18 +93,20 @@ std::string legend(const Catalogue &catalogue) {
 } // namespace
 
 std::string introductionSection(const Catalogue &catalogue) {
-  const auto failed = std::ranges::count_if(catalogue.entries, [](const Entry &e) { return !e.cell->isMeasured(); });
+  const auto failed =
+      std::ranges::count_if(catalogue.entries, [](const Entry &e) { return !e.cell->isMeasured(); });
   std::string devices;
   for (const std::string &device : catalogue.devices)
     append(devices, device);
-  return fill("section/introduction.html",
-              {{"models", plural(catalogue.models.size(), "model")},
-               {"formats", plural(catalogue.formats, "format")},
-               {"cells", plural(catalogue.entries.size(), "measurement")},
-               {"failed", failed > 0 ? countText(static_cast<double>(failed)) + " of them failed" : "none failed"},
-               {"devices", escaped(devices)},
-               {"legend", legend(catalogue)},
-               {"marks", markDefinitions()}});
+  return fill(
+      "section/introduction.html",
+      {{"models", plural(catalogue.models.size(), "model")},
+       {"formats", plural(catalogue.formats, "format")},
+       {"cells", plural(catalogue.entries.size(), "measurement")},
+       {"failed", failed > 0 ? countText(static_cast<double>(failed)) + " of them failed" : "none failed"},
+       {"devices", escaped(devices)},
+       {"legend", legend(catalogue)},
+       {"marks", markDefinitions()}});
 }
 
 std::string methodSection(const Catalogue &catalogue) {

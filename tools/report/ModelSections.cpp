@@ -14,9 +14,8 @@ Chart makeChart(const Catalogue &catalogue, const Stage &stage) {
   for (const std::size_t i : stage.entries) {
     const Entry &entry = catalogue.entries[i];
     if (entry.hasPoint())
-      chart.points.push_back({*entry.bytes, entry.speed->median, entry.look.family,
-                              entry.format, entry.onFrontier,
-                              entry.errors && entry.errors->sum() > 0, entry.look.name,
+      chart.points.push_back({*entry.bytes, entry.speed->median, entry.look.family, entry.format,
+                              entry.onFrontier, entry.errors && entry.errors->sum() > 0, entry.look.name,
                               pointNote(entry), "#" + rowId(catalogue, entry)});
   }
   return chart;
@@ -52,7 +51,8 @@ std::string figure(const Catalogue &catalogue, const Stage &stage) {
   const std::string caption =
       textTag("b", {}, stageTitle(stage)) + " " + textTag("span", {}, stageConditions(stage));
   return tag("figure", {{"class", "stage"}},
-             tag("figcaption", {}, caption) + toSvg(chart) + textTag("p", {{"class", "remarks"}}, remarks(catalogue, stage))) +
+             tag("figcaption", {}, caption) + toSvg(chart) +
+                 textTag("p", {{"class", "remarks"}}, remarks(catalogue, stage))) +
          "\n";
 }
 
@@ -63,7 +63,8 @@ std::string sizeWords(const tool::bench::ModelPart &model) {
   std::string words;
   for (const std::uint64_t side : *model.size)
     words += (words.empty() ? "" : " × ") + std::to_string(side);
-  return words + " voxels" + (model.voxels ? ", " + countText(double(*model.voxels)) + " of them not empty" : "");
+  return words + " voxels" +
+         (model.voxels ? ", " + countText(double(*model.voxels)) + " of them not empty" : "");
 }
 
 /// The sizes of a model, a line a resolution.
@@ -88,7 +89,8 @@ std::string picture(const Pictures &pictures, const std::string &model) {
   const auto found = pictures.find(model);
   return found == pictures.end()
              ? ""
-             : tag("img", {{"class", "portrait"}, {"src", found->second}, {"alt", "A picture of " + model}}, "");
+             : tag("img", {{"class", "portrait"}, {"src", found->second}, {"alt", "A picture of " + model}},
+                   "");
 }
 
 } // namespace

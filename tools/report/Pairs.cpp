@@ -12,8 +12,8 @@ namespace {
 using Identity = std::vector<std::string>;
 
 Identity identity(const Entry &entry, std::string_view leftOutPass, const std::string &precision) {
-  Identity words = {entry.cell->model.name, entry.column, entry.look.name, entry.device, precision,
-                    std::to_string(entry.resolution)};
+  Identity words = {entry.cell->model.name, entry.column, entry.look.name,
+                    entry.device,           precision,    std::to_string(entry.resolution)};
   for (const std::string &pass : entry.cell->format.passes)
     if (pass != leftOutPass)
       words.push_back(pass);

@@ -49,7 +49,8 @@ std::uint32_t mean(const Picture &picture, int left, int top, int right, int bot
   for (int y = top; y < bottom; ++y)
     for (int x = left; x < right; ++x)
       for (int channel = 0; channel < 3; ++channel)
-        sums[channel] += picture.pixels[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)] >> 8 * channel & 255;
+        sums[channel] +=
+            picture.pixels[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)] >> 8 * channel & 255;
   const auto count = static_cast<std::uint64_t>(right - left) * static_cast<std::uint64_t>(bottom - top);
   std::uint32_t pixel = 0xff000000u;
   for (int channel = 0; channel < 3; ++channel)
@@ -62,12 +63,14 @@ std::uint32_t mean(const Picture &picture, int left, int top, int right, int bot
 Picture shrunk(const Picture &picture, int width) {
   if (picture.width <= width)
     return picture;
-  Picture small{width, std::max(1, static_cast<int>(std::int64_t{picture.height} * width / picture.width)), {}};
+  Picture small{
+      width, std::max(1, static_cast<int>(std::int64_t{picture.height} * width / picture.width)), {}};
   const auto edge = [](int i, int from, int to) { return static_cast<int>(std::int64_t{i} * from / to); };
   for (int y = 0; y < small.height; ++y)
     for (int x = 0; x < small.width; ++x)
-      small.pixels.push_back(mean(picture, edge(x, picture.width, width), edge(y, picture.height, small.height),
-                                  edge(x + 1, picture.width, width), edge(y + 1, picture.height, small.height)));
+      small.pixels.push_back(mean(picture, edge(x, picture.width, width),
+                                  edge(y, picture.height, small.height), edge(x + 1, picture.width, width),
+                                  edge(y + 1, picture.height, small.height)));
   return small;
 }
 

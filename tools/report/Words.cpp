@@ -46,7 +46,8 @@ std::string pointNote(const Entry &entry) {
 std::string sideText(double resolution) { return resolution > 0 ? numberText(resolution) + "³" : ""; }
 
 std::string stageTitle(const Stage &stage) {
-  const std::string rays = stage.column == stage.model ? "" : stage.column.substr(stage.model.size() + 2) + ", ";
+  const std::string rays =
+      stage.column == stage.model ? "" : stage.column.substr(stage.model.size() + 2) + ", ";
   return rays + sideText(stage.resolution) + " on " + stage.device;
 }
 
@@ -62,7 +63,8 @@ std::string errorSummary(const Catalogue &catalogue, const std::vector<std::size
       ++unchecked;
     else if (entry.hasPoint()) {
       const Errors &error = *entry.errors;
-      sum = {sum.rays + error.rays, sum.missed + error.missed, sum.ghost + error.ghost, sum.wrong + error.wrong};
+      sum = {sum.rays + error.rays, sum.missed + error.missed, sum.ghost + error.ghost,
+             sum.wrong + error.wrong};
     }
   std::string words = sum.rays > 0 ? counts(sum) + " checked" : "";
   if (unchecked > 0)

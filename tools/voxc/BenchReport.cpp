@@ -23,8 +23,11 @@ void tellNotes(const std::vector<std::string> &notes) {
 
 void BenchReport::declare(CLI::App &bench) {
   app_ = bench.add_subcommand("report", "Make one HTML file of the records of measurements");
-  app_->add_option("DIR", folders_, "Folders of records, as voxc bench writes them")->required()->type_name("");
-  app_->add_option("-o,--output", output_, "The file; the default is report.html in the first folder, - standard output")
+  app_->add_option("DIR", folders_, "Folders of records, as voxc bench writes them")
+      ->required()
+      ->type_name("");
+  app_->add_option("-o,--output", output_,
+                   "The file; the default is report.html in the first folder, - standard output")
       ->type_name("FILE");
   app_->add_flag("--quiet", common_.quiet, "No notes");
   app_->set_version_flag("--version", versionText());
