@@ -66,10 +66,14 @@ Candidate makeCandidate(const LabelRequest &request, const Box &box, double size
 }
 
 /// How much a candidate covers or leaves the frame; crossing something with a leader counts as much as
-/// covering it.
+/// covering it, and a long leader a little by itself.
 double cost(const Candidate &candidate, const std::vector<Box> &taken, const Box &frame) {
   constexpr double kLeaderWeight = 10;
+  constexpr double kLengthWeight = 0.5;
+  const PlacedLabel &label = candidate.label;
   double sum = outside(candidate.boxes.front(), frame);
+  if (label.hasLeader)
+    sum += kLengthWeight * std::hypot(label.leaderX - label.pointX, label.leaderY - label.pointY);
   for (const Box &box : candidate.boxes)
     for (const Box &other : taken)
       sum += overlap(box, other) * (&box == &candidate.boxes.front() ? 1 : kLeaderWeight);

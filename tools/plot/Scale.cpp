@@ -34,6 +34,13 @@ std::string bytesText(int exponent) {
   return shortNumber(std::pow(2, exponent - 10 * unit)) + " " + kUnits[static_cast<std::size_t>(unit)];
 }
 
+/// A multiple of a round step, which has few digits.
+std::string roundNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 /// The least of 1, 2 and 5 times a power of 10 that is not below `value`.
 double roundStep(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
@@ -65,7 +72,7 @@ void Scale::fitLinear(const std::vector<double> &values, int maxTicks) {
   const int count = static_cast<int>(std::ceil((most > 0 ? most * 1.05 : 1) / step));
   high_ = step * count;
   for (int i = 0; i <= count; ++i)
-    ticks_.push_back({place(step * i), shortNumber(step * i)});
+    ticks_.push_back({place(step * i), roundNumber(step * i)});
 }
 
 void Scale::fitPowers(const Axis &axis, const std::vector<double> &values, int maxTicks) {

@@ -30,8 +30,8 @@ std::string barHtml(const Bar &bar, double most, double reference) {
     style += ";" + property("reference", reference, most);
   const std::string name = std::string("bar ") + kToneNames[static_cast<std::size_t>(bar.tone)] +
                            (reference > 0 ? " referred" : "");
-  return tag("td", {{"title", bar.note}},
-             textTag("b", {}, bar.text) + tag("span", {{"class", name}, {"style", style}}, ""));
+  const std::string line = textTag("b", {}, bar.text) + tag("span", {{"class", name}, {"style", style}}, "");
+  return tag("td", {{"title", bar.note}}, tag("div", {}, line));
 }
 
 std::string head(const BarTable &table) {

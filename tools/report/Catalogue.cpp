@@ -16,7 +16,7 @@ std::string joined(const std::vector<std::string> &parts) {
   std::string text;
   for (const std::string &part : parts)
     text += (text.empty() ? "" : ", ") + part;
-  return text.empty() ? "none" : text;
+  return text.empty() ? kNoPasses : text;
 }
 
 /// The place of a value in a list, or behind its end.

@@ -12,6 +12,9 @@
 
 namespace voxc::report {
 
+/// What stands in place of passes where there are none.
+inline constexpr const char *kNoPasses = "none";
+
 /// Rays checked against the exact oracle, and those of them that differ.
 struct Errors {
   double rays = 0, missed = 0, ghost = 0, wrong = 0;
@@ -26,7 +29,7 @@ struct Entry {
   const Cell *cell = nullptr;
   FormatLook look;
   std::size_t format = 0; ///< The same for all entries of one format.
-  std::string passes;     ///< "whole-level-dedup, restart-sv", or "none".
+  std::string passes;     ///< "whole-level-dedup, restart-sv", or `kNoPasses`.
   std::string device;     ///< Short, and different for different devices.
   std::string column;     ///< The model, with the rays where it is traced by several.
   bool onFrontier = false;

@@ -37,6 +37,7 @@ constexpr Column kColumns[] = {
     {"Of", false, [](const Entry &e) { return std::string(e.hasClock ? "GPU" : "CPU"); }},
     {"Spread, %", true,
      [](const Entry &e) { return e.speed ? numberText(e.speed->spread * 100) : std::string(); }},
+    {"Frontier", false, [](const Entry &e) { return std::string(e.onFrontier ? "●" : ""); }},
     {"Missed", true, [](const Entry &e) { return errorText(e, &Errors::missed); }},
     {"Ghost", true, [](const Entry &e) { return errorText(e, &Errors::ghost); }},
     {"Wrong", true, [](const Entry &e) { return errorText(e, &Errors::wrong); }},
@@ -49,7 +50,6 @@ constexpr Column kColumns[] = {
     {"Kernel, s", true, [](const Entry &e) { return figureText(e.cell->kernel.compileSeconds); }},
     {"First dispatch, s", true,
      [](const Entry &e) { return figureText(e.cell->kernel.firstDispatchSeconds); }},
-    {"Frontier", false, [](const Entry &e) { return std::string(e.onFrontier ? "●" : ""); }},
     {"Outcome", false,
      [](const Entry &e) {
        return e.cell->isMeasured() ? std::string(e.isSteady ? "" : "not steady") : "failed";

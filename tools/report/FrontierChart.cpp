@@ -114,10 +114,25 @@ private:
                    tag("path", {{"class", "frontier"}, {"d", stairs}}, ""));
   }
 
+  /// Thin boxes along the stairs, which labels keep off; to be crossed by a riser harms a label less.
+  std::vector<Box> stairs(double width) const {
+    constexpr double kHalf = 2, kRiser = 0.75;
+    std::vector<Box> boxes;
+    double left = 0, bottom = kHeight;
+    for (const ChartPoint *point : frontierPoints()) {
+      const double x = x_.place(point->bytes) / 100 * width, y = y_.place(point->speed);
+      boxes.push_back({left, bottom - kHalf, x, bottom + kHalf});
+      boxes.push_back({x - kRiser, y, x + kRiser, bottom});
+      left = x, bottom = y;
+    }
+    boxes.push_back({left, bottom - kHalf, width, bottom + kHalf});
+    return boxes;
+  }
+
   /// Each label stands in a frame of its own whose origin is the point.
   std::string labels(double width) const {
     std::vector<plot::LabelRequest> requests;
-    std::vector<Box> others;
+    std::vector<Box> others = stairs(width);
     for (const ChartPoint &point : chart_.points) {
       const double x = x_.place(point.bytes) / 100 * width, y = y_.place(point.speed);
       if (point.onFrontier)

@@ -52,7 +52,8 @@ std::string stageTitle(const Stage &stage) {
 }
 
 std::string stageConditions(const Stage &stage) {
-  return (stage.precision.empty() ? "" : stage.precision + " steps, ") + "passes: " + stage.passes;
+  return (stage.precision.empty() ? "" : stage.precision + " steps, ") +
+         (stage.passes == kNoPasses ? "no passes" : stage.passes);
 }
 
 std::string errorSummary(const Catalogue &catalogue, const std::vector<std::size_t> &entries) {

@@ -18,7 +18,7 @@ std::string pointNote(const Entry &entry);
 std::string sideText(double resolution);
 /// "2048³ on llvmpipe".
 std::string stageTitle(const Stage &stage);
-/// "exact steps, passes: whole-level-dedup".
+/// "exact steps, whole-level-dedup".
 std::string stageConditions(const Stage &stage);
 /// The errors of all these entries in one clause.
 std::string errorSummary(const Catalogue &catalogue, const std::vector<std::size_t> &entries);
