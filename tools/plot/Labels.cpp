@@ -20,7 +20,8 @@ double outside(const Box &box, const Box &frame) {
   return area - overlap(box, frame);
 }
 
-/// Where labels are tried, best first: right, left, above, below, then further up and down on both sides.
+/// Where labels are tried, best first: right, left, above, below, beside and a little up or down, then
+/// further up and down on both sides.
 std::vector<Box> places(const LabelRequest &request, double width, double size) {
   const double gap = 0.9 * size, height = 1.2 * size;
   std::vector<Box> boxes;
@@ -31,6 +32,10 @@ std::vector<Box> places(const LabelRequest &request, double width, double size) 
   add(request.x - gap - width, request.y);
   add(request.x - width / 2, request.y - 1.3 * size);
   add(request.x - width / 2, request.y + 1.3 * size);
+  for (const double side : {-0.9, 0.9}) {
+    add(request.x - 0.5 * gap - width, request.y + side * size);
+    add(request.x + 0.5 * gap, request.y + side * size);
+  }
   for (int row = 1; row <= 8; ++row)
     for (const double side : {-1.0, 1.0}) {
       const double middle = request.y + side * (0.6 + 1.3 * row) * size;

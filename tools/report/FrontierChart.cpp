@@ -41,7 +41,7 @@ std::string mark(std::size_t family) { return "#m" + std::to_string(family); }
 class Drawing {
 public:
   explicit Drawing(const Chart &chart)
-      : chart_(chart), x_({"", plot::Spacing::Bytes}, valuesOf(&ChartPoint::bytes), 0, 100, kTicks),
+      : chart_(chart), x_({"", plot::Spacing::Bytes}, sizesWithRoom(), 0, 100, kTicks),
         y_({"", plot::Spacing::Linear}, valuesOf(&ChartPoint::speed), kHeight, 0, kTicks) {}
 
   std::string draw() const {
@@ -58,6 +58,14 @@ private:
     for (const ChartPoint &point : chart_.points)
       values.push_back(point.*axis);
     return values;
+  }
+
+  /// The sizes, and one that is smaller, for the labels of the smallest stand to its left.
+  std::vector<double> sizesWithRoom() const {
+    constexpr double kRoom = 1.7;
+    std::vector<double> sizes = valuesOf(&ChartPoint::bytes);
+    sizes.push_back(std::ranges::min(sizes) / kRoom);
+    return sizes;
   }
 
   std::string axes() const {
@@ -138,7 +146,7 @@ private:
       if (point.onFrontier)
         requests.push_back({point.label, x, y});
       else
-        others.push_back({x - 6, y - 6, x + 6, y + 6});
+        others.push_back({x - 8, y - 8, x + 8, y + 8});
     }
     const Box frame = {4, -4, width + 14, kHeight - 4};
     std::string text;

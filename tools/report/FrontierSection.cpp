@@ -79,15 +79,20 @@ std::vector<Row> makeRows(const Catalogue &catalogue, const Round &round) {
   return rows;
 }
 
+void append(std::string &list, const std::string &name) { list += (list.empty() ? "" : ", ") + name; }
+
 std::string roundHtml(const Catalogue &catalogue, const Round &round) {
-  std::string head = textTag("th", {{"scope", "col"}}, "Format"), body, winners;
+  std::string head = textTag("th", {{"scope", "col"}}, "Format"), body, winners, losers;
   for (const Stage *stage : round.stages)
     head += textTag("th", {{"scope", "col"}}, stage->column);
   for (const Row &row : makeRows(catalogue, round)) {
     const char *style = row.isEverywhere ? "always" : "";
-    body += tag("tr", {{"class", style}}, textTag("th", {{"scope", "row"}}, row.name) + row.cells) + "\n";
+    if (row.wins > 0)
+      body += tag("tr", {{"class", style}}, textTag("th", {{"scope", "row"}}, row.name) + row.cells) + "\n";
     if (row.isEverywhere)
-      winners += (winners.empty() ? "" : ", ") + row.name;
+      append(winners, row.name);
+    if (row.wins == 0)
+      append(losers, row.name);
   }
   const Stage &first = *round.stages.front();
   const std::string sentence = winners.empty() ? "No format is on the frontier of every model."
@@ -97,7 +102,8 @@ std::string roundHtml(const Catalogue &catalogue, const Round &round) {
   const std::string table =
       tag("table", {{"class", "dots"}}, tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body));
   return tag("figure", {{"class", "round"}},
-             tag("figcaption", {}, caption) + tag("div", {{"class", "scroll"}}, table));
+             tag("figcaption", {}, caption) + tag("div", {{"class", "scroll"}}, table) +
+                 (losers.empty() ? "" : textTag("p", {{"class", "remarks"}}, "On none: " + losers + ".")));
 }
 
 } // namespace

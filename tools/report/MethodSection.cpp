@@ -30,7 +30,7 @@ std::string deviceItem(const Entry &entry) {
   if (cell.device.name.empty())
     return {};
   std::string words;
-  append(words, cell.device.kind);
+  append(words, cell.device.kind == cell.device.name ? "" : cell.device.kind);
   append(words, cell.device.driver);
   append(words, cell.device.threads ? plural(static_cast<std::size_t>(*cell.device.threads), "thread") : "");
   append(words, entry.hasClock ? "speeds by its own timestamps" : "speeds by CPU seconds of the process");
@@ -79,17 +79,6 @@ std::string steadiness(const Catalogue &catalogue) {
               : countText(double(unsteady)) + " of them are not steady: wider than their commands state");
 }
 
-std::string legend(const Catalogue &catalogue) {
-  std::set<std::size_t> used;
-  for (const Entry &entry : catalogue.entries)
-    if (entry.hasPoint())
-      used.insert(entry.look.family);
-  std::string items;
-  for (const std::size_t family : used)
-    items += tag("li", {}, legendMark(family) + escaped(families()[family]));
-  return items;
-}
-
 } // namespace
 
 std::string introductionSection(const Catalogue &catalogue) {
@@ -105,7 +94,7 @@ std::string introductionSection(const Catalogue &catalogue) {
        {"cells", plural(catalogue.entries.size(), "measurement")},
        {"failed", failed > 0 ? countText(static_cast<double>(failed)) + " of them failed" : "none failed"},
        {"devices", escaped(devices)},
-       {"legend", legend(catalogue)},
+       {"legend", legendItems(catalogue, {})},
        {"marks", markDefinitions()}});
 }
 

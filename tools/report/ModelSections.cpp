@@ -5,6 +5,7 @@
 #include "report/Words.h"
 
 #include <algorithm>
+#include <set>
 
 namespace voxc::report {
 namespace {
@@ -83,6 +84,18 @@ std::string facts(const Catalogue &catalogue, const std::string &name) {
   return text.empty() ? "" : tag("ul", {{"class", "facts"}}, text);
 }
 
+/// The marks of the families that a model's charts show.
+std::string legend(const Catalogue &catalogue, const std::string &model) {
+  std::set<std::size_t> used;
+  for (const Entry &entry : catalogue.entries)
+    if (entry.hasPoint() && entry.cell->model.name == model)
+      used.insert(entry.look.family);
+  std::string items;
+  for (const std::size_t family : used)
+    items += tag("li", {}, legendMark(family) + escaped(families()[family]));
+  return tag("ul", {{"class", "legend"}, {"aria-label", "Marks of the families of formats"}}, items);
+}
+
 std::string anchor(std::size_t model) { return "model-" + std::to_string(model + 1); }
 
 std::string picture(const Pictures &pictures, const std::string &model) {
@@ -108,6 +121,7 @@ std::string modelSections(const Catalogue &catalogue, const Pictures &pictures) 
                                           {"name", escaped(name)},
                                           {"picture", picture(pictures, name)},
                                           {"facts", facts(catalogue, name)},
+                                          {"legend", legend(catalogue, name)},
                                           {"figures", figures}});
   }
   return text;
