@@ -94,7 +94,6 @@ std::string introductionSection(const Catalogue &catalogue) {
        {"cells", plural(catalogue.entries.size(), "measurement")},
        {"failed", failed > 0 ? countText(static_cast<double>(failed)) + " of them failed" : "none failed"},
        {"devices", escaped(devices)},
-       {"legend", legendItems(catalogue, {})},
        {"marks", markDefinitions()}});
 }
 
