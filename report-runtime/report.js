@@ -34,8 +34,10 @@
     tip.style.left = `${Math.max(edge, Math.min(left, innerWidth - tip.offsetWidth - edge))}px`;
   }
 
+  let shown = null;
+
   function show(point) {
-    hide();
+    shown = point;
     for (const other of points)
       other.classList.toggle("same", other.dataset.format === point.dataset.format);
     document.body.classList.add("pointing");
@@ -45,6 +47,7 @@
   }
 
   function hide() {
+    shown = null;
     tip.hidden = true;
     document.body.classList.remove("pointing");
     for (const point of points)
@@ -59,7 +62,8 @@
     point.addEventListener("blur", hide);
   }
   addEventListener("keydown", event => event.key === "Escape" && hide());
-  addEventListener("scroll", hide, {passive: true});
+  // The tab key may scroll to a point after it is shown.
+  addEventListener("scroll", () => shown && placeTip(shown), {passive: true});
 
   // Tables: headings become buttons; what has no figure stays last in either direction.
   function compare(a, b, isNumber, sign) {
