@@ -12,9 +12,10 @@
 namespace voxc::report {
 namespace {
 
-/// What all pictures together may take of the page.
-constexpr std::size_t kPictureBytes = 360'000;
-constexpr std::size_t kMostOfOne = 90'000;
+/// What the page should not exceed, and what one picture may take of it at most, and at least if there are
+/// few.
+constexpr std::size_t kPageBytes = 980'000;
+constexpr std::size_t kMostOfOne = 90'000, kLeastOfOne = 12'000;
 
 /// The first picture of each model.
 std::map<std::string, std::string> picturePaths(const std::vector<Cell> &cells) {
@@ -25,11 +26,13 @@ std::map<std::string, std::string> picturePaths(const std::vector<Cell> &cells) 
   return paths;
 }
 
-Pictures loadPictures(const std::vector<Cell> &cells, std::vector<std::string> &notes) {
+/// The pictures, which share `bytes`.
+Pictures loadPictures(const std::vector<Cell> &cells, std::size_t bytes, std::vector<std::string> &notes) {
   Pictures pictures;
   const auto paths = picturePaths(cells);
+  const std::size_t most = paths.empty() ? 0 : std::clamp(bytes / paths.size(), kLeastOfOne, kMostOfOne);
   for (const auto &[model, path] : paths) {
-    Expected<std::string> picture = thumbnail(path, std::min(kMostOfOne, kPictureBytes / paths.size()));
+    Expected<std::string> picture = thumbnail(path, most);
     if (picture)
       pictures[model] = std::move(*picture);
     else
@@ -44,13 +47,9 @@ struct Section {
   std::string html;
 };
 
-} // namespace
-
-Report makeReport(const std::vector<Cell> &cells) {
-  Report report;
-  const Catalogue catalogue = makeCatalogue(cells);
+std::string makePage(const Catalogue &catalogue, const Pictures &pictures) {
   const Section sections[] = {
-      {"models", "Models", modelSections(catalogue, loadPictures(cells, report.notes))},
+      {"models", "Models", modelSections(catalogue, pictures)},
       {"frontier", "Frontiers", frontierSection(catalogue)},
       {"dedup", "Sharing", dedupSection(catalogue)},
       {"restart", "Restarting", restartSection(catalogue)},
@@ -66,11 +65,21 @@ Report makeReport(const std::vector<Cell> &cells) {
       contents += tag("li", {}, textTag("a", {{"href", "#" + std::string(section.id)}}, section.name));
       body += tag("div", {{"id", section.id}}, section.html);
     }
-  report.html = fill("page.html", {{"style", std::string(runtimeFile("style.css"))},
-                                   {"script", std::string(runtimeFile("report.js"))},
-                                   {"introduction", introductionSection(catalogue)},
-                                   {"contents", contents},
-                                   {"sections", body}});
+  return fill("page.html", {{"style", std::string(runtimeFile("style.css"))},
+                            {"script", std::string(runtimeFile("report.js"))},
+                            {"introduction", introductionSection(catalogue)},
+                            {"contents", contents},
+                            {"sections", body}});
+}
+
+} // namespace
+
+Report makeReport(const std::vector<Cell> &cells) {
+  Report report;
+  const Catalogue catalogue = makeCatalogue(cells);
+  const std::size_t taken = makePage(catalogue, {}).size();
+  const std::size_t left = taken < kPageBytes ? kPageBytes - taken : 0;
+  report.html = makePage(catalogue, loadPictures(cells, left, report.notes));
   return report;
 }
 

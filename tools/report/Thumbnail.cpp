@@ -16,7 +16,8 @@ namespace {
 struct Trial {
   int width, quality;
 };
-constexpr Trial kTrials[] = {{960, 80}, {800, 76}, {640, 76}, {480, 74}, {320, 70}, {160, 60}};
+constexpr Trial kTrials[] = {{960, 80}, {880, 78}, {800, 76}, {720, 76}, {640, 74},
+                             {560, 74}, {480, 72}, {400, 70}, {320, 70}, {160, 60}};
 constexpr int kMostHeight = 2048;
 
 std::string base64(std::string_view bytes) {

@@ -36,7 +36,7 @@ TEST(Report, HasAPointForEachSpeedAndARowForEachCell) {
                                  makeCell("R(4^3) G(7)", 200, 2), makeFailure("R(8^3) G(3)", "too large")});
   EXPECT_EQ(count(html, "<a class=\"point"), 3u);
   EXPECT_EQ(count(html, " on\" href=\"#r"), 2u);
-  EXPECT_EQ(count(html, "<tr id=\"r"), 4u);
+  EXPECT_EQ(count(html, "<tr id=r"), 4u);
   EXPECT_THAT(html, HasSubstr("missed 0, ghost 0, wrong 0 of 1,000 rays"));
   EXPECT_THAT(html, HasSubstr("too large (it reached 12,345 words)"));
 }
