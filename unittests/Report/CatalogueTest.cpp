@@ -43,6 +43,12 @@ TEST(Catalogue, ComparesFormatsWithThePassesThatMostHave) {
   EXPECT_FALSE(catalogue.entries[0].onFrontier || catalogue.entries[3].onFrontier);
 }
 
+TEST(Catalogue, TakesNoPassesWhereMostHaveNone) {
+  const std::vector<Cell> cells = {makeCell("S(11)", 100, 1), makeCell("R(4^3) G(7)", 50, 1, kDedup),
+                                   makeCell("R(4^3) G(7)", 60, 1)};
+  EXPECT_EQ(makeCatalogue(cells).stages.at(0).passes, kNoPasses);
+}
+
 TEST(Catalogue, NamesTheRaysWhereAModelHasSeveral) {
   std::vector<Cell> cells(3, makeCell("G(11)", 100, 1));
   cells[1].rays.name = "back";
