@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
-bool isControl(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; }
+bool isControl(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\r'; }
 
 /// The line's format, or what is wrong with it.
 Expected<FormatLine> parseLine(std::string_view line) {
