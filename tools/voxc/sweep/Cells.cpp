@@ -14,18 +14,29 @@
 namespace voxc::tool::bench {
 namespace {
 
-/// Rendered diagnostics are several lines, of which the first says what is wrong.
-std::string firstLine(const std::string &text) { return text.substr(0, text.find('\n')); }
+/// Rendered diagnostics are several lines, of which the first says what is wrong, after the place.
+std::string firstMessage(const std::string &text) {
+  constexpr std::string_view kMark = "error: ";
+  const std::string line = text.substr(0, text.find('\n'));
+  const std::size_t mark = line.find(kMark);
+  return mark == std::string::npos ? line : line.substr(mark + kMark.size());
+}
+
+/// As the list has it, unless that is IR text.
+std::string nameOf(const SweepFormat &format) {
+  const bool isIr = format.problem.empty() && format.line.text.starts_with("format");
+  return isIr ? toString(format.format) : format.line.text;
+}
 
 SweepFormat makeFormat(const FormatLine &line, const std::vector<std::string> &passes) {
   SweepFormat result{line, passes, "", {}};
   Expected<Format> format = parseFormat(line.text);
   if (!format) {
-    result.problem = firstLine(format.error().message);
+    result.problem = firstMessage(format.error().message);
     return result;
   }
   if (Expected<void> passed = runPasses(*format, passes); !passed)
-    result.problem = firstLine(passed.error().message);
+    result.problem = firstMessage(passed.error().message);
   result.format = std::move(*format);
   return result;
 }
@@ -37,7 +48,7 @@ ModelPart partOf(const Model &model) {
 /// What a format is known by; one that could not be read by its text.
 FormatPart partOf(const SweepFormat &format, const Format &kernelFormat) {
   const bool isRead = format.problem.empty();
-  return {format.line.label, isRead ? toString(format.format) : format.line.text, format.passes,
+  return {format.line.label, nameOf(format), format.passes,
           Digest().add(isRead ? printIr(kernelFormat) : format.line.text).hex()};
 }
 
