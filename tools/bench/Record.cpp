@@ -145,6 +145,10 @@ std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seco
   return Speed{std::ranges::min(speeds), median(speeds), std::ranges::max(speeds), spread(speeds)};
 }
 
+bool areEqual(const Speed &a, const Speed &b) {
+  return std::abs(a.median - b.median) <= std::max(a.max - a.min, b.max - b.min);
+}
+
 Json toJson(const Record &record) {
   Json json{{"schema", kSchema}};
   Writer writer(json);

@@ -1,5 +1,5 @@
 // voxc bench report: one HTML file of the records of voxc bench.
-#include "BenchReport.h"
+#include "Subcommand.h"
 
 #include "common/Files.h"
 #include "report/Report.h"
@@ -19,21 +19,27 @@ void tellNotes(const std::vector<std::string> &notes) {
     printNote("and " + std::to_string(notes.size() - kMostNotes) + " more of the kind");
 }
 
-} // namespace
+class BenchReportCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override;
+  Expected<void> run() override;
 
-void BenchReport::declare(CLI::App &bench) {
-  app_ = bench.add_subcommand("report", "Make one HTML file of the records of measurements");
-  app_->add_option("DIR", folders_, "Folders of records, as voxc bench writes them")
-      ->required()
-      ->type_name("");
-  app_->add_option("-o,--output", output_,
-                   "The file; the default is report.html in the first folder, - standard output")
+private:
+  std::vector<std::string> folders_;
+  std::string output_;
+  bool quiet_ = false;
+};
+
+void BenchReportCommand::declare(CLI::App &app) {
+  app.add_option("DIR", folders_, "Folders of records, as voxc bench writes them")->required()->type_name("");
+  app.add_option("-o,--output", output_,
+                 "The file; the default is report.html in the first folder, - standard output")
       ->type_name("FILE");
-  app_->add_flag("--quiet", common_.quiet, "No notes");
-  app_->set_version_flag("--version", versionText());
+  app.add_flag("--quiet", quiet_, "No notes");
+  app.set_version_flag("--version", versionText());
 }
 
-Expected<void> BenchReport::run() const {
+Expected<void> BenchReportCommand::run() {
   auto cells = report::readCells(folders_);
   if (!cells)
     return cells.error();
@@ -41,11 +47,15 @@ Expected<void> BenchReport::run() const {
   if (report.html.size() > kLargePage)
     report.notes.push_back("the report has " + std::to_string(report.html.size()) +
                            " bytes; fewer folders would make a page that opens faster");
-  if (!common_.quiet)
+  if (!quiet_)
     tellNotes(report.notes);
   const std::string path =
       output_.empty() ? (std::filesystem::path(folders_.front()) / "report.html").string() : output_;
   return writeText(path, report.html);
 }
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeBenchReportCommand() { return std::make_unique<BenchReportCommand>(); }
 
 } // namespace voxc::tool

@@ -1,0 +1,117 @@
+// Reading cameras and rays.
+#include "sweep/RaySet.h"
+
+#include "bench/Digest.h"
+#include "common/CameraFile.h"
+#include "common/CameraOptions.h"
+#include "common/Files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace voxc::tool::bench {
+namespace {
+
+constexpr const char *kOverview = "overview";
+
+std::string exact(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
+}
+
+RaySet makeCameraSet(const std::string &name, std::array<int, 2> size, Digest digest) {
+  const std::array<std::uint64_t, 2> pixels{std::uint64_t(size[0]), std::uint64_t(size[1])};
+  digest.add(std::to_string(size[0])).add(std::to_string(size[1]));
+  RaySet set;
+  set.part = {name, "camera", pixels[0] * pixels[1], pixels, digest.hex()};
+  return set;
+}
+
+Expected<std::array<int, 2>> sizeOf(const std::string &text, std::array<int, 2> fallback) {
+  return text.empty() ? fallback : parseSize(text);
+}
+
+Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string &name) {
+  const Camera defaults;
+  const auto file = readCamera(arguments.cameraFile, name);
+  if (!file)
+    return file.error();
+  const auto size = sizeOf(arguments.size, file->size.value_or(std::array{defaults.width, defaults.height}));
+  if (!size)
+    return size.error();
+  Digest digest;
+  for (const double number :
+       {file->position[0], file->position[1], file->position[2], file->pitch, file->yaw, file->fov})
+    digest.add(exact(number));
+  RaySet set = makeCameraSet(name, *size, digest);
+  set.camera = [camera = *file, size = *size](Int3 extent) {
+    return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw, camera.fov, size[0], size[1]);
+  };
+  return set;
+}
+
+/// A camera that sees all of a volume.
+Expected<RaySet> makeOverview(const RayArguments &arguments) {
+  const Camera defaults;
+  const auto size = sizeOf(arguments.size, {defaults.width, defaults.height});
+  if (!size)
+    return size.error();
+  RaySet set = makeCameraSet(kOverview, *size, Digest().add(kOverview));
+  set.camera = [size = *size](Int3 extent) { return frameExtent(extent, size[0], size[1]); };
+  return set;
+}
+
+Expected<RaySet> readRayFile(const std::string &path) {
+  auto rays = readRays(path);
+  if (!rays)
+    return rays.error();
+  if (rays->empty())
+    return Error::input("ray file '" + path + "' is empty; it should hold one ray at least");
+  const auto bytes = std::as_bytes(std::span(*rays));
+  RaySet set;
+  set.part = {std::filesystem::path(path).stem().string(), "file", rays->size(), {}, ""};
+  set.part.digest = Digest().add({reinterpret_cast<const char *>(bytes.data()), bytes.size()}).hex();
+  set.rays = std::move(*rays);
+  return set;
+}
+
+Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, const std::string &model) {
+  auto names = cameraNames(arguments.cameraFile);
+  if (!names)
+    return names;
+  if (std::ranges::find(*names, model) != names->end())
+    return std::vector{model};
+  if (names->empty())
+    return Error::input(arguments.cameraFile + " has no cameras; it should have one at least");
+  return names;
+}
+
+} // namespace
+
+Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const std::string &model) {
+  std::vector<RaySet> sets;
+  const auto add = [&](Expected<RaySet> set) -> Expected<void> {
+    if (!set)
+      return set.error();
+    sets.push_back(std::move(*set));
+    return {};
+  };
+  if (!arguments.cameraFile.empty()) {
+    const auto names = chooseCameras(arguments, model);
+    if (!names)
+      return names.error();
+    for (const std::string &name : *names)
+      if (Expected<void> added = add(readCameraSet(arguments, name)); !added)
+        return added.error();
+  } else if (arguments.rayFiles.empty()) {
+    if (Expected<void> added = add(makeOverview(arguments)); !added)
+      return added.error();
+  }
+  for (const std::string &path : arguments.rayFiles)
+    if (Expected<void> added = add(readRayFile(path)); !added)
+      return added.error();
+  return sets;
+}
+
+} // namespace voxc::tool::bench

@@ -1,0 +1,36 @@
+// The rays of a sweep: those of cameras, or of files.
+#pragma once
+
+#include "bench/Record.h"
+#include "voxc/Support/Geometry.h"
+#include "voxc/Trace/Camera.h"
+#include "voxc/Trace/Ray.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace voxc::tool::bench {
+
+/// Rays that wait for a volume: where a camera stands depends on the volume's extent.
+struct RaySet {
+  RaysPart part;
+  std::function<Camera(Int3 extent)> camera; ///< Empty for rays from a file.
+  std::vector<Ray> rays;                     ///< Of a file.
+
+  /// The rays through a volume of this extent.
+  std::vector<Ray> raysFor(Int3 extent) const { return camera ? cameraRays(camera(extent)) : rays; }
+};
+
+/// What the command line says of rays.
+struct RayArguments {
+  std::string cameraFile; ///< "": a camera that sees the whole volume, unless there are ray files.
+  std::string size;       ///< "WxH", or "": the camera file's, or 1280x720.
+  std::vector<std::string> rayFiles;
+};
+
+/// The rays for a model: the camera of its name, or all cameras of the file if none has it; and every ray
+/// file. Errors: `Usage` for a size, `Input` for a file that is missing, broken or empty.
+Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const std::string &model);
+
+} // namespace voxc::tool::bench
