@@ -65,7 +65,7 @@ def record(model, form, passes, side, device, precision, label=""):
             "format": {"label": label, "name": form, "passes": passes, "digest": digest(form, passes)}, "resolution": side,
             "precision": precision, "device": device,
             "rays": {"name": name, "kind": "camera", "count": 1440000, "size": [1600, 900], "digest": digest("rays", name)}}
-    made_by = {"voxc": "0.1.0", "llvm": "19.1.7", "processor": "Imaginary CPU", "cores": 2,
+    made_by = {"voxc": "voxc 0.1.0", "llvm": "19.1.7", "processor": "Imaginary CPU", "cores": 2,
                "command": "voxc bench pagoda.obj tangle.ply --formats formats.txt -o results"}
     if form in FAILURES and name == "tangle":
         stage, reason, words = FAILURES[form]

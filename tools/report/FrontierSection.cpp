@@ -15,10 +15,16 @@ struct Round {
   std::vector<const Stage *> stages;
 };
 
+bool hasPoints(const Catalogue &catalogue, const Stage &stage) {
+  return std::ranges::any_of(stage.entries, [&](std::size_t i) { return catalogue.entries[i].hasPoint(); });
+}
+
 std::vector<Round> makeRounds(const Catalogue &catalogue) {
   std::map<std::string, std::size_t> places;
   std::vector<Round> rounds;
   for (const Stage &stage : catalogue.stages) {
+    if (!hasPoints(catalogue, stage))
+      continue;
     const std::string key = sideText(stage.resolution) + "\n" + stage.device + "\n" + stageConditions(stage);
     const auto [found, isNew] = places.try_emplace(key, rounds.size());
     if (isNew)

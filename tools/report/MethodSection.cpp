@@ -39,7 +39,7 @@ std::string deviceItem(const Entry &entry) {
 
 std::string makerItem(const Entry &entry) {
   const tool::bench::MadeByPart &maker = entry.cell->madeBy;
-  std::string words = maker.voxc.empty() ? "" : "voxc " + maker.voxc;
+  std::string words = maker.voxc;
   append(words, maker.llvm.empty() ? "" : "LLVM " + maker.llvm);
   append(words, maker.processor);
   append(words, maker.cores ? plural(static_cast<std::size_t>(*maker.cores), "core") : "");

@@ -30,6 +30,21 @@ std::string failedNames(const Catalogue &catalogue, const Stage &stage) {
   return names;
 }
 
+/// The frontier in words, for labels may crowd: "On the frontier, small ones first: G(9), 12.9 MiB, 1.12;
+/// ...".
+std::string frontierWords(const Chart &chart) {
+  std::vector<const ChartPoint *> points;
+  for (const ChartPoint &point : chart.points)
+    if (point.onFrontier)
+      points.push_back(&point);
+  std::ranges::stable_sort(points, {}, &ChartPoint::bytes);
+  std::string items;
+  for (const ChartPoint *point : points)
+    items += (items.empty() ? "" : "; ") + textTag("b", {}, point->label) + " " + bytesText(point->bytes) +
+             ", " + numberText(point->speed);
+  return "On the frontier, small ones first: " + items + ".";
+}
+
 /// What stands below a chart: what was wrong, what failed, and what is elsewhere.
 std::string remarks(const Catalogue &catalogue, const Stage &stage) {
   std::string text = "Errors: " + errorSummary(catalogue, stage.entries) + ".";
@@ -53,6 +68,7 @@ std::string figure(const Catalogue &catalogue, const Stage &stage) {
       textTag("b", {}, stageTitle(stage)) + " " + textTag("span", {}, stageConditions(stage));
   return tag("figure", {{"class", "stage"}},
              tag("figcaption", {}, caption) + toSvg(chart) +
+                 tag("p", {{"class", "remarks"}}, frontierWords(chart)) +
                  textTag("p", {{"class", "remarks"}}, remarks(catalogue, stage))) +
          "\n";
 }

@@ -56,6 +56,16 @@ TEST(Report, IsMadeOfFailuresAloneToo) {
   EXPECT_THAT(html, Not(HasSubstr("<div id=\"models\">")));
 }
 
+TEST(Report, ComparesFrontiersOfModelsThatHaveSpeeds) {
+  std::vector<Cell> cells(2, makeCell("G(11)", 100, 1));
+  cells[1].model.name = "tower";
+  EXPECT_THAT(page(cells), HasSubstr("On the frontier of every model: G(11)."));
+  for (Cell &cell : cells)
+    cell = makeFailure(cell.model.name == "hut" ? "G(" : "S(", "no format");
+  cells[1].model.name = "tower";
+  EXPECT_THAT(page(cells), Not(HasSubstr("<div id=\"frontier\">")));
+}
+
 TEST(Report, RingsPointsWithErrors) {
   Cell cell = makeCell("G(11)", 100, 1);
   EXPECT_THAT(page({cell}), Not(HasSubstr("class=\"ring\"")));
