@@ -53,7 +53,7 @@ struct Candidate {
 };
 
 Candidate makeCandidate(const LabelRequest &request, const Box &box, double size) {
-  Candidate candidate{{request.text, box.left, box.bottom - 0.3 * size, request.x, request.y, 0, 0, false},
+  Candidate candidate{{request.text, box.left, box.bottom - 0.3 * size, request.x, request.y, 0, 0, false, 0},
                       {box}};
   PlacedLabel &label = candidate.label;
   label.hasLeader = std::abs((box.top + box.bottom) / 2 - request.y) > 1.5 * size;
@@ -88,10 +88,12 @@ double cost(const Candidate &candidate, const std::vector<Box> &taken, const Box
 Candidate bestPlace(const LabelRequest &request, const std::vector<Box> &taken, const Box &frame,
                     double size) {
   std::vector<Candidate> tried;
-  for (const Box &box : places(request, textWidth(request.text, size), size))
+  for (const Box &box : places(request, textWidth(request.text, size), size)) {
     tried.push_back(makeCandidate(request, box, size));
+    tried.back().label.cost = cost(tried.back(), taken, frame);
+  }
   return *std::ranges::min_element(tried, {},
-                                   [&](const Candidate &candidate) { return cost(candidate, taken, frame); });
+                                   [](const Candidate &candidate) { return candidate.label.cost; });
 }
 
 } // namespace

@@ -17,6 +17,7 @@ struct PlacedLabel {
   double pointX, pointY;
   double leaderX, leaderY; ///< The leader's end at the text.
   bool hasLeader;
+  double cost; ///< How much it covers, mostly: an area in square units.
 };
 
 struct LabelRequest {

@@ -20,6 +20,8 @@ using plot::Scale;
 constexpr double kHeight = 300;
 constexpr double kLetters = 12.5;
 constexpr int kTicks = 5;
+/// The share of a label that may cover something; one for which there is no better place is left out.
+constexpr double kMostCovered = 0.35;
 
 /// Labels are placed for these widths; style.css shows the set that fits.
 struct LabelSet {
@@ -151,7 +153,8 @@ private:
     const Box frame = {4, -4, width + 14, kHeight - 4};
     std::string text;
     for (const plot::PlacedLabel &label : placeLabels(requests, frame, kLetters, others))
-      text += labelFrame(label, width);
+      if (label.cost < kMostCovered * kLetters * plot::textWidth(label.text, kLetters))
+        text += labelFrame(label, width);
     return text;
   }
 
