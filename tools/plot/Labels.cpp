@@ -121,6 +121,7 @@ std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, 
       placed[i] = bestPlace(requests[i], taken, frame, fontSize);
     }
   std::vector<PlacedLabel> labels;
+  labels.reserve(placed.size());
   for (const Candidate &candidate : placed)
     labels.push_back(candidate.label);
   return labels;

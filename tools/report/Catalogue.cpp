@@ -131,6 +131,7 @@ std::vector<Stage> makeStages(const Catalogue &catalogue) {
         .push_back(i);
   }
   std::vector<Stage> stages;
+  stages.reserve(groups.size());
   for (const auto &[key, indices] : groups)
     stages.push_back(makeStage(catalogue.entries, indices));
   return stages;

@@ -37,6 +37,7 @@ std::vector<std::string> deviceNames(const std::vector<Cell> &cells) {
     devices.insert(kNames.back()(cell));
   for (const auto &nameOf : kNames) {
     std::vector<std::string> names;
+    names.reserve(cells.size());
     for (const Cell &cell : cells)
       names.push_back(nameOf(cell));
     if (std::set(names.begin(), names.end()).size() == devices.size())

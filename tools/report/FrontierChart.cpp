@@ -57,6 +57,7 @@ public:
 private:
   std::vector<double> valuesOf(double ChartPoint::*axis) const {
     std::vector<double> values;
+    values.reserve(chart_.points.size());
     for (const ChartPoint &point : chart_.points)
       values.push_back(point.*axis);
     return values;
@@ -101,7 +102,6 @@ private:
     for (const ChartPoint &point : chart_.points)
       if (point.onFrontier)
         points.push_back(&point);
-    std::ranges::stable_sort(points, {}, &ChartPoint::bytes);
     return points;
   }
 
@@ -111,7 +111,8 @@ private:
     std::string stairs;
     for (const ChartPoint *point : frontierPoints()) {
       const std::string x = coordinate(x_.place(point->bytes)), y = coordinate(y_.place(point->speed));
-      stairs += stairs.empty() ? "M" + x + "," + coordinate(kHeight) + "V" + y : "H" + x + "V" + y;
+      stairs += stairs.empty() ? "M" + x + "," + coordinate(kHeight) : "H" + x;
+      stairs += "V" + y;
     }
     stairs += "H100";
     const std::string box = "0 0 100 " + coordinate(kHeight);
@@ -178,18 +179,12 @@ private:
                content);
   }
 
-  /// Those of the frontier last, so that they lie on top; from small to large, which is the order of the tab
-  /// key.
+  /// Those of the frontier last, so that they lie on top.
   std::string points() const {
-    std::vector<const ChartPoint *> order;
+    std::string dominated, leading;
     for (const ChartPoint &point : chart_.points)
-      order.push_back(&point);
-    std::ranges::stable_sort(order, {}, &ChartPoint::bytes);
-    std::ranges::stable_partition(order, [](const ChartPoint *point) { return !point->onFrontier; });
-    std::string text;
-    for (const ChartPoint *point : order)
-      text += drawPoint(*point);
-    return text;
+      (point.onFrontier ? leading : dominated) += drawPoint(point);
+    return dominated + leading;
   }
 
   std::string drawPoint(const ChartPoint &point) const {

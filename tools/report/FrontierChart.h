@@ -23,7 +23,7 @@ struct ChartPoint {
 struct Chart {
   std::string title; ///< For readers who do not see it.
   std::string speedLabel;
-  std::vector<ChartPoint> points; ///< One at least, with positive sizes.
+  std::vector<ChartPoint> points; ///< One at least, with positive sizes, from small to large.
 };
 
 std::string toSvg(const Chart &chart);

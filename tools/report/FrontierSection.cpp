@@ -78,11 +78,16 @@ std::vector<Row> makeRows(const Catalogue &catalogue, const Round &round) {
   for (const Stage *stage : round.stages)
     for (const std::size_t i : stage->entries)
       formats.insert(catalogue.entries[i].format);
-  std::vector<Row> rows;
-  for (const std::size_t format : formats)
-    rows.push_back(makeRow(catalogue, round, format));
-  std::ranges::stable_sort(rows, std::ranges::greater{}, &Row::wins);
-  return rows;
+  std::map<std::pair<std::size_t, std::size_t>, Row> rows;
+  for (const std::size_t format : formats) {
+    Row row = makeRow(catalogue, round, format);
+    rows.emplace(std::pair(round.stages.size() - row.wins, format), std::move(row));
+  }
+  std::vector<Row> order;
+  order.reserve(rows.size());
+  for (auto &[rank, row] : rows)
+    order.push_back(std::move(row));
+  return order;
 }
 
 void append(std::string &list, const std::string &name) { list += (list.empty() ? "" : ", ") + name; }

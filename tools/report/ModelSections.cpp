@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace voxc::report {
 namespace {
@@ -19,6 +20,9 @@ Chart makeChart(const Catalogue &catalogue, const Stage &stage) {
                               entry.onFrontier, entry.errors && entry.errors->sum() > 0, entry.look.name,
                               pointNote(entry), "#" + rowId(catalogue, entry)});
   }
+  std::ranges::sort(chart.points, {}, [](const ChartPoint &point) {
+    return std::tuple(point.bytes, point.speed, point.format);
+  });
   return chart;
 }
 
@@ -33,15 +37,11 @@ std::string failedNames(const Catalogue &catalogue, const Stage &stage) {
 /// The frontier in words, for labels may crowd: "On the frontier, small ones first: G(9), 12.9 MiB, 1.12;
 /// ...".
 std::string frontierWords(const Chart &chart) {
-  std::vector<const ChartPoint *> points;
+  std::string items;
   for (const ChartPoint &point : chart.points)
     if (point.onFrontier)
-      points.push_back(&point);
-  std::ranges::stable_sort(points, {}, &ChartPoint::bytes);
-  std::string items;
-  for (const ChartPoint *point : points)
-    items += (items.empty() ? "" : "; ") + textTag("b", {}, point->label) + " " + bytesText(point->bytes) +
-             ", " + numberText(point->speed);
+      items += (items.empty() ? "" : "; ") + textTag("b", {}, point.label) + " " + bytesText(point.bytes) +
+               ", " + numberText(point.speed);
   return "On the frontier, small ones first: " + items + ".";
 }
 
