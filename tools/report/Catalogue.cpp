@@ -5,7 +5,6 @@
 #include "report/Pareto.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -39,8 +38,10 @@ std::optional<Errors> errorsOf(const Cell &cell) {
   return Errors{double(*error.rays), double(*error.missed), double(*error.ghost), double(*error.wrong)};
 }
 
+/// Whether a speed is one that a machine may have; what is computed of it stays finite.
 bool isDrawable(const tool::bench::Speed &speed) {
-  return std::isfinite(speed.median) && speed.median > 0 && std::isfinite(speed.spread) && speed.spread >= 0;
+  constexpr double kLeast = 1e-12, kMost = 1e12, kMostSpread = 1e6;
+  return speed.median >= kLeast && speed.median <= kMost && speed.spread >= 0 && speed.spread <= kMostSpread;
 }
 
 /// The figures of a cell, as far as they make sense.

@@ -37,7 +37,7 @@ struct Entry {
   Figure bytes;     ///< Of the volume; more than 0.
   Figure peakBytes; ///< Of building it.
   double resolution = 0;
-  std::optional<tool::bench::Speed> speed; ///< In what its device counts; finite and more than 0.
+  std::optional<tool::bench::Speed> speed; ///< In what its device counts; of no absurd size.
   bool hasClock = false;                   ///< Its device counts its own timestamps, others CPU seconds.
   bool isSteady = true;
   std::optional<Errors> errors;

@@ -58,7 +58,8 @@ TEST(Catalogue, NamesTheRaysWhereAModelHasSeveral) {
 }
 
 TEST(Catalogue, DrawsNoFiguresThatMakeNoSense) {
-  std::vector<Cell> cells = {makeCell("G(11)", 0, 1), makeCell("G(11)", 1, -1), makeFailure("G(11)", "no")};
+  std::vector<Cell> cells = {makeCell("G(11)", 0, 1), makeCell("G(11)", 1, -1), makeCell("G(11)", 1, 1e308),
+                             makeCell("G(11)", 1, 5e-324), makeFailure("G(11)", "no")};
   const Catalogue catalogue = makeCatalogue(cells);
   for (const Entry &entry : catalogue.entries)
     EXPECT_FALSE(entry.hasPoint());
