@@ -122,9 +122,14 @@ std::string picture(const Pictures &pictures, const std::string &model) {
                    "");
 }
 
+std::string note(const ModelNotes &notes, const std::string &model) {
+  const auto found = notes.find(model);
+  return found == notes.end() ? "" : textTag("p", {{"class", "note"}}, found->second);
+}
+
 } // namespace
 
-std::string modelSections(const Catalogue &catalogue, const Pictures &pictures) {
+std::string modelSections(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes) {
   std::string text;
   for (std::size_t model = 0; model < catalogue.models.size(); ++model) {
     const std::string &name = catalogue.models[model];
@@ -136,6 +141,7 @@ std::string modelSections(const Catalogue &catalogue, const Pictures &pictures) 
       text += fill("section/model.html", {{"id", anchor(model)},
                                           {"name", escaped(name)},
                                           {"picture", picture(pictures, name)},
+                                          {"note", note(notes, name)},
                                           {"facts", facts(catalogue, name)},
                                           {"legend", legend(catalogue, name)},
                                           {"figures", figures}});

@@ -47,9 +47,9 @@ struct Section {
   std::string html;
 };
 
-std::string makePage(const Catalogue &catalogue, const Pictures &pictures) {
+std::string makePage(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes) {
   const Section sections[] = {
-      {"models", "Models", modelSections(catalogue, pictures)},
+      {"models", "Models", modelSections(catalogue, pictures, notes)},
       {"frontier", "Frontiers", frontierSection(catalogue)},
       {"dedup", "Sharing", dedupSection(catalogue)},
       {"restart", "Restarting", restartSection(catalogue)},
@@ -74,12 +74,12 @@ std::string makePage(const Catalogue &catalogue, const Pictures &pictures) {
 
 } // namespace
 
-Report makeReport(const std::vector<Cell> &cells) {
+Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes) {
   Report report;
   const Catalogue catalogue = makeCatalogue(cells);
-  const std::size_t taken = makePage(catalogue, {}).size();
+  const std::size_t taken = makePage(catalogue, {}, modelNotes).size();
   const std::size_t left = taken < kPageBytes ? kPageBytes - taken : 0;
-  report.html = makePage(catalogue, loadPictures(cells, left, report.notes));
+  report.html = makePage(catalogue, loadPictures(cells, left, report.notes), modelNotes);
   return report;
 }
 

@@ -3,10 +3,14 @@
 
 #include "report/Cells.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace voxc::report {
+
+/// What should be said of models, by their names: a sentence each.
+using ModelNotes = std::map<std::string, std::string>;
 
 struct Report {
   std::string html;
@@ -14,6 +18,6 @@ struct Report {
 };
 
 /// The report of these cells; pictures are read from where the records say.
-Report makeReport(const std::vector<Cell> &cells);
+Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes = {});
 
 } // namespace voxc::report

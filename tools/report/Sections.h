@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/Catalogue.h"
+#include "report/Report.h"
 
 #include <map>
 #include <string>
@@ -14,8 +15,8 @@ using Pictures = std::map<std::string, std::string>;
 
 /// What is compared, and how to read the charts.
 std::string introductionSection(const Catalogue &catalogue);
-/// For each model its picture and a chart for each stage.
-std::string modelSections(const Catalogue &catalogue, const Pictures &pictures);
+/// For each model its picture, its note and a chart for each stage.
+std::string modelSections(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes);
 /// Which formats are on the frontier of which models.
 std::string frontierSection(const Catalogue &catalogue);
 /// How much smaller whole-level-dedup makes volumes.
