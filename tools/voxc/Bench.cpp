@@ -12,7 +12,6 @@
 #include "sweep/Sweep.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace voxc::tool {
@@ -28,7 +27,10 @@ struct Action {
 };
 
 /// What can be done with results.
-constexpr std::array<Action, 0> kActions{};
+constexpr Action kActions[] = {
+    {"export", "Pack measured cells for a machine that has voxc-trace alone", makeBenchExportCommand},
+    {"import", "Take in what such a machine found", makeBenchImportCommand},
+};
 
 /// Lets an option be given several times, a value each time.
 CLI::Option *several(CLI::Option *option) {
