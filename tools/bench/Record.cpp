@@ -148,7 +148,7 @@ std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seco
 
 std::string cellDigest(const Record &record) {
   Digest digest;
-  digest.add(record.model.digest).add(record.format.label).add(record.format.digest);
+  digest.add(record.model.name).add(record.model.digest).add(record.format.label).add(record.format.digest);
   for (const std::string &pass : record.format.passes)
     digest.add(pass);
   digest.add(record.precision).add(record.device.name).add(record.device.kind).add(record.device.driver);

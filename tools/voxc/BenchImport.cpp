@@ -3,7 +3,9 @@
 #include "Subcommand.h"
 
 #include "bench/RecordFile.h"
+#include "common/Files.h"
 #include "common/Statistics.h"
+#include "sweep/SampleCheck.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
@@ -22,6 +24,7 @@ namespace fs = std::filesystem;
 struct Findings {
   Json figures;
   std::vector<double> seconds, cpuSeconds, deviceSeconds;
+  std::string hits; ///< The file with the hits of its sample, or "".
 };
 
 /// Adds the repeats of a round but for the first, which warms the device. False if they are no list of
@@ -93,6 +96,10 @@ Expected<void> BenchImportCommand::readResult(const fs::path &path) {
     return broken("has rounds that are no lists of seconds");
   if (findings.figures.is_null())
     findings.figures = figures;
+  const fs::path hits = path.parent_path() / (path.stem().stem().string() + ".hits");
+  std::error_code ignored;
+  if (fs::exists(hits, ignored))
+    findings.hits = hits.string();
   return {};
 }
 
@@ -136,7 +143,6 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
   record.kernel.firstDispatchSeconds = figure("first_dispatch_seconds");
   if (figures.contains("hits") && figures["hits"].is_number_unsigned())
     record.work.hits = figures["hits"].get<std::uint64_t>();
-  record.cell = cellDigest(record);
   return record;
 }
 
@@ -150,12 +156,22 @@ Expected<void> BenchImportCommand::run() {
   auto writer = RecordWriter::open((fs::path(folder_) / kResultsName).string());
   if (!writer)
     return writer.error();
+  SampleCheck check(folder_);
   std::size_t taken = 0;
   for (const Record &base : *records) {
     const auto findings = findings_.find(base.cell);
     if (findings == findings_.end() || findings->second.seconds.empty())
       continue;
-    if (Expected<void> appended = writer->append(makeRecord(base, findings->second)); !appended)
+    Record record = makeRecord(base, findings->second);
+    if (!findings->second.hits.empty()) {
+      const auto hits = readHits(findings->second.hits);
+      if (!hits)
+        return hits.error();
+      if (Expected<void> added = check.add(record, *hits); !added)
+        return added;
+    }
+    record.cell = cellDigest(record);
+    if (Expected<void> appended = writer->append(record); !appended)
       return appended;
     ++taken;
   }

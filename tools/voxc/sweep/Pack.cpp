@@ -2,6 +2,7 @@
 #include "sweep/Pack.h"
 
 #include "Outputs.h"
+#include "sweep/SampleCheck.h"
 
 #include "bench/Digest.h"
 #include "common/Files.h"
@@ -40,6 +41,10 @@ Expected<std::string> kernelBytes(const Record &record, const Format &format) {
     return kernel.error();
   return std::string(reinterpret_cast<const char *>(kernel->spirv.data()),
                      kernel->spirv.size() * sizeof(std::uint32_t));
+}
+
+bool isDigest(const std::string &text) {
+  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 std::string sizeOf(const RaysPart &rays) {
@@ -117,6 +122,9 @@ std::string cachePath(const std::string &folder, const std::string &modelDigest,
 }
 
 Expected<void> packCell(const Record &record, const std::string &folder, PackWriter &packs) {
+  // They become names of files and words of a script.
+  if (!isDigest(record.cell) || !isDigest(record.rays.digest))
+    return Error::input("cell '" + record.cell + "' or its rays have a digest that is not 16 hex digits");
   const Expected<Format> format = formatOf(record);
   if (!format)
     return format.error();
@@ -134,8 +142,15 @@ Expected<void> packCell(const Record &record, const std::string &folder, PackWri
   if (!rays.empty())
     if (Expected<void> added = packs.addPieces(rays, folder + "/cache/" + rays); !added)
       return added;
+  const auto sample = packedSample(record, folder);
+  if (!sample)
+    return sample.error();
+  const auto bytes = std::as_bytes(std::span(*sample));
+  const std::string_view content{reinterpret_cast<const char *>(bytes.data()), bytes.size()};
+  if (Expected<void> added = packs.addWhole(sampleName(record) + ".001", content); !added)
+    return added;
   packs.addCell(record.cell + " " + key + " " + record.format.digest + " " + kindOf(record.rays) + " " +
-                record.rays.digest + " " + sizeOf(record.rays));
+                record.rays.digest + " " + sizeOf(record.rays) + " " + sampleName(record));
   return {};
 }
 

@@ -124,6 +124,19 @@ Expected<void> keepRays(const RaySet &set, const std::string &folder) {
   return set.camera ? writeText(path, set.cameraText) : writeBytes(path, std::as_bytes(std::span(set.rays)));
 }
 
+Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &folder, Int3 extent) {
+  const std::string kind = kindOf(part), path = folder + "/" + rayFileName(part);
+  if (kind == "file")
+    return readRays(path);
+  const auto size = *part.size;
+  const RayArguments arguments{path, std::to_string(size[0]) + "x" + std::to_string(size[1]), {}};
+  const Expected<RaySet> set =
+      kind == kOverview ? makeOverview(arguments) : readCameraSet(arguments, "camera");
+  if (!set)
+    return set.error();
+  return set->raysFor(extent);
+}
+
 Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const std::string &model) {
   std::vector<RaySet> sets;
   const auto add = [&](Expected<RaySet> set) -> Expected<void> {

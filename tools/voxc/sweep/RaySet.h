@@ -33,6 +33,10 @@ std::string rayFileName(const RaysPart &part);
 /// Keeps that file in `folder`. Error: `Environment`.
 Expected<void> keepRays(const RaySet &set, const std::string &folder);
 
+/// The rays that `keepRays` kept in `folder`, through a volume of this extent. Error: `Input` if they cannot
+/// be read.
+Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &folder, Int3 extent);
+
 /// What the command line says of rays.
 struct RayArguments {
   std::string cameraFile; ///< "": a camera that sees the whole volume, unless there are ray files.

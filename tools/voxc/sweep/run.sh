@@ -1,5 +1,6 @@
 #!/bin/sh
-# Traces every cell of the packs that lie beside this one, in turn, and writes results/CELL.ROUND.json beside them:
+# Traces every cell of the packs that lie beside this one, in turn, and writes results/CELL.ROUND.json beside them,
+# and CELL.hits, the hits of a sample of its rays, which are checked when the results are taken in:
 #   sh pack-NNN/run.sh [VOXC_TRACE [ROUNDS [REPEATS]]]     VOXC_TRACE may have options: "./voxc-trace --device NVIDIA"
 # All packs must be there. Run again, it goes on where it was ended. `voxc bench import` takes the results in.
 set -eu
@@ -26,7 +27,7 @@ rays() {
 
 round=1
 while [ "$round" -le "$rounds" ]; do
-  while read -r cell volume kernel kind digest size; do
+  while read -r cell volume kernel kind digest size sample; do
     result=results/$cell.$round.json
     if [ -e "$result" ]; then continue; fi
     join "$volume.hvx"
@@ -35,6 +36,12 @@ while [ "$round" -le "$rounds" ]; do
     camera) join "rays-$digest.json" ;;
     file) join "rays-$digest.bin" ;;
     esac
+    # shellcheck disable=SC2086 # Options are words.
+    if [ ! -e "results/$cell.hits" ]; then
+      join "$sample"
+      $trace "joined/$volume.hvx" --trusted --kernel "joined/$kernel.spv" --rays "joined/$sample" --count --quiet \
+        -o "results/$cell.hits" </dev/null || echo "the sample of $cell failed" >&2
+    fi
     # shellcheck disable=SC2046,SC2086 # Options are words.
     if $trace "joined/$volume.hvx" --trusted --kernel "joined/$kernel.spv" $(rays "$kind" "$digest" "$size") \
       --repeat "$repeats" --quiet --stats "$result.part" </dev/null; then
