@@ -42,8 +42,8 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
   const auto function = code->find(kSymbol);
   if (!function)
     return function.error();
-  return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function), storageDigest(format), countWords,
-                   std::make_shared<const JitCode>(std::move(*code))};
+  return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function), storageDigest(format),
+                   std::make_shared<const JitCode>(std::move(*code)), countWords};
 }
 
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {

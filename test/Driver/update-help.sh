@@ -6,4 +6,6 @@ for tool in voxc voxc-opt voxc-trace; do "$bin/$tool" --help >"$inputs/help-$too
 for command in compile build render run trace verify hard-rays accuracy bench export info devices; do
   "$bin/voxc" "$command" --help >"$inputs/help-$command.txt"
 done
-"$bin/voxc" bench report --help >"$inputs/help-bench-report.txt"
+for action in export import report; do
+  "$bin/voxc" bench "$action" --help >"$inputs/help-bench-$action.txt"
+done

@@ -1,6 +1,7 @@
 // Records as JSON and back.
 #include "Record.h"
 
+#include "Digest.h"
 #include "RecordFields.h"
 
 #include "common/Repeats.h"
@@ -143,6 +144,16 @@ std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seco
   for (const double time : seconds)
     speeds.push_back(static_cast<double>(rays) / time * 1e-6);
   return Speed{std::ranges::min(speeds), median(speeds), std::ranges::max(speeds), spread(speeds)};
+}
+
+std::string cellDigest(const Record &record) {
+  Digest digest;
+  digest.add(record.model.name).add(record.model.digest).add(record.format.label).add(record.format.digest);
+  for (const std::string &pass : record.format.passes)
+    digest.add(pass);
+  digest.add(record.precision).add(record.device.name).add(record.device.kind).add(record.device.driver);
+  digest.add(std::to_string(record.device.threads.value_or(0))).add(record.rays.digest);
+  return digest.hex();
 }
 
 bool areEqual(const Speed &a, const Speed &b) {

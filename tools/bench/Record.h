@@ -139,6 +139,9 @@ const std::optional<Speed> &speedOf(const Record &record);
 /// The speed of so many rays that took so many seconds in each round. None without rounds.
 std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seconds);
 
+/// The digest that identifies the record's cell, of model, format, precision, device and rays.
+std::string cellDigest(const Record &record);
+
 /// True if two speeds are the same, as far as their rounds can tell: their medians differ by no more than the
 /// wider of the two spreads.
 bool areEqual(const Speed &a, const Speed &b);

@@ -12,7 +12,6 @@
 #include "sweep/Sweep.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace voxc::tool {
@@ -29,6 +28,8 @@ struct Action {
 
 /// What can be done with results.
 constexpr Action kActions[] = {
+    {"export", "Pack measured cells for a machine that has voxc-trace alone", makeBenchExportCommand},
+    {"import", "Take in what such a machine found", makeBenchImportCommand},
     {"report", "Make one HTML file of the records of sweeps", makeBenchReportCommand},
 };
 

@@ -28,6 +28,8 @@ std::unique_ptr<Subcommand> makeVerifyCommand();
 std::unique_ptr<Subcommand> makeHardRaysCommand();
 std::unique_ptr<Subcommand> makeAccuracyCommand();
 std::unique_ptr<Subcommand> makeBenchCommand();
+std::unique_ptr<Subcommand> makeBenchExportCommand();
+std::unique_ptr<Subcommand> makeBenchImportCommand();
 std::unique_ptr<Subcommand> makeBenchReportCommand();
 std::unique_ptr<Subcommand> makeExportCommand();
 std::unique_ptr<Subcommand> makeInfoCommand();

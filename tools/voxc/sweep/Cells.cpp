@@ -52,16 +52,6 @@ FormatPart partOf(const SweepFormat &format, const Format &kernelFormat) {
           Digest().add(isRead ? printIr(kernelFormat) : format.line.text).hex()};
 }
 
-std::string digestOf(const Record &record) {
-  Digest digest;
-  digest.add(record.model.digest).add(record.format.label).add(record.format.digest);
-  for (const std::string &pass : record.format.passes)
-    digest.add(pass);
-  digest.add(record.precision).add(record.device.name).add(record.device.kind).add(record.device.driver);
-  digest.add(std::to_string(record.device.threads.value_or(0))).add(record.rays.digest);
-  return digest.hex();
-}
-
 std::uint64_t longestAxis(const Format &format) {
   const Int3 extent = format.extent();
   return static_cast<std::uint64_t>(std::max({extent.x, extent.y, extent.z}));
@@ -79,7 +69,7 @@ Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &
   cell.record.precision = precision;
   cell.record.device = device.part;
   cell.record.rays = rays.part;
-  cell.record.cell = digestOf(cell.record);
+  cell.record.cell = cellDigest(cell.record);
   return cell;
 }
 

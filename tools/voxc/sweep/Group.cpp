@@ -112,18 +112,6 @@ Expected<void> Group::traceRounds() {
   return {};
 }
 
-double meanSteps(const std::vector<Hit> &hits) {
-  double steps = 0;
-  for (const Hit &hit : hits)
-    steps += hit.steps;
-  return steps / static_cast<double>(hits.size());
-}
-
-ErrorPart partOf(const ErrorFigures &error) {
-  return {error.rays,   error.missed, error.ghost, error.wrong,   error.boundary,
-          error.colour, error.maxDt,  error.rmsDt, error.maxUlpDt};
-}
-
 Expected<void> Group::examineOne(Runner &runner) const {
   Contestant &contestant = *runner.contestant;
   runner.work.hits = static_cast<std::uint64_t>(std::ranges::count_if(contestant.hits, &Hit::isHit));
@@ -206,6 +194,18 @@ void Group::record() const {
 }
 
 } // namespace
+
+double meanSteps(std::span<const Hit> hits) {
+  double steps = 0;
+  for (const Hit &hit : hits)
+    steps += hit.steps;
+  return steps / static_cast<double>(hits.size());
+}
+
+ErrorPart partOf(const ErrorFigures &error) {
+  return {error.rays,   error.missed, error.ghost, error.wrong,   error.boundary,
+          error.colour, error.maxDt,  error.rmsDt, error.maxUlpDt};
+}
 
 GroupRays makeGroupRays(std::vector<Ray> rays, std::size_t count) {
   GroupRays result{.rays = std::move(rays)};

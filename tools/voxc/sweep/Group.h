@@ -41,6 +41,11 @@ struct GroupRays {
 /// The rays with a sample of at most `count`; the oracle is still to be asked.
 GroupRays makeGroupRays(std::vector<Ray> rays, std::size_t count);
 
+/// The mean of the hits' steps, of which there is one at least.
+double meanSteps(std::span<const Hit> hits);
+
+ErrorPart partOf(const ErrorFigures &error);
+
 /// How often a group of so many cells calls `advance`.
 std::size_t stepsOf(std::size_t cells, const MeasureOptions &options);
 

@@ -5,6 +5,7 @@
 #include "common/CameraFile.h"
 #include "common/CameraOptions.h"
 #include "common/Files.h"
+#include "common/Json.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -45,10 +46,21 @@ Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string 
        {file->position[0], file->position[1], file->position[2], file->pitch, file->yaw, file->fov})
     digest.add(exact(number));
   RaySet set = makeCameraSet(name, *size, digest);
+  set.cameraText = Json{{"cameras",
+                         {{"camera",
+                           {{"position", file->position},
+                            {"pitch", file->pitch},
+                            {"yaw", file->yaw},
+                            {"fov", file->fov}}}}}}
+                       .dump();
   set.camera = [camera = *file, size = *size](Int3 extent) {
     return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw, camera.fov, size[0], size[1]);
   };
   return set;
+}
+
+RaySet overviewSet(std::array<int, 2> size) {
+  return makeCameraSet(kOverview, size, Digest().add(kOverview));
 }
 
 /// A camera that sees all of a volume.
@@ -57,7 +69,7 @@ Expected<RaySet> makeOverview(const RayArguments &arguments) {
   const auto size = sizeOf(arguments.size, {defaults.width, defaults.height});
   if (!size)
     return size.error();
-  RaySet set = makeCameraSet(kOverview, *size, Digest().add(kOverview));
+  RaySet set = overviewSet(*size);
   set.camera = [size = *size](Int3 extent) { return frameExtent(extent, size[0], size[1]); };
   return set;
 }
@@ -88,6 +100,42 @@ Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, 
 }
 
 } // namespace
+
+std::string kindOf(const RaysPart &part) {
+  if (part.kind != "camera" || !part.size)
+    return "file";
+  const std::array<int, 2> size{int((*part.size)[0]), int((*part.size)[1])};
+  return overviewSet(size).part.digest == part.digest ? kOverview : "camera";
+}
+
+std::string rayFileName(const RaysPart &part) {
+  const std::string kind = kindOf(part);
+  if (kind == kOverview)
+    return "";
+  return "rays-" + part.digest + (kind == "camera" ? ".json" : ".bin");
+}
+
+Expected<void> keepRays(const RaySet &set, const std::string &folder) {
+  const std::string name = rayFileName(set.part);
+  const std::string path = folder + "/" + name;
+  std::error_code ignored;
+  if (name.empty() || std::filesystem::exists(path, ignored))
+    return {};
+  return set.camera ? writeText(path, set.cameraText) : writeBytes(path, std::as_bytes(std::span(set.rays)));
+}
+
+Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &folder, Int3 extent) {
+  const std::string kind = kindOf(part), path = folder + "/" + rayFileName(part);
+  if (kind == "file")
+    return readRays(path);
+  const auto size = *part.size;
+  const RayArguments arguments{path, std::to_string(size[0]) + "x" + std::to_string(size[1]), {}};
+  const Expected<RaySet> set =
+      kind == kOverview ? makeOverview(arguments) : readCameraSet(arguments, "camera");
+  if (!set)
+    return set.error();
+  return set->raysFor(extent);
+}
 
 Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const std::string &model) {
   std::vector<RaySet> sets;

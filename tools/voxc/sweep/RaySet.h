@@ -17,10 +17,25 @@ struct RaySet {
   RaysPart part;
   std::function<Camera(Int3 extent)> camera; ///< Empty for rays from a file.
   std::vector<Ray> rays;                     ///< Of a file.
+  std::string cameraText;                    ///< A camera file with this camera alone, named "camera".
 
   /// The rays through a volume of this extent.
   std::vector<Ray> raysFor(Int3 extent) const { return camera ? cameraRays(camera(extent)) : rays; }
 };
+
+/// What a machine needs to make the rays again: a "camera" of a file, the "overview" of a whole volume, or
+/// the rays of a "file".
+std::string kindOf(const RaysPart &part);
+
+/// The name of the file that is kept for that, or "" where none is needed.
+std::string rayFileName(const RaysPart &part);
+
+/// Keeps that file in `folder`. Error: `Environment`.
+Expected<void> keepRays(const RaySet &set, const std::string &folder);
+
+/// The rays that `keepRays` kept in `folder`, through a volume of this extent. Error: `Input` if they cannot
+/// be read.
+Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &folder, Int3 extent);
 
 /// What the command line says of rays.
 struct RayArguments {

@@ -76,6 +76,10 @@ Expected<Sweep> Sweep::open(const SweepAxes &axes, std::vector<Cell> cells, Swee
   for (const char *below : {"cache", "pictures"})
     if (Expected<void> made = makeOutputFolder(options.folder + "/" + below); !made)
       return made.error();
+  for (const SweepModel &model : axes.models)
+    for (const RaySet &rays : model.rays)
+      if (Expected<void> kept = keepRays(rays, options.folder + "/cache"); !kept)
+        return kept.error();
   auto writer = RecordWriter::open(options.folder + "/" + kResultsName);
   if (!writer)
     return writer.error();
