@@ -13,7 +13,7 @@ void store(uint at, const Walk walk, bool hit, uint t) {
   hit_words[at + 2u] = uint(voxel.z);
   hit_words[at + 3u] = hit ? walk.rgba : 0u;
   hit_words[at + 4u] = hit ? t : unfinished ? uint(walk.axis) : 0u;
-  hit_words[at + 5u] = walk.lookups;
+  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
 }
 
 void main() {
@@ -26,7 +26,7 @@ void main() {
     if (!is_inside(walk))
       return;
     walk.axis = int(hit_words[at + 4u]);
-    walk.lookups = hit_words[at + 5u];
+    walk.lookups = words_read = hit_words[at + 5u];
   }
   uint t = 0u;
   bool hit = trace(load_bits(at), load_bits(at + 3u), walk, t);

@@ -25,6 +25,12 @@ std::uint64_t batchRays(const DeviceInfo &device) {
   return std::min(kMaxBatchRays, bytes / sizeof(Ray));
 }
 
+Counted countedBy(const TraceOptions &options) {
+  if (options.countWords)
+    return Counted::Words;
+  return options.countSteps ? Counted::Lookups : Counted::Nothing;
+}
+
 } // namespace
 
 /// What one call of `trace` carries along.
@@ -110,7 +116,7 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
   auto count = static_cast<std::uint32_t>(rays.size());
   if (auto warm = warmUp(count, work); !warm)
     return warm;
-  TilePass pass{.pipeline = &pipeline_, .countSteps = work.options.countSteps, .rays = count};
+  TilePass pass{.pipeline = &pipeline_, .counted = countedBy(work.options), .rays = count};
   pass.tileDone = [&work](std::uint32_t done) { return work.advance(done); };
   for (TraceTime &repeat : work.report.repeats) {
     auto time = tiles_.run(pass);
@@ -139,7 +145,7 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
       return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
                                 " dispatches");
     auto time = tiles_.run({.pipeline = &pipeline_,
-                            .countSteps = work.options.countSteps,
+                            .counted = countedBy(work.options),
                             .rays = static_cast<std::uint32_t>(hits.size()),
                             .resumes = true,
                             .tileDone = [&work](std::uint32_t) { return !work.options.progress.stopped(); }});
@@ -158,17 +164,17 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
 }
 
 Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
-  const bool countSteps = work.options.countSteps;
+  const Counted counted = countedBy(work.options);
   const float spread = work.options.spread;
-  if (pipeline_.isPrepared(countSteps, spread))
+  if (pipeline_.isPrepared(counted, spread))
     return {};
   // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
   // both.
   double begin = wallSeconds();
-  if (auto prepared = pipeline_.prepare(countSteps, spread); !prepared)
+  if (auto prepared = pipeline_.prepare(counted, spread); !prepared)
     return prepared;
   auto time =
-      tiles_.run({.pipeline = &pipeline_, .countSteps = countSteps, .rays = std::min(rays, kWorkgroupSize)});
+      tiles_.run({.pipeline = &pipeline_, .counted = counted, .rays = std::min(rays, kWorkgroupSize)});
   if (!time)
     return time.error();
   work.report.firstDispatch = wallSeconds() - begin;
