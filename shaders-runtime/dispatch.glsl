@@ -2,10 +2,20 @@
 
 uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
 
-// A hit is its voxel. A miss is -1. A walk that ended inside the volume without a hit was cut short by the device, which
-// may limit how long a loop runs (Mesa's llvmpipe: 65535 turns in all); it is kept as -2 - cell, with its axis in place of
-// t, to be resumed.
-void store(uint at, const Walk walk, bool hit, uint t) {
+// False if the device has begun to end loops early (Mesa's llvmpipe does after 65535 turns in all). No compiler knows
+// ray_count, and so how often this one ought to turn.
+bool loops_are_whole() {
+  uint wanted = 1u + min(ray_count, 1u);
+  uint turns = 0u;
+  while (turns < wanted)
+    turns++;
+  return turns == wanted;
+}
+
+// A hit is its voxel. A miss is -1. A walk that is still inside the volume without a hit, or whose t may not be whole, was
+// cut short by the device; it is kept as -2 - cell, with its axis in place of t, to be resumed.
+void store(uint at, const Walk walk, bool found, uint t) {
+  bool hit = found && loops_are_whole();
   bool unfinished = !hit && is_inside(walk);
   ivec3 voxel = hit ? walk.cell : unfinished ? -2 - walk.cell : ivec3(-1);
   hit_words[at] = uint(voxel.x);

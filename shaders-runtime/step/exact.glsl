@@ -35,7 +35,7 @@ void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner,
 
 // Steps over the empty cube of `side` voxels at `corner` where float32 was not sure how: settles which faces the ray
 // passes first, axis by axis, and then by bisection to which cell it comes. All questions are asked at one place, since
-// devices of wide vectors run through it at every step.
+// devices of wide vectors run through it at every step. Where the device cuts it short, the walk stays where it is.
 OUT_OF_LINE Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) {
   ivec3 face = corner + (ray.ahead & side);
   int first = ray.moves.x ? 0 : ray.moves.y ? 1 : 2;
@@ -43,11 +43,12 @@ OUT_OF_LINE Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) 
   Crossing crossing;
   Range range = Range(ivec3(0), ivec3(1));
   int next = 0;
-  while (range.least != range.most) {
+  int order = 0;
+  while (order != CUT_SHORT && range.least != range.most) {
     bool orders = next < 3;
     int axis = orders ? next : undecided_axis(range);
     int at = orders ? face[axis] : middle_of(range, axis);
-    int order = compare_crossings(ray, axis, at, first, face[first]);
+    order = compare_crossings(ray, axis, at, first, face[first]);
     if (!orders) {
       narrow(ray, crossing, axis, at, order, range);
     } else {
@@ -64,7 +65,9 @@ OUT_OF_LINE Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) 
       }
     }
   }
-  walk.cell = range.least;
-  walk.axis = crossing.axis;
+  if (order != CUT_SHORT && range.least == range.most) {
+    walk.cell = range.least;
+    walk.axis = crossing.axis;
+  }
   return walk;
 }
