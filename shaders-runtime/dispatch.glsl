@@ -13,11 +13,12 @@ bool loops_are_whole() {
 }
 
 // A hit is its voxel. A miss is -1. A walk that is still inside the volume without a hit, or whose t may not be whole, was
-// cut short by the device; it is kept as -2 - cell, with its axis in place of t, to be resumed.
+// cut short by the device; it is kept as -2 - cell, with its axis in place of t, to be resumed. One that would not have
+// ended is told by a cell far below.
 void store(uint at, const Walk walk, bool found, uint t) {
   bool hit = found && loops_are_whole();
   bool unfinished = !hit && is_inside(walk);
-  ivec3 voxel = hit ? walk.cell : unfinished ? -2 - walk.cell : ivec3(-1);
+  ivec3 voxel = hit ? walk.cell : unfinished ? -2 - walk.cell : ivec3(walk.axis == ENDLESS ? -0x7fffffff : -1);
   hit_words[at] = uint(voxel.x);
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
@@ -30,7 +31,7 @@ void main() {
   if (gl_GlobalInvocationID.x >= ray_count)
     return;
   uint at = 6u * (first_ray + gl_GlobalInvocationID.x);
-  Walk walk = Walk(ivec3(-1), -1, 0u, 0u);
+  Walk walk = walk_at(ivec3(-1), -1);
   if (resumes != 0u) {
     walk.cell = -2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]);
     if (!is_inside(walk))

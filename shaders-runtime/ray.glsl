@@ -14,14 +14,16 @@ struct Ray {
   ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
 };
 
-// Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back, which
-// bounds every loop by the volume's size.
+// Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
   uint rgba;  // Of the voxel that was hit.
   uint lookups;
+  int steps_left; // There are no more cells on any ray.
 };
+
+const int ENDLESS = -2; // The axis of a walk that would have taken more steps, which is an error of the kernel's.
 
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
@@ -29,6 +31,20 @@ const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never
 // order of two t is certain beyond 11 roundings of the earlier, and a coordinate within 9.5 of how far it may be from the
 // origin.
 const float ROUNDINGS = 12.0f / 8388608.0f;
+
+// A walk that is about to begin, or to go on.
+Walk walk_at(ivec3 cell, int axis) {
+  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z);
+}
+
+// Ends a walk that takes more steps than any can.
+void count_step(inout Walk walk) {
+  walk.steps_left--;
+  if (walk.steps_left < 0) {
+    walk.cell = ivec3(-1);
+    walk.axis = ENDLESS;
+  }
+}
 
 void count_lookup(inout Walk walk) {
   if (COUNT_LOOKUPS)

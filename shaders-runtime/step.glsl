@@ -7,6 +7,7 @@ void step_over(const Ray ray, inout Walk walk, ivec3 corner, int side) {
   land(ray, walk, crossing, corner + crossing.step * side, side, sure);
   if (!sure)
     walk = step_exactly(ray, walk, corner, side);
+  count_step(walk);
 }
 
 // Steps from an empty cell of a grid to the first cell whose L1 distance is not below `distance`, or that lies outside
@@ -22,9 +23,10 @@ void march(const Ray ray, inout Walk walk, ivec3 low, ivec3 cell, ivec3 log2_siz
     crossing = leave_cube(ray, low + (cell << log2_cell), side, sure);
     cell += crossing.step;
     ivec3 moved = abs(crossing.step);
-    left = in_grid(cell, log2_size) ? left - (moved.x + moved.y + moved.z) : 0;
+    left = in_grid(cell, log2_size) ? left - max(moved.x + moved.y + moved.z, 1) : 0;
   }
   land(ray, walk, crossing, low + (cell << log2_cell), side, sure);
   if (!sure)
     walk = step_exactly(ray, walk, start, side);
+  count_step(walk);
 }

@@ -1,5 +1,6 @@
 // A tracer on this processor: threads that take chunks of the rays as they come.
 #include "Clock.h"
+#include "Endless.h"
 #include "KernelFit.h"
 
 #include "voxc/Trace/CpuKernel.h"
@@ -76,6 +77,8 @@ Expected<TraceReport> CpuTracer::trace(std::span<const Ray> rays, std::span<Hit>
       return time.error();
     report.repeats.push_back(*time);
   }
+  if (auto ended = checkEnded(hits); !ended)
+    return ended.error();
   return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Capabilities.h"
 #include "Clock.h"
+#include "Endless.h"
 #include "KernelFit.h"
 
 #include <algorithm>
@@ -141,6 +142,8 @@ Expected<void> VulkanTracer::download(std::span<Hit> hits, Work &work) {
 Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
   const auto isUnfinished = [](const Hit &hit) { return hit.voxel[0] < -1; };
   for (int pass = 0; std::ranges::any_of(hits, isUnfinished); ++pass) {
+    if (auto ended = checkEnded(hits); !ended)
+      return ended;
     if (pass == kMaxResumes)
       return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
                                 " dispatches");
