@@ -8,7 +8,9 @@ fail() {
   exit 1
 }
 
-packages() { sed -e 's/#.*//' -e '/^ *$/d' scripts/packages.txt; }
+package_lists=(scripts/packages.txt)
+
+packages() { sed -e 's/#.*//' -e '/^ *$/d' "${package_lists[@]}"; }
 
 # One call to dpkg for all names, so that apt is only started when something is missing.
 missing_packages() {

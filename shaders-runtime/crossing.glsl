@@ -10,15 +10,16 @@ struct Crossing {
   bool rising; // Only rising coordinates change: those that fall may still stand on a boundary.
 };
 
-// The change of cell where a ray leaves a cube through the faces ahead: `crossed` is 1 on the axes whose coordinates pass
+// The change of cell where a ray leaves a cube through the faces ahead: `crossed` tells the axes whose coordinates pass
 // them first, about at t.
-Crossing crossing_of(const Ray ray, ivec3 face, vec3 t, ivec3 crossed) {
-  ivec3 risen = crossed * ray.ahead;
+Crossing crossing_of(const Ray ray, ivec3 face, float t, bvec3 crossed) {
+  ivec3 changes = mix(ivec3(0), ray.heading, crossed);
+  ivec3 risen = max(changes, ivec3(0));
   Crossing crossing;
   crossing.rising = risen != ivec3(0);
-  crossing.step = crossing.rising ? risen : crossed * ray.heading;
+  crossing.step = crossing.rising ? risen : changes;
   crossing.axis = crossing.step.x != 0 ? 0 : crossing.step.y != 0 ? 1 : 2;
-  crossing.t = t[crossing.axis];
+  crossing.t = t;
   crossing.face = face[crossing.axis];
   return crossing;
 }
@@ -28,18 +29,6 @@ struct Range {
   ivec3 least;
   ivec3 most;
 };
-
-// Where a crossing may lead to in the cube of `side` voxels at `corner`.
-Range landing_range(const Ray ray, const Walk walk, const Crossing crossing, ivec3 corner, int side) {
-  ivec3 last = corner + (side - 1);
-  Range range;
-  range.least = mix(max(corner, walk.cell), corner, ray.falls);
-  range.most = mix(min(last, walk.cell), last, greaterThan(ray.ahead, ivec3(0)));
-  // An axis that has just been crossed is on its face.
-  range.least = mix(range.least, last, lessThan(crossing.step, ivec3(0)));
-  range.most = mix(range.most, corner, greaterThan(crossing.step, ivec3(0)));
-  return range;
-}
 
 // How far coordinate a is behind at_a when coordinate b passes at_b, with the sign of both speeds:
 // (at_a - origin_a) * direction_b - (at_b - origin_b) * direction_a.
@@ -51,36 +40,48 @@ Sum crossing_difference(const Ray ray, int a, float at_a, int b, float at_b) {
                          uvec4(speed_b, speed_b, speed_a, speed_a));
 }
 
-// Below 0 if coordinate a passes its face first, 0 if both pass theirs at the same t. Both move.
+const int CUT_SHORT = 2; // No order: the device did not let it be found.
+
+// -1 if coordinate a passes its face first, 0 if both pass theirs at the same t, else 1. Both move.
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
-  int order = sign_of(crossing_difference(ray, a, float(face_a), b, float(face_b)));
-  return ray.falls[a] == ray.falls[b] ? order : -order;
+  Sum difference = crossing_difference(ray, a, float(face_a), b, float(face_b));
+  int order = sign_of(difference);
+  return !difference.complete ? CUT_SHORT : ray.falls[a] == ray.falls[b] ? order : -order;
+}
+
+int undecided_axis(const Range range) {
+  return range.least.x != range.most.x ? 0 : range.least.y != range.most.y ? 1 : 2;
+}
+
+int middle_of(const Range range, int axis) {
+  return range.least[axis] + (range.most[axis] - range.least[axis] + 1) / 2;
+}
+
+// Takes away from a range what lies to one side of a face, where `order` compares it with the crossing.
+void narrow(const Ray ray, const Crossing crossing, int axis, int face, int order, inout Range range) {
+  bool falls = ray.falls[axis];
+  bool passed = order < 0 || (order == 0 && !(falls && crossing.rising));
+  if (passed != falls)
+    range.least[axis] = face;
+  else
+    range.most[axis] = face - 1;
 }
 
 // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range range) {
-  ivec3 low = range.least;
-  ivec3 high = range.most;
-  int axis = low.x != high.x ? 0 : low.y != high.y ? 1 : 2;
-  while (low[axis] != high[axis]) {
-    int face = low[axis] + (high[axis] - low[axis] + 1) / 2;
-    int order = compare_crossings(ray, axis, face, crossing.axis, crossing.face);
-    bool falls = ray.falls[axis];
-    bool passed = order < 0 || (order == 0 && !(falls && crossing.rising));
-    if (passed != falls)
-      low[axis] = face;
-    else
-      high[axis] = face - 1;
-    axis = low.x != high.x ? 0 : low.y != high.y ? 1 : 2;
+OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range candidates) {
+  Range range = candidates;
+  while (range.least != range.most) {
+    int axis = undecided_axis(range);
+    int face = middle_of(range, axis);
+    narrow(ray, crossing, axis, face, compare_crossings(ray, axis, face, crossing.axis, crossing.face), range);
   }
-  return low;
+  return range.least;
 }
 
 // What float32 can tell of the cell, within a range, that the ray is in once a crossing has happened.
 Range approximate_cell(const Ray ray, const Crossing crossing, const Range range) {
-  vec3 point = ray.origin + crossing.t * ray.direction;
-  vec3 error = ray.error + ray.slack * abs(ray.direction);
+  vec3 point = ray.lowest + crossing.t * ray.direction;
   vec3 least = vec3(range.least);
   vec3 most = vec3(range.most);
-  return Range(ivec3(clamp(floor(point - error), least, most)), ivec3(clamp(floor(point + error), least, most)));
+  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + ray.doubt), least, most)));
 }

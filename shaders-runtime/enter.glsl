@@ -3,13 +3,15 @@
 const float CLOSE = 1.0f / 2048.0f; // In voxels.
 const uint TINY_BITS = 0x30800000u; // Of 2^-30.
 
-// What float32 gets wrong, at most, of coordinates in a walk through the volume, and of t beside its roundings, where the
-// origin itself is wrong by `of_origin`.
-void bound_errors(inout Ray ray, vec3 of_origin) {
+// Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
+// by `slack`. A coordinate that never changes stays in its cell, and passes no face.
+void bound_errors(inout Ray ray, ivec3 cell, vec3 of_origin, float slack) {
   vec3 reach = max(abs(ray.origin), abs(vec3(VOLUME_SIZE) - ray.origin));
-  ray.error = reach * ROUNDINGS + of_origin;
-  vec3 slack = of_origin * abs(ray.inverse);
-  ray.slack = 2.0f * max(max(slack.x, slack.y), slack.z);
+  vec3 error = reach * ROUNDINGS + of_origin + slack * abs(ray.direction);
+  ray.slack = slack;
+  ray.lowest = mix(vec3(cell) + 0.25f, ray.origin - error, ray.moves);
+  ray.doubt = mix(vec3(0.0f), 2.0f * error, ray.moves);
+  ray.origin = mix(vec3(-NEVER), ray.origin, ray.moves);
 }
 
 // True where the ray moves from a coordinate so close to 0 that float32 may lose its distance from there.
@@ -45,7 +47,7 @@ float coordinate_at(const Ray ray, int axis, int face, int other) {
 }
 
 // Lets a ray from far away start where it passes a face, so that its errors do not grow with its distance.
-void start_at(inout Ray ray, int axis, int face) {
+void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
   vec3 error = vec3(0.0f);
   for (int other = 0; other < 3; other++) {
     if (other == axis) {
@@ -55,7 +57,8 @@ void start_at(inout Ray ray, int axis, int face) {
       error[other] = CLOSE + abs(ray.origin[other]) * ROUNDINGS;
     }
   }
-  bound_errors(ray, error);
+  vec3 slack = error * abs(ray.inverse);
+  bound_errors(ray, cell, error, 2.0f * max(max(slack.x, slack.y), slack.z));
 }
 
 // Puts the walk into the first cell of the volume on the ray; false if there is none.
@@ -64,19 +67,18 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
   ivec3 cell = ivec3(floor_of(ray.given_origin.x), floor_of(ray.given_origin.y), floor_of(ray.given_origin.z));
   ivec3 below = ivec3(lessThan(cell, ivec3(0)));
   ivec3 above = ivec3(greaterThanEqual(cell, size));
-  ivec3 enters = below * ray.ahead + above * ivec3(ray.falls);
+  ivec3 enters = (below & ray.ahead) + above * ivec3(ray.falls);
   if (enters != below + above)
     return false;
-  bound_errors(ray, vec3(0.0f));
-  if (any(starts_tiny(ray)))
-    ray.slack = NEVER;
+  vec3 far = mix(vec3(NEVER), vec3(2 * max(max(size.x, size.y), size.z)), ray.moves);
+  bool starts_far = any(greaterThan(abs(ray.origin), far));
+  bound_errors(ray, cell, vec3(0.0f), any(starts_tiny(ray)) ? NEVER : 0.0f);
   walk.cell = cell;
   ivec3 face = mix(ivec3(0), size, ray.falls);
   int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
   if (axis >= 0) {
-    float far = 2.0f * float(max(max(size.x, size.y), size.z));
-    if (any(greaterThan(abs(ray.origin), vec3(far))))
-      start_at(ray, axis, face[axis]);
+    if (starts_far)
+      start_at(ray, cell, axis, face[axis]);
     Crossing crossing;
     crossing.t = (float(face[axis]) - ray.origin[axis]) * ray.inverse[axis];
     crossing.axis = axis;

@@ -5,6 +5,7 @@ struct Sum {
   int high;
   uint low;
   int exponent;
+  bool complete; // Unless the device cut the work short.
 };
 
 int sign_of(const Sum sum) { return sum.high < 0 ? -1 : (uint(sum.high) | sum.low) != 0u ? 1 : 0; }
@@ -13,7 +14,7 @@ int sign_of(const Sum sum) { return sum.high < 0 ? -1 : (uint(sum.high) | sum.lo
 int log2_of(const Sum sum) {
   uint flip = uint(sum.high >> 31);
   uint high = uint(sum.high) ^ flip;
-  return high != 0u ? 32 + findMSB(high) : findMSB(sum.low ^ flip);
+  return findMSB(high != 0u ? high : sum.low ^ flip) + (high != 0u ? 32 : 0);
 }
 
 // Makes `shift` bits, at most 61, of room at the low end.
@@ -42,34 +43,35 @@ void add(inout Sum sum, uint high, uint low, bool negative) {
 // They are added from the largest power down; once the sum has 61 bits at the next power, all that is left is too small
 // to change its sign.
 OUT_OF_LINE Sum sum_of_products(uvec4 a, uvec4 b) {
-  uvec4 high, low;
-  umulExtended(uvec4(significand_of(a.x), significand_of(a.y), significand_of(a.z), significand_of(a.w)),
-               uvec4(significand_of(b.x), significand_of(b.y), significand_of(b.z), significand_of(b.w)), high, low);
   ivec4 exponent = ivec4(exponent_of(a.x) + exponent_of(b.x), exponent_of(a.y) + exponent_of(b.y),
                          exponent_of(a.z) + exponent_of(b.z), exponent_of(a.w) + exponent_of(b.w));
-  uvec4 sign = a ^ b;
-  Sum sum = Sum(0, 0u, 0);
+  Sum sum = Sum(0, 0u, 0, false);
   int left = 4;
   while (left > 0) {
     int largest = max(max(exponent.x, exponent.y), max(exponent.z, exponent.w));
     int next = exponent.x == largest ? 0 : exponent.y == largest ? 1 : exponent.z == largest ? 2 : 3;
+    uint high, low;
+    umulExtended(significand_of(a[next]), significand_of(b[next]), high, low);
     if (sign_of(sum) == 0)
       sum.exponent = largest;
     int shift = sum.exponent - largest;
-    left = log2_of(sum) + shift >= 61 ? 0 : left - 1;
-    if (log2_of(sum) + shift < 61) {
-      shift_left(sum, shift);
-      add(sum, high[next], low[next], sign[next] >= SIGN_BIT);
-    }
     exponent[next] = -1;
+    left--;
+    if (log2_of(sum) + shift >= 61) {
+      left = 0;
+    } else {
+      shift_left(sum, shift);
+      add(sum, high, low, (a[next] ^ b[next]) >= SIGN_BIT);
+    }
   }
+  sum.complete = left == 0;
   return sum;
 }
 
 // sum / divisor in plain float32.
 float quotient(const Sum sum, uint divisor) {
   bool negative = sum.high < 0;
-  Sum magnitude = Sum(0, 0u, sum.exponent);
+  Sum magnitude = Sum(0, 0u, sum.exponent, true);
   add(magnitude, uint(sum.high), sum.low, negative);
   float value = float(magnitude.high) * 4294967296.0f + float(magnitude.low);
   float size = value / float(significand_of(divisor)) * power_of_two(sum.exponent - exponent_of(divisor) - 150);

@@ -5,29 +5,46 @@ struct Ray {
   vec3 origin;           // Where walking counts from: the given origin, or where a ray from far away enters.
   vec3 direction;        // Scaled by a power of two: the largest component is in [1, 2), and none so small that
   vec3 inverse;          // its inverse overflows. All t are those of this direction, from this origin.
-  vec3 error;            // Bounds of what float32 gets wrong: of a coordinate, in voxels,
-  float slack;           // and of a t, in which it is wrong by a few roundings besides.
+  float slack;           // What float32 gets wrong of a t, beside a few roundings.
+  vec3 lowest;           // The least that float32 makes certain of the coordinates at the origin,
+  vec3 doubt;            // and how much more any coordinate on the way may be, in voxels.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
   ivec3 heading;         // 1, -1 or 0.
-  ivec3 ahead;           // 1 where the coordinate rises, else 0: picks the face of a cube that lies ahead.
+  ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
 };
 
-// Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back, which
-// bounds every loop by the volume's size.
+// Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
   uint rgba;  // Of the voxel that was hit.
   uint lookups;
+  int steps_left; // There are no more cells on any ray.
 };
 
-const float NEVER = 1e30f;
+const int ENDLESS = -2; // The axis of a walk that would have taken more steps, which is an error of the kernel's.
+
+const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
 // Twelve roundings of 2^-23, whichever way each goes. A t is a difference, an inverse (2.5 roundings) and a product; the
-// order of two t is certain beyond 10 roundings of the later, and a coordinate within 9.5 of how far it may be from the
+// order of two t is certain beyond 11 roundings of the earlier, and a coordinate within 9.5 of how far it may be from the
 // origin.
 const float ROUNDINGS = 12.0f / 8388608.0f;
+
+// A walk that is about to begin, or to go on.
+Walk walk_at(ivec3 cell, int axis) {
+  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z);
+}
+
+// Ends a walk that takes more steps than any can.
+void count_step(inout Walk walk) {
+  walk.steps_left--;
+  if (walk.steps_left < 0) {
+    walk.cell = ivec3(-1);
+    walk.axis = ENDLESS;
+  }
+}
 
 void count_lookup(inout Walk walk) {
   if (COUNT_LOOKUPS)
@@ -44,7 +61,7 @@ int entered_face(const Ray ray, const Walk walk) {
   return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
 }
 
+float min_of(vec3 v) { return min(min(v.x, v.y), v.z); }
+
 // About when each coordinate passes its face.
-vec3 times_of(const Ray ray, ivec3 face) {
-  return mix(vec3(NEVER), (vec3(face) - ray.origin) * ray.inverse, ray.moves);
-}
+vec3 times_of(const Ray ray, ivec3 face) { return (vec3(face) - ray.origin) * ray.inverse; }

@@ -18,10 +18,10 @@ Ray prepare_ray(uvec3 origin, uvec3 direction) {
     float size = float(significand) * power_of_two(-findMSB(significand)) * power_of_two(max(exponent[axis] - largest, -60));
     float component = ray.falls[axis] ? -size : size;
     ray.direction[axis] = ray.moves[axis] ? component : 0.0f;
-    ray.inverse[axis] = ray.moves[axis] ? 1.0f / component : 0.0f;
+    ray.inverse[axis] = ray.moves[axis] ? 1.0f / component : 1.0f;
   }
-  ray.ahead = ivec3(ray.moves) - ivec3(ray.falls);
-  ray.heading = ray.ahead - ivec3(ray.falls);
+  ray.heading = ivec3(ray.moves) - 2 * ivec3(ray.falls);
+  ray.ahead = -max(ray.heading, ivec3(0));
   return ray;
 }
 

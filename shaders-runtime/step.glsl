@@ -1,30 +1,13 @@
 // Steps from one cell of the ray to the next. Where float32 is not sure of one, it is done again in exact arithmetic.
 
-// How the ray leaves the cube of `side` voxels at `corner`.
-Crossing leave_cube(const Ray ray, ivec3 corner, int side, inout bool sure) {
-  ivec3 face = corner + ray.ahead * side;
-  vec3 t = times_of(ray, face);
-  return crossing_of(ray, face, t, first_crossed(ray, t, sure));
-}
-
-// Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, unless that is not sure.
-void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
-  ivec3 cell = corner;
-  if (side > 1)
-    cell = cell_after(ray, crossing, landing_range(ray, walk, crossing, corner, side), sure);
-  if (sure) {
-    walk.cell = cell;
-    walk.axis = crossing.axis;
-  }
-}
-
 // Steps over the empty cube of `side` voxels at `corner`.
 void step_over(const Ray ray, inout Walk walk, ivec3 corner, int side) {
   bool sure;
   Crossing crossing = leave_cube(ray, corner, side, sure);
   land(ray, walk, crossing, corner + crossing.step * side, side, sure);
   if (!sure)
-    step_exactly(ray, walk, corner, side);
+    walk = step_exactly(ray, walk, corner, side);
+  count_step(walk);
 }
 
 // Steps from an empty cell of a grid to the first cell whose L1 distance is not below `distance`, or that lies outside
@@ -40,9 +23,10 @@ void march(const Ray ray, inout Walk walk, ivec3 low, ivec3 cell, ivec3 log2_siz
     crossing = leave_cube(ray, low + (cell << log2_cell), side, sure);
     cell += crossing.step;
     ivec3 moved = abs(crossing.step);
-    left = in_grid(cell, log2_size) ? left - (moved.x + moved.y + moved.z) : 0;
+    left = in_grid(cell, log2_size) ? left - max(moved.x + moved.y + moved.z, 1) : 0;
   }
   land(ray, walk, crossing, low + (cell << log2_cell), side, sure);
   if (!sure)
-    step_exactly(ray, walk, start, side);
+    walk = step_exactly(ray, walk, start, side);
+  count_step(walk);
 }

@@ -8,7 +8,6 @@
 namespace voxc {
 namespace {
 
-constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
 constexpr std::uint64_t kInternsBetweenRelief = 8;
 /// Grids larger than this go back to the system when they are done.
 constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
@@ -36,9 +35,12 @@ std::uint32_t NodeStore::append(unsigned level, std::span<const std::uint32_t> w
   if (failure_)
     return 1;
   const std::uint64_t offset = words_.size();
-  if (offset + words.size() > kMaxWords) {
-    fail(Error::input("the volume needs more than 2^32 words (16 GiB), the most that offsets can reach: " +
-                      std::to_string(offset) + " are written, and level " + std::to_string(level) +
+  if (offset + words.size() > maxWords_) {
+    const std::string most = maxWords_ == kMaxWords
+                                 ? "2^32 words (16 GiB), the most that offsets can reach: "
+                                 : std::to_string(maxWords_) + " words, the most that it may have: ";
+    fail(Error::input("the volume needs more than " + most + std::to_string(offset) +
+                      " are written, and level " + std::to_string(level) +
                       " adds more; a lower resolution or a format that shares more would fit"));
     return 1;
   }

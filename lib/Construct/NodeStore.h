@@ -6,6 +6,7 @@
 
 #include "voxc/Construct/Constructor.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,11 +27,17 @@ struct BlockRecord {
   bool operator==(const BlockRecord &) const = default;
 };
 
+/// The most words that offsets can reach.
+inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
+
 /// The words of a volume or of a part of one. The first failure is kept, and nothing is done after it.
 class NodeStore {
 public:
   /// `levels`: how many there are; they are numbered from 1.
   NodeStore(WordStore words, std::size_t levels, std::shared_ptr<WorkingMemory> memory);
+
+  /// Fails at more words than this, in place of the most that offsets can reach.
+  void limit(std::uint64_t maxWords) { maxWords_ = std::min(maxWords, kMaxWords); }
 
   /// Notes in `log` what is really written, from now on; null ends that.
   void logTo(std::vector<BlockRecord> *log) { log_ = log; }
@@ -75,6 +82,7 @@ private:
 
   std::shared_ptr<WorkingMemory> memory_;
   WordStore words_;
+  std::uint64_t maxWords_ = kMaxWords;
   std::vector<Level> levels_;
   std::vector<BlockRecord> *log_ = nullptr;
   std::optional<Error> failure_;

@@ -10,7 +10,13 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
     return words.error();
   build->store_ =
       std::make_unique<NodeStore>(std::move(*words), build->info_.format.levels.size(), options.memory);
+  build->store_->limit(options.maxWords);
   return build;
+}
+
+VolumeBuild::~VolumeBuild() {
+  if (store_ && options_.wordsReached)
+    *options_.wordsReached = wordsReached_ ? wordsReached_ : store_->words().size();
 }
 
 Expected<WordStore> VolumeBuild::openWords() {
@@ -39,6 +45,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, co
   words.setRoot(root);
   info_.voxels = voxels;
   const auto span = words.span();
+  wordsReached_ = span.size();
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();

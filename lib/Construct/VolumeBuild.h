@@ -20,6 +20,11 @@ public:
   /// written to the path; no memory.
   static Expected<std::unique_ptr<VolumeBuild>> start(VolumeInfo info, const BuildOptions &options);
 
+  /// Tells how many words were reached.
+  ~VolumeBuild();
+  VolumeBuild(const VolumeBuild &) = delete;
+  VolumeBuild &operator=(const VolumeBuild &) = delete;
+
   NodeStore &store() { return *store_; }
 
   /// Completes the volume. `root`: the offset of the root sub-volume. Errors: the store's; a full disk.
@@ -35,6 +40,7 @@ private:
   std::optional<VolumeFileWriter> writer_;
   bool isStreamed_ = false; ///< The words lie in the file already.
   std::unique_ptr<NodeStore> store_;
+  std::uint64_t wordsReached_ = 0; ///< Once the volume has taken them; before that the store knows.
 };
 
 } // namespace voxc

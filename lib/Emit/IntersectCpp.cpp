@@ -47,10 +47,11 @@ std::string hexadecimal(std::uint64_t number) {
 
 } // namespace
 
-std::string emitIntersectCpp(const Plan &plan, std::string_view symbol) {
+std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords) {
   const std::string dispatch(runtimeFile(shaderFiles(), "dispatch.glsl"));
   const std::string members =
-      file("interface.cpp") + glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + dispatch);
+      replaced(file("interface.cpp"), "THE_COUNT_WORDS", countWords ? "true" : "false") +
+      glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + dispatch);
   return "// intersect.cpp: first hits of rays with volumes of the format " + toString(plan.format) +
          ".\n// Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:\n"
          "//     -O3 -fwrapv -ffp-contract=off -fno-strict-aliasing\n"

@@ -17,8 +17,7 @@ constexpr int kOptimisation = 3;
 
 constexpr const char *kSymbol = "voxc_intersect";
 
-Expected<std::string> compile(const Plan &plan, const std::string &symbol, const std::string &processor) {
-  const std::string text = emitIntersectCpp(plan, symbol);
+Expected<std::string> compile(const std::string &text, const std::string &processor) {
   std::vector<MemoryFile> files = {{"intersect.cpp", text}};
   for (const EmbeddedFile &header : intersectHeaders())
     files.push_back({std::string(header.path), header.text});
@@ -33,8 +32,8 @@ bool isIdentifier(const std::string &name) {
 
 } // namespace
 
-Expected<CpuKernel> compileCpuKernel(const Format &format) {
-  const auto object = compile(makePlan(format), kSymbol, "native");
+Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
+  const auto object = compile(emitIntersectCpp(makePlan(format), kSymbol, countWords), "native");
   if (!object)
     return object.error();
   auto code = JitCode::link(*object);
@@ -44,13 +43,13 @@ Expected<CpuKernel> compileCpuKernel(const Format &format) {
   if (!function)
     return function.error();
   return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function), storageDigest(format),
-                   std::make_shared<const JitCode>(std::move(*code))};
+                   std::make_shared<const JitCode>(std::move(*code)), countWords};
 }
 
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {
   if (!isIdentifier(options.symbol))
     return Error::usage("'" + options.symbol + "' is no name of a C function");
-  return compile(makePlan(format), options.symbol, options.processor);
+  return compile(emitIntersectCpp(makePlan(format), options.symbol), options.processor);
 }
 
 } // namespace voxc

@@ -1,5 +1,6 @@
 // A tracer on this processor: threads that take chunks of the rays as they come.
 #include "Clock.h"
+#include "Endless.h"
 #include "KernelFit.h"
 
 #include "voxc/Trace/CpuKernel.h"
@@ -62,6 +63,10 @@ Expected<TraceReport> CpuTracer::trace(std::span<const Ray> rays, std::span<Hit>
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");
+  if (options.countWords != kernel_.countsWords)
+    return Error::usage(kernel_.countsWords
+                            ? "the kernel counts words, but it is not asked to"
+                            : "the kernel cannot count words; one that can is compiled for it");
   TraceReport report;
   const auto count = static_cast<double>(rays.size());
   const unsigned repeats = std::max(options.repeat, 1u);
@@ -72,6 +77,8 @@ Expected<TraceReport> CpuTracer::trace(std::span<const Ray> rays, std::span<Hit>
       return time.error();
     report.repeats.push_back(*time);
   }
+  if (auto ended = checkEnded(hits); !ended)
+    return ended.error();
   return report;
 }
 

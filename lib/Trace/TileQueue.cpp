@@ -76,7 +76,7 @@ Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t 
   if (!commands)
     return commands.error();
   slot.timestamps.recordBegin(*commands);
-  pass.pipeline->recordDispatch(*commands, pass.countSteps, {first, count, pass.resumes ? 1u : 0u});
+  pass.pipeline->recordDispatch(*commands, pass.counted, {first, count, pass.resumes ? 1u : 0u});
   slot.timestamps.recordEnd(*commands);
   if (first + count == pass.rays)
     recordBarrier(*commands);

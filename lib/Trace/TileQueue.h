@@ -15,7 +15,7 @@ namespace voxc {
 /// One pass over the bound rays.
 struct TilePass {
   const TracePipeline *pipeline = nullptr;
-  bool countSteps = false;
+  Counted counted = Counted::Nothing;
   std::uint32_t rays = 0;
   bool resumes = false; ///< Goes on with the rays that the pass before left unfinished.
   /// Called when a tile of so many rays is done; false ends the pass early.

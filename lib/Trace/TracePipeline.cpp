@@ -15,13 +15,15 @@ constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(
 
 /// The kernel's specialization constants; those that a kernel does not have are ignored.
 struct Constants {
-  VkBool32 countSteps;
+  VkBool32 countLookups;
   float spread;
+  VkBool32 countWords;
 };
 
 constexpr VkSpecializationMapEntry kConstantEntries[] = {
-    {0, offsetof(Constants, countSteps), sizeof(Constants::countSteps)},
+    {0, offsetof(Constants, countLookups), sizeof(Constants::countLookups)},
     {1, offsetof(Constants, spread), sizeof(Constants::spread)},
+    {2, offsetof(Constants, countWords), sizeof(Constants::countWords)},
 };
 
 Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
@@ -109,8 +111,8 @@ void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Bu
   vkUpdateDescriptorSets(device_->device, kBindings, writes.data(), 0, nullptr);
 }
 
-Expected<void> TracePipeline::prepare(bool countSteps, float spread) {
-  const Constants constants{countSteps, spread};
+Expected<void> TracePipeline::prepare(Counted counted, float spread) {
+  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words};
   VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                       &constants};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
@@ -124,12 +126,12 @@ Expected<void> TracePipeline::prepare(bool countSteps, float spread) {
   VkResult result = vkCreateComputePipelines(device_->device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS)
     return vulkanError("compile the kernel", result);
-  variants_[countSteps] = {PipelineHandle(device_->device, pipeline), spread};
+  variants_[std::size_t(counted)] = {PipelineHandle(device_->device, pipeline), spread};
   return {};
 }
 
-void TracePipeline::recordDispatch(VkCommandBuffer commands, bool countSteps, const RayTile &tile) const {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[countSteps].pipeline.get());
+void TracePipeline::recordDispatch(VkCommandBuffer commands, Counted counted, const RayTile &tile) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[std::size_t(counted)].pipeline.get());
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
   vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
   vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);

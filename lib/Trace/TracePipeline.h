@@ -17,6 +17,10 @@ struct RayTile {
   std::uint32_t resumes = 0; ///< 1: go on with those that an earlier dispatch left unfinished.
 };
 
+/// What a kernel counts for each ray.
+enum class Counted { Nothing, Lookups, Words };
+inline constexpr std::size_t kCountedKinds = 3;
+
 class TracePipeline {
 public:
   static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel);
@@ -24,15 +28,15 @@ public:
   /// Binds the buffers of the kernel's interface; nothing that uses the old ones may be running.
   void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words);
 
-  /// Whether the variant that counts lookups, or the one that does not, is made already for
-  /// this spread.
-  bool isPrepared(bool countSteps, float spread) const {
-    return variants_[countSteps].pipeline && variants_[countSteps].spread == spread;
+  /// Whether the variant that counts this is made already for this spread.
+  bool isPrepared(Counted counted, float spread) const {
+    const Variant &variant = variants_[std::size_t(counted)];
+    return variant.pipeline && variant.spread == spread;
   }
   /// Makes a variant, in place of that for another spread; may compile for long. Nothing may be running.
-  Expected<void> prepare(bool countSteps, float spread);
+  Expected<void> prepare(Counted counted, float spread);
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant.
-  void recordDispatch(VkCommandBuffer commands, bool countSteps, const RayTile &tile) const;
+  void recordDispatch(VkCommandBuffer commands, Counted counted, const RayTile &tile) const;
 
 private:
   explicit TracePipeline(Device::State &device) : device_(&device) {}
@@ -50,7 +54,7 @@ private:
   PipelineLayoutHandle layout_;
   DescriptorPoolHandle pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE; ///< Belongs to the pool.
-  Variant variants_[2];                  ///< Without and with counting.
+  Variant variants_[kCountedKinds];      ///< By what they count.
 };
 
 } // namespace voxc

@@ -3,6 +3,7 @@
 
 #include "Capabilities.h"
 #include "Clock.h"
+#include "Endless.h"
 #include "KernelFit.h"
 
 #include <algorithm>
@@ -23,6 +24,12 @@ constexpr int kMaxResumes = 4096;
 std::uint64_t batchRays(const DeviceInfo &device) {
   std::uint64_t bytes = std::min(device.maxStorageBufferBytes, device.maxAllocationBytes);
   return std::min(kMaxBatchRays, bytes / sizeof(Ray));
+}
+
+Counted countedBy(const TraceOptions &options) {
+  if (options.countWords)
+    return Counted::Words;
+  return options.countSteps ? Counted::Lookups : Counted::Nothing;
 }
 
 } // namespace
@@ -110,7 +117,7 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
   auto count = static_cast<std::uint32_t>(rays.size());
   if (auto warm = warmUp(count, work); !warm)
     return warm;
-  TilePass pass{.pipeline = &pipeline_, .countSteps = work.options.countSteps, .rays = count};
+  TilePass pass{.pipeline = &pipeline_, .counted = countedBy(work.options), .rays = count};
   pass.tileDone = [&work](std::uint32_t done) { return work.advance(done); };
   for (TraceTime &repeat : work.report.repeats) {
     auto time = tiles_.run(pass);
@@ -135,11 +142,13 @@ Expected<void> VulkanTracer::download(std::span<Hit> hits, Work &work) {
 Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
   const auto isUnfinished = [](const Hit &hit) { return hit.voxel[0] < -1; };
   for (int pass = 0; std::ranges::any_of(hits, isUnfinished); ++pass) {
+    if (auto ended = checkEnded(hits); !ended)
+      return ended;
     if (pass == kMaxResumes)
       return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
                                 " dispatches");
     auto time = tiles_.run({.pipeline = &pipeline_,
-                            .countSteps = work.options.countSteps,
+                            .counted = countedBy(work.options),
                             .rays = static_cast<std::uint32_t>(hits.size()),
                             .resumes = true,
                             .tileDone = [&work](std::uint32_t) { return !work.options.progress.stopped(); }});
@@ -158,17 +167,17 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
 }
 
 Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
-  const bool countSteps = work.options.countSteps;
+  const Counted counted = countedBy(work.options);
   const float spread = work.options.spread;
-  if (pipeline_.isPrepared(countSteps, spread))
+  if (pipeline_.isPrepared(counted, spread))
     return {};
   // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
   // both.
   double begin = wallSeconds();
-  if (auto prepared = pipeline_.prepare(countSteps, spread); !prepared)
+  if (auto prepared = pipeline_.prepare(counted, spread); !prepared)
     return prepared;
   auto time =
-      tiles_.run({.pipeline = &pipeline_, .countSteps = countSteps, .rays = std::min(rays, kWorkgroupSize)});
+      tiles_.run({.pipeline = &pipeline_, .counted = counted, .rays = std::min(rays, kWorkgroupSize)});
   if (!time)
     return time.error();
   work.report.firstDispatch = wallSeconds() - begin;

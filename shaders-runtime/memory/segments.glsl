@@ -5,6 +5,8 @@ layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer Seg
 layout(std430, set = 0, binding = 2) readonly restrict buffer Segments { uvec2 segments[]; };
 
 uint load_word(uint offset) {
+  if (COUNT_WORDS)
+    words_read++;
   Segment segment = Segment(segments[offset >> LOG2_SEGMENT_WORDS]);
   return segment.words[offset & ((1u << LOG2_SEGMENT_WORDS) - 1u)];
 }

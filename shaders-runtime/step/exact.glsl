@@ -1,42 +1,73 @@
 // Steps that are exact for every ray: float32 where its error bound decides, integers elsewhere.
 
-// The axis whose coordinate passes a face first: 1, others 0. Not sure if the next is so close that float32 cannot tell.
-ivec3 first_crossed(const Ray ray, vec3 t, inout bool sure) {
-  float first = min(min(t.x, t.y), t.z);
-  float next = max(min(t.x, t.y), min(max(t.x, t.y), t.z));
-  sure = next - first > next * ROUNDINGS + ray.slack;
-  return ivec3(equal(t, vec3(first)));
+// How the ray leaves the cube of `side` voxels at `corner`. Not sure if float32 cannot tell which face it passes first.
+Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
+  ivec3 face = corner + (ray.ahead & side);
+  vec3 t = times_of(ray, face);
+  Crossing crossing;
+  crossing.t = min_of(t);
+  bvec3 crossed = lessThanEqual(t, vec3(crossing.t + (crossing.t * ROUNDINGS + ray.slack)));
+  ivec3 count = ivec3(crossed);
+  sure = count.x + count.y + count.z == 1;
+  crossing.axis = crossed.z ? 2 : crossed.y ? 1 : 0;
+  crossing.step = mix(ivec3(0), ray.heading, crossed);
+  crossing.face = face[crossing.axis];
+  crossing.rising = !ray.falls[crossing.axis];
+  return crossing;
 }
 
-// The cell, within a range, that the ray is in once a crossing has happened. Not sure if float32 cannot tell.
-ivec3 cell_after(const Ray ray, const Crossing crossing, const Range range, inout bool sure) {
-  Range cell = approximate_cell(ray, crossing, range);
-  sure = sure && cell.least == cell.most;
-  return cell.least;
-}
-
-// The axes whose coordinates pass their face first: 1, others 0.
-OUT_OF_LINE ivec3 settle_first(const Ray ray, ivec3 face) {
-  int first = ray.moves.x ? 0 : ray.moves.y ? 1 : 2;
-  ivec3 crossed = ivec3(0);
-  crossed[first] = 1;
-  for (int axis = first + 1; axis < 3; axis++) {
-    int order = ray.moves[axis] ? compare_crossings(ray, axis, face[axis], first, face[first]) : 1;
-    if (order < 0) {
-      crossed = ivec3(0);
-      first = axis;
-    }
-    if (order <= 0)
-      crossed[axis] = 1;
+// Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, unless float32 cannot tell to which
+// of its cells. A coordinate just below the cube, or in its last half cell, belongs to the cube's first or last cell.
+void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
+  ivec3 cell = corner;
+  if (side > 1) {
+    vec3 least = vec3(corner);
+    vec3 point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (float(side) - 0.5f));
+    vec3 whole = floor(point);
+    sure = sure && all(lessThan(point - whole, 1.0f - ray.doubt));
+    cell = ivec3(whole);
   }
-  return crossed;
+  if (sure) {
+    walk.cell = cell;
+    walk.axis = crossing.axis;
+  }
 }
 
-// Steps over the empty cube of `side` voxels at `corner` where float32 was not sure how.
-void step_exactly(const Ray ray, inout Walk walk, ivec3 corner, int side) {
-  ivec3 face = corner + ray.ahead * side;
-  Crossing crossing = crossing_of(ray, face, times_of(ray, face), settle_first(ray, face));
-  Range range = landing_range(ray, walk, crossing, corner + crossing.step * side, side);
-  walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
-  walk.axis = crossing.axis;
+// Steps over the empty cube of `side` voxels at `corner` where float32 was not sure how: settles which faces the ray
+// passes first, axis by axis, and then by bisection to which cell it comes. All questions are asked at one place, since
+// devices of wide vectors run through it at every step. Where the device cuts it short, the walk stays where it is.
+OUT_OF_LINE Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) {
+  ivec3 face = corner + (ray.ahead & side);
+  int first = ray.moves.x ? 0 : ray.moves.y ? 1 : 2;
+  bvec3 crossed = bvec3(false);
+  Crossing crossing;
+  Range range = Range(ivec3(0), ivec3(1));
+  int next = 0;
+  int order = 0;
+  while (order != CUT_SHORT && range.least != range.most) {
+    bool orders = next < 3;
+    int axis = orders ? next : undecided_axis(range);
+    int at = orders ? face[axis] : middle_of(range, axis);
+    order = compare_crossings(ray, axis, at, first, face[first]);
+    if (!orders) {
+      narrow(ray, crossing, axis, at, order, range);
+    } else {
+      if (ray.moves[axis] && order <= 0) {
+        crossed = order < 0 ? bvec3(false) : crossed;
+        crossed[axis] = true;
+        first = axis;
+      }
+      next++;
+      if (next == 3) {
+        crossing = crossing_of(ray, face, min_of(times_of(ray, face)), crossed);
+        ivec3 target = corner + crossing.step * side;
+        range = approximate_cell(ray, crossing, Range(target, target + (side - 1)));
+      }
+    }
+  }
+  if (order != CUT_SHORT && range.least == range.most) {
+    walk.cell = range.least;
+    walk.axis = crossing.axis;
+  }
+  return walk;
 }

@@ -1,19 +1,30 @@
 // Steps in plain float32: always sure, and wrong only by rounding at a cell's boundary.
 
-// The axes whose coordinates pass a face first: 1, others 0.
-ivec3 first_crossed(const Ray ray, vec3 t, inout bool sure) {
+// How the ray leaves the cube of `side` voxels at `corner`.
+Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
+  ivec3 face = corner + (ray.ahead & side);
+  vec3 t = times_of(ray, face);
+  float first = min_of(t);
   sure = true;
-  return ivec3(equal(t, vec3(min(min(t.x, t.y), t.z))));
+  return crossing_of(ray, face, first, equal(t, vec3(first)));
 }
 
-// The cell, within a range, that the ray is in once a crossing has happened.
-ivec3 cell_after(const Ray ray, const Crossing crossing, const Range range, inout bool sure) {
-  vec3 point = ray.origin + crossing.t * ray.direction;
-  vec3 cell = floor(point);
-  if (!crossing.rising)
-    cell = mix(cell, ceil(point) - 1.0f, ray.falls);
-  return ivec3(clamp(cell, vec3(range.least), vec3(range.most)));
+// Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, and never back on any axis, which
+// rounding alone could do.
+void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
+  ivec3 cell = corner;
+  if (side > 1) {
+    vec3 least = vec3(corner);
+    vec3 point = clamp(ray.origin + crossing.t * ray.direction, least, least + (float(side) - 0.5f));
+    vec3 whole = floor(point);
+    if (!crossing.rising)
+      whole = mix(whole, max(ceil(point) - 1.0f, least), ray.falls);
+    cell = ivec3(whole);
+    cell = mix(max(cell, walk.cell), min(cell, walk.cell), ray.falls);
+  }
+  walk.cell = cell;
+  walk.axis = crossing.axis;
 }
 
 // For steps that are not sure, of which there are none.
-void step_exactly(const Ray ray, inout Walk walk, ivec3 corner, int side) {}
+Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) { return walk; }

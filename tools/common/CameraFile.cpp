@@ -56,22 +56,40 @@ Expected<FileCamera> parseCamera(const Json &entry, const std::string &where) {
   return camera;
 }
 
-} // namespace
-
-Expected<FileCamera> readCamera(const std::string &path, const std::string &name) {
+/// The file's object, which has an object "cameras".
+Expected<Json> readCameraFile(const std::string &path) {
   auto text = readTextFile(path);
   if (!text)
     return text.error();
   Json file = Json::parse(*text, nullptr, false);
   if (!file.is_object() || !file.contains("cameras") || !file["cameras"].is_object())
     return Error::input(path + " is no camera file: it should be a JSON object with an object \"cameras\"");
-  const Json &cameras = file["cameras"];
+  return file;
+}
+
+} // namespace
+
+Expected<std::vector<std::string>> cameraNames(const std::string &path) {
+  const auto file = readCameraFile(path);
+  if (!file)
+    return file.error();
+  std::vector<std::string> names;
+  for (const auto &[name, camera] : (*file)["cameras"].items())
+    names.push_back(name);
+  return names;
+}
+
+Expected<FileCamera> readCamera(const std::string &path, const std::string &name) {
+  const auto file = readCameraFile(path);
+  if (!file)
+    return file.error();
+  const Json &cameras = (*file)["cameras"];
   if (!cameras.contains(name))
     return noSuchCamera(path, name, cameras);
   auto camera = parseCamera(cameras[name], path + ": camera \"" + name + "\"");
   if (!camera)
     return camera;
-  auto size = numbers<2>(file, "size");
+  auto size = numbers<2>(*file, "size");
   if (size && (*size)[0] >= 1 && (*size)[0] <= kMaxPictureSide && (*size)[1] >= 1 &&
       (*size)[1] <= kMaxPictureSide)
     camera->size = {int((*size)[0]), int((*size)[1])};

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace voxc::tool {
 
@@ -27,5 +28,8 @@ struct FileCamera {
 /// are ignored. Errors: `Input` if the file is unreadable or broken, or has no such camera, naming those it
 /// has.
 Expected<FileCamera> readCamera(const std::string &path, const std::string &name);
+
+/// The names of all cameras of a file, in its order. Errors: `Input` if it is unreadable or broken.
+Expected<std::vector<std::string>> cameraNames(const std::string &path);
 
 } // namespace voxc::tool

@@ -20,16 +20,20 @@ Expected<void> writeStandardOutput(std::string_view bytes) {
   return {};
 }
 
-/// `source` names the bytes in errors.
-Expected<std::vector<Ray>> parseRays(std::span<const std::byte> bytes, const std::string &source) {
-  if (bytes.size() % sizeof(Ray) != 0)
-    return Error::input(source + " has " + std::to_string(bytes.size()) +
-                        " bytes, but rays are 6 float32 each: it should have a multiple of 24");
-  std::vector<Ray> rays(bytes.size() / sizeof(Ray));
-  if (!rays.empty())
-    std::memcpy(rays.data(), bytes.data(), bytes.size());
-  return rays;
+/// Rays or hits. `source` names the bytes in errors, `form` what a record is.
+template <typename Item>
+Expected<std::vector<Item>> parse(std::span<const std::byte> bytes, const std::string &source,
+                                  const char *form) {
+  if (bytes.size() % sizeof(Item) != 0)
+    return Error::input(source + " has " + std::to_string(bytes.size()) + " bytes, but " + form +
+                        " each: it should have a multiple of 24");
+  std::vector<Item> items(bytes.size() / sizeof(Item));
+  if (!items.empty())
+    std::memcpy(items.data(), bytes.data(), bytes.size());
+  return items;
 }
+
+constexpr const char *kRayForm = "rays are 6 float32", *kHitForm = "hits are 6 words";
 
 } // namespace
 
@@ -44,12 +48,19 @@ Expected<void> writeBytes(const std::string &path, std::span<const std::byte> by
 Expected<std::vector<Ray>> readRays(const std::string &path) {
   if (path == kStandardStream) {
     std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    return parseRays(std::as_bytes(std::span(text)), "standard input");
+    return parse<Ray>(std::as_bytes(std::span(text)), "standard input", kRayForm);
   }
   auto file = MappedFile::open(path);
   if (!file)
     return file.error();
-  return parseRays(file->bytes(), path);
+  return parse<Ray>(file->bytes(), path, kRayForm);
+}
+
+Expected<std::vector<Hit>> readHits(const std::string &path) {
+  auto file = MappedFile::open(path);
+  if (!file)
+    return file.error();
+  return parse<Hit>(file->bytes(), path, kHitForm);
 }
 
 Expected<void> writeHits(const std::string &path, std::span<const Hit> hits) {

@@ -20,6 +20,9 @@ Expected<void> writeText(const std::string &path, std::string_view text);
 /// A ray file: 24 bytes a ray. Errors: `Input` if it is unreadable or no multiple of 24 bytes.
 Expected<std::vector<Ray>> readRays(const std::string &path);
 
+/// The hits of a file. Errors as `readRays`.
+Expected<std::vector<Hit>> readHits(const std::string &path);
+
 /// A hit file: 24 bytes a hit. Errors as `writeBytes`.
 Expected<void> writeHits(const std::string &path, std::span<const Hit> hits);
 

@@ -20,7 +20,8 @@ double outside(const Box &box, const Box &frame) {
   return area - overlap(box, frame);
 }
 
-/// Where labels are tried, best first: right, left, above, below, then further up and down on both sides.
+/// Where labels are tried, best first: right, left, above, below, beside and a little up or down, then
+/// further up and down on both sides.
 std::vector<Box> places(const LabelRequest &request, double width, double size) {
   const double gap = 0.9 * size, height = 1.2 * size;
   std::vector<Box> boxes;
@@ -31,6 +32,10 @@ std::vector<Box> places(const LabelRequest &request, double width, double size) 
   add(request.x - gap - width, request.y);
   add(request.x - width / 2, request.y - 1.3 * size);
   add(request.x - width / 2, request.y + 1.3 * size);
+  for (const double side : {-0.9, 0.9}) {
+    add(request.x - 0.5 * gap - width, request.y + side * size);
+    add(request.x + 0.5 * gap, request.y + side * size);
+  }
   for (int row = 1; row <= 8; ++row)
     for (const double side : {-1.0, 1.0}) {
       const double middle = request.y + side * (0.6 + 1.3 * row) * size;
@@ -48,7 +53,7 @@ struct Candidate {
 };
 
 Candidate makeCandidate(const LabelRequest &request, const Box &box, double size) {
-  Candidate candidate{{request.text, box.left, box.bottom - 0.3 * size, request.x, request.y, 0, 0, false},
+  Candidate candidate{{request.text, box.left, box.bottom - 0.3 * size, request.x, request.y, 0, 0, false, 0},
                       {box}};
   PlacedLabel &label = candidate.label;
   label.hasLeader = std::abs((box.top + box.bottom) / 2 - request.y) > 1.5 * size;
@@ -66,10 +71,14 @@ Candidate makeCandidate(const LabelRequest &request, const Box &box, double size
 }
 
 /// How much a candidate covers or leaves the frame; crossing something with a leader counts as much as
-/// covering it.
+/// covering it, and a long leader a little by itself.
 double cost(const Candidate &candidate, const std::vector<Box> &taken, const Box &frame) {
   constexpr double kLeaderWeight = 10;
+  constexpr double kLengthWeight = 0.5;
+  const PlacedLabel &label = candidate.label;
   double sum = outside(candidate.boxes.front(), frame);
+  if (label.hasLeader)
+    sum += kLengthWeight * std::hypot(label.leaderX - label.pointX, label.leaderY - label.pointY);
   for (const Box &box : candidate.boxes)
     for (const Box &other : taken)
       sum += overlap(box, other) * (&box == &candidate.boxes.front() ? 1 : kLeaderWeight);
@@ -79,10 +88,12 @@ double cost(const Candidate &candidate, const std::vector<Box> &taken, const Box
 Candidate bestPlace(const LabelRequest &request, const std::vector<Box> &taken, const Box &frame,
                     double size) {
   std::vector<Candidate> tried;
-  for (const Box &box : places(request, textWidth(request.text, size), size))
+  for (const Box &box : places(request, textWidth(request.text, size), size)) {
     tried.push_back(makeCandidate(request, box, size));
+    tried.back().label.cost = cost(tried.back(), taken, frame);
+  }
   return *std::ranges::min_element(tried, {},
-                                   [&](const Candidate &candidate) { return cost(candidate, taken, frame); });
+                                   [](const Candidate &candidate) { return candidate.label.cost; });
 }
 
 } // namespace
@@ -94,23 +105,23 @@ double textWidth(const std::string &text, double fontSize) {
 }
 
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
-                                     double fontSize) {
-  std::vector<Box> points;
+                                     double fontSize, std::vector<Box> obstacles) {
   const double radius = kPointRadius * fontSize;
   for (const LabelRequest &request : requests)
-    points.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
+    obstacles.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
   std::vector<Candidate> placed(requests.size());
   // Each is placed anew, now that it knows where the others went, until they have settled.
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round)
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      std::vector<Box> taken = points;
+      std::vector<Box> taken = obstacles;
       for (std::size_t other = 0; other < placed.size(); ++other)
         if (other != i)
           taken.insert(taken.end(), placed[other].boxes.begin(), placed[other].boxes.end());
       placed[i] = bestPlace(requests[i], taken, frame, fontSize);
     }
   std::vector<PlacedLabel> labels;
+  labels.reserve(placed.size());
   for (const Candidate &candidate : placed)
     labels.push_back(candidate.label);
   return labels;

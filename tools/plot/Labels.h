@@ -17,6 +17,7 @@ struct PlacedLabel {
   double pointX, pointY;
   double leaderX, leaderY; ///< The leader's end at the text.
   bool hasLeader;
+  double cost; ///< How much it covers, mostly: an area in square units.
 };
 
 struct LabelRequest {
@@ -27,9 +28,9 @@ struct LabelRequest {
 /// About how wide a text is in the common sans-serif fonts.
 double textWidth(const std::string &text, double fontSize);
 
-/// Places the labels in their order inside `frame`. One for which no place is left stands where it covers
-/// least.
+/// Places the labels in their order inside `frame`, away from their points and from `obstacles`. One for
+/// which no place is left stands where it covers least.
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
-                                     double fontSize);
+                                     double fontSize, std::vector<Box> obstacles = {});
 
 } // namespace voxc::plot

@@ -12,6 +12,7 @@ enum class Spacing {
   Linear,  ///< From 0.
   Decades, ///< Logarithmic, ticks at powers of 10; 0 may have a place of its own before the least of them.
   Octaves, ///< Logarithmic, ticks at powers of 2; no 0.
+  Bytes,   ///< The same, with ticks told as sizes of memory.
 };
 
 struct Axis {

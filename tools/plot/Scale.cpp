@@ -27,6 +27,20 @@ std::string powerText(double base, int exponent) {
   return shortNumber(base) + superscript(exponent);
 }
 
+/// "512 KiB" for 2^19.
+std::string bytesText(int exponent) {
+  static constexpr std::array<const char *, 7> kUnits = {"B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+  const int unit = std::clamp(exponent / 10, 0, static_cast<int>(kUnits.size()) - 1);
+  return shortNumber(std::pow(2, exponent - 10 * unit)) + " " + kUnits[static_cast<std::size_t>(unit)];
+}
+
+/// A multiple of a round step, which has few digits.
+std::string roundNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 /// The least of 1, 2 and 5 times a power of 10 that is not below `value`.
 double roundStep(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
@@ -58,7 +72,7 @@ void Scale::fitLinear(const std::vector<double> &values, int maxTicks) {
   const int count = static_cast<int>(std::ceil((most > 0 ? most * 1.05 : 1) / step));
   high_ = step * count;
   for (int i = 0; i <= count; ++i)
-    ticks_.push_back({place(step * i), shortNumber(step * i)});
+    ticks_.push_back({place(step * i), roundNumber(step * i)});
 }
 
 void Scale::fitPowers(const Axis &axis, const std::vector<double> &values, int maxTicks) {
@@ -82,7 +96,8 @@ void Scale::fitPowers(const Axis &axis, const std::vector<double> &values, int m
     ticks_.push_back({place(0), "0"});
   const int step = std::max(1, static_cast<int>(std::ceil((high_ - low_) / maxTicks)));
   for (int exponent = static_cast<int>(low_); exponent <= static_cast<int>(high_); exponent += step)
-    ticks_.push_back({place(std::pow(base_, exponent)), powerText(base_, exponent)});
+    ticks_.push_back({place(std::pow(base_, exponent)),
+                      axis.spacing == Spacing::Bytes ? bytesText(exponent) : powerText(base_, exponent)});
 }
 
 double Scale::place(double value) const {

@@ -104,6 +104,18 @@ Expected<TraceReport> traceJob(const Options &options, Device &device, const Ker
       {.countSteps = options.count || options.heatmap, .repeat = options.repeat, .progress = bar.progress()});
 }
 
+/// The times of every repeat, for who wants more than the fastest.
+void addRounds(Json &figures, const TraceReport &report) {
+  Json seconds = Json::array(), cpuSeconds = Json::array(), deviceSeconds = Json::array();
+  for (const TraceTime &time : report.repeats) {
+    seconds.push_back(time.wall);
+    cpuSeconds.push_back(time.cpu);
+    if (time.device > 0)
+      deviceSeconds.push_back(time.device);
+  }
+  figures["rounds"] = {{"seconds", seconds}, {"cpu_seconds", cpuSeconds}, {"device_seconds", deviceSeconds}};
+}
+
 Expected<void> run(const Options &options) {
   if (auto usage = checkUsage(options); !usage)
     return usage;
@@ -128,6 +140,9 @@ Expected<void> run(const Options &options) {
   if (!report)
     return report.error();
   addTraceFigures(figures, *report, hits, device->info().name, options.count || options.heatmap);
+  figures["driver"] = device->info().driver;
+  figures["device_kind"] = device->info().kind;
+  addRounds(figures, *report);
   if (auto written = writeResult(options, *job, hits); !written)
     return written;
   return writeStatistics(options.common.stats, std::move(figures));

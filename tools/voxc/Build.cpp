@@ -4,6 +4,7 @@
 #include "Outputs.h"
 #include "Subcommand.h"
 
+#include "common/Statistics.h"
 #include "common/Terminal.h"
 
 #include <charconv>
@@ -43,6 +44,7 @@ public:
   void declare(CLI::App &app) override {
     building_.declare(app);
     building_.declareThreads(app);
+    building_.declareMaxBytes(app);
     app.add_option("--fragment", fragment_, "Build one of N fragments only, for voxc merge")
         ->type_name("I/N")
         ->check(CLI::Validator(checkFragment, "", ""));
@@ -58,8 +60,12 @@ public:
       return format.error();
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> built = build(*format, bar.progress(), figures); !built)
+    if (Expected<void> built = build(*format, bar.progress(), figures); !built) {
+      // How far it came; that this cannot be written as well is no news.
+      figures["failed"] = built.error().message;
+      static_cast<void>(writeStatistics(common_.stats, figures));
       return built;
+    }
     bar.clear();
     return tellFigures(common_, figures);
   }

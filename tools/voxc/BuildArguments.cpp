@@ -38,11 +38,16 @@ std::optional<std::uint64_t> parseSize(std::string_view text) {
 }
 
 std::string checkSize(const std::string &text) {
+  return parseSize(text)
+             ? std::string()
+             : "'" + text + "' is no size; write a number of bytes, or one with K, M, G or KiB, MiB, GiB";
+}
+
+std::string checkMemory(const std::string &text) {
   constexpr std::uint64_t kSmallest = std::uint64_t{16} << 20;
   const auto size = parseSize(text);
-  if (!size)
-    return "'" + text + "' is no size; write a number of bytes, or one with K, M, G or KiB, MiB, GiB";
-  return *size < kSmallest ? "'" + text + "' is too little memory; give 16MiB or more" : std::string();
+  return size && *size < kSmallest ? "'" + text + "' is too little memory; give 16MiB or more"
+                                   : checkSize(text);
 }
 
 } // namespace
@@ -51,7 +56,7 @@ void addMemoryArguments(CLI::App &app, BuildArguments &arguments) {
   app.add_option("--memory", arguments.memory,
                  "Bound on the memory of building, such as 512MiB; default: a quarter of the machine's")
       ->type_name("SIZE")
-      ->check(CLI::Validator(checkSize, "", ""));
+      ->check(CLI::Validator(checkMemory, "", ""));
   app.add_option("--scratch", arguments.scratch, "Folder for what does not fit; default: $TMPDIR or /var/tmp")
       ->type_name("DIR");
 }
@@ -62,11 +67,25 @@ void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
       ->check(CLI::Range(1u, 1024u).description(""));
 }
 
+void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments) {
+  app.add_option("--max-bytes", arguments.maxBytes,
+                 "Fail as soon as the volume's words take more; default: 16GiB, what offsets can reach")
+      ->type_name("SIZE")
+      ->check(CLI::Validator(checkSize, "", ""));
+}
+
+std::uint64_t bytesOf(const std::string &size) { return *parseSize(size); }
+
+std::uint64_t maxWordsOf(const BuildArguments &arguments) {
+  return arguments.maxBytes.empty() ? BuildOptions{}.maxWords
+                                    : bytesOf(arguments.maxBytes) / sizeof(std::uint32_t);
+}
+
 std::shared_ptr<WorkingMemory> makeWorkingMemory(const BuildArguments &arguments) {
   if (arguments.memory.empty() && arguments.scratch.empty())
     return WorkingMemory::createDefault();
   const std::uint64_t bound =
-      arguments.memory.empty() ? WorkingMemory::createDefault()->bound() : *parseSize(arguments.memory);
+      arguments.memory.empty() ? WorkingMemory::createDefault()->bound() : bytesOf(arguments.memory);
   return WorkingMemory::create(bound, arguments.scratch);
 }
 

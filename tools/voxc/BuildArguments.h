@@ -1,4 +1,4 @@
-// The options that say with what means a volume is built; none of them changes a byte of it.
+// The options that say with what means a volume is built; none of them changes a byte of it, if there is one.
 #pragma once
 
 #include "voxc/Construct/Constructor.h"
@@ -15,12 +15,22 @@ struct BuildArguments {
   std::string memory; ///< Such as "512MiB"; "": a quarter of the machine.
   std::string scratch;
   unsigned threads = 0; ///< 0: all of the machine.
+  std::string maxBytes; ///< Such as "4GiB"; "": what offsets can reach.
 };
 
 /// Adds --memory and --scratch to a command.
 void addMemoryArguments(CLI::App &app, BuildArguments &arguments);
 /// Adds --threads.
 void addThreadsArgument(CLI::App &app, BuildArguments &arguments);
+
+/// Adds --max-bytes.
+void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments);
+
+/// A size as people write it, "512MiB", in bytes. Trusts that a validator of these options took it.
+std::uint64_t bytesOf(const std::string &size);
+
+/// The most words that a volume may have.
+std::uint64_t maxWordsOf(const BuildArguments &arguments);
 
 /// The bound on memory. Taken as late as possible: what is resident at this moment does not count.
 std::shared_ptr<WorkingMemory> makeWorkingMemory(const BuildArguments &arguments);

@@ -23,6 +23,8 @@ void Building::declare(CLI::App &app) {
 
 void Building::declareThreads(CLI::App &app) { addThreadsArgument(app, buildArguments_); }
 
+void Building::declareMaxBytes(CLI::App &app) { addMaxBytesArgument(app, buildArguments_); }
+
 void Building::defaultInput(CLI::App &app, const std::string &input) {
   input_ = input;
   app.get_option("INPUT")->required(false)->capture_default_str();
@@ -111,10 +113,15 @@ Expected<Volume> Building::build(const Format &format, const std::string &path, 
   Expected<Prepared> prepared = prepare(format, common, progress, figures);
   if (!prepared)
     return prepared.error();
+  std::uint64_t words = 0;
   prepared->options.path = path;
+  prepared->options.maxWords = maxWordsOf(buildArguments_);
+  prepared->options.wordsReached = &words;
   Expected<Built> built = prepared->constructor.build(*prepared->input.source, prepared->options);
-  if (!built)
+  if (!built) {
+    figures["words"] = words;
     return built.error();
+  }
   addVolumeFigures(figures, built->volume);
   addBuildFigures(figures, built->report);
   if (!path.empty())

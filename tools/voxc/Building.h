@@ -22,13 +22,15 @@ public:
   /// Adds --threads, unless another part of the command has it: then `useThreads` passes it on.
   void declareThreads(CLI::App &app);
   void useThreads(unsigned threads) { buildArguments_.threads = threads; }
+  /// Adds --max-bytes.
+  void declareMaxBytes(CLI::App &app);
   /// Lets INPUT be left out in favour of `input`.
   void defaultInput(CLI::App &app, const std::string &input);
 
   /// The format as FORMAT and the passes say.
   Expected<Format> readFormat() const;
   /// Compiles the format's constructor, opens the input and builds the volume; it is written to `path` unless
-  /// that is "". Its figures are added.
+  /// that is "". Its figures are added; `words` also if building fails.
   Expected<Volume> build(const Format &format, const std::string &path, const CommonOptions &common,
                          const Progress &progress, Json &figures) const;
   /// The same for one of several fragments of the volume.

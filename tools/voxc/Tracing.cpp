@@ -64,6 +64,19 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, c
   return createCpuTracer(*kernel, volume, threads_);
 }
 
+Expected<void> Tracing::prepareToCountWords(const Volume &volume, const Format &format) {
+  if (device_)
+    return {};
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, true);
+  if (!kernel)
+    return kernel.error();
+  auto tracer = createCpuTracer(*kernel, volume, threads_);
+  if (!tracer)
+    return tracer.error();
+  tracer_ = std::move(*tracer);
+  return {};
+}
+
 Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume, const Format &format,
                                                             Json &figures) {
   const Stopwatch watch;
@@ -85,8 +98,7 @@ Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, co
   Expected<TraceReport> report = tracer_->trace(rays, hits, options);
   if (!report)
     return report.error();
-  const DeviceInfo device = device_ ? device_->info() : cpuDeviceInfo();
-  addTraceFigures(figures, *report, hits, device.name, options.countSteps);
+  addTraceFigures(figures, *report, hits, deviceInfo().name, options.countSteps);
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include "common/Command.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
+#include "voxc/Trace/CpuKernel.h"
 #include "voxc/Trace/Tracer.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,15 @@ public:
   /// Traces rays through the prepared volume. The trace's figures are added.
   Expected<void> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
                        Json &figures);
+
+  /// Makes the prepared tracer count words read where that takes another kernel; from then on it traces with
+  /// `TraceOptions::countWords` alone. `volume` and `format` are those of `prepare`.
+  Expected<void> prepareToCountWords(const Volume &volume, const Format &format);
+
+  /// The open device.
+  DeviceInfo deviceInfo() const { return device_ ? device_->info() : cpuDeviceInfo(); }
+  /// Whether it is one of Vulkan's.
+  bool isVulkan() const { return device_ != nullptr; }
 
   /// What --threads says; 0: nothing.
   unsigned threads() const { return threads_; }

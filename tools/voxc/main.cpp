@@ -29,6 +29,7 @@ constexpr CommandKind kCommands[] = {
     {"verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
     {"hard-rays", "Check the kernels of many formats on rays that are hard to trace", makeHardRaysCommand},
     {"accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
+    {"bench", "Measure size, speed and error of many formats", makeBenchCommand},
     {"export", "Decode a volume to a dense grid, points or MagicaVoxel", makeExportCommand},
     {"info", "Describe a volume", makeInfoCommand},
     {"devices", "List the devices that can trace", makeDevicesCommand},

@@ -133,6 +133,65 @@ TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {
   EXPECT_EQ(hits[0].t, 262143.5f - 4.0f);
 }
 
+/// The hits with the words read as their steps; `tracer` must be able to count them.
+std::vector<Hit> countedWords(Expected<std::unique_ptr<Tracer>> tracer, std::span<const Ray> rays) {
+  EXPECT_TRUE(tracer) << tracer.error().message;
+  std::vector<Hit> hits(rays.size());
+  const auto report = (*tracer)->trace(rays, hits, {.countWords = true});
+  EXPECT_TRUE(report) << report.error().message;
+  return hits;
+}
+
+TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
+  const Format format = *parseFormat("R(1^3) G(3)");
+  const test::Scene scene = test::hardScenes(format.extent())[7];
+  const auto volume = build(format, scene);
+  ASSERT_TRUE(volume) << volume.error().message;
+  const auto rays = verifyRays(scene.extent, 2000, 11);
+  const auto words = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume, 2), rays);
+  const auto plain = cpuHits(*volume, format, rays, true);
+  std::uint64_t lookups = 0, read = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(words[i].t, plain[i].t);
+    lookups += plain[i].steps;
+    read += words[i].steps;
+  }
+  EXPECT_GT(read, lookups) << "a lookup in a tree below a grid reads several words";
+  EXPECT_LT(read, 10 * lookups);
+  if (auto device = Device::open("llvmpipe"); device) {
+    EXPECT_EQ(std::memcmp(countedWords(createTracer(*device, *compileKernel(format), *volume), rays).data(),
+                          words.data(), words.size() * sizeof(Hit)),
+              0);
+  }
+}
+
+TEST_F(CpuKernels, CountAWordForEachCellOfAGridAlsoWhereWalksAreCutShort) {
+  const Format format = *parseFormat("R(18,0,0)");
+  const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
+  ASSERT_TRUE(volume) << volume.error().message;
+  const std::vector<Ray> rays = {{{262143.5f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}}};
+  const auto hits = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume), rays);
+  EXPECT_EQ(hits[0].steps, 262143u - 3 + 1 + 1) << "the cells, and the root's offset once";
+  if (auto device = Device::open("llvmpipe"); device) {
+    const auto theirs = countedWords(createTracer(*device, *compileKernel(format), *volume), rays);
+    EXPECT_GE(theirs[0].steps, hits[0].steps);
+    EXPECT_LE(theirs[0].steps, hits[0].steps + 16) << "the root's offset and a cell again in each dispatch";
+  }
+}
+
+TEST_F(CpuKernels, CountWordsOnlyIfTheyWereMadeToDoSo) {
+  const Format format = *parseFormat("G(2)");
+  const auto volume = build(format, test::hardScenes(format.extent())[1]);
+  ASSERT_TRUE(volume) << volume.error().message;
+  for (const bool counts : {false, true}) {
+    const auto tracer = createCpuTracer(*compileCpuKernel(format, counts), *volume);
+    const std::vector<Ray> rays(1, {{0, 0, 0}, {1, 0, 0}});
+    std::vector<Hit> hits(1);
+    EXPECT_FALSE((*tracer)->trace(rays, hits, {.countWords = !counts}));
+    EXPECT_TRUE((*tracer)->trace(rays, hits, {.countWords = counts}));
+  }
+}
+
 TEST_F(CpuKernels, AnswerOneRayAtATimeFromAnyThread) {
   const Format format = *parseFormat("R(1^3) G(3)");
   const test::Scene scene = test::hardScenes(format.extent())[7];

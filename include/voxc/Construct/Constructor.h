@@ -14,7 +14,7 @@
 
 namespace voxc {
 
-/// How to build. Nothing of it changes a byte of the volume.
+/// How to build. Nothing of it changes a byte of the volume, if there is one.
 struct BuildOptions {
   std::string provenance; ///< Kept in the volume.
   unsigned threads = 1;   ///< Sources that have but one reader are built on one.
@@ -24,6 +24,10 @@ struct BuildOptions {
   /// stay in memory, or in the scratch file.
   std::string path;
   Progress progress;
+  /// A volume of more is an error, and one of more than 2^32 in any case.
+  std::uint64_t maxWords = std::uint64_t{1} << 32;
+  /// Where to put how many words there were at the end, also of a build that failed; null: nowhere.
+  std::uint64_t *wordsReached = nullptr;
 };
 
 /// What became of one level.
@@ -60,8 +64,8 @@ public:
   double compileSeconds() const;
 
   /// Builds the volume of a source. The bytes depend on format and voxels alone. Errors: the source is larger
-  /// than the format or failed (its error), more than 2^32 words are needed (`Input`, naming the size
-  /// reached), memory or disk is full, or the build was stopped.
+  /// than the format or failed (its error), more than `maxWords` words are needed (`Input`, naming
+  /// the size reached), memory or disk is full, or the build was stopped.
   Expected<Built> build(VoxelSource &source, const BuildOptions &options = {}) const;
 
   /// Builds the parts of a volume whose numbers, in Morton order, lie in the fragment `index` of `count` (0

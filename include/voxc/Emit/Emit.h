@@ -16,8 +16,9 @@ std::string emitIntersect(const Plan &plan);
 
 /// intersect.cpp: the same functions in C++, one ray at a time, behind one extern "C" function named `symbol`
 /// of the type `CpuKernel::Function`. Needs only `intersectHeaders()` beside it. The plan's addressing plays
-/// no part: the words lie in one array.
-std::string emitIntersectCpp(const Plan &plan, std::string_view symbol);
+/// no part: the words lie in one array. `countWords`: the kernel counts the words that each ray reads, and no
+/// lookups.
+std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords = false);
 
 /// intersect.h: declares that function in C, with the format and its storage digest.
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol);

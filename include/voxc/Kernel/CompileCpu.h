@@ -9,8 +9,8 @@
 namespace voxc {
 
 /// Emits and compiles the kernel of `format` for this very processor, in the process. An error here is a
-/// defect of voxc and says so.
-Expected<CpuKernel> compileCpuKernel(const Format &format);
+/// defect of voxc and says so. `countWords`: a kernel for `TraceOptions::countWords` and nothing else.
+Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = false);
 
 struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels

@@ -26,6 +26,7 @@ struct CpuKernel {
   Function function = nullptr;
   std::uint64_t storageDigest = 0;   ///< Of the formats that it fits: `storageDigest(format)`.
   std::shared_ptr<const void> owner; ///< Keeps the code, where it was compiled in the process.
+  bool countsWords = false;          ///< It counts words read, always, and no lookups.
 };
 
 /// A tracer on this processor, with so many threads; 0: as many as it runs at once. `volume` must outlive it.

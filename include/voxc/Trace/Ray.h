@@ -16,7 +16,7 @@ struct Hit {
   std::int32_t voxel[3];
   std::uint32_t rgba;
   float t;             ///< Smallest t with the point in the voxel; 0 if the origin lies in it.
-  std::uint32_t steps; ///< Lookups made, if they were counted; else 0.
+  std::uint32_t steps; ///< Lookups made, or words read, if they were counted; else 0.
 
   bool isHit() const { return voxel[0] >= 0; }
 };

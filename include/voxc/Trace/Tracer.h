@@ -54,7 +54,10 @@ private:
 };
 
 struct TraceOptions {
-  bool countSteps = false;
+  bool countSteps = false; ///< Lookups into `Hit::steps`.
+  /// Words read into `Hit::steps`, in place of lookups. On this processor that takes a kernel of its own
+  /// (`CpuKernel::countsWords`).
+  bool countWords = false;
   unsigned repeat = 1; ///< Traces the rays so often; times of every repeat are kept.
   /// Kernels of `detail=cone` stop at what is narrower than `spread` times its distance from the ray's
   /// origin.

@@ -22,24 +22,6 @@ Variant makeVariant(const Format &format, const std::string &precision, const st
   return variant;
 }
 
-/// One run of a contestant; its times are kept if it is `counted`.
-Expected<void> run(Contestant &contestant, std::span<const Ray> rays, bool counted) {
-  Json figures;
-  const TraceOptions options{.spread = contestant.spread};
-  if (Expected<void> traced = contestant.tracing.trace(rays, contestant.hits, options, figures); !traced)
-    return traced;
-  if (!counted) {
-    contestant.setup["device"] = figures["device"];
-    contestant.firstDispatchSeconds = figures["first_dispatch_seconds"];
-    return {};
-  }
-  contestant.cpuSeconds.push_back(figures["cpu_seconds"]);
-  contestant.seconds.push_back(figures["seconds"]);
-  if (figures.contains("device_seconds"))
-    contestant.deviceSeconds.push_back(figures["device_seconds"]);
-  return {};
-}
-
 } // namespace
 
 std::string Variant::label(bool severalDevices) const {
@@ -86,10 +68,28 @@ Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volu
   return contestant;
 }
 
+Expected<void> traceOnce(Contestant &contestant, std::span<const Ray> rays, bool counted,
+                         const std::atomic<bool> *stop) {
+  Json figures;
+  contestant.hits.resize(rays.size());
+  const TraceOptions options{.spread = contestant.spread, .progress = {.stop = stop}};
+  if (Expected<void> traced = contestant.tracing.trace(rays, contestant.hits, options, figures); !traced)
+    return traced;
+  if (!counted) {
+    contestant.setup["device"] = figures["device"];
+    contestant.firstDispatchSeconds = figures["first_dispatch_seconds"];
+    return {};
+  }
+  contestant.cpuSeconds.push_back(figures["cpu_seconds"]);
+  contestant.seconds.push_back(figures["seconds"]);
+  if (figures.contains("device_seconds"))
+    contestant.deviceSeconds.push_back(figures["device_seconds"]);
+  return {};
+}
+
 Expected<void> traceInTurn(std::span<const std::unique_ptr<Contestant>> contestants,
                            std::span<const Ray> rays, unsigned rounds, const Progress &progress) {
   for (const auto &contestant : contestants) {
-    contestant->hits.resize(rays.size());
     contestant->cpuSeconds.clear();
     contestant->seconds.clear();
     contestant->deviceSeconds.clear();
@@ -100,7 +100,7 @@ Expected<void> traceInTurn(std::span<const std::unique_ptr<Contestant>> contesta
       progress.at("trace", done / static_cast<double>((rounds + 1) * contestants.size()), 0);
       if (progress.stopped())
         return Error::interrupted();
-      if (Expected<void> traced = run(*contestants[i], rays, round > 0); !traced)
+      if (Expected<void> traced = traceOnce(*contestants[i], rays, round > 0, progress.stop); !traced)
         return traced;
     }
   return {};

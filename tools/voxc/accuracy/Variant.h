@@ -56,6 +56,11 @@ struct Contestant {
 /// Opens the variant's device and makes its kernel. The volume must outlive the contestant.
 Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume, unsigned threads);
 
+/// Traces the rays once. The times are kept if they are `counted`; those of a first run are not. Errors: the
+/// device's; `Interrupted` if `stop` is set meanwhile.
+Expected<void> traceOnce(Contestant &contestant, std::span<const Ray> rays, bool counted,
+                         const std::atomic<bool> *stop = nullptr);
+
 /// Traces the rays by each in turn, `rounds` times over (A B C A B C ...), after a round that is not counted
 /// and leaves the hits; earlier findings are replaced.
 Expected<void> traceInTurn(std::span<const std::unique_ptr<Contestant>> contestants,

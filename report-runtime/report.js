@@ -1,0 +1,129 @@
+// What the page can do beyond being read: figures of a point beside it, one format in all charts, a table that can be sorted
+// and searched.
+"use strict";
+
+(() => {
+  const tip = document.getElementById("tip");
+
+  // Points: a link each, with its figures as lines of its title.
+  const points = [...document.querySelectorAll(".point")];
+  const notes = new Map();
+
+  function takeNote(point) {
+    const title = point.querySelector("title");
+    notes.set(point, title.textContent.split("\n"));
+    point.setAttribute("aria-label", title.textContent.replaceAll("\n", "; "));
+    title.remove(); // The browser would show it too.
+  }
+
+  function fillTip(lines) {
+    tip.replaceChildren(...lines.map((line, i) => {
+      const element = document.createElement(i === 0 ? "b" : "span");
+      element.textContent = line;
+      return element;
+    }));
+  }
+
+  // Above the point if there is room, else below; never beyond the window.
+  function placeTip(point) {
+    const mark = point.querySelector("use").getBoundingClientRect();
+    const gap = 12, edge = 8;
+    const above = mark.top - tip.offsetHeight - gap;
+    const left = mark.left + mark.width / 2 - tip.offsetWidth / 2;
+    tip.style.top = `${above > edge ? above : mark.bottom + gap}px`;
+    tip.style.left = `${Math.max(edge, Math.min(left, innerWidth - tip.offsetWidth - edge))}px`;
+  }
+
+  let shown = null;
+
+  function show(point) {
+    shown = point;
+    for (const other of points)
+      other.classList.toggle("same", other.dataset.format === point.dataset.format);
+    document.body.classList.add("pointing");
+    fillTip(notes.get(point));
+    tip.hidden = false;
+    placeTip(point);
+  }
+
+  function hide() {
+    shown = null;
+    tip.hidden = true;
+    document.body.classList.remove("pointing");
+    for (const point of points)
+      point.classList.remove("same");
+  }
+
+  for (const point of points) {
+    takeNote(point);
+    point.addEventListener("pointerenter", () => show(point));
+    point.addEventListener("pointerleave", hide);
+    point.addEventListener("focus", () => show(point));
+    point.addEventListener("blur", hide);
+  }
+  addEventListener("keydown", event => event.key === "Escape" && hide());
+  // The tab key may scroll to a point after it is shown.
+  addEventListener("scroll", () => shown && placeTip(shown), {passive: true});
+
+  // Tables: headings become buttons; what has no figure stays last in either direction.
+  function compare(a, b, isNumber, sign) {
+    if (a === "" || b === "")
+      return (a === "") - (b === "");
+    return sign * (isNumber ? parseFloat(a.replaceAll(",", "")) - parseFloat(b.replaceAll(",", "")) : a.localeCompare(b, "en", {numeric: true}));
+  }
+
+  function sort(table, heading) {
+    const column = heading.cellIndex;
+    const order = heading.getAttribute("aria-sort") === "ascending" ? "descending" : "ascending";
+    for (const other of table.tHead.rows[0].cells)
+      other.removeAttribute("aria-sort");
+    heading.setAttribute("aria-sort", order);
+    const isNumber = heading.classList.contains("n"), sign = order === "ascending" ? 1 : -1;
+    const keys = new Map([...table.tBodies[0].rows].map(row => [row, row.cells[column].textContent]));
+    table.tBodies[0].append(...[...keys.keys()].sort((a, b) => compare(keys.get(a), keys.get(b), isNumber, sign)));
+  }
+
+  function makeSortable(table) {
+    for (const heading of table.tHead.rows[0].cells) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.append(...heading.childNodes);
+      heading.append(button);
+      button.addEventListener("click", () => sort(table, heading));
+    }
+  }
+
+  // Rows that hold all words that are looked for.
+  function makeFinder(table) {
+    const finder = document.createElement("label"), input = document.createElement("input"), count = document.createElement("span");
+    finder.className = "finder";
+    input.type = "search";
+    input.placeholder = "Find: a model, a format, a device…";
+    input.setAttribute("aria-label", "Find rows");
+    count.setAttribute("aria-live", "polite");
+    finder.append(input, count);
+    table.closest(".scroll").before(finder);
+    const rows = [...table.tBodies[0].rows];
+    const find = () => {
+      const words = input.value.toLowerCase().split(/\s+/);
+      for (const row of rows)
+        row.hidden = !words.every(word => row.textContent.toLowerCase().includes(word));
+      count.textContent = `${rows.filter(row => !row.hidden).length} of ${rows.length} rows`;
+    };
+    input.addEventListener("input", find);
+    find();
+    // A point may lead to a row that is not shown.
+    addEventListener("hashchange", () => {
+      if (document.querySelector("tr:target")?.hidden) {
+        input.value = "";
+        find();
+        document.querySelector("tr:target").scrollIntoView();
+      }
+    });
+  }
+
+  for (const table of document.querySelectorAll("table.sortable")) {
+    makeSortable(table);
+    makeFinder(table);
+  }
+})();

@@ -1,0 +1,40 @@
+// Records in files: all of a folder read, and new ones appended so that every line is whole.
+#pragma once
+
+#include "Record.h"
+
+#include <string>
+#include <vector>
+
+namespace voxc::tool::bench {
+
+/// The file of a folder that a sweep appends to.
+inline constexpr const char *kResultsName = "results.jsonl";
+
+/// The records of every *.jsonl file of `folder`, files in the order of their names; of two with the same
+/// cell the later one counts, in the place of the first. A last line that was cut short is left out. Errors:
+/// `Input` for a folder or file that cannot be read and a line that is no record, by file and line.
+Expected<std::vector<Record>> readRecords(const std::string &folder);
+
+/// The one writer of a file of records.
+class RecordWriter {
+public:
+  /// Opens `path` for appending, and makes it if it is not there. A last line that was cut short is removed
+  /// first. Errors: `Input` if another process is writing to it, `Environment`.
+  static Expected<RecordWriter> open(const std::string &path);
+  ~RecordWriter();
+  RecordWriter(RecordWriter &&other) noexcept;
+  RecordWriter &operator=(RecordWriter &&) = delete;
+
+  /// Appends a line in one piece, on the disk when this returns. Error: `Environment`.
+  Expected<void> append(const Record &record);
+
+private:
+  RecordWriter(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {}
+  Expected<void> removeCutLine();
+
+  int descriptor_;
+  std::string path_;
+};
+
+} // namespace voxc::tool::bench

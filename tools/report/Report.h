@@ -1,0 +1,23 @@
+// The report of `voxc bench`: one HTML file that needs nothing else.
+#pragma once
+
+#include "report/Cells.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace voxc::report {
+
+/// What should be said of models, by their names: a sentence each.
+using ModelNotes = std::map<std::string, std::string>;
+
+struct Report {
+  std::string html;
+  std::vector<std::string> notes; ///< What could not be shown, and why.
+};
+
+/// The report of these cells; pictures are read from where the records say.
+Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes = {});
+
+} // namespace voxc::report

@@ -1,0 +1,76 @@
+// Sentences about cells.
+#include "report/Words.h"
+
+#include "report/Html.h"
+
+namespace voxc::report {
+namespace {
+
+std::string counts(const Errors &errors) {
+  return "missed " + countText(errors.missed) + ", ghost " + countText(errors.ghost) + ", wrong " +
+         countText(errors.wrong) + " of " + countText(errors.rays) + " rays";
+}
+
+/// How long a picture takes on a device that counts its own time.
+std::string frameWords(const Entry &entry) {
+  const tool::bench::RaysPart &rays = entry.cell->rays;
+  if (!entry.hasClock || rays.kind != "camera")
+    return {};
+  return ", " + numberText(double(rays.count) / entry.speed->median / 1000) + " ms a picture";
+}
+
+} // namespace
+
+std::string speedWords(const Entry &entry) {
+  if (!entry.speed)
+    return "no speed";
+  return numberText(entry.speed->median) + " " + speedUnit(entry.hasClock) + frameWords(entry) + ", spread " +
+         percentText(entry.speed->spread) + (entry.isSteady ? "" : " (not steady)");
+}
+
+std::string errorWords(const Entry &entry) {
+  return entry.errors ? counts(*entry.errors) : "errors were not checked";
+}
+
+std::string pointNote(const Entry &entry) {
+  const Cell &cell = *entry.cell;
+  std::string note = entry.look.name + "\n" + bytesText(*entry.bytes);
+  if (cell.volume.bytesPerVoxel)
+    note += ", " + numberText(*cell.volume.bytesPerVoxel) + " bytes a voxel";
+  note += "\n" + speedWords(entry) + "\n" + errorWords(entry);
+  if (cell.work.stepsPerRay)
+    note += "\n" + numberText(*cell.work.stepsPerRay) + " lookups a ray";
+  return note + (entry.onFrontier ? "\nOn the Pareto frontier" : "");
+}
+
+std::string sideText(double resolution) { return resolution > 0 ? numberText(resolution) + "³" : ""; }
+
+std::string stageTitle(const Stage &stage) {
+  const std::string rays =
+      stage.column == stage.model ? "" : stage.column.substr(stage.model.size() + 2) + ", ";
+  return rays + sideText(stage.resolution) + " on " + stage.device;
+}
+
+std::string stageConditions(const Stage &stage) {
+  return (stage.precision.empty() ? "" : stage.precision + " steps, ") +
+         (stage.passes == kNoPasses ? "no passes" : stage.passes);
+}
+
+std::string errorSummary(const Catalogue &catalogue, const std::vector<std::size_t> &entries) {
+  Errors sum;
+  std::size_t unchecked = 0;
+  for (const std::size_t i : entries)
+    if (const Entry &entry = catalogue.entries[i]; entry.hasPoint() && !entry.errors)
+      ++unchecked;
+    else if (entry.hasPoint()) {
+      const Errors &error = *entry.errors;
+      sum = {sum.rays + error.rays, sum.missed + error.missed, sum.ghost + error.ghost,
+             sum.wrong + error.wrong};
+    }
+  std::string words = sum.rays > 0 ? counts(sum) + " checked" : "";
+  if (unchecked > 0)
+    words += (words.empty() ? "" : "; ") + plural(unchecked, "speed") + " with errors unchecked";
+  return words;
+}
+
+} // namespace voxc::report

@@ -1,0 +1,302 @@
+// voxc bench: formats on models, size against speed with the error beside it, resumable; and what is done
+// with its results.
+#include "BuildArguments.h"
+#include "Figures.h"
+#include "Outputs.h"
+#include "Subcommand.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "sweep/Machine.h"
+#include "sweep/Summary.h"
+#include "sweep/Sweep.h"
+
+#include <algorithm>
+#include <set>
+
+namespace voxc::tool {
+
+namespace {
+
+using namespace bench;
+
+struct Action {
+  const char *name;
+  const char *summary;
+  std::unique_ptr<Subcommand> (*make)();
+};
+
+/// What can be done with results.
+constexpr Action kActions[] = {
+    {"export", "Pack measured cells for a machine that has voxc-trace alone", makeBenchExportCommand},
+    {"import", "Take in what such a machine found", makeBenchImportCommand},
+    {"report", "Make one HTML file of the records of sweeps", makeBenchReportCommand},
+};
+
+/// Lets an option be given several times, a value each time.
+CLI::Option *several(CLI::Option *option) {
+  return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::vector<std::string> split(const std::string &text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    if (end > begin)
+      parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+class BenchCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override;
+  Expected<void> run() override;
+
+private:
+  void declareAxes(CLI::App &app);
+  void declareMeasuring(CLI::App &app);
+  void declareActions(CLI::App &app);
+
+  Expected<void> checkUsage() const;
+  Expected<SweepAxes> readAxes() const;
+  Expected<std::vector<SweepModel>> readModels() const;
+  Expected<std::vector<FormatLine>> readFormats() const;
+  std::vector<std::vector<std::string>> passLists() const;
+  SweepOptions options() const;
+  std::string commandText() const;
+  Expected<void> tell(const Sweep &sweep) const;
+
+  std::vector<std::string> inputs_, formats_, passes_, devices_;
+  std::vector<std::string> precisions_{"exact"};
+  InputArguments inputArguments_;
+  RayArguments rays_;
+  BuildArguments building_;
+  MeasureOptions measure_;
+  double steadyPercent_ = 10;
+  std::string folder_;
+  bool retry_ = false, again_ = false;
+  CommonOptions common_;
+  std::vector<std::pair<CLI::App *, std::unique_ptr<Subcommand>>> actions_;
+  const CLI::App *app_ = nullptr;
+};
+
+void BenchCommand::declareAxes(CLI::App &app) {
+  app.add_option(
+         "INPUT", inputs_,
+         "Models: an INPUT of voxc build, with NAME= before it and options of inputs behind it if you "
+         "like, all in one argument")
+      ->type_name("");
+  several(app.add_option(
+              "--formats", formats_,
+              "Formats: \"F;F;F\", or a file with one a line, a label and a tab before it if you like; "
+              "may be given several times"))
+      ->type_name("LIST");
+  several(app.add_option(
+              "--passes", passes_,
+              "Passes to run on every format, in this order, or none; given several times, formats are "
+              "measured with each"))
+      ->type_name("A,B");
+  several(app.add_option("--precisions", precisions_, "Precisions, separated by commas"))
+      ->delimiter(',')
+      ->type_name("A,B")
+      ->check(CLI::IsMember(std::vector<std::string>(kPrecisionAttribute.values.begin(),
+                                                     kPrecisionAttribute.values.end()))
+                  .description(""))
+      ->default_str("exact");
+  several(app.add_option("--devices", devices_,
+                         "Devices whose names contain these, or cpu, separated by commas; default: the best"))
+      ->delimiter(',')
+      ->type_name("A,B");
+  app.add_option(
+         "--cameras", rays_.cameraFile,
+         "A camera file: its camera of a model's name, or all if there is none; default: one that sees "
+         "the whole volume")
+      ->type_name("FILE");
+  app.add_option("--size", rays_.size,
+                 "Pixels of the cameras' pictures; default: the camera file's, or 1280x720")
+      ->type_name("WxH");
+  several(app.add_option("--rays", rays_.rayFiles, "A file of rays; may be given several times"))
+      ->type_name("R.bin");
+}
+
+void BenchCommand::declareMeasuring(CLI::App &app) {
+  app.add_option("--repeat", measure_.rounds, "Rounds in which formats are timed in turn")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1000u).description(""))
+      ->capture_default_str();
+  app.add_option("--check", measure_.check,
+                 "Rays, evenly spread, on which errors, steps and words read are found; 0: none")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--steady", steadyPercent_, "Spread of the rounds in percent up to which a speed is steady")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(0.0, 1000.0).description(""))
+      ->capture_default_str();
+  addMaxBytesArgument(app, building_);
+  app.get_option("--max-bytes")
+      ->description("Give up a volume whose words take more; default: half of the memory");
+  addMemoryArguments(app, building_);
+  app.add_option("--threads", building_.threads,
+                 "Threads that build, and of devices that are this processor; default: all")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 1024u).description(""));
+  app.add_flag("--retry", retry_, "Try cells again that failed in an earlier run");
+  app.add_flag("--again", again_, "Measure cells again that an earlier run measured");
+}
+
+void BenchCommand::declareActions(CLI::App &app) {
+  for (const Action &action : kActions) {
+    CLI::App *subcommand = app.add_subcommand(action.name, action.summary);
+    actions_.emplace_back(subcommand, action.make()).second->declare(*subcommand);
+  }
+  app.require_subcommand(0, 1);
+}
+
+void BenchCommand::declare(CLI::App &app) {
+  app_ = &app;
+  declareAxes(app);
+  declareMeasuring(app);
+  addInputArguments(app, inputArguments_);
+  app.add_option("-o,--output", folder_,
+                 "Folder of results, cached volumes and pictures; an earlier run's is "
+                 "continued")
+      ->type_name("DIR");
+  addCommonOptions(app, common_);
+  declareActions(app);
+}
+
+Expected<void> BenchCommand::checkUsage() const {
+  if (inputs_.empty() || formats_.empty() || folder_.empty())
+    return Error::usage("a sweep takes an INPUT at least, --formats and -o DIR; see 'voxc bench --help'");
+  return makeOutputFolder(folder_);
+}
+
+Expected<std::vector<FormatLine>> BenchCommand::readFormats() const {
+  std::vector<FormatLine> lines;
+  for (const std::string &argument : formats_) {
+    const auto list = readFormatList(argument);
+    if (!list)
+      return list;
+    lines.insert(lines.end(), list->begin(), list->end());
+  }
+  return lines;
+}
+
+std::vector<std::vector<std::string>> BenchCommand::passLists() const {
+  constexpr const char *kNone = "none";
+  std::vector<std::vector<std::string>> lists;
+  for (const std::string &text : passes_)
+    lists.push_back(text == kNone ? std::vector<std::string>() : split(text, ','));
+  if (lists.empty())
+    lists.emplace_back();
+  return lists;
+}
+
+Expected<std::vector<SweepModel>> BenchCommand::readModels() const {
+  std::vector<SweepModel> models;
+  std::set<std::string> names;
+  for (const std::string &input : inputs_) {
+    auto model = readModel(input, inputArguments_);
+    if (!model)
+      return model.error();
+    if (!names.insert(model->name).second)
+      return Error::usage("two inputs have the name '" + model->name + "'; write NAME=INPUT for one of them");
+    auto rays = readRaySets(rays_, model->name);
+    if (!rays)
+      return rays.error();
+    models.push_back({std::move(*model), std::move(*rays)});
+  }
+  return models;
+}
+
+Expected<SweepAxes> BenchCommand::readAxes() const {
+  const auto lines = readFormats();
+  if (!lines)
+    return lines.error();
+  auto formats = makeFormats(*lines, passLists());
+  if (!formats)
+    return formats.error();
+  auto models = readModels();
+  if (!models)
+    return models.error();
+  auto devices = findDevices(devices_.empty() ? std::vector<std::string>{""} : devices_, building_.threads);
+  if (!devices)
+    return devices.error();
+  return SweepAxes{std::move(*models), std::move(*formats), precisions_, std::move(*devices)};
+}
+
+SweepOptions BenchCommand::options() const {
+  const std::uint64_t half = machineMemory() / 2;
+  SweepOptions options{.folder = folder_,
+                       .build = {},
+                       .measure = measure_,
+                       .groupBytes = half,
+                       .retry = retry_,
+                       .again = again_};
+  options.measure.threads = building_.threads;
+  options.measure.steady = steadyPercent_ / 100;
+  options.build.maxBytes = building_.maxBytes.empty() ? half : bytesOf(building_.maxBytes);
+  const auto pass = [&](const char *option, const std::string &value) {
+    if (!value.empty())
+      options.build.options.push_back(std::string(option) + "=" + value);
+  };
+  pass("--memory", building_.memory);
+  pass("--scratch", building_.scratch);
+  pass("--threads", building_.threads > 0 ? std::to_string(building_.threads) : "");
+  return options;
+}
+
+/// The options that were given, so that a reader can run the same; quoted where a shell would split them.
+std::string BenchCommand::commandText() const {
+  const auto quoted = [](const std::string &word) {
+    return word.find_first_of(" ;()\t*$&|<>\"") == std::string::npos ? word : "'" + word + "'";
+  };
+  std::string text = "voxc bench";
+  for (const std::string &input : inputs_)
+    text += " " + quoted(input);
+  for (const CLI::Option *option : app_->get_options())
+    if (option->count() > 0 && !option->get_lnames().empty())
+      for (const std::string &value : option->results())
+        text += " " + option->get_name() + (option->get_items_expected_max() > 0 ? " " + quoted(value) : "");
+  return text;
+}
+
+Expected<void> BenchCommand::tell(const Sweep &sweep) const {
+  if (tellsOnStdout(common_))
+    printSummary(sweep.cells());
+  std::size_t failed = 0, kept = 0;
+  for (const Cell &cell : sweep.cells()) {
+    failed += !cell.record.isMeasured();
+    kept += cell.isKept;
+  }
+  return writeStatistics(common_.stats,
+                         {{"cells", sweep.cells().size()}, {"kept", kept}, {"failed", failed}});
+}
+
+Expected<void> BenchCommand::run() {
+  for (auto &[subcommand, action] : actions_)
+    if (subcommand->parsed())
+      return action->run();
+  if (Expected<void> usable = checkUsage(); !usable)
+    return usable;
+  disableShaderCaches();
+  const auto axes = readAxes();
+  if (!axes)
+    return axes.error();
+  auto sweep = Sweep::open(*axes, makeCells(*axes, madeBy(commandText())), options());
+  if (!sweep)
+    return sweep.error();
+  ProgressBar bar(common_.quiet);
+  if (Expected<void> swept = sweep->run(bar.progress()); !swept)
+    return swept;
+  bar.clear();
+  return tell(*sweep);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeBenchCommand() { return std::make_unique<BenchCommand>(); }
+
+} // namespace voxc::tool

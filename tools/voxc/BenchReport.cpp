@@ -1,0 +1,85 @@
+// voxc bench report: one HTML file of the records of voxc bench.
+#include "Subcommand.h"
+
+#include "common/Files.h"
+#include "report/Report.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace voxc::tool {
+namespace {
+
+constexpr std::size_t kLargePage = 1'000'000;
+constexpr std::size_t kMostNotes = 10;
+
+void tellNotes(const std::vector<std::string> &notes) {
+  for (std::size_t i = 0; i < notes.size() && i < kMostNotes; ++i)
+    printNote(notes[i]);
+  if (notes.size() > kMostNotes)
+    printNote("and " + std::to_string(notes.size() - kMostNotes) + " more of the kind");
+}
+
+class BenchReportCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override;
+  Expected<void> run() override;
+
+private:
+  Expected<report::ModelNotes> readModelNotes(const std::vector<report::Cell> &cells) const;
+
+  std::vector<std::string> folders_, modelNotes_;
+  std::string output_;
+  bool quiet_ = false;
+};
+
+void BenchReportCommand::declare(CLI::App &app) {
+  app.add_option("DIR", folders_, "Folders of records, as voxc bench writes them")->required()->type_name("");
+  app.add_option("-o,--output", output_,
+                 "The file; the default is report.html in the first folder, - standard output")
+      ->type_name("FILE");
+  app.add_option("--note", modelNotes_, "A sentence on a model; may be given several times")
+      ->type_name("MODEL=TEXT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_flag("--quiet", quiet_, "No notes");
+  app.set_version_flag("--version", versionText());
+}
+
+Expected<report::ModelNotes>
+BenchReportCommand::readModelNotes(const std::vector<report::Cell> &cells) const {
+  report::ModelNotes notes;
+  for (const std::string &argument : modelNotes_) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (name.size() == argument.size())
+      return Error::usage("--note '" + argument + "' has no '='; it should be MODEL=TEXT");
+    if (std::ranges::none_of(cells, [&](const report::Cell &cell) { return cell.model.name == name; }))
+      return Error::usage("--note is on '" + name + "', but no record is of a model of that name");
+    notes[name] = argument.substr(name.size() + 1);
+  }
+  return notes;
+}
+
+Expected<void> BenchReportCommand::run() {
+  auto cells = report::readCells(folders_);
+  if (!cells)
+    return cells.error();
+  const auto modelNotes = readModelNotes(*cells);
+  if (!modelNotes)
+    return modelNotes.error();
+  report::Report report = report::makeReport(*cells, *modelNotes);
+  if (report.html.size() > kLargePage)
+    report.notes.push_back("the report has " + std::to_string(report.html.size()) +
+                           " bytes; fewer folders would make a page that opens faster");
+  if (!quiet_)
+    tellNotes(report.notes);
+  const std::string path =
+      output_.empty() ? (std::filesystem::path(folders_.front()) / "report.html").string() : output_;
+  return writeText(path, report.html);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeBenchReportCommand() { return std::make_unique<BenchReportCommand>(); }
+
+} // namespace voxc::tool

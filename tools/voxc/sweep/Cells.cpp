@@ -1,0 +1,127 @@
+// Multiplying the axes of a sweep.
+#include "sweep/Cells.h"
+
+#include "Tracing.h"
+
+#include "bench/Digest.h"
+#include "voxc/Passes/Pass.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+namespace voxc::tool::bench {
+namespace {
+
+/// Rendered diagnostics are several lines, of which the first says what is wrong, after the place.
+std::string firstMessage(const std::string &text) {
+  constexpr std::string_view kMark = "error: ";
+  const std::string line = text.substr(0, text.find('\n'));
+  const std::size_t mark = line.find(kMark);
+  return mark == std::string::npos ? line : line.substr(mark + kMark.size());
+}
+
+/// As the list has it, unless that is IR text.
+std::string nameOf(const SweepFormat &format) {
+  const bool isIr = format.problem.empty() && format.line.text.starts_with("format");
+  return isIr ? toString(format.format) : format.line.text;
+}
+
+SweepFormat makeFormat(const FormatLine &line, const std::vector<std::string> &passes) {
+  SweepFormat result{line, passes, "", {}};
+  Expected<Format> format = parseFormat(line.text);
+  if (!format) {
+    result.problem = firstMessage(format.error().message);
+    return result;
+  }
+  if (Expected<void> passed = runPasses(*format, passes); !passed)
+    result.problem = firstMessage(passed.error().message);
+  result.format = std::move(*format);
+  return result;
+}
+
+ModelPart partOf(const Model &model) {
+  return {model.name, std::filesystem::path(model.input).filename().string(), model.digest, {}, {}, {}};
+}
+
+/// What a format is known by; one that could not be read by its text.
+FormatPart partOf(const SweepFormat &format, const Format &kernelFormat) {
+  const bool isRead = format.problem.empty();
+  return {format.line.label, nameOf(format), format.passes,
+          Digest().add(isRead ? printIr(kernelFormat) : format.line.text).hex()};
+}
+
+std::uint64_t longestAxis(const Format &format) {
+  const Int3 extent = format.extent();
+  return static_cast<std::uint64_t>(std::max({extent.x, extent.y, extent.z}));
+}
+
+Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &rays,
+              const std::string &precision, const SweepDevice &device) {
+  Cell cell{{}, &model, &format, &device, &rays, format.format, {}, true, false};
+  if (format.problem.empty()) {
+    cell.kernelFormat.setAttribute(kPrecisionAttribute, precision);
+    cell.record.resolution = longestAxis(format.format);
+  }
+  cell.record.model = partOf(model.model);
+  cell.record.format = partOf(format, cell.kernelFormat);
+  cell.record.precision = precision;
+  cell.record.device = device.part;
+  cell.record.rays = rays.part;
+  cell.record.cell = cellDigest(cell.record);
+  return cell;
+}
+
+} // namespace
+
+Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &lines,
+                                               const std::vector<std::vector<std::string>> &passLists) {
+  for (const auto &passes : passLists)
+    for (const std::string &name : passes)
+      if (!findPass(name)) {
+        Format any;
+        return Error::usage(runPasses(any, std::span(&name, 1)).error().message);
+      }
+  std::vector<SweepFormat> formats;
+  for (const FormatLine &line : lines)
+    for (const auto &passes : passLists)
+      formats.push_back(makeFormat(line, passes));
+  return formats;
+}
+
+Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &names, unsigned threads) {
+  std::vector<SweepDevice> devices;
+  for (const std::string &name : names) {
+    Tracing tracing;
+    tracing.choose(name, threads);
+    if (Expected<void> opened = tracing.openDevice({.quiet = true}); !opened)
+      return opened.error();
+    const DeviceInfo info = tracing.deviceInfo();
+    const bool isProcessor = info.kind == "cpu";
+    DevicePart part{
+        info.name, tracing.isVulkan() ? "vulkan" : "cpu", info.driver, {}, isProcessor ? "cpu" : "gpu"};
+    if (isProcessor)
+      part.threads = threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1u);
+    devices.push_back({name, std::move(part)});
+  }
+  return devices;
+}
+
+std::vector<Cell> makeCells(const SweepAxes &axes, const MadeByPart &madeBy) {
+  std::vector<Cell> cells;
+  std::set<std::string> known;
+  for (const SweepModel &model : axes.models)
+    for (const SweepFormat &format : axes.formats)
+      for (const RaySet &rays : model.rays)
+        for (const std::string &precision : axes.precisions)
+          for (const SweepDevice &device : axes.devices) {
+            Cell cell = makeCell(model, format, rays, precision, device);
+            cell.record.madeBy = madeBy;
+            if (known.insert(cell.record.cell).second)
+              cells.push_back(std::move(cell));
+          }
+  return cells;
+}
+
+} // namespace voxc::tool::bench

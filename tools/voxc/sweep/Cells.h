@@ -1,0 +1,70 @@
+// The cells of a sweep: every model in every format at every precision on every device with its rays.
+#pragma once
+
+#include "sweep/Model.h"
+#include "sweep/RaySet.h"
+
+#include "bench/FormatList.h"
+#include "bench/Record.h"
+#include "voxc/IR/Format.h"
+#include "voxc/Support/Error.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voxc::tool::bench {
+
+/// A format of a list with passes run on it.
+struct SweepFormat {
+  FormatLine line;
+  std::vector<std::string> passes;
+  std::string problem; ///< Why there is no format; "" if there is one.
+  Format format;
+};
+
+/// A device as it was asked for, and what it is.
+struct SweepDevice {
+  std::string asked;
+  DevicePart part;
+};
+
+struct SweepModel {
+  Model model;
+  std::vector<RaySet> rays;
+};
+
+/// Everything that is multiplied.
+struct SweepAxes {
+  std::vector<SweepModel> models;
+  std::vector<SweepFormat> formats;
+  std::vector<std::string> precisions;
+  std::vector<SweepDevice> devices;
+};
+
+struct Cell {
+  Record record;           ///< What identifies it; findings are added.
+  const SweepModel *model; ///< Into the axes, as the others.
+  const SweepFormat *format;
+  const SweepDevice *device;
+  const RaySet *rays;
+  Format kernelFormat;          ///< With the precision.
+  std::optional<Record> before; ///< What an earlier run found.
+  bool pending = true;          ///< To be measured in this run.
+  bool isKept = false;          ///< Was finished by an earlier run.
+};
+
+/// Every format with every list of passes. A format that is wrong, or a pass that goes wrong on it, is kept
+/// with its problem. Error: `Usage` for a pass that there is not.
+Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &lines,
+                                               const std::vector<std::vector<std::string>> &passLists);
+
+/// Opens each device once to see that it is there and what it is. `threads`: of devices that are this
+/// processor; 0: all. Error: `Environment`.
+Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &names, unsigned threads);
+
+/// The cells in the order of models, formats, rays, precisions, devices; of equal ones the first alone. The
+/// axes must outlive them.
+std::vector<Cell> makeCells(const SweepAxes &axes, const MadeByPart &madeBy);
+
+} // namespace voxc::tool::bench

@@ -1,0 +1,27 @@
+// A child process: this very executable with other arguments, whose memory and crashes are its own.
+#pragma once
+
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Progress.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace voxc::tool::bench {
+
+/// How a child ended.
+struct ChildReport {
+  bool succeeded = false;
+  std::string failure;            ///< If not: the last line that it wrote to standard error, or its signal.
+  std::uint64_t peakRssBytes = 0; ///< Largest memory of the process.
+};
+
+/// Runs `voxc ARGUMENT...` to its end; its standard output is dropped. `poll` is called now and then
+/// meanwhile. If `progress` is stopped the child is ended, and if this process ends the child does too.
+/// Errors: `Interrupted`; `Environment` if no process can be made.
+Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const Progress &progress,
+                               const std::function<void()> &poll);
+
+} // namespace voxc::tool::bench

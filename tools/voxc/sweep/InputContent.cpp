@@ -1,0 +1,93 @@
+// The content of an input, with the files that it refers to.
+#include "bench/Digest.h"
+#include "sweep/Model.h"
+
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+namespace voxc::tool::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Inputs whose text names other files, and those among the others whose text does.
+constexpr std::array<std::string_view, 4> kReferring = {".obj", ".gltf", ".nhdr", ".mtl"};
+constexpr std::size_t kMostCompanions = 10000;
+constexpr int kDeepest = 4;
+
+bool refers(const fs::path &path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(kReferring, ending) != kReferring.end();
+}
+
+/// The files of a folder and of those below it, by path so that their order is always the same.
+std::map<std::string, bool> filesBelow(const fs::path &folder) {
+  std::map<std::string, bool> files;
+  std::error_code failure;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure), end;
+  for (; !failure && entry != end && files.size() < kMostCompanions; entry.increment(failure)) {
+    if (entry.depth() >= kDeepest)
+      entry.disable_recursion_pending();
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored))
+      files.emplace(entry->path().string(), false);
+  }
+  return files;
+}
+
+/// Adds what `path` names among the files that were not added yet, and what these name.
+Expected<void> addCompanions(const std::string &path, std::map<std::string, bool> &files, Digest &digest) {
+  const Expected<std::string> text = readTextFile(path);
+  if (!text)
+    return text.error();
+  for (auto &[companion, added] : files) {
+    const std::string name = fs::path(companion).filename().string();
+    if (added || text->find(name) == std::string::npos)
+      continue;
+    added = true;
+    digest.add(name);
+    if (Expected<void> taken = digest.addFile(companion); !taken)
+      return taken;
+    if (refers(companion))
+      if (Expected<void> further = addCompanions(companion, files, digest); !further)
+        return further;
+  }
+  return {};
+}
+
+/// The path in "grid:WxHxD:FILE" and "raw:WxHxD:TYPE:FILE", or the input itself.
+std::string fileOf(const std::string &input) {
+  for (const std::string_view prefix : {"grid:", "raw:"})
+    if (input.starts_with(prefix))
+      return input.substr(input.rfind(':') + 1);
+  return input;
+}
+
+} // namespace
+
+Expected<std::string> contentDigest(const std::string &input) {
+  Digest digest;
+  if (input.starts_with("builtin:"))
+    return digest.add(input).hex();
+  const std::string path = fileOf(input);
+  // Where the path does not say it all: the size of a grid, and the ending that tells the kind.
+  digest.add(path == input ? fs::path(path).extension().string() : input.substr(0, input.rfind(':')));
+  if (Expected<void> added = digest.addFile(path); !added)
+    return added.error();
+  if (refers(path)) {
+    const fs::path folder = fs::path(path).parent_path();
+    auto files = filesBelow(folder.empty() ? "." : folder);
+    files[path] = true;
+    if (Expected<void> added = addCompanions(path, files, digest); !added)
+      return added.error();
+  }
+  return digest.hex();
+}
+
+} // namespace voxc::tool::bench

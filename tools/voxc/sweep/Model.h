@@ -1,0 +1,30 @@
+// The models of a sweep: inputs with a name and with how they become voxels.
+#pragma once
+
+#include "InputArguments.h"
+
+#include <string>
+#include <vector>
+
+namespace voxc::tool::bench {
+
+struct Model {
+  std::string name;
+  std::string input; ///< As INPUT of `voxc build`.
+  InputArguments arguments;
+  std::string digest; ///< Of the input's content and of the arguments.
+};
+
+/// Reads a model as it is written on the command line: "[NAME=]INPUT [OPTION...]", where the options are
+/// those of inputs, in place of `defaults`. The name is what the input is called where none is given. Errors:
+/// `Usage` for a name or option that cannot be, `Input` for a file that cannot be read.
+Expected<Model> readModel(const std::string &text, const InputArguments &defaults);
+
+/// The arguments as words for a command line.
+std::vector<std::string> toWords(const InputArguments &arguments);
+
+/// Digest of an input's content: its file, and the files beside and below it whose names stand in it, as
+/// those of an .obj's materials and textures do. Error: `Input` if the file cannot be read.
+Expected<std::string> contentDigest(const std::string &input);
+
+} // namespace voxc::tool::bench

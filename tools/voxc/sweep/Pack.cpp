@@ -1,0 +1,159 @@
+// Writing packs.
+#include "sweep/Pack.h"
+
+#include "Outputs.h"
+#include "sweep/SampleCheck.h"
+
+#include "bench/Digest.h"
+#include "common/Files.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Passes/Pass.h"
+#include "voxc/Support/EmbeddedFile.h"
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace voxc {
+
+std::span<const EmbeddedFile> benchFiles();
+
+namespace tool::bench {
+
+namespace {
+
+constexpr const char *kScript = "run.sh", *kCells = "cells.txt";
+
+std::string numbered(const char *format, unsigned number) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+std::string_view script() { return benchFiles().front().text; }
+
+/// The kernel's module as bytes.
+Expected<std::string> kernelBytes(const Record &record, const Format &format) {
+  const bool isLarge = record.volume.words.value_or(0) > kSegmentWords;
+  auto kernel = compileKernel(format, {.addressing = isLarge ? Addressing::Segments : Addressing::Buffer});
+  if (!kernel)
+    return kernel.error();
+  return std::string(reinterpret_cast<const char *>(kernel->spirv.data()),
+                     kernel->spirv.size() * sizeof(std::uint32_t));
+}
+
+bool isDigest(const std::string &text) {
+  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::string sizeOf(const RaysPart &rays) {
+  return rays.size ? std::to_string((*rays.size)[0]) + "x" + std::to_string((*rays.size)[1]) : "-";
+}
+
+} // namespace
+
+std::string PackWriter::pathOf(const std::string &name) const {
+  return (std::filesystem::path(folder_) / numbered("pack-%03u", pack_) / name).string();
+}
+
+Expected<void> PackWriter::startPack() {
+  ++pack_;
+  // The list of cells and the script may come into any pack.
+  left_ = packBytes_ - std::min<std::uint64_t>(packBytes_, cells_.size() + script().size());
+  return makeOutputFolder(pathOf(""));
+}
+
+Expected<void> PackWriter::addWhole(const std::string &name, std::string_view content) {
+  if (!added_.insert(name).second)
+    return {};
+  if (pack_ == 0 || left_ < content.size())
+    if (Expected<void> started = startPack(); !started)
+      return started;
+  left_ -= std::min<std::uint64_t>(left_, content.size());
+  return writeText(pathOf(name), content);
+}
+
+Expected<void> PackWriter::addPieces(const std::string &name, const std::string &path) {
+  if (!added_.insert(name).second)
+    return {};
+  const auto file = MappedFile::open(path);
+  if (!file)
+    return file.error();
+  auto bytes = file->bytes();
+  for (unsigned piece = 1; piece == 1 || !bytes.empty(); ++piece) {
+    if (pack_ == 0 || left_ == 0)
+      if (Expected<void> started = startPack(); !started)
+        return started;
+    const auto part = bytes.first(std::min<std::uint64_t>(bytes.size(), left_));
+    if (Expected<void> written = writeBytes(pathOf(name + numbered(".%03u", piece)), part); !written)
+      return written;
+    bytes = bytes.subspan(part.size());
+    left_ -= part.size();
+  }
+  return {};
+}
+
+Expected<void> PackWriter::finish() {
+  if (left_ < cells_.size() + script().size())
+    if (Expected<void> started = startPack(); !started)
+      return started;
+  if (Expected<void> written = writeText(pathOf(kCells), cells_); !written)
+    return written;
+  return writeText(pathOf(kScript), script());
+}
+
+Expected<Format> formatOf(const Record &record) {
+  Expected<Format> format = parseFormat(record.format.name);
+  if (!format)
+    return format;
+  if (Expected<void> passed = runPasses(*format, record.format.passes); !passed)
+    return passed.error();
+  format->setAttribute(kPrecisionAttribute, record.precision);
+  if (Digest().add(printIr(*format)).hex() != record.format.digest)
+    return Error::input("the format of cell " + record.cell + ", " + record.format.name +
+                        ", is not the one that was measured: it was given as IR, or passes have changed");
+  return format;
+}
+
+std::string cachePath(const std::string &folder, const std::string &modelDigest, const Format &format) {
+  const std::string key = Digest().add(modelDigest).add(printIr(storageFormat(format))).hex();
+  return (std::filesystem::path(folder) / "cache" / key).string();
+}
+
+Expected<void> packCell(const Record &record, const std::string &folder, PackWriter &packs) {
+  // They become names of files and words of a script.
+  if (!isDigest(record.cell) || !isDigest(record.rays.digest))
+    return Error::input("cell '" + record.cell + "' or its rays have a digest that is not 16 hex digits");
+  const Expected<Format> format = formatOf(record);
+  if (!format)
+    return format.error();
+  const std::string stem = cachePath(folder, record.model.digest, *format);
+  const std::string key = std::filesystem::path(stem).filename().string();
+  if (Expected<void> added = packs.addPieces(key + ".hvx", stem + ".hvx"); !added)
+    return added;
+  const Expected<std::string> kernel = kernelBytes(record, *format);
+  if (!kernel)
+    return kernel.error();
+  if (Expected<void> added = packs.addWhole(record.format.digest + ".spv.001", *kernel); !added)
+    return added;
+
+  const std::string rays = rayFileName(record.rays);
+  if (!rays.empty())
+    if (Expected<void> added = packs.addPieces(rays, folder + "/cache/" + rays); !added)
+      return added;
+  const auto sample = packedSample(record, folder);
+  if (!sample)
+    return sample.error();
+  const auto bytes = std::as_bytes(std::span(*sample));
+  const std::string_view content{reinterpret_cast<const char *>(bytes.data()), bytes.size()};
+  if (Expected<void> added = packs.addWhole(sampleName(record) + ".001", content); !added)
+    return added;
+  packs.addCell(record.cell + " " + key + " " + record.format.digest + " " + kindOf(record.rays) + " " +
+                record.rays.digest + " " + sizeOf(record.rays) + " " + sampleName(record));
+  return {};
+}
+
+} // namespace tool::bench
+
+} // namespace voxc

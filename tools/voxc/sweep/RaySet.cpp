@@ -1,0 +1,165 @@
+// Reading cameras and rays.
+#include "sweep/RaySet.h"
+
+#include "bench/Digest.h"
+#include "common/CameraFile.h"
+#include "common/CameraOptions.h"
+#include "common/Files.h"
+#include "common/Json.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace voxc::tool::bench {
+namespace {
+
+constexpr const char *kOverview = "overview";
+
+std::string exact(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
+}
+
+RaySet makeCameraSet(const std::string &name, std::array<int, 2> size, Digest digest) {
+  const std::array<std::uint64_t, 2> pixels{std::uint64_t(size[0]), std::uint64_t(size[1])};
+  digest.add(std::to_string(size[0])).add(std::to_string(size[1]));
+  RaySet set;
+  set.part = {name, "camera", pixels[0] * pixels[1], pixels, digest.hex()};
+  return set;
+}
+
+Expected<std::array<int, 2>> sizeOf(const std::string &text, std::array<int, 2> fallback) {
+  return text.empty() ? fallback : parseSize(text);
+}
+
+Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string &name) {
+  const Camera defaults;
+  const auto file = readCamera(arguments.cameraFile, name);
+  if (!file)
+    return file.error();
+  const auto size = sizeOf(arguments.size, file->size.value_or(std::array{defaults.width, defaults.height}));
+  if (!size)
+    return size.error();
+  Digest digest;
+  for (const double number :
+       {file->position[0], file->position[1], file->position[2], file->pitch, file->yaw, file->fov})
+    digest.add(exact(number));
+  RaySet set = makeCameraSet(name, *size, digest);
+  set.cameraText = Json{{"cameras",
+                         {{"camera",
+                           {{"position", file->position},
+                            {"pitch", file->pitch},
+                            {"yaw", file->yaw},
+                            {"fov", file->fov}}}}}}
+                       .dump();
+  set.camera = [camera = *file, size = *size](Int3 extent) {
+    return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw, camera.fov, size[0], size[1]);
+  };
+  return set;
+}
+
+RaySet overviewSet(std::array<int, 2> size) {
+  return makeCameraSet(kOverview, size, Digest().add(kOverview));
+}
+
+/// A camera that sees all of a volume.
+Expected<RaySet> makeOverview(const RayArguments &arguments) {
+  const Camera defaults;
+  const auto size = sizeOf(arguments.size, {defaults.width, defaults.height});
+  if (!size)
+    return size.error();
+  RaySet set = overviewSet(*size);
+  set.camera = [size = *size](Int3 extent) { return frameExtent(extent, size[0], size[1]); };
+  return set;
+}
+
+Expected<RaySet> readRayFile(const std::string &path) {
+  auto rays = readRays(path);
+  if (!rays)
+    return rays.error();
+  if (rays->empty())
+    return Error::input("ray file '" + path + "' is empty; it should hold one ray at least");
+  const auto bytes = std::as_bytes(std::span(*rays));
+  RaySet set;
+  set.part = {std::filesystem::path(path).stem().string(), "file", rays->size(), {}, ""};
+  set.part.digest = Digest().add({reinterpret_cast<const char *>(bytes.data()), bytes.size()}).hex();
+  set.rays = std::move(*rays);
+  return set;
+}
+
+Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, const std::string &model) {
+  auto names = cameraNames(arguments.cameraFile);
+  if (!names)
+    return names;
+  if (std::ranges::find(*names, model) != names->end())
+    return std::vector{model};
+  if (names->empty())
+    return Error::input(arguments.cameraFile + " has no cameras; it should have one at least");
+  return names;
+}
+
+} // namespace
+
+std::string kindOf(const RaysPart &part) {
+  if (part.kind != "camera" || !part.size)
+    return "file";
+  const std::array<int, 2> size{int((*part.size)[0]), int((*part.size)[1])};
+  return overviewSet(size).part.digest == part.digest ? kOverview : "camera";
+}
+
+std::string rayFileName(const RaysPart &part) {
+  const std::string kind = kindOf(part);
+  if (kind == kOverview)
+    return "";
+  return "rays-" + part.digest + (kind == "camera" ? ".json" : ".bin");
+}
+
+Expected<void> keepRays(const RaySet &set, const std::string &folder) {
+  const std::string name = rayFileName(set.part);
+  const std::string path = folder + "/" + name;
+  std::error_code ignored;
+  if (name.empty() || std::filesystem::exists(path, ignored))
+    return {};
+  return set.camera ? writeText(path, set.cameraText) : writeBytes(path, std::as_bytes(std::span(set.rays)));
+}
+
+Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &folder, Int3 extent) {
+  const std::string kind = kindOf(part), path = folder + "/" + rayFileName(part);
+  if (kind == "file")
+    return readRays(path);
+  const auto size = *part.size;
+  const RayArguments arguments{path, std::to_string(size[0]) + "x" + std::to_string(size[1]), {}};
+  const Expected<RaySet> set =
+      kind == kOverview ? makeOverview(arguments) : readCameraSet(arguments, "camera");
+  if (!set)
+    return set.error();
+  return set->raysFor(extent);
+}
+
+Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const std::string &model) {
+  std::vector<RaySet> sets;
+  const auto add = [&](Expected<RaySet> set) -> Expected<void> {
+    if (!set)
+      return set.error();
+    sets.push_back(std::move(*set));
+    return {};
+  };
+  if (!arguments.cameraFile.empty()) {
+    const auto names = chooseCameras(arguments, model);
+    if (!names)
+      return names.error();
+    for (const std::string &name : *names)
+      if (Expected<void> added = add(readCameraSet(arguments, name)); !added)
+        return added.error();
+  } else if (arguments.rayFiles.empty()) {
+    if (Expected<void> added = add(makeOverview(arguments)); !added)
+      return added.error();
+  }
+  for (const std::string &path : arguments.rayFiles)
+    if (Expected<void> added = add(readRayFile(path)); !added)
+      return added.error();
+  return sets;
+}
+
+} // namespace voxc::tool::bench

@@ -1,0 +1,269 @@
+// Running a sweep: model by model, first the volumes, then the rays in groups.
+#include "sweep/Sweep.h"
+
+#include "Outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+namespace voxc::tool::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kStepsOfBuild = 5; ///< How many rounds a build counts for in the progress.
+constexpr int kMostPictureWidth = 640;
+
+/// A build's figures as parts of a record.
+void addBuild(const CachedVolume &volume, Record &record) {
+  const Json &figures = volume.figures;
+  const auto figure = [&](const char *key) {
+    const auto entry = figures.find(key);
+    return entry != figures.end() && entry->is_number() ? Figure(entry->get<double>()) : std::nullopt;
+  };
+  const auto count = [&](const char *key) {
+    const auto entry = figures.find(key);
+    return entry != figures.end() && entry->is_number_unsigned() ? Count(entry->get<std::uint64_t>())
+                                                                 : std::nullopt;
+  };
+  record.volume = {count("words"), count("bytes"), count("file_bytes"), {}};
+  record.model.voxels = count("voxels");
+  if (record.volume.bytes && record.model.voxels.value_or(0) > 0)
+    record.volume.bytesPerVoxel = double(*record.volume.bytes) / double(*record.model.voxels);
+  record.build = {figure("load_seconds"),      figure("compile_seconds"), figure("build_seconds"),
+                  figure("build_cpu_seconds"), figure("write_seconds"),   count("peak_rss_bytes")};
+}
+
+/// Of the input, as a build tells it; 0 if it does not, which no camera and no oracle minds.
+Int3 extentOf(const CachedVolume &volume) {
+  const auto entry = volume.figures.find("extent");
+  if (entry == volume.figures.end() || !entry->is_array() || entry->size() != 3)
+    return {};
+  for (const Json &axis : *entry)
+    if (!axis.is_number_integer())
+      return {};
+  return {(*entry)[0].get<int>(), (*entry)[1].get<int>(), (*entry)[2].get<int>()};
+}
+
+bool isSame(Int3 a, Int3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/// Memory that an entrant takes beside its mapped volume, and that volume.
+std::uint64_t bytesOf(const Entrant &entrant, std::size_t rays) {
+  const std::uint64_t words = entrant.cell->record.volume.bytes.value_or(0);
+  const std::uint64_t perRay = sizeof(Ray) + sizeof(Hit);
+  return entrant.cell->record.device.kind == "vulkan" ? 2 * words + 2 * rays * perRay : words + rays * perRay;
+}
+
+std::string picturePath(const SweepModel &model) { return "pictures/" + model.model.name + ".png"; }
+
+/// The camera of a model's picture: its first, no wider than a report wants it.
+Camera pictureCamera(const SweepModel &model, Int3 extent) {
+  Camera camera = frameExtent(extent, kMostPictureWidth, kMostPictureWidth * 9 / 16);
+  const auto first = std::ranges::find_if(model.rays, [](const RaySet &set) { return bool(set.camera); });
+  if (first != model.rays.end())
+    camera = first->camera(extent);
+  if (camera.width > kMostPictureWidth) {
+    camera.height = std::max(1, camera.height * kMostPictureWidth / camera.width);
+    camera.width = kMostPictureWidth;
+  }
+  return camera;
+}
+
+} // namespace
+
+Expected<Sweep> Sweep::open(const SweepAxes &axes, std::vector<Cell> cells, SweepOptions options) {
+  for (const char *below : {"cache", "pictures"})
+    if (Expected<void> made = makeOutputFolder(options.folder + "/" + below); !made)
+      return made.error();
+  for (const SweepModel &model : axes.models)
+    for (const RaySet &rays : model.rays)
+      if (Expected<void> kept = keepRays(rays, options.folder + "/cache"); !kept)
+        return kept.error();
+  auto writer = RecordWriter::open(options.folder + "/" + kResultsName);
+  if (!writer)
+    return writer.error();
+  const auto records = readRecords(options.folder);
+  if (!records)
+    return records.error();
+  Sweep sweep(axes, std::move(cells), std::move(options), std::move(*writer));
+  sweep.takeKnown(*records);
+  return sweep;
+}
+
+void Sweep::takeKnown(const std::vector<Record> &records) {
+  std::map<std::string, const Record *> known;
+  for (const Record &record : records)
+    known[record.cell] = &record;
+  for (Cell &cell : cells_) {
+    const auto before = known.find(cell.record.cell);
+    if (before == known.end())
+      continue;
+    cell.before = *before->second;
+    cell.pending = cell.before->isMeasured() ? options_.again : options_.retry;
+    cell.isKept = !cell.pending;
+    if (cell.isKept)
+      cell.record = *cell.before;
+  }
+}
+
+void Sweep::advance(double steps) {
+  steps_ += steps;
+  progress_.at("bench", steps_ / allSteps_);
+}
+
+std::vector<Cell *> Sweep::pendingOf(const SweepModel &model, const SweepFormat &format) {
+  std::vector<Cell *> pending;
+  for (Cell &cell : cells_)
+    if (cell.pending && cell.model == &model && cell.format == &format)
+      pending.push_back(&cell);
+  return pending;
+}
+
+Expected<void> Sweep::finish(Cell &cell) {
+  cell.pending = false;
+  return writer_.append(cell.record);
+}
+
+Expected<void> Sweep::fail(std::span<Cell *const> cells, const Failure &failure) {
+  for (Cell *cell : cells) {
+    cell->record.failure = failure;
+    if (Expected<void> finished = finish(*cell); !finished)
+      return finished;
+  }
+  advance(double(stepsOf(cells.size(), options_.measure)));
+  return {};
+}
+
+Expected<void> Sweep::run(const Progress &progress) {
+  progress_ = progress;
+  options_.measure.progress.stop = progress.stop;
+  options_.measure.advance = [this] { advance(1); };
+  for (const SweepModel &model : axes_->models)
+    for (const SweepFormat &format : axes_->formats)
+      if (const auto pending = pendingOf(model, format); !pending.empty())
+        allSteps_ += kStepsOfBuild + double(stepsOf(pending.size(), options_.measure));
+  for (const SweepModel &model : axes_->models)
+    if (Expected<void> done = runModel(model); !done)
+      return done;
+  return {};
+}
+
+Expected<void> Sweep::runModel(const SweepModel &model) {
+  auto ready = buildModel(model);
+  if (!ready)
+    return ready.error();
+  oracles_.clear();
+  for (Ready &set : *ready)
+    if (Expected<void> measured = measureAll(model, set); !measured)
+      return measured;
+  return {};
+}
+
+Expected<VolumeCache::Outcome> Sweep::buildFormat(const SweepModel &model, const SweepFormat &format) {
+  if (!format.problem.empty())
+    return VolumeCache::Outcome(Failure{"parse", format.problem, {}});
+  return cache_.get(model.model, format.format, progress_, [this] { advance(0); });
+}
+
+Expected<std::vector<Sweep::Ready>> Sweep::buildModel(const SweepModel &model) {
+  std::vector<Ready> ready;
+  for (const SweepFormat &format : axes_->formats) {
+    const std::vector<Cell *> pending = pendingOf(model, format);
+    if (pending.empty())
+      continue;
+    auto outcome = buildFormat(model, format);
+    if (!outcome)
+      return outcome.error();
+    advance(kStepsOfBuild);
+    if (const auto *failure = std::get_if<Failure>(&*outcome)) {
+      if (Expected<void> failed = fail(pending, *failure); !failed)
+        return failed.error();
+      continue;
+    }
+    const auto &volume = std::get<CachedVolume>(*outcome);
+    const Int3 extent = extentOf(volume);
+    for (Cell *cell : pending) {
+      addBuild(volume, cell->record);
+      cell->record.model.size = {std::uint64_t(extent.x), std::uint64_t(extent.y), std::uint64_t(extent.z)};
+      const auto fits = [&](const Ready &set) {
+        return set.rays == cell->rays && isSame(set.extent, extent);
+      };
+      auto set = std::ranges::find_if(ready, fits);
+      if (set == ready.end())
+        set = ready.insert(ready.end(), {{}, cell->rays, extent});
+      set->entrants.push_back({cell, volume});
+    }
+  }
+  return ready;
+}
+
+std::vector<std::span<const Entrant>> Sweep::groupsOf(const Ready &ready, std::size_t rays) const {
+  std::vector<std::span<const Entrant>> groups;
+  const std::span<const Entrant> all = ready.entrants;
+  std::size_t begin = 0;
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::uint64_t more = bytesOf(all[i], rays);
+    if (i > begin && bytes + more > options_.groupBytes) {
+      groups.push_back(all.subspan(begin, i - begin));
+      begin = i;
+      bytes = 0;
+    }
+    bytes += more;
+  }
+  groups.push_back(all.subspan(begin));
+  return groups;
+}
+
+void Sweep::askOracle(const Ready &ready, GroupRays &rays) {
+  const Extent extent{ready.extent.x, ready.extent.y, ready.extent.z};
+  auto known = oracles_.find(extent);
+  if (known == oracles_.end()) {
+    // Every format holds the same voxels, so that the smallest volume gives the oracle of all.
+    const auto bytes = [](const Entrant &entrant) { return entrant.cell->record.volume.bytes; };
+    const Entrant &smallest = *std::ranges::min_element(ready.entrants, {}, bytes);
+    const Expected<Volume> volume = Volume::load(smallest.volume.path, true);
+    if (!volume)
+      return;
+    Expected<Oracle> oracle = Oracle::of(*volume, {.stop = progress_.stop});
+    if (!oracle)
+      return;
+    known = oracles_.emplace(extent, std::move(*oracle)).first;
+  }
+  auto exact = known->second.trace(rays.sample, 0, {.stop = progress_.stop});
+  if (!exact)
+    return;
+  rays.exact = std::move(*exact);
+  rays.oracle = &known->second;
+}
+
+Expected<void> Sweep::measureAll(const SweepModel &model, Ready &ready) {
+  GroupRays rays = makeGroupRays(ready.rays->raysFor(ready.extent), options_.measure.check);
+  if (!rays.sample.empty())
+    askOracle(ready, rays);
+  for (const std::span<const Entrant> group : groupsOf(ready, rays.rays.size()))
+    if (Expected<void> measured = measureGroup(model, ready, group, rays); !measured)
+      return measured;
+  return {};
+}
+
+Expected<void> Sweep::measureGroup(const SweepModel &model, const Ready &ready,
+                                   std::span<const Entrant> group, const GroupRays &rays) {
+  const std::string picture = picturePath(model), path = options_.folder + "/" + picture;
+  std::error_code ignored;
+  const bool isTaken = fs::exists(path, ignored);
+  if (Expected<void> measured =
+          measure(group, rays, options_.measure, isTaken ? "" : path, pictureCamera(model, ready.extent));
+      !measured)
+    return measured;
+  for (const Entrant &entrant : group) {
+    if (fs::exists(path, ignored))
+      entrant.cell->record.model.picture = picture;
+    if (Expected<void> finished = finish(*entrant.cell); !finished)
+      return finished;
+  }
+  return {};
+}
+
+} // namespace voxc::tool::bench
