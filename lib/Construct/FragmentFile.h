@@ -42,7 +42,6 @@ private:
   FragmentInfo info_;
   std::unique_ptr<Checksum> sum_;
   std::uint64_t parts_ = 0;
-  std::uint64_t bytes_ = 0; ///< Behind the header.
 };
 
 /// Reads the parts of a file one after the other. Nothing in the file is believed.

@@ -118,6 +118,7 @@ void NodeStore::clear() {
 
 std::vector<LevelReport> NodeStore::report() const {
   std::vector<LevelReport> reports;
+  reports.reserve(levels_.size());
   for (const Level &level : levels_)
     reports.push_back(level.report);
   return reports;

@@ -89,6 +89,7 @@ Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, cons
 
   const std::vector<std::string> owned = arguments(files.front().name, options);
   std::vector<const char *> list;
+  list.reserve(owned.size());
   for (const std::string &argument : owned)
     list.push_back(argument.c_str());
   auto invocation = std::make_shared<clang::CompilerInvocation>();

@@ -141,6 +141,7 @@ std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seco
   if (seconds.empty() || std::ranges::min(seconds) <= 0)
     return std::nullopt;
   std::vector<double> speeds;
+  speeds.reserve(seconds.size());
   for (const double time : seconds)
     speeds.push_back(static_cast<double>(rays) / time * 1e-6);
   return Speed{std::ranges::min(speeds), median(speeds), std::ranges::max(speeds), spread(speeds)};

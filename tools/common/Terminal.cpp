@@ -4,6 +4,7 @@
 #include "Interrupt.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -64,7 +65,7 @@ std::string paceText(double seconds, double fraction, std::uint64_t done) {
     pace += text;
   }
   if (fraction >= 0.01 && fraction < 1) {
-    auto left = static_cast<long>(seconds / fraction - seconds + 0.5);
+    auto left = std::lround(seconds / fraction - seconds);
     std::snprintf(text, sizeof text, "  %ld:%02ld left", left / 60, left % 60);
     pace += text;
   }

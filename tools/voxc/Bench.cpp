@@ -187,6 +187,7 @@ Expected<std::vector<FormatLine>> BenchCommand::readFormats() const {
 std::vector<std::vector<std::string>> BenchCommand::passLists() const {
   constexpr const char *kNone = "none";
   std::vector<std::vector<std::string>> lists;
+  lists.reserve(passes_.size());
   for (const std::string &text : passes_)
     lists.push_back(text == kNone ? std::vector<std::string>() : split(text, ','));
   if (lists.empty())

@@ -26,9 +26,7 @@ void VoxelCandidates::add(std::uint64_t code, std::uint32_t distance, std::uint3
 }
 
 void VoxelCandidates::compact() {
-  const auto middle = candidates_.begin() + static_cast<std::ptrdiff_t>(sorted_);
-  std::sort(middle, candidates_.end(), before);
-  std::inplace_merge(candidates_.begin(), middle, candidates_.end(), before);
+  std::sort(candidates_.begin(), candidates_.end(), before);
   const auto end = std::unique(candidates_.begin(), candidates_.end(),
                                [](const Candidate &a, const Candidate &b) { return a.code == b.code; });
   candidates_.erase(end, candidates_.end());

@@ -105,6 +105,7 @@ std::vector<std::string> labels(const Findings &findings) {
   for (const auto &contestant : findings.contestants)
     severalDevices |= contestant->variant.device != findings.contestants[0]->variant.device;
   std::vector<std::string> names;
+  names.reserve(findings.contestants.size());
   for (const auto &contestant : findings.contestants)
     names.push_back(contestant->variant.label(severalDevices));
   return names;

@@ -149,6 +149,7 @@ Expected<std::vector<SeriesPoint>> distanceSeries(std::span<const std::unique_pt
     const double distance = std::pow(10.0, exponent);
     Random random(static_cast<std::uint64_t>(exponent));
     std::vector<Ray> rays;
+    rays.reserve(options.rays);
     for (std::size_t i = 0; i < options.rays; ++i)
       rays.push_back(aimedRay(random, centre, radius + distance, random.pointIn({}, size)));
     Expected<SeriesPoint> point = measure(distance, contestants, oracle, rays, options);
