@@ -48,7 +48,7 @@ def sweep_format(voxc, source, form, passes, rays, folder):
     run(voxc, "build", form, source, *passes, "-o", volume, "--quiet")
     run(voxc, "export", volume, "-o", raw, "--quiet")
     walk = [option for option in passes if option == "--restart-sv"]
-    run(voxc, "verify", volume, *walk, "--rays", rays, "--allow-boundary", "--stats", stats, "--quiet")
+    run(voxc, "verify", volume, *walk, "--rays", rays, "--stats", stats, "--quiet")
     return digest(raw), json.loads(stats.read_text())["error"], volume.stat().st_size
 
 
