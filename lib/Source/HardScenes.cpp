@@ -66,6 +66,7 @@ bool isOutside(const Cube &cube, Int3 low, Int3 high) {
 /// The low corners of the cubes in which a large extent is filled.
 std::vector<Int3> clustersOf(Int3 extent) {
   std::vector<Int3> lows;
+  lows.reserve(9);
   const auto last = [](int size) { return std::max(size - kClusterSide, 0); };
   for (int corner = 0; corner < 8; ++corner)
     lows.push_back(

@@ -4,7 +4,8 @@
 #include "voxc/Oracle/HardRays.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
 #include <thread>
 #include <tuple>
 
@@ -20,6 +21,7 @@ bool isBefore(Int3 a, Int3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b
 /// All extents of a list of formats, each once.
 std::vector<Int3> extentsOf(const std::vector<Format> &formats) {
   std::vector<Int3> extents;
+  extents.reserve(formats.size());
   for (const Format &format : formats)
     extents.push_back(format.extent());
   std::ranges::sort(extents, isBefore);
@@ -36,7 +38,11 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t salt) {
   return x ^ x >> 31;
 }
 
-bool sameHit(const Hit &a, const Hit &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+/// To the bit, NaN and signs of zero included.
+bool sameHit(const Hit &a, const Hit &b) {
+  using Bits = std::array<std::uint32_t, sizeof(Hit) / 4>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 bool holds(const Format &format, Int3 extent) { return contains(format.extent(), extent - Int3{1, 1, 1}); }
 

@@ -130,7 +130,7 @@ Expected<void> HardRaysCommand::run() {
   HardRayReport report(rules_);
   ProgressBar bar(common_.quiet);
   HardRaySweep work(std::move(*formats), scenes_, *budget, devices_, report, bar.progress());
-  const Expected<void> swept = sweep(work);
+  Expected<void> swept = sweep(work);
   bar.clear();
   // What was found before an interrupt or an error is told all the same.
   if (tellsOnStdout(common_) && report.rays() > 0)

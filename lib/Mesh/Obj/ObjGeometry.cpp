@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace voxc {
@@ -120,9 +121,8 @@ std::uint64_t ObjGeometry::endOf(std::size_t run) const {
 void ObjGeometry::groupRuns() {
   std::vector<std::size_t> order(runs_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto kindOf = [&](std::size_t run) { return std::pair(runs_[run].material, runs_[run].mode); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return kindOf(a) < kindOf(b); });
+  std::ranges::sort(order, {},
+                    [&](std::size_t run) { return std::tuple(runs_[run].material, runs_[run].mode, run); });
   ScratchArray<std::uint32_t> grouped(memory_);
   std::vector<Run> groups;
   for (const std::size_t run : order) {
@@ -141,6 +141,7 @@ void ObjGeometry::finish(TriangleScene &scene) {
   MeshPart part;
   const bool hasUvs = !uvs_.empty();
   std::vector<std::uint64_t> ends;
+  ends.reserve(runs_.size());
   for (std::size_t i = 0; i < runs_.size(); ++i)
     ends.push_back(endOf(i));
   part.positions = keep(std::move(vertexPositions_), kFloatRows3, scene);

@@ -84,7 +84,11 @@ std::string sampleLayoutNames() {
   std::string names;
   for (const TypeRow &type : kTypes) {
     const std::string name(type.name);
-    names += (names.empty() ? "" : " ") + (type.bytes == 1 ? name : name + "le " + name + "be");
+    if (!names.empty())
+      names += ' ';
+    names += name;
+    if (type.bytes != 1)
+      names.append("le ").append(name).append("be");
   }
   return names;
 }
@@ -99,7 +103,7 @@ std::uint32_t SampleMap::word(double stored) const {
     return colours.back();
   // In this order a quotient that is NaN becomes 0.
   const double share = std::max(0.0, (value - window.low) / (window.high - window.low));
-  return colours[static_cast<std::size_t>(share * 255 + 0.5)];
+  return colours[static_cast<std::size_t>(std::lround(share * 255))];
 }
 
 void mapSamples(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,

@@ -113,7 +113,7 @@ struct Reading {
   Long3 size{-1, -1, -1}; ///< Of the next model.
 };
 
-Expected<void> addNode(VoxFile &file, std::uint32_t number, VoxNode node) {
+Expected<void> addNode(VoxFile &file, std::uint32_t number, VoxNode &&node) {
   if (file.nodes.try_emplace(number, std::move(node)).second)
     return {};
   return Error::input("two nodes have the number " + std::to_string(number));

@@ -19,7 +19,7 @@ constexpr std::uint64_t kMostPlaced = std::uint64_t{1} << 30;
 /// The voxels of a scene, with +z turned to +y and the low corner of the box moved to (0, 0, 0).
 class PlacedVoxels {
 public:
-  PlacedVoxels(const VoxFile &file, const VoxScene &scene) : file_(file), scene_(scene) {}
+  explicit PlacedVoxels(const VoxScene &scene) : scene_(scene) {}
 
   Int3 extent() const {
     return {static_cast<int>(scene_.size[0]), static_cast<int>(scene_.size[2]),
@@ -76,7 +76,6 @@ private:
             static_cast<int>(scene_.size[1] - 1 - (cell[1] - scene_.low[1]))};
   }
 
-  const VoxFile &file_;
   const VoxScene &scene_;
 };
 
@@ -104,7 +103,7 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
   auto scene = makeVoxScene(*file);
   if (!scene)
     return scene.error();
-  const PlacedVoxels placed(*file, *scene);
+  const PlacedVoxels placed(*scene);
   const Int3 extent = placed.extent();
   const Int3 holds = options.formatExtent;
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
