@@ -4,7 +4,9 @@
 #include "Files.h"
 
 #include <algorithm>
-#include <sys/resource.h>
+#include <cstdlib>
+#include <fstream>
+#include <string_view>
 
 namespace voxc::tool {
 namespace {
@@ -61,9 +63,14 @@ void addTraceFigures(Json &figures, const TraceReport &report, std::span<const H
 }
 
 std::uint64_t peakResidentBytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  // getrusage would do, but it takes in the process that this one was forked from, whatever it executes
+  // since.
+  constexpr std::string_view kKey = "VmHWM:";
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(kKey))
+      return std::strtoull(line.c_str() + kKey.size(), nullptr, 10) * 1024;
+  return 0;
 }
 
 Expected<void> writeStatistics(const std::string &path, Json figures) {

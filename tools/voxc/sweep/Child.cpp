@@ -9,7 +9,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -126,13 +125,11 @@ Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const 
   if (progress.stopped())
     ::kill(child, SIGTERM);
   int status = 0;
-  rusage usage{};
-  while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR)
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
     ;
   if (progress.stopped() || (WIFEXITED(status) && WEXITSTATUS(status) == kInterruptedExit))
     return Error::interrupted();
-  ChildReport report{WIFEXITED(status) && WEXITSTATUS(status) == 0, "",
-                     static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+  ChildReport report{WIFEXITED(status) && WEXITSTATUS(status) == 0, ""};
   if (!report.succeeded)
     report.failure = failureOf(status, text);
   return report;

@@ -4,7 +4,6 @@
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,8 +13,7 @@ namespace voxc::tool::bench {
 /// How a child ended.
 struct ChildReport {
   bool succeeded = false;
-  std::string failure;            ///< If not: the last line that it wrote to standard error, or its signal.
-  std::uint64_t peakRssBytes = 0; ///< Largest memory of the process.
+  std::string failure; ///< If not: the last line that it wrote to standard error, or its signal.
 };
 
 /// Runs `voxc ARGUMENT...` to its end; its standard output is dropped. `poll` is called now and then
