@@ -20,8 +20,9 @@ template <typename TextOf> std::string differentItems(const Catalogue &catalogue
   return items;
 }
 
+/// Adds what is neither empty nor was said just now.
 void append(std::string &text, const std::string &more) {
-  if (!more.empty())
+  if (!more.empty() && !text.ends_with(more))
     text += (text.empty() ? "" : ", ") + more;
 }
 
