@@ -47,7 +47,7 @@ def sweep_format(voxc, source, form, passes, rays, folder):
     volume, raw, stats = folder / "v.hvx", folder / "v.raw", folder / "v.json"
     run(voxc, "build", form, source, *passes, "-o", volume, "--quiet")
     run(voxc, "export", volume, "-o", raw, "--quiet")
-    walk = [option for option in passes if option == "--restart-sv"]
+    walk = [option for option in passes if option.endswith("-sv")]
     run(voxc, "verify", volume, *walk, "--rays", rays, "--stats", stats, "--quiet")
     return digest(raw), json.loads(stats.read_text())["error"], volume.stat().st_size
 
@@ -68,7 +68,8 @@ def main():
     if options.formats:
         formats += [line.split("\t")[-1] for line in Path(options.formats).read_text().splitlines() if line]
     print(f"{len(formats)} formats, seed {options.seed}")
-    passes = [["--whole-level-dedup"], ["--whole-level-dedup", "--restart-sv"], ["--restart-sv"], []]
+    passes = [["--whole-level-dedup"], ["--whole-level-dedup", "--restart-sv"], ["--restart-sv"],
+              ["--unroll-sv"], []]
     expected = None
     total = 0
     with tempfile.TemporaryDirectory() as name:

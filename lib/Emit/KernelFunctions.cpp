@@ -41,7 +41,20 @@ private:
 
   /// A file that is written for each level.
   void leaf(const LevelPlan &level, const std::string &path) {
-    text_ += instantiate(resolveConditions(runtimeFile(shaderFiles(), path), level.stops), plan_, level);
+    text_ += instantiate(stopping(level, path), plan_, level);
+  }
+
+  /// A file that is written for each height of a tree, from the lowest nodes up.
+  void nodes(const LevelPlan &level, const std::string &path) {
+    const std::string text = stopping(level, path);
+    for (int height = 1; height <= level.log2Size.x; ++height)
+      text_ += (height > 1 ? "\n" : "") +
+               instantiate(resolveConditions(text, "INNER", height > 1), plan_, level, height);
+  }
+
+  /// A file with what it needs to stop above voxels, or without.
+  static std::string stopping(const LevelPlan &level, const std::string &path) {
+    return resolveConditions(runtimeFile(shaderFiles(), path), "CONE", level.stops);
   }
 
   void emitLevel(const LevelPlan &level) {
@@ -62,7 +75,11 @@ private:
     if (level.sampled)
       leaf(level, isTree ? level.descent == Descent::Single ? "detail/single.glsl" : "detail/tree.glsl"
                          : "detail/grid.glsl");
-    leaf(level, "walk/" + std::string(toString(level.descent)) + ".glsl");
+    const std::string walk = "walk/" + std::string(toString(level.descent)) + ".glsl";
+    if (level.descent == Descent::Unrolled)
+      nodes(level, walk);
+    else
+      leaf(level, walk);
   }
 
   const Plan &plan_;

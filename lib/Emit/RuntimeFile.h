@@ -17,9 +17,14 @@ std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_vi
 /// number, NEXT by "level_<number + 1>" or, in the last level, "voxel", KIND by the kind's name.
 std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan &level);
 
-/// `text` without its lines between "#ifdef NAME", "#else" and "#endif" that do not apply, and without these.
-/// They stand alone on their lines, one within another is not understood, and NAME is the same throughout.
-std::string resolveConditions(std::string_view text, bool defined);
+/// The same for the nodes of 2^`height` cells a side of a tree, from 1 to its depth: H is replaced too, NODE
+/// by "level_<number>" at the root and "level_<number>_height_<height>" below it, CHILD by what NODE is one
+/// lower.
+std::string instantiate(std::string_view text, const Plan &plan, const LevelPlan &level, int height);
+
+/// `text` without its lines between "#ifdef `name`", "#else" and "#endif" that do not apply, and without
+/// these. They stand alone on their lines; one within another is not understood.
+std::string resolveConditions(std::string_view text, std::string_view name, bool defined);
 
 /// "// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side." and an empty line before it.
 std::string levelComment(const LevelPlan &level);

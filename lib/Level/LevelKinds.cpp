@@ -10,7 +10,7 @@ constexpr std::array<const LevelKind *, 4> kKinds = {&kRaw, &kDistance, &kSvo, &
 
 constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
 constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
-constexpr std::array<std::string_view, 2> kWalkValues = {"stack", "restart"};
+constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace
 
@@ -24,7 +24,8 @@ const AttributeKind kShareAttribute = {
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,
-    "how a lookup finds its node: from the last lookup's ancestors on a stack, or from the root each time"};
+    "how a lookup finds its node: from the last lookup's ancestors on a stack, from "
+    "the root each time, or by a loop for each height"};
 
 std::span<const LevelKind *const> levelKinds() { return kKinds; }
 

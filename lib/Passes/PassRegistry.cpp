@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 4> kPasses = {{
+constexpr std::array<Pass, 5> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
@@ -26,6 +26,12 @@ constexpr std::array<Pass, 4> kPasses = {{
      "sub-volume's root at each lookup, which is faster on shallow trees. Unchanged where no level is a "
      "tree.",
      restartSv},
+    {"unroll-sv", AttributeEffect::Walk, "walk octrees and DAGs by a loop for each height, without a stack",
+     "The stack walk is one loop, which goes up and down. Unrolling writes out its levels: a function for "
+     "each "
+     "height of the tree, which goes over the children of a node and calls the one below. Excludes "
+     "restart-sv. Unchanged where no level is a tree.",
+     unrollSv},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",
      "Gives the format as volumes store it.", stripWalk},
 }};

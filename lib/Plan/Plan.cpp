@@ -9,7 +9,8 @@ Descent descentOf(const Level &level) {
     return level.parameter(ParameterRole::Reach) > 0 ? Descent::Distance : Descent::Index;
   if (level.parameter(ParameterRole::Side) == 0)
     return Descent::Single;
-  return level.attribute(kWalkAttribute) == "restart" ? Descent::Restart : Descent::Stack;
+  const std::string_view walk = level.attribute(kWalkAttribute);
+  return walk == "restart" ? Descent::Restart : walk == "unrolled" ? Descent::Unrolled : Descent::Stack;
 }
 
 Sharing sharingOf(const Level &level) {
@@ -36,7 +37,8 @@ void planStops(Plan &plan) {
   bool searchableBelow = true;
   for (std::size_t i = plan.levels.size(); i-- > 0;) {
     LevelPlan &level = plan.levels[i];
-    const bool hasInnerNodes = level.descent == Descent::Stack || level.descent == Descent::Restart;
+    const bool hasInnerNodes =
+        level.kind->arrangement == Arrangement::Tree && level.descent != Descent::Single;
     level.stops = searchableBelow && (i + 1 < plan.levels.size() || hasInnerNodes);
     searchableBelow = searchableBelow && isSearchable(level);
     level.sampled = (hasInnerNodes && level.stops) || (i > 0 && searchableBelow);

@@ -6,7 +6,8 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<std::string_view, 5> kDescents = {"index", "distance", "single", "stack", "restart"};
+constexpr std::array<std::string_view, 6> kDescents = {"index", "distance", "single",
+                                                       "stack", "restart",  "unrolled"};
 constexpr std::array<std::string_view, 2> kPredicates = {"exact", "float32"};
 constexpr std::array<std::string_view, 2> kDetails = {"full", "cone"};
 constexpr std::array<std::string_view, 3> kSharings = {"none", "sub-volume", "level"};

@@ -97,6 +97,7 @@ def few_records():
             yield record(model, form, [], 2048, SOFTWARE, "exact")
         for form in FEW[4:6]:
             yield record(model, form, [*DEDUP, "restart-sv"], 2048, SOFTWARE, "exact")
+            yield record(model, form, [*DEDUP, "unroll-sv"], 2048, SOFTWARE, "exact")
     for form in FEW[4:6]:
         yield record(MODELS[0], form, DEDUP, 2048, SOFTWARE, "fast")
 
@@ -117,8 +118,10 @@ def whole_records():
         for device in (SOFTWARE, CPU, GPU):
             for form in ("S(11)", "G(11)", "S(3) G(8)", "S(7) G(4)"):
                 yield record(model, form, [*DEDUP, "restart-sv"], 2048, device, "exact")
+                yield record(model, form, [*DEDUP, "unroll-sv"], 2048, device, "exact")
             for form in ("S(9)", "G(9)", "R(4^3) G(5)", "R(3^3) R(3^3) G(3)"):
                 yield record(model, form, [*DEDUP, "restart-sv"], 512, device, "exact")
+                yield record(model, form, [*DEDUP, "unroll-sv"], 512, device, "exact")
 
 
 def png(width, height, colour_at):

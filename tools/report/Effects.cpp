@@ -1,4 +1,4 @@
-// What one thing changes, all else being the same: whole-level-dedup, restart-sv, exact steps.
+// What one thing changes, all else being the same: whole-level-dedup, restart-sv, unroll-sv, exact steps.
 #include "report/BarTable.h"
 #include "report/Html.h"
 #include "report/Pairs.h"
@@ -111,6 +111,11 @@ std::string dedupSection(const Catalogue &catalogue) {
 std::string restartSection(const Catalogue &catalogue) {
   return section("section/restart.html",
                  speedTables(pairsByPass(catalogue, "restart-sv"), "restart", "stack"));
+}
+
+std::string unrollSection(const Catalogue &catalogue) {
+  return section("section/unroll.html",
+                 speedTables(pairsByPass(catalogue, "unroll-sv"), "unrolled", "stack"));
 }
 
 std::string precisionSection(const Catalogue &catalogue) {

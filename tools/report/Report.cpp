@@ -53,6 +53,7 @@ std::string makePage(const Catalogue &catalogue, const Pictures &pictures, const
       {"frontier", "Frontiers", frontierSection(catalogue)},
       {"dedup", "Sharing", dedupSection(catalogue)},
       {"restart", "Restarting", restartSection(catalogue)},
+      {"unroll", "Unrolling", unrollSection(catalogue)},
       {"precision", "Exactness", precisionSection(catalogue)},
       {"memory", "Memory", memorySection(catalogue)},
       {"failures", "Failures", failureSection(catalogue)},

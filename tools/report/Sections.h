@@ -23,6 +23,8 @@ std::string frontierSection(const Catalogue &catalogue);
 std::string dedupSection(const Catalogue &catalogue);
 /// How much faster restart-sv makes kernels.
 std::string restartSection(const Catalogue &catalogue);
+/// How much faster unroll-sv makes kernels.
+std::string unrollSection(const Catalogue &catalogue);
 /// What exact steps cost, and what float steps get wrong.
 std::string precisionSection(const Catalogue &catalogue);
 /// The largest memory of building each format.

@@ -111,16 +111,19 @@ TEST_F(CpuKernels, GiveTheHitsOfVulkanAndTheOracleOnRandomFormats) {
 }
 
 TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
-  Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
+  const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
   const test::Scene scene = test::hardScenes(format.extent())[6];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
   const auto rays = verifyRays(scene.extent, 20000, 3);
   const auto stack = cpuHits(*volume, format, rays);
-  Diagnostics diagnostics;
-  ASSERT_EQ(restartSv(format, diagnostics), PassResult::Changed);
-  const auto restart = cpuHits(*volume, format, rays);
-  EXPECT_EQ(std::memcmp(stack.data(), restart.data(), stack.size() * sizeof(Hit)), 0);
+  for (const auto pass : {restartSv, unrollSv}) {
+    Format walked = format;
+    Diagnostics diagnostics;
+    ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
+    const auto hits = cpuHits(*volume, walked, rays);
+    EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0);
+  }
 }
 
 TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {

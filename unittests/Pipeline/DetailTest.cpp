@@ -87,7 +87,7 @@ TEST_F(DetailKernels, StopAtTheFirstChildOfTheRootThatIsNotEmptyWhenAllIsSmall) 
           return c.y == 1 || c.x == 0 ? 1u : 0u;
         }));
     const Oracle oracle = *Oracle::of(coarse->volume);
-    for (const char *walk : {"stack", "restart"}) {
+    for (const char *walk : {"stack", "restart", "unrolled"}) {
       Format walked = format;
       for (Level &level : walked.levels)
         level.setAttribute(kWalkAttribute, walk);
@@ -113,9 +113,11 @@ TEST_F(DetailKernels, StopAtTheFirstChildOfTheRootThatIsNotEmptyWhenAllIsSmall) 
 
 TEST_F(DetailKernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   const Format stack = *parseFormat("S(2) D(1^3, 2) G(3)");
-  Format restart = stack;
+  Format restart = stack, unrolled = stack;
   for (Level &level : restart.levels)
     level.setAttribute(kWalkAttribute, "restart");
+  for (Level &level : unrolled.levels)
+    level.setAttribute(kWalkAttribute, "unrolled");
   const auto built = Constructor::compile(stack)->build(*test::hardScenes(stack.extent())[7].source());
   const auto rays = verifyRays(stack.extent(), 10000, 3);
   const auto full = hitsOf(built->volume, stack, "full", 0, rays);
@@ -123,6 +125,7 @@ TEST_F(DetailKernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
     const auto hits = hitsOf(built->volume, stack, "cone", spread, rays);
     EXPECT_FALSE(areSame(hits, full)) << spread;
     EXPECT_TRUE(areSame(hits, hitsOf(built->volume, restart, "cone", spread, rays))) << spread;
+    EXPECT_TRUE(areSame(hits, hitsOf(built->volume, unrolled, "cone", spread, rays))) << spread;
     EXPECT_TRUE(areSame(hits, hitsOf(built->volume, stack, "cone", spread, rays, Addressing::Segments)))
         << spread;
   }

@@ -43,7 +43,7 @@ TEST(Report, HasAPointForEachSpeedAndARowForEachCell) {
 
 TEST(Report, LeavesOutSectionsThatItHasNoRecordsFor) {
   const std::string small = page({makeCell("G(11)", 100, 1)});
-  for (const char *id : {"frontier", "dedup", "restart", "precision", "memory", "failures"})
+  for (const char *id : {"frontier", "dedup", "restart", "unroll", "precision", "memory", "failures"})
     EXPECT_THAT(small, Not(HasSubstr("<div id=\"" + std::string(id) + "\">")));
   const std::string studied = page({makeCell("G(11)", 300, 1), makeCell("G(11)", 100, 1, kDedup)});
   EXPECT_THAT(studied, HasSubstr("<div id=\"dedup\">"));

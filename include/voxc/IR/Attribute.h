@@ -26,7 +26,7 @@ using AttributeKinds = std::span<const AttributeKind *const>;
 // Attributes of levels, whichever kinds take them.
 extern const AttributeKind kDedupAttribute; ///< dedup: sub-volume | level
 extern const AttributeKind kShareAttribute; ///< share: none | level
-extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart
+extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart | unrolled
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast

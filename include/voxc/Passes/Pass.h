@@ -44,6 +44,7 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names,
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
 PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult restartSv(Format &format, Diagnostics &diagnostics);
+PassResult unrollSv(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);
 
 } // namespace voxc

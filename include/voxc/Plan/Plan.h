@@ -18,6 +18,7 @@ enum class Descent {
   Single,   ///< The sub-volume is one cell: a tree of depth 0.
   Stack,    ///< Down a tree from the common ancestor of this cell and the last, kept in a stack.
   Restart,  ///< Down a tree from its root, each time.
+  Unrolled, ///< Down a tree by a function for each height, each with a loop over the children of a node.
 };
 
 /// Which arithmetic orders the faces that a ray crosses. Each value is a file of shaders-runtime/step.
