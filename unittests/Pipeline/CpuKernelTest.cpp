@@ -126,6 +126,24 @@ TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
   }
 }
 
+TEST_F(CpuKernels, WalkLeavesThatStandForManySubVolumes) {
+  // Equal sub-volumes are one, so that eight leaves collapse above them too.
+  const Format format = *parseFormat("format { level 1: svdag(2) level 2: svdag(2) dedup=level }");
+  for (const test::Scene &scene : test::hardScenes(format.extent())) {
+    const auto volume = build(format, scene);
+    ASSERT_TRUE(volume) << volume.error().message;
+    const auto rays = verifyRays(scene.extent, 2000, 3);
+    const auto stack = cpuHits(*volume, format, rays);
+    for (const auto pass : {restartSv, unrollSv}) {
+      Format walked = format;
+      Diagnostics diagnostics;
+      ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
+      const auto hits = cpuHits(*volume, walked, rays);
+      EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0) << scene.name;
+    }
+  }
+}
+
 TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {
   const Format format = *parseFormat("R(18,0,0)");
   const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
