@@ -76,6 +76,20 @@ protected:
           << ours[i].steps << " and " << theirs[i].steps;
   }
 
+  static void expectSameHitsOfAllWalks(const Format &format, const test::Scene &scene, std::size_t count) {
+    const auto volume = build(format, scene);
+    ASSERT_TRUE(volume) << volume.error().message;
+    const auto rays = verifyRays(scene.extent, count, 3);
+    const auto stack = cpuHits(*volume, format, rays);
+    for (const auto pass : {restartSv, unrollSv}) {
+      Format walked = format;
+      Diagnostics diagnostics;
+      ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
+      const auto hits = cpuHits(*volume, walked, rays);
+      EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0) << scene.name;
+    }
+  }
+
   static void expectHits(Format format, const test::Scene &scene, std::uint64_t seed) {
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
@@ -112,36 +126,14 @@ TEST_F(CpuKernels, GiveTheHitsOfVulkanAndTheOracleOnRandomFormats) {
 
 TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
   const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
-  const test::Scene scene = test::hardScenes(format.extent())[6];
-  const auto volume = build(format, scene);
-  ASSERT_TRUE(volume) << volume.error().message;
-  const auto rays = verifyRays(scene.extent, 20000, 3);
-  const auto stack = cpuHits(*volume, format, rays);
-  for (const auto pass : {restartSv, unrollSv}) {
-    Format walked = format;
-    Diagnostics diagnostics;
-    ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
-    const auto hits = cpuHits(*volume, walked, rays);
-    EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0);
-  }
+  expectSameHitsOfAllWalks(format, test::hardScenes(format.extent())[6], 20000);
 }
 
 TEST_F(CpuKernels, WalkLeavesThatStandForManySubVolumes) {
   // Equal sub-volumes are one, so that eight leaves collapse above them too.
   const Format format = *parseFormat("format { level 1: svdag(2) level 2: svdag(2) dedup=level }");
-  for (const test::Scene &scene : test::hardScenes(format.extent())) {
-    const auto volume = build(format, scene);
-    ASSERT_TRUE(volume) << volume.error().message;
-    const auto rays = verifyRays(scene.extent, 2000, 3);
-    const auto stack = cpuHits(*volume, format, rays);
-    for (const auto pass : {restartSv, unrollSv}) {
-      Format walked = format;
-      Diagnostics diagnostics;
-      ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
-      const auto hits = cpuHits(*volume, walked, rays);
-      EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0) << scene.name;
-    }
-  }
+  for (const test::Scene &scene : test::hardScenes(format.extent()))
+    expectSameHitsOfAllWalks(format, scene, 2000);
 }
 
 TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {
