@@ -13,17 +13,20 @@ struct Voxel {
   int z = 0;
 };
 
+/// Most words of a node's masks: two sets for 64 children.
+constexpr int kMaskWords = 4;
+
 /// A node of a tree that has not found its place in the volume yet.
 struct Node {
   enum Kind : uint32_t { Empty, Leaf, Inner };
 
   Kind kind = Empty;
-  uint32_t value =
-      0; ///< Leaf: the terminating integer. Inner: the node's offset (G), or its first child's (S).
-  uint32_t masks = 0; ///< Inner: bit i says that child i is not empty, bit 8 + i that it is a leaf.
+  /// Leaf: the terminating integer. Inner: where the node is, or in a layout of siblings its first child.
+  uint32_t value = 0;
+  uint32_t masks[kMaskWords] = {}; ///< Inner: which children are not empty, and which of them are leaves.
 
   /// A cell's terminating integer as a node: 0 is empty.
-  static Node leaf(uint32_t value) { return {value == 0 ? Empty : Leaf, value, 0}; }
+  static Node leaf(uint32_t value) { return {value == 0 ? Empty : Leaf, value}; }
 };
 
 /// A non-empty cell of a grid, counted from the grid's low corner.
@@ -47,16 +50,23 @@ struct Host {
   bool (*is_empty)(void *self, Voxel low, int log2_side);
   /// Writes the 512 voxels of the aligned cube of 8 voxels a side, in Morton order.
   void (*read_brick)(void *self, Voxel low, uint32_t *voxels);
-  /// Appends words to the volume; returns the offset of the first.
+  /// Appends a node, or the records of siblings, to the volume; returns the offset of the first word.
   uint32_t (*append)(void *self, unsigned level, const uint32_t *words, uint64_t count);
-  /// The same, but words that this level has been given before are not written again.
+  /// The same, but nodes that this level has been given before are not written again.
   uint32_t (*intern)(void *self, unsigned level, const uint32_t *words, uint64_t count);
-  /// Forgets which words a level has been given.
+  /// The same for the word of a leaf.
+  uint32_t (*intern_leaf)(void *self, unsigned level, uint32_t value);
+  /// Forgets which nodes and leaves a level has been given.
   void (*forget)(void *self, unsigned level);
   /// Zeroed memory for the one grid of a level that is being filled, and its return. Null once building has
   /// failed.
   uint32_t *(*allocate)(void *self, unsigned level, uint64_t count);
   void (*release)(void *self, unsigned level);
+  /// Keeps the number and the value of a cell for the one hashed grid of a level that is being filled; gives all that were
+  /// kept, two words each; forgets them.
+  void (*keep)(void *self, unsigned level, uint32_t cell, uint32_t value);
+  const uint32_t *(*kept)(void *self, unsigned level, uint64_t *count);
+  void (*drop)(void *self, unsigned level);
   /// To be called during long work on a grid, with the words touched since: lets the program look after its
   /// memory.
   void (*pause)(void *self, uint64_t words);
@@ -120,13 +130,13 @@ public:
   uint32_t intern(unsigned level, const uint32_t *words, uint64_t count) {
     return host_.intern(host_.self, level, words, count);
   }
-  /// The same for one word: the ones that came last are remembered here.
+  /// The same for the word of a leaf: those that came last are remembered here.
   uint32_t intern_leaf(unsigned level, uint32_t value) {
     KnownLeaf &known = leaves_[(value * 0x9e3779b1u) >> 24];
     if (known.level == level && known.value == value)
       ++host_.shared[level];
     else
-      known = {level, value, intern(level, &value, 1)};
+      known = {level, value, host_.intern_leaf(host_.self, level, value)};
     return known.offset;
   }
   void forget(unsigned level) {
@@ -137,6 +147,9 @@ public:
   }
   uint32_t *allocate(unsigned level, uint64_t count) { return host_.allocate(host_.self, level, count); }
   void release(unsigned level) { host_.release(host_.self, level); }
+  void keep(unsigned level, uint32_t cell, uint32_t value) { host_.keep(host_.self, level, cell, value); }
+  const uint32_t *kept(unsigned level, uint64_t &count) { return host_.kept(host_.self, level, &count); }
+  void drop(unsigned level) { host_.drop(host_.self, level); }
   void pause(uint64_t words) { host_.pause(host_.self, words); }
 
   /// True if cubes of this size were built apart.
@@ -163,12 +176,14 @@ private:
   KnownLeaf leaves_[256];
 };
 
-/// The shape of a grid: log2 of its cells along each axis, and of the voxels along a cell's side.
+/// The shape of a grid: log2 of its cells along each axis, and of the voxels along a cell's side; whether its cells hold
+/// voxels, or sub-volumes, which may be as small.
 struct GridShape {
   int x;
   int y;
   int z;
   int log2_cell;
+  bool holds_voxels;
 
   constexpr uint64_t cells() const { return uint64_t{1} << (x + y + z); }
   constexpr int longest() const { return x > y ? (x > z ? x : z) : (y > z ? y : z); }
@@ -180,10 +195,10 @@ struct GridShape {
   }
 };
 
-/// The low corner of child i = x + 2y + 4z of a cube whose children are 2^log2_side a side.
-constexpr Voxel child_low(Voxel low, int i, int log2_side) {
-  return {low.x + ((i & 1) << log2_side), low.y + ((i >> 1 & 1) << log2_side),
-          low.z + ((i >> 2 & 1) << log2_side)};
+/// The low corner of child i, in Morton order, of a cube whose children are 2^log2_side a side.
+constexpr Voxel child_low(Voxel low, unsigned i, int log2_side) {
+  const Voxel place = brick_voxel(i);
+  return {low.x + (place.x << log2_side), low.y + (place.y << log2_side), low.z + (place.z << log2_side)};
 }
 
 /// What a cell of the last level holds.
@@ -209,7 +224,7 @@ void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &v
 template <GridShape kShape, uint32_t (*kNext)(Build &, Voxel), typename Visit>
 void for_each_cell(Build &build, Voxel low, Voxel cell, int height, Visit &visit) {
   constexpr int kLog2Cell = kShape.log2_cell;
-  constexpr bool kCellsAreVoxels = kNext == construct_voxel;
+  constexpr bool kCellsAreVoxels = kShape.holds_voxels;
   const Voxel corner = {low.x + (cell.x << kLog2Cell), low.y + (cell.y << kLog2Cell),
                         low.z + (cell.z << kLog2Cell)};
   if (kShape.excludes(cell) || build.is_empty(corner, height + kLog2Cell))
@@ -224,7 +239,7 @@ void for_each_cell(Build &build, Voxel low, Voxel cell, int height, Visit &visit
     if (const uint32_t value = kNext(build, corner))
       visit(cell, value);
   } else {
-    for (int i = 0; i < 8; ++i)
+    for (unsigned i = 0; i < 8; ++i)
       for_each_cell<kShape, kNext>(build, low, child_low(cell, i, height - 1), height - 1, visit);
   }
 }
@@ -242,24 +257,33 @@ void finish_cells(Build &build, Voxel corner, int log2_side) {
   for_each_cell<kShape, kNext>(build, low, cell, log2_side - kLog2Cell, finish);
 }
 
-/// True if eight children are leaves of one value, so that their parent is that leaf.
-inline bool are_equal_leaves(const Node (&children)[8]) {
+/// True if all children are leaves of one value, so that their parent is that leaf.
+template <int kChildren> bool are_equal_leaves(const Node (&children)[kChildren]) {
   for (const Node &child : children)
     if (child.kind != Node::Leaf || child.value != children[0].value)
       return false;
   return true;
 }
 
-/// The masks of a node with these children; 0 if all are empty.
-inline uint32_t masks_of(const Node (&children)[8]) {
-  uint32_t masks = 0;
-  for (int i = 0; i < 8; ++i) {
-    if (children[i].kind != Node::Empty)
-      masks |= 1u << i;
+/// Words of the masks of a node with so many children: both sets share one word, or have words of their own.
+constexpr int mask_words(int children) { return 2 * children <= 32 ? 1 : children / 16; }
+
+/// Sets the masks of a node with these children: a bit for each that is not empty, then one for each that is a leaf.
+/// Returns how many there are.
+template <int kChildren> int set_masks(const Node (&children)[kChildren], uint32_t *masks) {
+  int count = 0;
+  for (int i = 0; i < mask_words(kChildren); ++i)
+    masks[i] = 0;
+  for (int i = 0; i < kChildren; ++i) {
+    const int leaf = kChildren + i;
+    if (children[i].kind != Node::Empty) {
+      masks[i / 32] |= 1u << i % 32;
+      ++count;
+    }
     if (children[i].kind == Node::Leaf)
-      masks |= 1u << (8 + i);
+      masks[leaf / 32] |= 1u << leaf % 32;
   }
-  return masks;
+  return count;
 }
 
 } // namespace voxc::construct

@@ -1,12 +1,12 @@
-/* The kernel in intersect.o: first hits of rays with volumes of the format THE_FORMAT. */
-#ifndef THE_PREFIX_H
-#define THE_PREFIX_H
+/* The kernel in intersect.o: first hits of rays with volumes of the format ${FORMAT}. */
+#ifndef ${PREFIX}_H
+#define ${PREFIX}_H
 
 #include <stdint.h>
 
 /* The format, and the digest of its storage, which a volume's must equal. */
-#define THE_PREFIX_FORMAT "THE_FORMAT"
-#define THE_PREFIX_STORAGE_DIGEST UINT64_C(THE_DIGEST)
+#define ${PREFIX}_FORMAT "${FORMAT}"
+#define ${PREFIX}_STORAGE_DIGEST UINT64_C(${DIGEST})
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,7 +17,7 @@ extern "C" {
  * words: int32 x, y, z, uint32 rgba, float32 t, uint32 lookups, which are counted if `count_lookups` is not 0; a miss is
  * -1, -1, -1, 0, 0. A kernel of detail=cone stops at what is narrower than `spread` times its distance. The words must be those of a checked volume of this format. Any number of threads may call it.
  */
-void THE_SYMBOL(const uint32_t *words, const float *rays, uint32_t *hits, unsigned long long count, int count_lookups,
+void ${symbol}(const uint32_t *words, const float *rays, uint32_t *hits, unsigned long long count, int count_lookups,
                float spread);
 
 #ifdef __cplusplus

@@ -40,13 +40,20 @@ Sum crossing_difference(const Ray ray, int a, float at_a, int b, float at_b) {
                          uvec4(speed_b, speed_b, speed_a, speed_a));
 }
 
+%if cut
 const int CUT_SHORT = 2; // No order: the device did not let it be found.
+%end
 
 // -1 if coordinate a passes its face first, 0 if both pass theirs at the same t, else 1. Both move.
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
   Sum difference = crossing_difference(ray, a, float(face_a), b, float(face_b));
   int order = sign_of(difference);
-  return !difference.complete ? CUT_SHORT : ray.falls[a] == ray.falls[b] ? order : -order;
+%if cut
+  order = difference.complete ? order : CUT_SHORT;
+  return order == CUT_SHORT || ray.falls[a] == ray.falls[b] ? order : -order;
+%else
+  return ray.falls[a] == ray.falls[b] ? order : -order;
+%end
 }
 
 int undecided_axis(const Range range) {

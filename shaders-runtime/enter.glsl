@@ -89,5 +89,5 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
     walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
     walk.axis = axis;
   }
-  return is_inside(walk);
+  return is_in_volume(walk.cell);
 }

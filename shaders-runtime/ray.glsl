@@ -21,6 +21,9 @@ struct Walk {
   uint rgba;  // Of the voxel that was hit.
   uint lookups;
   int steps_left; // There are no more cells on any ray.
+%if exact
+  int open; // Not -1: the step over the cube of 2^open voxels a side around ~cell is left to be settled.
+%end
 };
 
 const int ENDLESS = -2; // The axis of a walk that would have taken more steps, which is an error of the kernel's.
@@ -34,7 +37,11 @@ const float ROUNDINGS = 12.0f / 8388608.0f;
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell, int axis) {
+%if exact
+  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, -1);
+%else
   return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z);
+%end
 }
 
 // Ends a walk that takes more steps than any can.
@@ -43,6 +50,9 @@ void count_step(inout Walk walk) {
   if (walk.steps_left < 0) {
     walk.cell = ivec3(-1);
     walk.axis = ENDLESS;
+%if exact
+    walk.open = -1;
+%end
   }
 }
 
@@ -51,10 +61,16 @@ void count_lookup(inout Walk walk) {
     walk.lookups++;
 }
 
-bool is_inside(const Walk walk) { return all(lessThan(uvec3(walk.cell), uvec3(VOLUME_SIZE))); }
+bool is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(VOLUME_SIZE))); }
 
-// True for a cell of a grid of 2^log2_size cells.
-bool in_grid(ivec3 cell, ivec3 log2_size) { return (cell >> log2_size) == ivec3(0); }
+// True if two cells lie in one aligned cube of 2^log2_side voxels a side.
+bool is_same_cube(ivec3 a, ivec3 b, int log2_side) {
+  ivec3 differ = a ^ b;
+  return (differ.x | differ.y | differ.z) >> log2_side == 0;
+}
+
+// The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
+ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
 
 // The face through which the ray entered its cell.
 int entered_face(const Ray ray, const Walk walk) {

@@ -39,9 +39,26 @@ bool trace(uvec3 origin, uvec3 direction, inout Walk walk, inout uint t) {
   Walk start = walk;
   if (!enter_volume(ray, start))
     return false;
-  if (!is_inside(walk))
+  if (!is_in_volume(walk.cell))
     walk = start;
-  bool hit = intersect_level_1(ray, walk, root, ivec3(0));
+%if exact
+  bool hit = false;
+  bool goes_on = true;
+  while (goes_on) {
+    if (walk.open >= 0)
+      settle_step(ray, walk);
+    // What was settled may have been the last step inside.
+    hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
+    goes_on = walk.open >= 0;
+  }
+%if cut
+  // The device ended the loop above.
+  if (walk.open >= 0)
+    walk.cell = ~walk.cell;
+%end
+%else
+  bool hit = intersect_level_1(ray, walk, root);
+%end
   if (walk.axis < 0)
     return hit;
   if (stands) {

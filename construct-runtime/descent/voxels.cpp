@@ -1,25 +1,26 @@
-// The node over the 8^height voxels at `voxels`, which lie in Morton order within a brick.
-Node construct_level_N_brick(Build &build, const uint32_t *voxels, int height) {
-  if (height == 0)
+// The node, `layers` above the voxels at `voxels`, which lie in Morton order within a brick.
+Node construct_level_${N}_brick(Build &build, const uint32_t *voxels, int layers) {
+  if (layers == 0)
     return Node::leaf(*voxels);
-  if (!holds_any(voxels, 1 << 3 * height))
+  if (!holds_any(voxels, 1 << 3 * LEVEL_${N}_BRANCH * layers))
     return {};
-  Node children[8];
-  for (int i = 0; i < 8; ++i)
-    children[i] = construct_level_N_brick(build, voxels + (i << 3 * (height - 1)), height - 1);
-  return join_level_N_nodes(build, children, height);
+  Node children[LEVEL_${N}_CHILDREN];
+  for (int i = 0; i < LEVEL_${N}_CHILDREN; ++i)
+    children[i] = construct_level_${N}_brick(build, voxels + (i << 3 * LEVEL_${N}_BRANCH * (layers - 1)), layers - 1);
+  return join_level_${N}_nodes(build, children, layers);
 }
 
-// The node over the 2^height voxels a side at `low`.
-Node construct_level_N_node(Build &build, Voxel low, int height) {
-  if (build.is_empty(low, height))
+// The node, `layers` above the voxels, whose low corner is `low`.
+Node construct_level_${N}_node(Build &build, Voxel low, int layers) {
+  const int log2_side = layers * LEVEL_${N}_BRANCH;
+  if (build.is_empty(low, log2_side))
     return {};
-  if (build.is_part(height))
+  if (build.is_part(log2_side))
     return build.take_part(low).node;
-  if (height <= kLog2Brick)
-    return construct_level_N_brick(build, build.voxels(low), height);
-  Node children[8];
-  for (int i = 0; i < 8; ++i)
-    children[i] = construct_level_N_node(build, child_low(low, i, height - 1), height - 1);
-  return join_level_N_nodes(build, children, height);
+  if (log2_side <= kLog2Brick)
+    return construct_level_${N}_brick(build, build.voxels(low), layers);
+  Node children[LEVEL_${N}_CHILDREN];
+  for (unsigned i = 0; i < LEVEL_${N}_CHILDREN; ++i)
+    children[i] = construct_level_${N}_node(build, child_low(low, i, log2_side - LEVEL_${N}_BRANCH), layers - 1);
+  return join_level_${N}_nodes(build, children, layers);
 }

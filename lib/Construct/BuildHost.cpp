@@ -26,13 +26,25 @@ construct::Host BuildHost::interface() {
   table.intern = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
     return hostOf(self).store_.intern(level, {words, count});
   };
+  table.intern_leaf = [](void *self, unsigned level, std::uint32_t value) {
+    return hostOf(self).store_.internLeaf(level, value);
+  };
   table.forget = [](void *self, unsigned level) { hostOf(self).store_.forget(level); };
   table.allocate = [](void *self, unsigned level, construct::uint64_t count) {
     return hostOf(self).store_.allocate(level, count);
   };
   table.release = [](void *self, unsigned level) { hostOf(self).store_.release(level); };
+  table.keep = [](void *self, unsigned level, std::uint32_t cell, std::uint32_t value) {
+    hostOf(self).store_.keep(level, cell, value);
+  };
+  table.kept = [](void *self, unsigned level, construct::uint64_t *count) {
+    const auto kept = hostOf(self).store_.kept(level);
+    *count = kept.size();
+    return reinterpret_cast<const std::uint32_t *>(kept.data());
+  };
+  table.drop = [](void *self, unsigned level) { hostOf(self).store_.drop(level); };
   table.pause = [](void *self, construct::uint64_t words) { hostOf(self).store_.pause(words); };
-  table.shared = shared_.data();
+  table.shared = store_.shared().data();
   table.log2_part = log2Part();
   table.take_part = [](void *self, Voxel low, construct::Part *part) {
     *part = hostOf(self).takePart(cellOf(low));

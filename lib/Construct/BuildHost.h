@@ -9,23 +9,19 @@
 #include "voxc_construct.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace voxc {
 
 /// Serves one run of generated code. After a failure every cube is "empty", so that the code ends by itself.
 class BuildHost {
 public:
-  /// `levels`: how many the format has.
-  BuildHost(NodeStore &store, std::size_t levels) : store_(store), shared_(levels + 1) {}
+  explicit BuildHost(NodeStore &store) : store_(store) {}
   virtual ~BuildHost() = default;
 
   /// The table of functions that the generated code calls.
   construct::Host interface();
 
   NodeStore &store() { return store_; }
-  /// How often each level's words were found without asking, by the level's number.
-  const std::vector<std::uint64_t> &shared() const { return shared_; }
 
 protected:
   /// True only if the cube holds nothing.
@@ -43,7 +39,6 @@ protected:
 
 private:
   NodeStore &store_;
-  std::vector<std::uint64_t> shared_;
 };
 
 } // namespace voxc

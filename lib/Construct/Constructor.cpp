@@ -77,31 +77,28 @@ Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const
   auto build = VolumeBuild::start(infoOf(source, format, options), options);
   if (!build)
     return build.error();
-  SourceHost host(source, (*build)->store(), format.levels.size(), options.progress);
+  SourceHost host(source, (*build)->store(), options.progress);
   const construct::Host interface = host.interface();
   const std::uint32_t root = code.whole(&interface);
   if (auto error = source.failure())
     return *error;
-  return (*build)->finish(root, host.voxels(), host);
+  return (*build)->finish(root, host.voxels());
 }
 
 /// Joins the parts of a stream to a volume.
 Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, const ConstructCode &code,
                           const BuildOptions &options) {
-  const Format format = info.format;
+  const Layout layout = layoutOf(info.format);
   const Int3 extent = info.extent;
   auto build = VolumeBuild::start(std::move(info), options);
   if (!build)
     return build.error();
-  MergeHost host(parts, log2Part, format, extent, (*build)->store(), options.progress);
+  MergeHost host(parts, log2Part, layout, extent, (*build)->store(), options.progress);
   const construct::Host interface = host.interface();
   const std::uint32_t root = code.whole(&interface);
   if (!(*build)->store().failure() && parts.next())
     return Error::input("a part lies where the format has no voxels");
-  auto built = (*build)->finish(root, host.voxels(), host);
-  for (std::size_t i = 1; built && i < host.sharedInParts().size(); ++i)
-    built->report.levels[i - 1].sharedNodes += host.sharedInParts()[i];
-  return built;
+  return (*build)->finish(root, host.voxels());
 }
 
 } // namespace
@@ -112,7 +109,7 @@ Expected<Built> Constructor::build(VoxelSource &source, const BuildOptions &give
   if (auto fits = checkFits(source.extent(), format); !fits)
     return fits.error();
   const double readBefore = source.readSeconds();
-  const PartGrid grid = PartGrid::of(source, format);
+  const PartGrid grid = PartGrid::of(source, layoutOf(format));
   const auto build = [&]() -> Expected<Built> {
     if (options.threads <= 1 || grid.count() == 1 || !source.view())
       return buildWhole(source, state_->functions, format, options);
@@ -136,7 +133,7 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint6
   const Format &format = state_->format;
   if (auto fits = checkFits(source.extent(), format); !fits)
     return fits.error();
-  const PartGrid grid = PartGrid::of(source, format);
+  const PartGrid grid = PartGrid::of(source, layoutOf(format));
   const auto [begin, end] = grid.range(index, count);
   auto writer = FragmentWriter::create(path, {infoOf(source, format, options), grid.log2Side, index, count});
   if (!writer)

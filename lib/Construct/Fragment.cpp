@@ -1,16 +1,11 @@
 // Joining fragments: the blocks of one after the other, each with its pointers moved.
 #include "Fragment.h"
 
+#include "voxc/Layout/SubVolume.h"
+
 #include <algorithm>
 
 namespace voxc {
-
-unsigned levelOfPart(const Format &format, int log2Side) {
-  for (std::size_t i = 0; i + 1 < format.levels.size(); ++i)
-    if (log2Side > format.log2CellSide(i))
-      return static_cast<unsigned>(i) + 1;
-  return static_cast<unsigned>(format.levels.size());
-}
 
 namespace {
 
@@ -19,12 +14,15 @@ Error contradiction() { return Error::input("a fragment is broken: it has a poin
 } // namespace
 
 void Splice::write(std::span<std::uint32_t> words, std::uint64_t at, const BlockRecord &block) {
-  const LevelKind &kind = *format_.levels[block.level - 1].kind;
+  const std::size_t index = block.level - 1;
+  const bool isLeaf = block.kind == BlockRecord::InternLeaf;
   // A block points only to what was written before it: the offsets from here on are still 0.
-  if (!kind.relocate(words, holdsVoxels(block.level), newOffsets_))
+  const auto relocation = [&](Ref ref) { return ref < newOffsets_.size() ? newOffsets_[ref] : 0; };
+  if (!relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index), relocation))
     return store_.fail(contradiction());
-  newOffsets_[at] = block.kind == BlockRecord::Intern ? store_.intern(block.level, words)
-                                                      : store_.append(block.level, words);
+  newOffsets_[at] = isLeaf                               ? store_.internLeaf(block.level, words[0])
+                    : block.kind == BlockRecord::Intern ? store_.intern(block.level, words)
+                                                        : store_.append(block.level, words);
 }
 
 void Splice::relocateResult(Fragment &fragment, bool holdsVoxels) {
@@ -51,7 +49,7 @@ void Splice::join(Fragment &fragment, int log2Side) {
       write(std::span(fragment.words).subspan(at, block.words), at, block);
     at += block.words;
   }
-  relocateResult(fragment, holdsVoxels(levelOfPart(format_, log2Side)));
+  relocateResult(fragment, layout_.holdsVoxels(layout_.stratumOfPart(log2Side)));
 }
 
 } // namespace voxc

@@ -3,7 +3,7 @@
 
 #include "NodeStore.h"
 
-#include "voxc/IR/Format.h"
+#include "voxc/Layout/Layout.h"
 #include "voxc/Support/Geometry.h"
 
 #include "voxc_construct.h"
@@ -26,25 +26,20 @@ struct Fragment {
   std::vector<std::uint64_t> shared; ///< For each level, how often its words were found written already.
 };
 
-/// The level that an aligned cube of 2^log2Side voxels a side is a part of: the highest with smaller cells.
-/// From 1.
-unsigned levelOfPart(const Format &format, int log2Side);
-
 /// Does again what building the fragment did, now at the end of `store`: every block is written or, if it is
 /// shared and there already, found. What remains of the fragment, its node and cells, points there. The store
 /// fails (`Input`) if the fragment contradicts itself.
 class Splice {
 public:
-  Splice(const Format &format, NodeStore &store) : format_(format), store_(store) {}
+  Splice(const Layout &layout, NodeStore &store) : layout_(layout), store_(store) {}
 
   void join(Fragment &fragment, int log2Side);
 
 private:
   void write(std::span<std::uint32_t> words, std::uint64_t at, const BlockRecord &block);
   void relocateResult(Fragment &fragment, bool holdsVoxels);
-  bool holdsVoxels(unsigned level) const { return level == format_.levels.size(); }
 
-  const Format &format_;
+  const Layout &layout_;
   NodeStore &store_;
   std::vector<std::uint32_t> newOffsets_;
 };

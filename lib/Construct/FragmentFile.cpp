@@ -10,7 +10,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<char, 8> kMagic = {'\x89', 'H', 'V', 'F', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint64_t kMaxTextBytes = 1 << 20;
 
@@ -34,13 +34,13 @@ static_assert(sizeof(Header) == 168);
 /// What stands before each part; its words, blocks (a word of 8 bytes each), cells and shared counts follow.
 struct PartHeader {
   std::array<std::int32_t, 3> low{};
-  std::array<std::uint32_t, 3> node{}; ///< Kind, value, masks.
+  std::array<std::uint32_t, 2 + construct::kMaskWords> node{}; ///< Kind, value, masks.
   std::uint64_t words = 0;
   std::uint64_t blocks = 0;
   std::uint64_t cells = 0;
   std::uint64_t voxels = 0;
 };
-static_assert(sizeof(PartHeader) == 56);
+static_assert(sizeof(PartHeader) == 72);
 static_assert(sizeof(construct::PlacedCell) == 16);
 
 constexpr int kKindBits = 2;
@@ -98,7 +98,7 @@ Expected<void> FragmentWriter::write(const void *data, std::size_t size) {
 Expected<void> FragmentWriter::add(const Fragment &fragment) {
   const construct::Node &node = fragment.node;
   const PartHeader header = {{fragment.low.x, fragment.low.y, fragment.low.z},
-                             {node.kind, node.value, node.masks},
+                             {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3]},
                              fragment.words.size(),
                              fragment.blocks.size(),
                              fragment.cells.size(),
@@ -194,7 +194,7 @@ bool covers(const std::vector<BlockRecord> &blocks, std::uint64_t words, std::si
     return false;
   for (const BlockRecord &block : blocks) {
     const bool isForget = block.kind == BlockRecord::Forget;
-    if (block.kind > BlockRecord::Forget || block.level == 0 || block.level > levels || block.words > left ||
+    if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > levels || block.words > left ||
         isForget != (block.words == 0))
       return false;
     left -= block.words;
@@ -262,7 +262,8 @@ Expected<Fragment> FragmentReader::take() {
   if (!covers(fragment.blocks, header.words, levels) || header.node[0] > construct::Node::Inner)
     return broken;
   fragment.low = {header.low[0], header.low[1], header.low[2]};
-  fragment.node = {static_cast<construct::Node::Kind>(header.node[0]), header.node[1], header.node[2]};
+  fragment.node = {static_cast<construct::Node::Kind>(header.node[0]), header.node[1]};
+  std::copy_n(header.node.begin() + 2, construct::kMaskWords, fragment.node.masks);
   fragment.voxels = header.voxels;
   at_ = reader.at();
   --remaining_;

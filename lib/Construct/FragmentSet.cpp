@@ -33,12 +33,11 @@ Expected<void> checkComplete(const std::vector<FragmentReader> &readers) {
 }
 
 /// True if the cells are some of those that the part covers in the grid of its level; a tree has none.
-bool coversCells(const Fragment &fragment, const Format &format, int log2Side) {
-  const unsigned number = levelOfPart(format, log2Side);
-  const Level &level = format.levels[number - 1];
-  const int log2Cell = format.log2CellSide(number - 1);
-  const Int3 size = level.log2Size();
-  if (level.kind->arrangement != Arrangement::Grid)
+bool coversCells(const Fragment &fragment, const Layout &layout, int log2Side) {
+  const Stratum &stratum = layout.strata[layout.stratumOfPart(log2Side)];
+  const int log2Cell = stratum.log2Cell;
+  const Int3 size = stratum.log2Size();
+  if (!stratum.isGrid())
     return fragment.cells.empty();
   const auto isInside = [&](const construct::PlacedCell &placed) {
     const Int3 cell = {placed.cell.x, placed.cell.y, placed.cell.z};
@@ -95,7 +94,7 @@ Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
       contains(info().volume.extent, low) && low.x % side == 0 && low.y % side == 0 && low.z % side == 0;
   if (!isPart || (lastCode_ && mortonCode(low) <= *lastCode_))
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
-  if (!coversCells(fragment, info().volume.format, info().log2Side))
+  if (!coversCells(fragment, layoutOf(info().volume.format), info().log2Side))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
   return {};
 }

@@ -15,7 +15,7 @@ constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
 } // namespace
 
 NodeStore::NodeStore(WordStore words, std::size_t levels, std::shared_ptr<WorkingMemory> memory)
-    : memory_(std::move(memory)), words_(std::move(words)) {
+    : memory_(std::move(memory)), words_(std::move(words)), shared_(levels + 1) {
   levels_.reserve(levels);
   for (std::size_t i = 0; i < levels; ++i)
     levels_.emplace_back(memory_);
@@ -54,27 +54,48 @@ std::uint32_t NodeStore::append(unsigned level, std::span<const std::uint32_t> w
   return static_cast<std::uint32_t>(offset);
 }
 
-std::uint32_t NodeStore::intern(unsigned level, std::span<const std::uint32_t> words) {
-  if (failure_)
-    return 1;
-  Level &store = at(level);
-  const bool isLeaf = words.size() == 1;
-  NodeMap &map = isLeaf ? store.leaves : store.nodes;
-  const std::uint32_t hash = isLeaf ? NodeMap::hashOf(words[0]) : NodeMap::hashOf(words);
+void NodeStore::relieve() {
   if (++interned_ % kInternsBetweenRelief == 0)
     memory_->relieve();
-  if (const auto known = isLeaf ? map.find(hash) : map.find(hash, words, words_.span())) {
-    ++store.report.sharedNodes;
-    return *known;
-  }
+}
+
+std::uint32_t NodeStore::found(unsigned level, std::uint32_t offset) {
+  ++shared_[level];
+  return offset;
+}
+
+std::uint32_t NodeStore::remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
+                                  std::span<const std::uint32_t> words) {
   const std::uint32_t offset = append(level, words);
   if (failure_)
     return 1;
   if (log_)
-    log_->back().kind = BlockRecord::Intern;
+    log_->back().kind = kind;
   if (auto inserted = map.insert(hash, offset); !inserted)
     fail(inserted.error());
   return offset;
+}
+
+std::uint32_t NodeStore::intern(unsigned level, std::span<const std::uint32_t> words) {
+  if (failure_)
+    return 1;
+  relieve();
+  NodeMap &map = at(level).nodes;
+  const std::uint32_t hash = NodeMap::hashOf(words);
+  if (const auto known = map.find(hash, words, words_.span()))
+    return found(level, *known);
+  return remember(BlockRecord::Intern, map, hash, level, words);
+}
+
+std::uint32_t NodeStore::internLeaf(unsigned level, std::uint32_t value) {
+  if (failure_)
+    return 1;
+  relieve();
+  NodeMap &map = at(level).leaves;
+  const std::uint32_t hash = NodeMap::hashOf(value);
+  if (const auto known = map.find(hash))
+    return found(level, *known);
+  return remember(BlockRecord::InternLeaf, map, hash, level, {&value, 1});
 }
 
 void NodeStore::forget(unsigned level) {
@@ -87,7 +108,7 @@ std::uint32_t *NodeStore::allocate(unsigned level, std::uint64_t count) {
   if (failure_)
     return nullptr;
   Level &store = at(level);
-  if (!store.grid.data()) {
+  if (store.grid.size() < count * sizeof(std::uint32_t)) {
     auto block = memory_->allocate(count * sizeof(std::uint32_t));
     if (!block) {
       fail(block.error());
@@ -108,8 +129,25 @@ void NodeStore::release(unsigned level) {
     std::memset(store.grid.data(), 0, bytes);
 }
 
+void NodeStore::keep(unsigned level, std::uint32_t cell, std::uint32_t value) {
+  if (failure_)
+    return;
+  if (auto pushed = at(level).kept.push({cell, value}); !pushed)
+    fail(pushed.error());
+}
+
+void NodeStore::drop(unsigned level) {
+  // Emptying an array costs what it holds; a large one goes back to the system.
+  ScratchArray<KeptCell> &kept = at(level).kept;
+  if (kept.size() * sizeof(KeptCell) > kKeptGridBytes)
+    kept = ScratchArray<KeptCell>(memory_);
+  else if (auto emptied = kept.resize(0); !emptied)
+    fail(emptied.error());
+}
+
 void NodeStore::clear() {
   words_.clear();
+  shared_.assign(shared_.size(), 0);
   for (Level &level : levels_) {
     level.leaves.clear();
     level.nodes.clear();
@@ -119,8 +157,10 @@ void NodeStore::clear() {
 std::vector<LevelReport> NodeStore::report() const {
   std::vector<LevelReport> reports;
   reports.reserve(levels_.size());
-  for (const Level &level : levels_)
-    reports.push_back(level.report);
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    reports.push_back(levels_[i].report);
+    reports.back().sharedNodes = shared_[i + 1];
+  }
   return reports;
 }
 

@@ -5,20 +5,20 @@
 #include "WordStore.h"
 
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Layout/Stratum.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace voxc {
 
 /// One thing that was put into a store, in the order of time: enough to do it again elsewhere.
 struct BlockRecord {
-  enum Kind : std::uint32_t { Append, Intern, Forget };
+  enum Kind : std::uint32_t { Append, Intern, Forget, InternLeaf };
 
   Kind kind;
   std::uint32_t level;
@@ -27,8 +27,11 @@ struct BlockRecord {
   bool operator==(const BlockRecord &) const = default;
 };
 
-/// The most words that offsets can reach.
-inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
+/// A cell of a hashed grid: its number, its value.
+struct KeptCell {
+  std::uint32_t cell;
+  std::uint32_t value;
+};
 
 /// The words of a volume or of a part of one. The first failure is kept, and nothing is done after it.
 class NodeStore {
@@ -45,11 +48,17 @@ public:
   /// Offset of the words, which are new or, if interned, may have been there. 1 after a failure.
   std::uint32_t append(unsigned level, std::span<const std::uint32_t> words);
   std::uint32_t intern(unsigned level, std::span<const std::uint32_t> words);
+  std::uint32_t internLeaf(unsigned level, std::uint32_t value);
   void forget(unsigned level);
 
   /// Zeroed memory for the one grid that a level fills at a time; null after a failure.
   std::uint32_t *allocate(unsigned level, std::uint64_t count);
   void release(unsigned level);
+
+  /// Cells of the one hashed grid that a level fills at a time, with their values.
+  void keep(unsigned level, std::uint32_t cell, std::uint32_t value);
+  std::span<const KeptCell> kept(unsigned level) { return at(level).kept.span(); }
+  void drop(unsigned level);
 
   /// Lets the memory be kept within its bound, after so many words of a grid were touched.
   void pause(std::uint64_t words) { memory_->relieve(words * sizeof(std::uint32_t)); }
@@ -63,15 +72,16 @@ public:
   WordStore &words() { return words_; }
   /// What each level has come to.
   std::vector<LevelReport> report() const;
-  /// How often words of a level were found written already; counts from 0 again.
-  std::uint64_t takeShared(unsigned level) { return std::exchange(at(level).report.sharedNodes, 0); }
+  /// How often each level, by its number, was given what it had written already. Generated code counts here too.
+  std::vector<std::uint64_t> &shared() { return shared_; }
 
 private:
   struct Level {
-    explicit Level(const std::shared_ptr<WorkingMemory> &memory) : leaves(memory), nodes(memory) {}
+    explicit Level(const std::shared_ptr<WorkingMemory> &memory) : leaves(memory), nodes(memory), kept(memory) {}
 
-    NodeMap leaves; ///< Of one word.
+    NodeMap leaves;
     NodeMap nodes;
+    ScratchArray<KeptCell> kept;
     MemoryBlock grid;
     std::uint64_t gridWords = 0; ///< 0: no grid is being filled.
     LevelReport report;
@@ -79,11 +89,16 @@ private:
 
   Level &at(unsigned level) { return levels_[level - 1]; }
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
+  void relieve();
+  std::uint32_t found(unsigned level, std::uint32_t offset);
+  std::uint32_t remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
+                         std::span<const std::uint32_t> words);
 
   std::shared_ptr<WorkingMemory> memory_;
   WordStore words_;
   std::uint64_t maxWords_ = kMaxWords;
   std::vector<Level> levels_;
+  std::vector<std::uint64_t> shared_;
   std::vector<BlockRecord> *log_ = nullptr;
   std::optional<Error> failure_;
   std::uint64_t interned_ = 0; ///< Calls so far.

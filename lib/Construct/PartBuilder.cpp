@@ -14,9 +14,8 @@ namespace {
 /// The host of a part: reads a source and keeps the result.
 class PartHost final : public SourceHost {
 public:
-  PartHost(VoxelSource &source, NodeStore &store, std::size_t levels, const Progress &progress,
-           Fragment &fragment)
-      : SourceHost(source, store, levels, progress), fragment_(fragment) {}
+  PartHost(VoxelSource &source, NodeStore &store, const Progress &progress, Fragment &fragment)
+      : SourceHost(source, store, progress), fragment_(fragment) {}
 
 protected:
   void finishNode(const construct::Node &node) override { fragment_.node = node; }
@@ -30,11 +29,9 @@ int log2Ceil(int extent) { return std::bit_width(static_cast<unsigned>(std::max(
 
 } // namespace
 
-PartGrid PartGrid::of(const VoxelSource &source, const Format &format) {
-  const auto longest = [](Int3 size) { return std::max({size.x, size.y, size.z}); };
-  const int log2Format = longest(format.log2Extent());
+PartGrid PartGrid::of(const VoxelSource &source, const Layout &layout) {
   PartGrid grid;
-  grid.log2Side = std::min(log2Format, std::max(source.log2Chunk(), construct::kLog2Brick));
+  grid.log2Side = layout.partSide(std::max(source.log2Chunk(), construct::kLog2Brick));
   grid.log2Count = std::max(log2Ceil(longest(source.extent())) - grid.log2Side, 0);
   return grid;
 }
@@ -79,7 +76,7 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   if (!words)
     return words.error();
   const std::size_t levels = format.levels.size();
-  return PartBuilder(std::move(source), code, levels,
+  return PartBuilder(std::move(source), code,
                      std::make_unique<NodeStore>(std::move(*words), levels, memory));
 }
 
@@ -88,7 +85,7 @@ Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &pr
   fragment.low = low;
   store_->clear();
   store_->logTo(&fragment.blocks);
-  PartHost host(*source_, *store_, levels_, progress, fragment);
+  PartHost host(*source_, *store_, progress, fragment);
   const construct::Host interface = host.interface();
   code_.part(&interface, low.x, low.y, low.z, log2Side);
   if (store_->failure())
@@ -96,9 +93,7 @@ Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &pr
   const auto words = store_->words().span();
   fragment.words.assign(words.begin(), words.end());
   fragment.voxels = host.voxels();
-  fragment.shared = host.shared();
-  for (std::size_t level = 1; level <= levels_; ++level)
-    fragment.shared[level] += store_->takeShared(static_cast<unsigned>(level));
+  fragment.shared = store_->shared();
   return fragment;
 }
 

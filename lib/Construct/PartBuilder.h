@@ -22,8 +22,9 @@ struct PartGrid {
   int log2Side = 0;  ///< Of a part, in voxels.
   int log2Count = 0; ///< log2 of the parts along a side of the bounding cube.
 
-  /// Parts as large as the source makes voxels at once, if the format and the source are as large.
-  static PartGrid of(const VoxelSource &source, const Format &format);
+  /// Parts about as large as the cubes in which the source makes voxels, if the format and the source are as large, and
+  /// whole nodes or cells of the layout.
+  static PartGrid of(const VoxelSource &source, const Layout &layout);
 
   std::uint64_t count() const { return std::uint64_t{1} << (3 * log2Count); }
   std::uint64_t index(Int3 low) const { return mortonCode(low >> log2Side); }
@@ -59,13 +60,11 @@ public:
   Expected<Fragment> build(Int3 low, int log2Side, const Progress &progress);
 
 private:
-  PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, std::size_t levels,
-              std::unique_ptr<NodeStore> store)
-      : source_(std::move(source)), code_(code), levels_(levels), store_(std::move(store)) {}
+  PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, std::unique_ptr<NodeStore> store)
+      : source_(std::move(source)), code_(code), store_(std::move(store)) {}
 
   std::unique_ptr<VoxelSource> source_;
   ConstructCode code_;
-  std::size_t levels_;
   std::unique_ptr<NodeStore> store_;
 };
 

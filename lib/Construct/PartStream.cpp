@@ -23,9 +23,8 @@ construct::Part MergeHost::takePart(Int3 low) {
   fragment_ = std::move(*fragment);
   splice_.join(fragment_, log2Part_);
   voxels_ += fragment_.voxels;
-  sharedInParts_.resize(fragment_.shared.size());
-  for (std::size_t i = 0; i < sharedInParts_.size(); ++i)
-    sharedInParts_[i] += fragment_.shared[i];
+  for (std::size_t i = 0; i < fragment_.shared.size(); ++i)
+    store().shared()[i] += fragment_.shared[i];
   store().pause(fragment_.words.size());
   if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());

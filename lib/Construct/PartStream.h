@@ -24,14 +24,12 @@ public:
 /// generated code.
 class MergeHost final : public BuildHost {
 public:
-  MergeHost(PartStream &parts, int log2Part, const Format &format, Int3 extent, NodeStore &store,
+  MergeHost(PartStream &parts, int log2Part, const Layout &layout, Int3 extent, NodeStore &store,
             const Progress &progress)
-      : BuildHost(store, format.levels.size()), parts_(parts), log2Part_(log2Part), splice_(format, store),
+      : BuildHost(store), parts_(parts), log2Part_(log2Part), splice_(layout, store),
         progress_(extent, progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
-  /// How often words were found within the parts, by the level's number; empty if there was no part.
-  const std::vector<std::uint64_t> &sharedInParts() const { return sharedInParts_; }
 
 protected:
   bool isEmpty(const Cube &cube) override;
@@ -46,7 +44,6 @@ private:
   MortonProgress progress_;
   Fragment fragment_; ///< The last one: its cells are in use until the next is taken.
   std::uint64_t voxels_ = 0;
-  std::vector<std::uint64_t> sharedInParts_;
 };
 
 } // namespace voxc

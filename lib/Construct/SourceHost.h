@@ -25,8 +25,8 @@ private:
 /// Reads and counts voxels; also the host of a part, whose result it keeps.
 class SourceHost : public BuildHost {
 public:
-  SourceHost(VoxelSource &source, NodeStore &store, std::size_t levels, const Progress &progress)
-      : BuildHost(store, levels), source_(source), progress_(source.extent(), progress) {}
+  SourceHost(VoxelSource &source, NodeStore &store, const Progress &progress)
+      : BuildHost(store), source_(source), progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
 

@@ -1,6 +1,8 @@
 // Opening and completing a volume.
 #include "VolumeBuild.h"
 
+#include <algorithm>
+
 namespace voxc {
 
 Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const BuildOptions &options) {
@@ -10,7 +12,7 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
     return words.error();
   build->store_ =
       std::make_unique<NodeStore>(std::move(*words), build->info_.format.levels.size(), options.memory);
-  build->store_->limit(options.maxWords);
+  build->store_->limit(std::min(options.maxWords, layoutOf(build->info_.format).maxWords()));
   return build;
 }
 
@@ -36,7 +38,7 @@ Expected<WordStore> VolumeBuild::openWords() {
                            });
 }
 
-Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, const BuildHost &host) {
+Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels) {
   if (store_->failure())
     return *store_->failure();
   options_.progress.at("write", 0);
@@ -49,8 +51,6 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, co
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
-  for (std::size_t level = 1; level <= report.levels.size(); ++level)
-    report.levels[level - 1].sharedNodes += host.shared()[level];
   if (isStreamed_)
     if (auto finished = writer_->finish(info_, span, words.settled(), *options_.memory); !finished)
       return finished.error();

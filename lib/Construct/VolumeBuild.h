@@ -28,7 +28,7 @@ public:
   NodeStore &store() { return *store_; }
 
   /// Completes the volume. `root`: the offset of the root sub-volume. Errors: the store's; a full disk.
-  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels, const BuildHost &host);
+  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels);
 
 private:
   VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}

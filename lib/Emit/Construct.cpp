@@ -1,67 +1,66 @@
 // Printing a plan as construct.cpp: one function a level, the last level first.
-#include "RuntimeFile.h"
+#include "Names.h"
 
 #include "voxc/Emit/Emit.h"
+#include "voxc/Layout/SlotKind.h"
 
 #include <vector>
 
 namespace voxc {
 namespace {
 
-bool isTree(const LevelPlan &level) { return level.kind->arrangement == Arrangement::Tree; }
+std::string treeConstants(const Stratum &stratum, const std::string &prefix) {
+  const auto number = [&](const char *name, int value) {
+    return "constexpr int " + prefix + name + " = " + std::to_string(value) + ";\n";
+  };
+  return number("LAYERS", stratum.depth) + number("BRANCH", stratum.log2Shape.x) +
+         number("CHILDREN", 1 << stratum.log2Children()) + number("LOG2_CELL", stratum.log2Cell);
+}
 
-const char *text(bool value) { return value ? "true" : "false"; }
-
-std::string treeConstants(const LevelPlan &level, const std::string &prefix) {
-  std::string lines = "constexpr int " + prefix + "DEPTH = " + std::to_string(level.log2Size.x) + ";\n";
-  lines += "constexpr int " + prefix + "LOG2_CELL = " + std::to_string(level.log2CellSide) + ";\n";
-  if (level.sharing != Sharing::None)
-    lines += "constexpr bool " + prefix +
-             "SHARES_ACROSS_SUB_VOLUMES = " + text(level.sharing == Sharing::Level) + ";\n";
+std::string gridConstants(const Stratum &stratum, bool holdsVoxels, const std::string &prefix) {
+  const Int3 size = stratum.log2Shape;
+  std::string lines = "constexpr GridShape " + prefix + "SHAPE = {" + std::to_string(size.x) + ", " +
+                      std::to_string(size.y) + ", " + std::to_string(size.z) + ", " +
+                      std::to_string(stratum.log2Cell) + ", " + (holdsVoxels ? "true" : "false") + "};\n";
+  if (stratum.skip != Skip::None)
+    lines += "constexpr uint32_t " + prefix + "REACH = " + std::to_string(stratum.reach) + ";\n";
   return lines;
 }
 
-std::string gridConstants(const LevelPlan &level, const std::string &prefix) {
-  const Int3 size = level.log2Size;
-  std::string lines = "constexpr GridShape " + prefix + "SHAPE = {" + std::to_string(size.x) + ", " +
-                      std::to_string(size.y) + ", " + std::to_string(size.z) + ", " +
-                      std::to_string(level.log2CellSide) + "};\n";
-  if (level.reach > 0)
-    lines += "constexpr uint32_t " + prefix + "REACH = " + std::to_string(level.reach) + ";\n";
-  return lines + "constexpr bool " + prefix + "SHARES_GRIDS = " + text(level.sharing == Sharing::Level) +
-         ";\n";
-}
-
-std::string constants(const LevelPlan &level) {
-  const std::string prefix = "LEVEL_" + std::to_string(level.number) + "_";
-  return isTree(level) ? treeConstants(level, prefix) : gridConstants(level, prefix);
+std::string constants(const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  const std::string prefix = "LEVEL_" + std::to_string(index + 1) + "_";
+  return stratum.isGrid() ? gridConstants(stratum, plan.layout.holdsVoxels(index), prefix)
+                          : treeConstants(stratum, prefix);
 }
 
 /// The runtime files of a level's construction, in the order in which they are printed.
-std::vector<std::string> filesOf(const Plan &plan, const LevelPlan &level) {
-  const std::string kind = "level/" + std::string(level.kind->name) + ".cpp";
-  if (!isTree(level))
-    return {kind, "part/grid.cpp"};
-  const bool isLast = &level == &plan.levels.back();
-  const char *const descent = isLast ? "descent/voxels.cpp" : "descent/cells.cpp";
-  return {kind, "descent/join.cpp", descent, "part/tree.cpp"};
+std::vector<std::string> filesOf(const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  const std::string slots = "slots/" + std::string(stratum.slots->name) + ".cpp";
+  if (stratum.isGrid() && stratum.skip != Skip::None)
+    return {"distances/" + std::string(toString(stratum.skip)) + ".cpp", slots, "part/grid.cpp"};
+  if (stratum.isGrid())
+    return {slots, "part/grid.cpp"};
+  const char *const descent = plan.layout.holdsVoxels(index) ? "descent/voxels.cpp" : "descent/cells.cpp";
+  return {slots, "descent/join.cpp", descent, "root/" + std::string(toString(stratum.cells)) + ".cpp",
+          "part/tree.cpp"};
 }
 
-std::string functions(const Plan &plan, const LevelPlan &level) {
+std::string functions(const Plan &plan, std::size_t index) {
   std::string lines;
-  for (const std::string &file : filesOf(plan, level))
-    lines += "\n" + instantiate(runtimeFile(constructFiles(), file), plan, level);
+  for (const std::string &file : filesOf(plan, index))
+    lines += "\n" + fillFile(constructFiles(), file, stratumNames(plan, index));
   return lines;
 }
 
 /// Which level an aligned cube belongs to when it is built apart: the highest with smaller cells.
 std::string partChoice(const Plan &plan) {
   std::string lines;
-  for (const LevelPlan &level : plan.levels) {
-    const std::string number = std::to_string(level.number);
-    const bool isLast = &level == &plan.levels.back();
-    lines += isLast ? "  " : "  if (log2_side > " + std::to_string(level.log2CellSide) + ")\n    return ";
-    lines += "construct_level_" + number + "_part(build, {x, y, z}, log2_side);\n";
+  for (std::size_t i = 0; i < plan.layout.strata.size(); ++i) {
+    const std::string log2Cell = std::to_string(plan.layout.strata[i].log2Cell);
+    lines += plan.layout.holdsVoxels(i) ? "  " : "  if (log2_side > " + log2Cell + ")\n    return ";
+    lines += "construct_level_" + std::to_string(i + 1) + "_part(build, {x, y, z}, log2_side);\n";
   }
   return lines;
 }
@@ -71,18 +70,13 @@ std::string partChoice(const Plan &plan) {
 std::string_view constructHeader() { return runtimeFile(constructFiles(), "voxc_construct.h"); }
 
 std::string emitConstruct(const Plan &plan) {
-  std::string lines = "// construct.cpp: builds volumes of the format " + toString(plan.format) +
-                      ".\n#include \"voxc_construct.h\"\n\nusing namespace voxc::construct;\n\nnamespace {\n";
-  for (auto level = plan.levels.rbegin(); level != plan.levels.rend(); ++level)
-    lines += levelComment(*level) + constants(*level) + functions(plan, *level);
-  lines += "\n} // namespace\n\n// Returns the offset of the root sub-volume; 0 if there is no voxel.\n"
-           "extern \"C\" uint32_t voxc_construct(const Host *host) {\n"
-           "  Build build(*host);\n  return construct_level_1(build, {});\n}\n";
-  return lines +
-         "\n// Builds the aligned cube of 2^log2_side voxels a side at (x, y, z) apart from the rest.\n"
-         "extern \"C\" void voxc_construct_part(const Host *host, int x, int y, int z, int "
-         "log2_side) {\n  Build build(*host);\n" +
-         partChoice(plan) + "}\n";
+  TemplateNames names = planNames(plan);
+  std::string levels;
+  for (std::size_t i = plan.layout.strata.size(); i-- > 0;)
+    levels += levelComment(plan, i) + constants(plan, i) + functions(plan, i);
+  names.holes["LEVELS"] = levels;
+  names.holes["PARTS"] = partChoice(plan);
+  return fillFile(constructFiles(), "construct.cpp", names);
 }
 
 } // namespace voxc

@@ -1,7 +1,7 @@
 // Printing a plan as intersect.cpp: the same functions as in intersect.glsl, as members of a class.
 #include "GlslToCpp.h"
 #include "KernelFunctions.h"
-#include "RuntimeFile.h"
+#include "Names.h"
 
 #include "voxc/Emit/Emit.h"
 
@@ -25,14 +25,6 @@ std::string indented(std::string_view text) {
   return result;
 }
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
-std::string file(std::string_view path) { return std::string(runtimeFile(cpuFiles(), path)); }
-
 std::string upperCase(std::string_view name) {
   std::string result(name);
   std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -48,23 +40,21 @@ std::string hexadecimal(std::uint64_t number) {
 } // namespace
 
 std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords) {
-  const std::string dispatch(runtimeFile(shaderFiles(), "dispatch.glsl"));
+  TemplateNames names = planNames(plan);
+  names.holes["symbol"] = symbol;
+  names.holes["count-words"] = countWords ? "true" : "false";
   const std::string members =
-      replaced(file("interface.cpp"), "THE_COUNT_WORDS", countWords ? "true" : "false") +
-      glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + dispatch);
-  return "// intersect.cpp: first hits of rays with volumes of the format " + toString(plan.format) +
-         ".\n// Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:\n"
-         "//     -O3 -fwrapv -ffp-contract=off -fno-strict-aliasing\n"
-         "#include \"voxc_glsl.h\"\n\nusing namespace voxc::glsl;\n\nnamespace {\n\n"
-         "VOXC_BEGIN_INLINE\n\nstruct Kernel {\n" +
-         indented(members) + "};\n\nVOXC_END_INLINE\n\n" + replaced(file("entry.cpp"), "THE_SYMBOL", symbol);
+      fillFile(cpuFiles(), "interface.inc", names) +
+      glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + fillFile(shaderFiles(), "dispatch.glsl", names));
+  return fillFile(cpuFiles(), "begin.inc", names) + indented(members) + fillFile(cpuFiles(), "entry.inc", names);
 }
 
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {
-  std::string text = replaced(file("intersect.h"), "THE_PREFIX", upperCase(symbol));
-  text = replaced(text, "THE_FORMAT", toString(plan.format));
-  text = replaced(text, "THE_DIGEST", hexadecimal(storageDigest(plan.format)));
-  return replaced(text, "THE_SYMBOL", symbol);
+  TemplateNames names = planNames(plan);
+  names.holes["symbol"] = symbol;
+  names.holes["PREFIX"] = upperCase(symbol);
+  names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
+  return fillFile(cpuFiles(), "intersect.h", names);
 }
 
 } // namespace voxc

@@ -1,90 +1,100 @@
-// The functions of a kernel: the runtime files that a plan names, in order of use, with each level's
-// constants.
+// The functions of a kernel: the runtime files that a plan names, in order of use, with each level's constants.
 #include "KernelFunctions.h"
 
-#include "RuntimeFile.h"
+#include "Names.h"
 
-#include <set>
+#include "voxc/Layout/SlotKind.h"
+
+#include <algorithm>
 
 namespace voxc {
 namespace {
 
-std::string intVector(Int3 v) {
-  return "ivec3(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
-}
+constexpr const char *kBeforeStep[] = {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"};
+constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "time.glsl", "unit.glsl"};
 
 class FunctionEmitter {
 public:
-  explicit FunctionEmitter(const Plan &plan) : plan_(plan) {}
+  explicit FunctionEmitter(const Plan &plan) : plan_(plan), names_(planNames(plan)) {}
 
   std::string emit() {
-    for (const char *path : {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"})
+    for (const char *path : kBeforeStep)
       file(path);
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
-    for (const char *path : {"step.glsl", "enter.glsl", "time.glsl", "unit.glsl"})
+    for (const char *path : kAfterStep)
       file(path);
     if (plan_.detail == Detail::Cone)
       file("detail/cone.glsl");
+    text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
+    if (hasLayers())
+      file("walk/tree.glsl");
     // A function stands before its callers: the last level first.
-    for (auto level = plan_.levels.rbegin(); level != plan_.levels.rend(); ++level)
-      emitLevel(*level);
+    for (std::size_t i = plan_.layout.strata.size(); i-- > 0;)
+      level(i);
     file("root.glsl");
     return std::move(text_);
   }
 
 private:
-  /// A file that does not depend on a level, once.
-  void file(const std::string &path) {
-    if (written_.insert(path).second)
-      text_ += "\n" + std::string(runtimeFile(shaderFiles(), path));
+  bool hasLayers() const {
+    return std::ranges::any_of(plan_.layout.strata, [](const Stratum &s) { return !s.isGrid() && s.depth > 0; });
   }
+
+  /// A file that is written once.
+  void file(const std::string &path) { text_ += "\n" + fillFile(shaderFiles(), path, names_); }
 
   /// A file that is written for each level.
-  void leaf(const LevelPlan &level, const std::string &path) {
-    text_ += instantiate(stopping(level, path), plan_, level);
+  void leaf(std::size_t index, const std::string &path) {
+    text_ += fillFile(shaderFiles(), path, stratumNames(plan_, index));
   }
 
-  /// A file that is written for each height of a tree, from the lowest nodes up.
-  void nodes(const LevelPlan &level, const std::string &path) {
-    const std::string text = stopping(level, path);
-    for (int height = 1; height <= level.log2Size.x; ++height)
-      text_ += (height > 1 ? "\n" : "") +
-               instantiate(resolveConditions(text, "INNER", height > 1), plan_, level, height);
+  /// A file that is written for each layer of a tree, from the lowest nodes up.
+  void layers(std::size_t index, const std::string &path) {
+    for (int layer = 1; layer <= plan_.layout.strata[index].depth; ++layer)
+      text_ += fillFile(shaderFiles(), path, layerNames(plan_, index, layer));
   }
 
-  /// A file with what it needs to stop above voxels, or without.
-  static std::string stopping(const LevelPlan &level, const std::string &path) {
-    return resolveConditions(runtimeFile(shaderFiles(), path), "CONE", level.stops);
+  void constants(std::size_t index) {
+    const Stratum &stratum = plan_.layout.strata[index];
+    const std::string prefix = "LEVEL_" + std::to_string(index + 1) + "_";
+    const auto number = [&](const char *name, int value) {
+      text_ += "const int " + prefix + name + " = " + std::to_string(value) + ";\n";
+    };
+    if (stratum.isGrid()) {
+      text_ += "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(stratum.log2Size()) + ";\n";
+    } else {
+      number("DEPTH", stratum.depth);
+      number("BRANCH", stratum.log2Shape.x);
+    }
+    number("LOG2_CELL", stratum.log2Cell);
+    number("LOG2_SIDE", longest(stratum.log2Size()) + stratum.log2Cell);
+    text_ += "\n";
   }
 
-  void emitLevel(const LevelPlan &level) {
-    const bool isTree = level.kind->arrangement == Arrangement::Tree;
-    if (level.descent != Descent::Single)
-      file("level/" + std::string(level.kind->name) + ".glsl");
-    if (isTree && level.descent != Descent::Single)
-      file("walk/tree.glsl");
-    if (level.sampled && level.descent != Descent::Single)
-      file("detail/" + std::string(level.kind->name) + ".glsl");
-    text_ += levelComment(level);
-    const std::string prefix = "LEVEL_" + std::to_string(level.number) + "_";
-    if (isTree)
-      text_ += "const int " + prefix + "DEPTH = " + std::to_string(level.log2Size.x) + ";\n";
-    else
-      text_ += "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(level.log2Size) + ";\n";
-    text_ += "const int " + prefix + "LOG2_CELL = " + std::to_string(level.log2CellSide) + ";\n\n";
-    if (level.sampled)
-      leaf(level, isTree ? level.descent == Descent::Single ? "detail/single.glsl" : "detail/tree.glsl"
-                         : "detail/grid.glsl");
-    const std::string walk = "walk/" + std::string(toString(level.descent)) + ".glsl";
-    if (level.descent == Descent::Unrolled)
-      nodes(level, walk);
-    else
-      leaf(level, walk);
+  void level(std::size_t index) {
+    const Stratum &stratum = plan_.layout.strata[index];
+    const Traversal &traversal = plan_.traversals[index];
+    const bool isSingle = traversal.descent == Descent::Single;
+    text_ += levelComment(plan_, index);
+    constants(index);
+    if (!isSingle) {
+      leaf(index, "slots/" + std::string(stratum.slots->name) + ".glsl");
+      text_ += "\n";
+    }
+    if (traversal.sampled)
+      leaf(index, isSingle ? "detail/single.glsl" : stratum.isGrid() ? "detail/grid.glsl" : "detail/tree.glsl");
+    if (traversal.descent != Descent::Stack && !isSingle)
+      leaf(index, "walk/within.glsl");
+    if (stratum.skip != Skip::None)
+      leaf(index, "walk/march.glsl");
+    if (traversal.descent == Descent::Unrolled)
+      layers(index, "walk/unrolled_node.glsl");
+    leaf(index, "walk/" + std::string(toString(traversal.descent)) + ".glsl");
   }
 
   const Plan &plan_;
+  TemplateNames names_;
   std::string text_;
-  std::set<std::string> written_;
 };
 
 } // namespace
@@ -92,7 +102,7 @@ private:
 std::string kernelFunctions(const Plan &plan) { return FunctionEmitter(plan).emit(); }
 
 std::string volumeSize(const Plan &plan) {
-  return "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + intVector(plan.format.extent()) + ";\n";
+  return "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + planNames(plan).holes["VOLUME_SIZE"] + ";\n";
 }
 
 } // namespace voxc

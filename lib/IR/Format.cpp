@@ -12,7 +12,7 @@ std::uint32_t Level::parameter(ParameterRole role) const {
 
 Int3 Level::log2Size() const {
   const auto size = [&](ParameterRole role) { return static_cast<std::int32_t>(parameter(role)); };
-  if (kind->arrangement == Arrangement::Tree)
+  if (kind->isTree())
     return {size(ParameterRole::Side), size(ParameterRole::Side), size(ParameterRole::Side)};
   return {size(ParameterRole::Width), size(ParameterRole::Height), size(ParameterRole::Depth)};
 }

@@ -40,7 +40,7 @@ std::string rightSpelling(const LevelKind &kind, const std::vector<Argument> &ar
   std::string text(1, kind.letter);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const bool isSize =
-        kind.parameters[i].role != ParameterRole::Reach && kind.arrangement == Arrangement::Grid;
+        kind.parameters[i].isSize() && !kind.isTree();
     const std::uint32_t value = arguments[i].value;
     text += (i == 0 ? "(" : ", ") + std::to_string(isSize ? std::bit_width(value - 1) : value);
   }

@@ -7,10 +7,14 @@
 namespace voxc {
 namespace {
 
+/// Without those at the end that are as usual.
 std::string parameters(const Level &level) {
+  std::size_t written = level.parameters.size();
+  while (written > 0 && level.kind->parameters[written - 1].usual == level.parameters[written - 1])
+    --written;
   std::string text;
-  for (const std::uint32_t parameter : level.parameters)
-    text += (text.empty() ? "(" : ", ") + std::to_string(parameter);
+  for (std::size_t i = 0; i < written; ++i)
+    text += (text.empty() ? "(" : ", ") + std::to_string(level.parameters[i]);
   return text + ")";
 }
 

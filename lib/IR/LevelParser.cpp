@@ -1,6 +1,7 @@
 // Parsing of a level's parameters.
 #include "LevelParser.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace voxc {
@@ -75,45 +76,64 @@ std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &d
   return std::nullopt;
 }
 
+namespace {
+
+std::size_t requiredParameters(const LevelKind &kind) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(kind.parameters, [](const ParameterKind &parameter) { return !parameter.usual; }));
+}
+
+std::string plural(std::size_t count) { return std::to_string(count) + " parameter" + (count == 1 ? "" : "s"); }
+
+std::string outOfRange(const ParameterKind &kind, std::uint32_t value) {
+  const std::string name(kind.name);
+  if (kind.isSize())
+    return "2^" + std::to_string(value) + " cells are too many for " + name + "; sizes are log2 and at most " +
+           std::to_string(kind.most);
+  if (kind.role == ParameterRole::Reach)
+    return "the largest distance " + name + " must be at least " + std::to_string(kind.least);
+  return name + " is " + std::to_string(kind.least) + " to " + std::to_string(kind.most) + ", not " +
+         std::to_string(value) + ": " + std::string(kind.meaning);
+}
+
+} // namespace
+
 std::string signature(const LevelKind &kind) {
   std::string text(1, kind.letter);
+  std::string end = ")";
   const char *separator = "(";
   for (const ParameterKind &parameter : kind.parameters) {
+    if (parameter.usual) {
+      text += '[';
+      end = "]" + end;
+    }
     text += separator + std::string(parameter.name);
     separator = ", ";
   }
-  return text + ')';
+  return text + end;
 }
 
 bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceRange head,
                    Diagnostics &diagnostics) {
   const auto kinds = level.kind->parameters;
+  const std::size_t required = requiredParameters(*level.kind);
   const std::string right = "; it is written " + signature(*level.kind);
   const auto letter = std::string(1, level.kind->letter);
-  if (arguments.size() < kinds.size()) {
-    diagnostics.error({head.begin, level.range.end}, letter + " has " + std::to_string(arguments.size()) +
-                                                         " of " + std::to_string(kinds.size()) +
-                                                         " parameters" + right);
+  if (arguments.size() < required) {
+    diagnostics.error({head.begin, level.range.end}, letter + " has " + std::to_string(arguments.size()) + " of " +
+                                                         std::to_string(required) + " parameters" + right);
     return false;
   }
   if (arguments.size() > kinds.size()) {
     diagnostics.error({arguments[kinds.size()].range.begin, arguments.back().range.end},
-                      letter + " takes " + std::to_string(kinds.size()) + " parameter" +
-                          (kinds.size() == 1 ? "" : "s") + ", not " + std::to_string(arguments.size()) +
-                          right);
+                      letter + " takes " + plural(kinds.size()) + ", not " + std::to_string(arguments.size()) + right);
     return false;
   }
   bool inRange = true;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const auto [value, range] = arguments[i];
-    const bool isSize = kinds[i].role != ParameterRole::Reach;
-    if (isSize && value > kMaxLog2Extent) {
-      diagnostics.error(range, "2^" + std::to_string(value) + " cells are too many for " +
-                                   std::string(kinds[i].name) + "; sizes are log2 and at most " +
-                                   std::to_string(kMaxLog2Extent));
-      inRange = false;
-    } else if (!isSize && value < 1) {
-      diagnostics.error(range, "the largest distance " + std::string(kinds[i].name) + " must be at least 1");
+    const std::uint32_t value = i < arguments.size() ? arguments[i].value : *kinds[i].usual;
+    if (value < kinds[i].least || value > kinds[i].most) {
+      diagnostics.error(arguments[i].range, outOfRange(kinds[i], value));
       inRange = false;
     }
     level.parameters.push_back(value);

@@ -7,7 +7,7 @@
 
 namespace voxc {
 
-enum class TokenKind { Word, Number, Punctuation, End };
+enum class TokenKind { Word, Number, String, Punctuation, End };
 
 struct Token {
   TokenKind kind = TokenKind::End;
@@ -20,7 +20,8 @@ struct Token {
 
 /// Splits a text: words of letters, digits, '-' and '_' that start with a letter; numbers (any run of digits,
 /// letters,
-/// '.' and '-' that starts with a digit or '-', so that a wrong number is one token); single characters.
+/// '.' and '-' that starts with a digit or '-', so that a wrong number is one token); strings in quotation marks, which
+/// end with their line; single characters.
 /// Blanks and
 /// `//` comments separate.
 class Lexer {

@@ -1,5 +1,6 @@
 // The rules that every format keeps, whatever made it (contract, section 3).
 #include "voxc/IR/Format.h"
+#include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
 #include <bit>
@@ -18,17 +19,33 @@ void verifyCubic(const Level &level, std::size_t index, Diagnostics &diagnostics
                                        " cells; every level but the first must be a cube");
 }
 
-/// A grid whose cells alone need more words than offsets can name cannot hold even one voxel.
+/// A tree's nodes must come out even.
+void verifyBranching(const Level &level, Diagnostics &diagnostics) {
+  const std::uint32_t branching = level.parameter(ParameterRole::Branching);
+  const std::uint32_t side = level.parameter(ParameterRole::Side);
+  if (branching > 1 && side % branching != 0)
+    diagnostics.error(level.range, "2^" + std::to_string(side) + " cells a side are no whole number of nodes of 2^" +
+                                       std::to_string(branching) + " children a side; a multiple of " +
+                                       std::to_string(branching) + " would be");
+}
+
+/// A hashed grid's cells must have numbers.
+void verifySlots(const Level &level, Diagnostics &diagnostics) {
+  const Stratum stratum = level.kind->lower(level);
+  if (const std::string problem = stratum.slots->problem(stratum); !problem.empty())
+    diagnostics.error(level.range, problem);
+}
+
+/// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.
 void verifyWords(const Level &level, Diagnostics &diagnostics) {
-  if (level.kind->arrangement != Arrangement::Grid)
+  const Stratum stratum = level.kind->lower(level);
+  const std::uint64_t words = stratum.slots->leastWords(stratum);
+  // 2^32 words would leave none for the root's offset.
+  if (words < kMaxWords)
     return;
   const Int3 size = level.log2Size();
-  const int log2Words = size.x + size.y + size.z + (level.kind->wordsPerCell == 2 ? 1 : 0);
-  // 2^32 words would leave none for the root's offset.
-  if (log2Words < 32)
-    return;
   std::string message = "one sub-volume of " + sizeText(size) + " cells takes 2^" +
-                        std::to_string(log2Words) + " words; a volume holds fewer than 2^32";
+                        std::to_string(std::bit_width(words) - 1) + " words; a volume holds fewer than 2^32";
   const auto isPower = [](std::int32_t n) { return n > 1 && (n & (n - 1)) == 0; };
   if (isPower(size.x) && isPower(size.y) && isPower(size.z))
     message += " (sizes are log2: " + std::to_string(size.x) + " cells are written " +
@@ -52,6 +69,8 @@ void verify(const Format &format, Diagnostics &diagnostics) {
     return diagnostics.error({}, "the format has no level");
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     verifyCubic(format.levels[i], i, diagnostics);
+    verifyBranching(format.levels[i], diagnostics);
+    verifySlots(format.levels[i], diagnostics);
     verifyWords(format.levels[i], diagnostics);
   }
   verifyExtent(format, diagnostics);

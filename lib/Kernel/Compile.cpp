@@ -13,7 +13,7 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
     module = optimiseSpirv(*module);
   if (!module)
     return module.error();
-  const std::uint64_t digest = storageDigest(plan.format);
+  const std::uint64_t digest = plan.layout.storageDigest;
   SpirvWords finished = addModuleProcessed(*module, kernelFacts(digest, plan.addressing));
   if (auto valid = validateSpirv(finished); !valid)
     return valid.error();
@@ -21,7 +21,7 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
 }
 
 Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options) {
-  const Plan plan = makePlan(format, {options.addressing});
+  const Plan plan = makePlan(format, {options.addressing, options.loops});
   return compileGlsl(emitIntersect(plan), plan, options.optimise);
 }
 

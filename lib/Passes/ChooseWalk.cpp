@@ -6,7 +6,7 @@ namespace voxc {
 PassResult chooseWalk(Format &format, std::string_view walk, Diagnostics &diagnostics) {
   Format chosen = format;
   for (Level &level : chosen.levels) {
-    if (level.parameter(ParameterRole::Side) == 0)
+    if (level.log2Size() == Int3{}) // One cell: there is nothing to walk.
       continue;
     const std::string_view before = level.attribute(kWalkAttribute);
     if (before != walk && before != kWalkAttribute.values.front())

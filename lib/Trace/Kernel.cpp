@@ -21,23 +21,6 @@ static_assert(std::endian::native == std::endian::little, "modules and volumes a
 constexpr std::string_view kFactsPrefix = "voxc kernel ";
 constexpr std::string_view kFactsVersion = "1";
 
-struct AddressingName {
-  Addressing addressing;
-  std::string_view name;
-};
-
-constexpr AddressingName kAddressingNames[] = {
-    {Addressing::Buffer, "buffer"},
-    {Addressing::Segments, "segments"},
-};
-
-std::optional<Addressing> parseAddressing(std::string_view text) {
-  for (const AddressingName &row : kAddressingNames)
-    if (row.name == text)
-      return row.addressing;
-  return std::nullopt;
-}
-
 std::optional<std::uint64_t> parseDigest(std::string_view text) {
   std::uint64_t digest = 0;
   auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), digest, 16);
@@ -73,7 +56,7 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
   if (auto value = takeValue(rest, "storage="))
     digest = parseDigest(*value);
   if (auto value = takeValue(rest, "addressing="))
-    addressing = parseAddressing(*value);
+    addressing = fromString<Addressing>(*value);
   if (!digest || !addressing || !rest.empty())
     return Error::input("this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
                         "addressing=<buffer|segments>\"");
@@ -83,11 +66,6 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
 }
 
 } // namespace
-
-std::string_view toString(Addressing addressing) {
-  auto row = std::ranges::find(kAddressingNames, addressing, &AddressingName::addressing);
-  return row->name;
-}
 
 std::string kernelFacts(std::uint64_t storageDigest, Addressing addressing) {
   std::array<char, 17> digits;

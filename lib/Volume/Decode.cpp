@@ -1,4 +1,5 @@
 // Reading a volume's voxels back: one at a time, or all of them as uniform cubes.
+#include "voxc/Layout/SubVolume.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 class Decoder final : public SubVolumeVisitor {
 public:
   Decoder(const Volume &volume, const DecodeVisit &visit, const Progress &progress)
-      : format_(volume.format()), words_(volume.words()), visit_(visit), progress_(progress),
+      : layout_(volume.layout()), words_(volume.words()), visit_(visit), progress_(progress),
         stated_(volume.info().voxels) {}
 
   Expected<void> run() {
@@ -28,7 +29,7 @@ public:
   void cells(const Cube &cube, std::uint32_t value) override {
     const Frame frame = frame_;
     const Int3 low = frame.low + cube.low * (1 << frame.log2CellSide);
-    if (frame.level + 1 == format_.levels.size())
+    if (layout_.holdsVoxels(frame.level))
       voxels({low, cube.log2Side}, value);
     else if (cube.log2Side == 0)
       subVolume(frame.level + 1, low, value);
@@ -44,8 +45,8 @@ private:
   };
 
   void subVolume(std::size_t level, Int3 low, std::uint32_t offset) {
-    const Frame above = std::exchange(frame_, {level, low, format_.log2CellSide(level)});
-    format_.levels[level].kind->walk(words_, format_.levels[level], offset, *this);
+    const Frame above = std::exchange(frame_, {level, low, layout_.strata[level].log2Cell});
+    visitSubVolume(words_, layout_.strata[level], offset, *this);
     frame_ = above;
   }
 
@@ -77,7 +78,7 @@ private:
 
   static constexpr std::uint64_t kCubesBetweenLooks = 4096;
 
-  const Format &format_;
+  const Layout &layout_;
   WordReader words_;
   const DecodeVisit &visit_;
   const Progress &progress_;
@@ -106,14 +107,14 @@ Lookup Volume::lookup(Int3 voxel) const {
   const Int3 log2 = format.log2Extent();
   Lookup found{value, std::min({log2.x, log2.y, log2.z})};
   Int3 low;
-  for (std::size_t i = 0; i < format.levels.size() && value != 0; ++i) {
-    const int log2CellSide = format.log2CellSide(i);
-    const Level &level = format.levels[i];
-    const Int3 cell = (voxel - low) >> log2CellSide;
-    found = level.kind->lookup(words, level, value, cell);
-    found.log2Side += log2CellSide;
+  for (const Stratum &stratum : layout().strata) {
+    if (value == 0)
+      break;
+    const Int3 cell = (voxel - low) >> stratum.log2Cell;
+    found = lookUp(words, stratum, value, cell);
+    found.log2Side += stratum.log2Cell;
     value = found.value;
-    low = low + cell * (1 << log2CellSide);
+    low = low + cell * (1 << stratum.log2Cell);
   }
   return found;
 }

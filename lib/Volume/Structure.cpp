@@ -1,4 +1,5 @@
 // Proving that a volume's words are safe and well-formed, before any kernel sees them.
+#include "voxc/Layout/SubVolume.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -6,14 +7,6 @@
 #include <utility>
 
 namespace voxc {
-
-bool WordReader::require(std::uint64_t offset, std::uint64_t count, const char *what) {
-  if (offset <= words_.size() && count <= words_.size() - offset)
-    return true;
-  fail(std::string(what) + " at word " + std::to_string(offset) + " needs " + std::to_string(count) +
-       " words, but the volume has " + std::to_string(words_.size()));
-  return false;
-}
 
 namespace {
 
@@ -68,12 +61,13 @@ private:
 /// of all and soon counted: they are counted anew instead of remembered.
 class StructureCheck final : public SubVolumeVisitor {
 public:
-  StructureCheck(const Format &format, std::span<const std::uint32_t> words)
-      : format_(format), words_(words), known_(format.levels.size()), gridWords_(format.levels.size()) {}
+  StructureCheck(const Layout &layout, std::span<const std::uint32_t> words)
+      : layout_(layout), words_(words), known_(layout.strata.size()), gridWords_(layout.strata.size()) {}
 
   Expected<std::uint64_t> run() {
-    if (words_.size() == 0 || words_.size() > std::uint64_t{1} << 32)
-      return Error::input("a volume has 1 to 2^32 words, not " + std::to_string(words_.size()));
+    if (words_.size() == 0 || words_.size() > layout_.maxWords())
+      return Error::input("a volume of this format has 1 to " + std::to_string(layout_.maxWords()) + " words, not " +
+                          std::to_string(words_.size()));
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == 1)
       return std::uint64_t{0};
@@ -93,7 +87,7 @@ public:
       voxels_ += *voxels;
       return false;
     }
-    if (!spendGrid())
+    if (!spendGrid(offset))
       return false;
     entered_.push_back({offset, height, voxels_});
     return true;
@@ -115,7 +109,7 @@ public:
   void cells(const Cube &cube, std::uint32_t value) override {
     const std::uint64_t cells = std::uint64_t{1} << (3 * cube.log2Side);
     const std::uint64_t before = voxels_;
-    if (level_ + 1 < format_.levels.size())
+    if (!layout_.holdsVoxels(level_))
       enterSubVolume(level_ + 1, value);
     else
       ++voxels_;
@@ -136,17 +130,15 @@ private:
 
   /// True for the highest node of a sub-volume.
   bool isWhole(const Node &node) const {
-    const Int3 size = format_.levels[level_].log2Size();
-    return node.height == std::max({size.x, size.y, size.z});
+    return node.height == longest(layout_.strata[level_].log2Size());
   }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
-  bool spendGrid() {
-    const Level &level = format_.levels[level_];
-    if (level.kind->arrangement != Arrangement::Grid)
+  bool spendGrid(std::uint32_t offset) {
+    const Stratum &stratum = layout_.strata[level_];
+    if (!stratum.isGrid())
       return true;
-    const Int3 size = level.log2Size();
-    gridWords_[level_] += std::uint64_t{level.kind->wordsPerCell} << (size.x + size.y + size.z);
+    gridWords_[level_] += stratum.slots->size(words_, stratum, offset);
     if (gridWords_[level_] <= words_.size())
       return true;
     words_.fail("the grids of level " + std::to_string(level_ + 1) + " overlap or lie outside");
@@ -160,11 +152,11 @@ private:
     if (offset == 0)
       words_.fail("level " + std::to_string(level + 1) + " has a sub-volume at word 0");
     else
-      format_.levels[level].kind->walk(words_, format_.levels[level], offset, *this);
+      visitSubVolume(words_, layout_.strata[level], offset, *this);
     level_ = above;
   }
 
-  const Format &format_;
+  const Layout &layout_;
   WordReader words_;
   std::vector<std::map<int, NodeCounts>> known_; ///< For each level, by height.
   std::vector<std::uint64_t> gridWords_;         ///< For each level, the words of the grids entered.
@@ -176,7 +168,8 @@ private:
 } // namespace
 
 Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words) {
-  return StructureCheck(format, words).run();
+  const Layout layout = layoutOf(format);
+  return StructureCheck(layout, words).run();
 }
 
 } // namespace voxc

@@ -12,11 +12,11 @@ struct Volume::State {
   std::vector<std::uint32_t> owned;
   std::shared_ptr<const void> owner;
   std::span<const std::uint32_t> words; ///< Of `owned`, or of `owner`.
-  std::uint64_t storageDigest = 0;
+  Layout layout;
 };
 
 Volume::Volume(VolumeInfo info, std::vector<std::uint32_t> words) : state_(std::make_unique<State>()) {
-  state_->storageDigest = voxc::storageDigest(info.format);
+  state_->layout = layoutOf(info.format);
   state_->info = std::move(info);
   state_->owned = std::move(words);
   state_->words = state_->owned;
@@ -24,7 +24,7 @@ Volume::Volume(VolumeInfo info, std::vector<std::uint32_t> words) : state_(std::
 
 Volume::Volume(VolumeInfo info, std::span<const std::uint32_t> words, std::shared_ptr<const void> owner)
     : state_(std::make_unique<State>()) {
-  state_->storageDigest = voxc::storageDigest(info.format);
+  state_->layout = layoutOf(info.format);
   state_->info = std::move(info);
   state_->owner = std::move(owner);
   state_->words = words;
@@ -36,7 +36,7 @@ Volume &Volume::operator=(Volume &&) noexcept = default;
 
 const VolumeInfo &Volume::info() const { return state_->info; }
 std::span<const std::uint32_t> Volume::words() const { return state_->words; }
-std::uint64_t Volume::storageDigest() const { return state_->storageDigest; }
+const Layout &Volume::layout() const { return state_->layout; }
 
 Expected<Volume> Volume::load(const std::string &path, bool trusted) {
   auto file = MappedFile::open(path);

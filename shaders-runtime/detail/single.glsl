@@ -1,2 +1,2 @@
-uint sample_level_N(uint leaf) { return sample_NEXT(load_word(leaf)); }
+uint sample_level_${N}(uint leaf) { return sample_${NEXT}(load_word(leaf)); }
 

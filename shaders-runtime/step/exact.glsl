@@ -33,41 +33,55 @@ void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner,
   }
 }
 
-// Steps over the empty cube of `side` voxels at `corner` where float32 was not sure how: settles which faces the ray
-// passes first, axis by axis, and then by bisection to which cell it comes. All questions are asked at one place, since
-// devices of wide vectors run through it at every step. Where the device cuts it short, the walk stays where it is.
-OUT_OF_LINE Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) {
+// Settles the step that a walk has left open: which faces the ray passes first, of those that float32 cannot tell apart,
+// and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide vectors run
+// through it as often as any ray needs it.
+%if cut
+// Where the device cuts it short, the walk stays where it is.
+%end
+OUT_OF_LINE void settle_step(const Ray ray, inout Walk walk) {
+  int side = 1 << walk.open;
+  ivec3 corner = corner_of(~walk.cell, walk.open);
   ivec3 face = corner + (ray.ahead & side);
-  int first = ray.moves.x ? 0 : ray.moves.y ? 1 : 2;
-  bvec3 crossed = bvec3(false);
+  vec3 t = times_of(ray, face);
+  float earliest = min_of(t);
+  bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * ROUNDINGS + ray.slack)));
+  ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
+  int axes = bits.x | bits.y << 1 | bits.z << 2;
+  int first = findLSB(uint(axes));
+  axes &= axes - 1;
+  bvec3 crossed = bvec3(first == 0, first == 1, first == 2);
   Crossing crossing;
   Range range = Range(ivec3(0), ivec3(1));
-  int next = 0;
+  bool orders = true;
   int order = 0;
-  while (order != CUT_SHORT && range.least != range.most) {
-    bool orders = next < 3;
-    int axis = orders ? next : undecided_axis(range);
-    int at = orders ? face[axis] : middle_of(range, axis);
-    order = compare_crossings(ray, axis, at, first, face[first]);
-    if (!orders) {
-      narrow(ray, crossing, axis, at, order, range);
-    } else {
-      if (ray.moves[axis] && order <= 0) {
-        crossed = order < 0 ? bvec3(false) : crossed;
-        crossed[axis] = true;
-        first = axis;
-      }
-      next++;
-      if (next == 3) {
-        crossing = crossing_of(ray, face, min_of(times_of(ray, face)), crossed);
-        ivec3 target = corner + crossing.step * side;
-        range = approximate_cell(ray, crossing, Range(target, target + (side - 1)));
+  while (${order-known}range.least != range.most) {
+    if (orders && axes == 0) {
+      orders = false;
+      crossing = crossing_of(ray, face, earliest, crossed);
+      ivec3 target = corner + crossing.step * side;
+      range = approximate_cell(ray, crossing, Range(target, target + (side - 1)));
+    }
+    if (orders || range.least != range.most) {
+      int axis = orders ? findLSB(uint(axes)) : undecided_axis(range);
+      int at = orders ? face[axis] : middle_of(range, axis);
+      order = compare_crossings(ray, axis, at, first, face[first]);
+      if (!orders) {
+        narrow(ray, crossing, axis, at, order, range);
+      } else {
+        if (order <= 0) {
+          bvec3 others = order < 0 ? bvec3(false) : crossed;
+          crossed = bvec3(others.x || axis == 0, others.y || axis == 1, others.z || axis == 2);
+          first = axis;
+        }
+        axes &= axes - 1;
       }
     }
   }
-  if (order != CUT_SHORT && range.least == range.most) {
+  walk.open = -1;
+  walk.cell = ~walk.cell;
+  if (${order-known}range.least == range.most) {
     walk.cell = range.least;
     walk.axis = crossing.axis;
   }
-  return walk;
 }

@@ -11,7 +11,7 @@ Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
 
 // Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, and never back on any axis, which
 // rounding alone could do.
-void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
+void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side) {
   ivec3 cell = corner;
   if (side > 1) {
     vec3 least = vec3(corner);
@@ -25,6 +25,3 @@ void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner,
   walk.cell = cell;
   walk.axis = crossing.axis;
 }
-
-// For steps that are not sure, of which there are none.
-Walk step_exactly(const Ray ray, Walk walk, ivec3 corner, int side) { return walk; }

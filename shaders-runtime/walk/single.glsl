@@ -1,9 +1,9 @@
 // A tree of depth 0 is one leaf.
-bool intersect_level_N(const Ray ray, inout Walk walk, uint leaf, ivec3 low) {
+bool intersect_level_${N}(const Ray ray, inout Walk walk, uint leaf) {
   count_lookup(walk);
-#ifdef CONE
-  if (small_height(ray, walk) >= LEVEL_N_LOG2_CELL)
-    return stop_with(walk, sample_NEXT(load_word(leaf)));
-#endif
-  return intersect_NEXT(ray, walk, load_word(leaf), low);
+%if stops
+  if (small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL)
+    return stop_with(walk, sample_${NEXT}(load_word(leaf)));
+%end
+  return intersect_${NEXT}(ray, walk, load_word(leaf));
 }

@@ -1,43 +1,47 @@
-// path[h] is the node of 2^h cells a side around the cell: a step climbs only to the ancestor of the old and the new.
-bool intersect_level_N(const Ray ray, inout Walk walk, uint root, ivec3 low) {
-  uint path[LEVEL_N_DEPTH + 1];
-  path[LEVEL_N_DEPTH] = root;
-  int height = LEVEL_N_DEPTH;
-  ivec3 cell = (walk.cell - low) >> LEVEL_N_LOG2_CELL;
+// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old cell
+// and the new.
+bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
+  uint path[LEVEL_${N}_DEPTH + 1];
+  path[LEVEL_${N}_DEPTH] = root;
+  int top = LEVEL_${N}_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, of 2^side cells a side around the cell.
+    // Down to the leaf, or the empty child, `layer` layers above the cells.
     count_lookup(walk);
-#ifdef CONE
-    int small = small_height(ray, walk) - LEVEL_N_LOG2_CELL;
-    int stop = clamp(small, 0, LEVEL_N_DEPTH - 1);
-    height = max(height, stop + 1);
-#endif
-    uint node = path[height];
-    int side = height;
+    ivec3 cell = walk.cell >> LEVEL_${N}_LOG2_CELL;
+%if stops
+    int small = small_height(ray, walk) - LEVEL_${N}_LOG2_CELL;
+    int stop = clamp(small${per-branch}, 0, LEVEL_${N}_DEPTH - 1);
+    top = max(top, stop + 1);
+%end
+    uint node = path[top];
+    int layer = top;
     bool leaf = false;
-#ifdef CONE
-    while (node != 0u && !leaf && side > stop) {
-#else
+%if wide
+    int around = 0;
+%end
+%if stops
+    while (node != 0u && !leaf && layer > stop) {
+%else
     while (node != 0u && !leaf) {
-#endif
-      path[side] = node;
-      side--;
-      node = KIND_child(node, child_index(cell, side), leaf);
+%end
+      path[layer] = node;
+      layer--;
+      node = child_level_${N}(node, cell, layer${times-branch}, leaf${around});
     }
+    ivec3 before = walk.cell;
     if (node == 0u)
-      step_over(ray, walk, low + ((cell >> side) << (side + LEVEL_N_LOG2_CELL)), 1 << (side + LEVEL_N_LOG2_CELL));
-#ifdef CONE
-    else if (leaf ? small >= 0 : side == stop)
-      return stop_with(walk, sample_level_N_node(node, leaf));
-#endif
-    else if (leaf && intersect_NEXT(ray, walk, load_word(node), low + (cell << LEVEL_N_LOG2_CELL)))
+      step_over(ray, walk, LEVEL_${N}_LOG2_CELL + layer${times-branch}${plus-around});
+%if stops
+    else if (leaf ? small >= 0 : layer == stop)
+      return stop_with(walk, sample_level_${N}_node(node, leaf));
+%end
+    else if (leaf && intersect_${NEXT}(ray, walk, load_word(node)))
       return true;
 
-    ivec3 next = (walk.cell - low) >> LEVEL_N_LOG2_CELL;
-    if (!in_grid(next, ivec3(LEVEL_N_DEPTH)))
+    ivec3 changed = before ^ walk.cell;
+    int highest = findMSB(uint(changed.x | changed.y | changed.z));
+    if (highest >= LEVEL_${N}_LOG2_SIDE)
       return false;
-    ivec3 changed = cell ^ next;
-    height = max(side, findMSB(changed.x | changed.y | changed.z)) + 1;
-    cell = next;
+    top = max(layer, (highest - LEVEL_${N}_LOG2_CELL)${per-branch}) + 1;
   }
 }

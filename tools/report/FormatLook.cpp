@@ -9,7 +9,7 @@
 namespace voxc::report {
 namespace {
 
-bool isTree(const Level &level) { return level.kind->arrangement == Arrangement::Tree; }
+bool isTree(const Level &level) { return level.kind->isTree(); }
 bool isDag(const Level &level) { return level.kind->letter == 'G'; }
 bool hasDistances(const Level &level) { return level.parameter(ParameterRole::Reach) > 0; }
 
@@ -37,9 +37,7 @@ std::string parametersText(const Level &level) {
   if (!isTree(level) && level.isCubic())
     append(std::to_string(level.parameter(ParameterRole::Width)) + "³");
   for (std::size_t i = 0; i < level.parameters.size(); ++i) {
-    const ParameterRole role = level.kind->parameters[i].role;
-    const bool isSide = role != ParameterRole::Reach;
-    if (isTree(level) || !isSide || !level.isCubic())
+    if (isTree(level) || !level.kind->parameters[i].isSize() || !level.isCubic())
       append(std::to_string(level.parameters[i]));
   }
   return text;

@@ -18,9 +18,12 @@ namespace {
 class Generator {
 public:
   Generator(const Format &format, const KernelChoices &choices)
-      : plan_(makePlan(format, {.addressing = choices.addressing})), choices_(choices) {}
+      : format_(format), plan_(makePlan(format, {.addressing = choices.addressing})),
+        cpuPlan_(makePlan(format, {.loops = Loops::Whole})), choices_(choices) {}
 
+  const Format &format() const { return format_; }
   const Plan &plan() const { return plan_; }
+  const Plan &cpuPlan() const { return cpuPlan_; }
   const KernelChoices &choices() const { return choices_; }
 
   Expected<const Kernel *> kernel() {
@@ -34,17 +37,19 @@ public:
   }
 
 private:
+  Format format_;
   Plan plan_;
+  Plan cpuPlan_; ///< The same for this processor.
   KernelChoices choices_;
   std::optional<Kernel> kernel_;
 };
 
-Expected<std::string> makeIr(Generator &generator) { return printIr(generator.plan().format); }
+Expected<std::string> makeIr(Generator &generator) { return printIr(generator.format()); }
 Expected<std::string> makePlanText(Generator &generator) { return printPlan(generator.plan()); }
 Expected<std::string> makeConstruct(Generator &generator) { return emitConstruct(generator.plan()); }
 Expected<std::string> makeGlsl(Generator &generator) { return emitIntersect(generator.plan()); }
 Expected<std::string> makeCpp(Generator &generator) {
-  return emitIntersectCpp(generator.plan(), generator.choices().cpu.symbol);
+  return emitIntersectCpp(generator.cpuPlan(), generator.choices().cpu.symbol);
 }
 
 Expected<std::string> makeSpirv(Generator &generator) {
@@ -61,7 +66,7 @@ Expected<std::string> makeSpirvText(Generator &generator) {
 }
 
 Expected<std::string> makeCpuObject(Generator &generator) {
-  return compileCpuObject(generator.plan().format, generator.choices().cpu);
+  return compileCpuObject(generator.format(), generator.choices().cpu);
 }
 
 std::vector<Artefact> noCompanions(const Generator &) { return {}; }
@@ -79,7 +84,7 @@ std::vector<Artefact> cppCompanions(const Generator &) {
 }
 
 std::vector<Artefact> cpuCompanions(const Generator &generator) {
-  return {{"intersect.h", emitIntersectHeader(generator.plan(), generator.choices().cpu.symbol)}};
+  return {{"intersect.h", emitIntersectHeader(generator.cpuPlan(), generator.choices().cpu.symbol)}};
 }
 
 struct ArtefactKind {

@@ -3,6 +3,7 @@
 
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/LevelKind.h"
+#include "voxc/Layout/Layout.h"
 #include "voxc/Support/Diagnostic.h"
 #include "voxc/Support/Geometry.h"
 
@@ -73,6 +74,9 @@ std::string printIr(const Format &format);
 
 /// The format without its walk attributes: what a volume is stored as.
 Format storageFormat(Format format);
+
+/// How the words of its volumes lie. The format must be verified.
+Layout layoutOf(const Format &format);
 
 /// 64-bit digest of the canonical text of the format's storage; a kernel carries that of the volumes it fits.
 std::uint64_t storageDigest(const Format &format);

@@ -1,66 +1,55 @@
-// The table of level kinds: each base format is described once, in lib/Level, and everything draws from it.
+// The table of level kinds: each base format is described once, in lib/IR/Levels, and everything draws from it.
 #pragma once
 
 #include "voxc/IR/Attribute.h"
+#include "voxc/Layout/Stratum.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 namespace voxc {
 
 struct Level;
-class WordReader;
-class SubVolumeVisitor;
-struct Lookup;
-struct Int3;
 
 /// What a parameter of a level means.
 enum class ParameterRole {
-  Width,  ///< log2 of the cells along x.
-  Height, ///< log2 of the cells along y.
-  Depth,  ///< log2 of the cells along z.
-  Side,   ///< log2 of the cells along each axis.
-  Reach,  ///< the largest distance stored.
+  Width,     ///< log2 of the cells along x.
+  Height,    ///< log2 of the cells along y.
+  Depth,     ///< log2 of the cells along z.
+  Side,      ///< log2 of the cells along each axis.
+  Reach,     ///< the largest distance stored.
+  Branching, ///< log2 of the children of a node along each axis.
 };
 
 struct ParameterKind {
   std::string_view name; ///< As in the grammar: "W", "L", "M".
   ParameterRole role;
-  std::string_view meaning; ///< For documentation and diagnostics.
+  std::string_view meaning;           ///< For documentation and diagnostics.
+  std::uint32_t least = 0;            ///< The values that it takes,
+  std::uint32_t most = 0;             ///< inclusive.
+  std::optional<std::uint32_t> usual; ///< What it is if it is not written; only the last parameters may be so.
+
+  bool isSize() const { return role != ParameterRole::Reach && role != ParameterRole::Branching; }
 };
 
-/// How a level arranges its cells: decides which families of walks and constructions apply.
-enum class Arrangement {
-  Grid, ///< An array of cells.
-  Tree, ///< An octree of nodes.
-};
-
-/// One base format. Adding one: a file in lib/Level, its row in lib/Level/LevelKinds.cpp, and its leaves in
-/// shaders-runtime/level and construct-runtime/level.
+/// One base format. Adding one: a file in lib/IR/Levels and its row in LevelKinds.cpp there; where its nodes keep their
+/// children as no other kind's do, a slot kind too (include/voxc/Layout/SlotKind.h).
 struct LevelKind {
   char letter;               ///< In format strings: 'R'.
-  std::string_view name;     ///< In IR text, and of its runtime files: "raw".
+  std::string_view name;     ///< In IR text: "raw".
   std::string_view longName; ///< What people write by mistake: "Raw".
   std::string_view summary;
-  Arrangement arrangement;
-  std::uint32_t wordsPerCell; ///< Of a grid; 0 for trees.
   std::span<const ParameterKind> parameters;
   std::span<const AttributeKind *const> attributes;
 
-  /// The terminating integer of `cell` in the sub-volume at `offset`, and the empty or uniform cube around
-  /// it.
-  Lookup (*lookup)(const WordReader &words, const Level &level, std::uint32_t offset, Int3 cell);
+  /// How a level of this kind lies in words; the caller sets what depends on other levels (`Stratum::log2Cell`) and on no
+  /// kind (`Stratum::level`).
+  Stratum (*lower)(const Level &level);
 
-  /// Visits the sub-volume at `offset` and its non-empty cells in Morton order, checking every word on the
-  /// way.
-  void (*walk)(WordReader &words, const Level &level, std::uint32_t offset, SubVolumeVisitor &visitor);
-
-  /// Replaces every pointer p among words that construction wrote at once (a grid, a node, a block of
-  /// siblings) by `newOffsets[p]`. `holdsVoxels`: terminating integers of this level are voxels. False if one
-  /// leads to no offset, or to 0.
-  bool (*relocate)(std::span<std::uint32_t> words, bool holdsVoxels,
-                   std::span<const std::uint32_t> newOffsets);
+  /// True for trees, which have one size for all axes.
+  bool isTree() const;
 };
 
 /// All level kinds, in the order of the documentation.

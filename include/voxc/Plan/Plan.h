@@ -1,24 +1,27 @@
-// The plan: what each level loads, how it descends, how it steps and which predicate decides. Every text that
-// voxc generates is printed from it; no emitter looks at a choice that is not written here.
+// The plan: the layout of a format, and how a kernel goes through it. Every text that voxc generates is printed from it,
+// and no emitter makes a choice that is not written here. docs/ir.md has its text.
 #pragma once
 
 #include "voxc/IR/Format.h"
-#include "voxc/Trace/Kernel.h"
+#include "voxc/Layout/Addressing.h"
+#include "voxc/Layout/Layout.h"
+#include "voxc/Support/EnumText.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace voxc {
 
-/// How the walk of a level finds the cell around a point. Each value is a file of shaders-runtime/walk.
+/// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
 enum class Descent {
-  Index,    ///< Arithmetic on the cell's coordinates: a grid.
-  Distance, ///< The same, and the cell's distance allows several steps without a lookup.
-  Single,   ///< The sub-volume is one cell: a tree of depth 0.
+  Index,    ///< In the one node of a grid.
+  Probe,    ///< In the table of a hashed grid.
+  Single,   ///< The sub-volume is one cell.
   Stack,    ///< Down a tree from the common ancestor of this cell and the last, kept in a stack.
   Restart,  ///< Down a tree from its root, each time.
-  Unrolled, ///< Down a tree by a function for each height, each with a loop over the children of a node.
+  Unrolled, ///< Down a tree by a function for each layer, each with a loop over the children of a node.
 };
 
 /// Which arithmetic orders the faces that a ray crosses. Each value is a file of shaders-runtime/step.
@@ -33,47 +36,63 @@ enum class Detail {
   Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
-/// Which nodes of a tree, or whole grids, may be shared when they are built.
-enum class Sharing {
-  None,      ///< Nothing is looked up: an octree, or grids as they come.
-  SubVolume, ///< Equal nodes of one sub-volume.
-  Level,     ///< Equal nodes of all sub-volumes of the level, or its equal grids.
-};
+template <>
+inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe", "single", "stack",
+                                                                        "restart", "unrolled"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
-/// One level, with every choice made.
-struct LevelPlan {
-  int number = 1; ///< From 1, the highest.
-  const LevelKind *kind = nullptr;
-  Int3 log2Size;           ///< log2 of the cells along each axis.
-  int log2CellSide = 0;    ///< log2 of the voxels along a cell's side.
-  std::uint32_t reach = 0; ///< Largest stored distance; 0 if the kind stores none.
+/// How a kernel goes through one stratum.
+struct Traversal {
   Descent descent = Descent::Index;
-  Sharing sharing = Sharing::None;
-  bool stops = false;   ///< `Detail::Cone`: the walk may stop at nodes and cells of this level.
-  bool sampled = false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this level.
+  bool stops = false;   ///< `Detail::Cone`: the walk may stop at nodes and cells of this stratum.
+  bool sampled = false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this stratum.
+
+  bool operator==(const Traversal &) const = default;
 };
 
 struct Plan {
-  Format format;
+  Layout layout;
   Addressing addressing = Addressing::Buffer;
   Predicate predicate = Predicate::Exact;
   Detail detail = Detail::Full;
-  std::vector<LevelPlan> levels;
+  Loops loops = Loops::Whole;
+  std::vector<Traversal> traversals; ///< One for each stratum of the layout.
+
+  bool operator==(const Plan &) const = default;
 };
 
+/// What a kernel is made for.
 struct PlanOptions {
   Addressing addressing = Addressing::Buffer;
+  Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
 };
 
-/// Makes every choice for a verified format.
+/// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from that.
+Plan lowerToPlan(const Format &format, const PlanOptions &options = {});
+
+/// A pass over plans: docs/ir.md lists them as `planPasses` does.
+struct PlanPass {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view place; ///< Why it stands where it does.
+  void (*run)(Plan &plan);
+};
+
+/// All of them, in the order in which they run.
+std::span<const PlanPass> planPasses();
+
+/// Makes every choice for a verified format: lowers it and runs all passes, verified after each. An error is a defect
+/// of voxc, and never happens to a verified format.
 Plan makePlan(const Format &format, const PlanOptions &options = {});
 
-/// The plan as text, one line a level; for people and tests.
+/// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each stratum stands.
+void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
+
+/// The plan as text: parsing it gives the same plan, printing that the same text.
 std::string printPlan(const Plan &plan);
 
-std::string_view toString(Descent descent);
-std::string_view toString(Predicate predicate);
-std::string_view toString(Detail detail);
-std::string_view toString(Sharing sharing);
+/// Parses plan text; the result is verified, and only meaningful if no error was added to `diagnostics`.
+Plan parsePlan(std::string_view text, Diagnostics &diagnostics);
 
 } // namespace voxc

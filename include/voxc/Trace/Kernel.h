@@ -1,6 +1,7 @@
 // A compiled intersection kernel: SPIR-V that says which volumes it fits.
 #pragma once
 
+#include "voxc/Layout/Addressing.h"
 #include "voxc/Support/Error.h"
 
 #include <cstdint>
@@ -9,17 +10,6 @@
 #include <vector>
 
 namespace voxc {
-
-/// How a kernel reaches the words of a volume.
-enum class Addressing {
-  Buffer,   ///< One storage buffer: the smallest code, up to the device's maxStorageBufferRange.
-  Segments, ///< Device addresses of segments of 2^28 words each: up to 16 GiB.
-};
-
-/// Words in a segment of `Addressing::Segments`.
-inline constexpr std::uint64_t kSegmentWords = std::uint64_t{1} << 28;
-
-std::string_view toString(Addressing addressing);
 
 /// Invocations in a workgroup of every kernel; local_size_x of the GLSL.
 inline constexpr std::uint32_t kWorkgroupSize = 64;

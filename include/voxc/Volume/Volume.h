@@ -6,7 +6,7 @@
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Trace/Ray.h"
-#include "voxc/Volume/SubVolume.h"
+#include "voxc/Layout/WordReader.h"
 
 #include <cstdint>
 #include <functional>
@@ -58,8 +58,10 @@ public:
   /// (`Input`), which two digests tell, so that asking for every ray costs next to nothing.
   Expected<Hit> intersect(const CpuKernel &kernel, const Ray &ray) const;
 
-  /// `voxc::storageDigest(format())`: what a kernel's must equal.
-  std::uint64_t storageDigest() const;
+  /// How the words lie: `layoutOf(format())`.
+  const Layout &layout() const;
+  /// What a kernel's must equal.
+  std::uint64_t storageDigest() const { return layout().storageDigest; }
 
 private:
   struct State;

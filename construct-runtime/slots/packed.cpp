@@ -1,0 +1,62 @@
+%if grid
+// Turns a grid of words, which follows ${head-words} words of room, into a mask and the values of the cells that are not
+// empty. Returns how many words that takes.
+uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
+  constexpr uint64_t kHead = ${head-words};
+  uint64_t end = kHead;
+  for (uint64_t first = 0; first < LEVEL_${N}_SHAPE.cells(); first += 32) {
+%if counts
+    uint32_t *mask = grid + first / 32 * 2;
+    mask[1] = static_cast<uint32_t>(end - kHead);
+%else
+    uint32_t *mask = grid + first / 32;
+%end
+    for (uint64_t cell = first; cell < LEVEL_${N}_SHAPE.cells() && cell < first + 32; ++cell) {
+      const uint32_t value = grid[kHead + cell];
+      if (value == 0)
+        continue;
+      *mask |= 1u << (cell - first);
+      grid[end++] = value;
+    }
+    if (first % 32768 == 0)
+      build.pause(32768);
+  }
+  return end;
+}
+
+uint32_t construct_level_${N}(Build &build, Voxel low) {
+  uint32_t *grid = nullptr;
+  auto place = [&](Voxel cell, uint32_t value) {
+    if (grid || (grid = build.allocate(${N}, ${head-words} + LEVEL_${N}_SHAPE.cells())))
+      grid[${head-words} + LEVEL_${N}_SHAPE.index(cell)] = value;
+  };
+  for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
+  if (!grid)
+    return 0;
+  const uint64_t words = pack_level_${N}(build, grid);
+%if shares
+  const uint32_t offset = build.intern(${N}, grid, words);
+%else
+  const uint32_t offset = build.append(${N}, grid, words);
+%end
+  build.release(${N});
+  return offset;
+}
+%else
+// Writes a node, and before it those of its children that are leaves, each unless it is written already.
+Node write_level_${N}_node(Build &build, const Node (&children)[LEVEL_${N}_CHILDREN]) {
+  constexpr int kMasks = mask_words(LEVEL_${N}_CHILDREN);
+  Node node = {Node::Inner};
+  if (set_masks(children, node.masks) == 0)
+    return {};
+  uint32_t words[kMasks + LEVEL_${N}_CHILDREN];
+  uint64_t count = 0;
+  for (; count < kMasks; ++count)
+    words[count] = node.masks[count];
+  for (const Node &child : children)
+    if (child.kind != Node::Empty)
+      words[count++] = child.kind == Node::Leaf ? build.intern_leaf(${N}, child.value) : child.value;
+  node.value = build.intern(${N}, words, count);
+  return node;
+}
+%end

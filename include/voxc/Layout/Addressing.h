@@ -1,0 +1,30 @@
+// How a kernel reaches the words of a volume.
+#pragma once
+
+#include "voxc/Support/EnumText.h"
+
+#include <cstdint>
+
+namespace voxc {
+
+/// Each value is a file of shaders-runtime/memory.
+enum class Addressing {
+  Buffer,   ///< One storage buffer: the smallest code, up to the device's maxStorageBufferRange.
+  Segments, ///< Device addresses of segments of 2^28 words each: up to 16 GiB.
+};
+
+template <>
+inline constexpr std::array<std::string_view, 2> kEnumNames<Addressing> = {"buffer", "segments"};
+
+/// Words in a segment of `Addressing::Segments`.
+inline constexpr std::uint64_t kSegmentWords = std::uint64_t{1} << 28;
+
+/// Whether the device runs every loop to its end.
+enum class Loops {
+  Whole,
+  Cut, ///< It may end loops early, in silence, as Mesa's llvmpipe does: kernels leave such rays to be resumed.
+};
+
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Loops> = {"whole", "cut"};
+
+} // namespace voxc

@@ -1,0 +1,49 @@
+// A layout: the strata of a whole format, and the rules that they keep.
+#pragma once
+
+#include "voxc/Layout/Stratum.h"
+#include "voxc/Support/Diagnostic.h"
+#include "voxc/Support/Geometry.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// What a voxel is, as a value of the lowest stratum's cells.
+enum class Payload {
+  Rgba8, ///< A colour of four bytes, R lowest. The word 0 is no voxel.
+};
+
+/// Where the words of a volume lie, for all voxels of it.
+struct Layout {
+  std::string format;              ///< As a string of the grammar, for people.
+  std::uint64_t storageDigest = 0; ///< Of the level IR that it comes from: what kernels and volumes agree on.
+  Payload payload = Payload::Rgba8;
+  std::vector<Stratum> strata; ///< From the highest to the lowest, one a level.
+
+  bool operator==(const Layout &) const = default;
+
+  /// log2 of the voxels along each axis.
+  Int3 log2Extent() const;
+  /// True if the cells of strata[index] are voxels.
+  bool holdsVoxels(std::size_t index) const { return index + 1 == strata.size(); }
+  /// The most words that a volume may have: references may be narrower than a word.
+  std::uint64_t maxWords() const;
+  /// The smallest cubes, of 2^n voxels a side, n at least `log2Side`, that are whole nodes or cells somewhere: volumes can
+  /// be built of such parts. The bounding cube at most.
+  int partSide(int log2Side) const;
+  /// The stratum, by index, that has nodes of 2^log2Side voxels a side, or whose cells such cubes cover.
+  std::size_t stratumOfPart(int log2Side) const;
+};
+
+/// Checks every rule of strata: shapes, masks, slots, cells and distances fit each other, and the sizes add up.
+/// `ranges`, where they are given, say where each stratum was written.
+void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
+
+template <> inline constexpr std::array<std::string_view, 1> kEnumNames<Payload> = {"rgba8"};
+
+} // namespace voxc

@@ -1,0 +1,76 @@
+// The table of slot kinds: each way in which a node keeps its children is described once. A kind is a file of lib/Layout
+// and one of its name in shaders-runtime/slots and in construct-runtime/slots.
+#pragma once
+
+#include "voxc/Layout/Stratum.h"
+#include "voxc/Layout/WordReader.h"
+#include "voxc/Support/FunctionRef.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace voxc {
+
+/// What a node says of one child.
+struct Child {
+  bool exists = false; ///< Else it is empty.
+  bool leaf = false;   ///< All its cells have the value in the word `at`; else its node begins there.
+  std::uint64_t at = 0;
+  int log2Around = 0; ///< Of an empty child: the aligned cube of 2^log2Around children a side around it is empty too.
+};
+
+/// Receives a child that is not empty, and its place among its siblings.
+using ChildVisit = FunctionRef<void(Int3 place, const Child &child)>;
+
+/// What construction writes at once.
+enum class Block : std::uint32_t {
+  Leaf, ///< The word of a cell, of `Cells::Word`.
+  Node, ///< A node, or the records of siblings.
+};
+
+/// Finds the new place of what a reference leads to; 0 if it leads nowhere.
+using Relocation = FunctionRef<Ref(Ref)>;
+
+struct SlotKind {
+  std::string_view name; ///< In plan text, and of its runtime files.
+  std::string_view summary;
+
+  /// What is wrong with such a stratum, or "". The rules of all kinds are `verify`'s.
+  std::string (*problem)(const Stratum &stratum);
+
+  /// True if the node at `node` lies within the words and is well-formed: masks, counts, distances, empty slots. Else a
+  /// problem is noted. `lowest`: its children are cells.
+  bool (*check)(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest);
+
+  /// Words that a node takes at least.
+  std::uint64_t (*leastWords)(const Stratum &stratum);
+
+  /// How many words a checked node takes, those of its children apart.
+  std::uint64_t (*size)(const WordReader &words, const Stratum &stratum, std::uint64_t node);
+
+  /// The child of a node at a place below the shape.
+  Child (*child)(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place);
+
+  /// Visits the children of a checked node that are not empty, in Morton order.
+  void (*visit)(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit);
+
+  /// Moves the references of a node or of siblings. `holdsVoxels`: the cells of the stratum are voxels, and stay. False
+  /// if one leads nowhere, or the words are no such block.
+  bool (*relocate)(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
+                   Relocation relocation);
+};
+
+/// All slot kinds, in the order of the documentation.
+std::span<const SlotKind *const> slotKinds();
+
+/// The kind of this name, or null.
+const SlotKind *findSlotKind(std::string_view name);
+
+// The rows, each in the file of its name.
+extern const SlotKind kDenseSlots;
+extern const SlotKind kPackedSlots;
+extern const SlotKind kSiblingSlots;
+extern const SlotKind kHashedSlots;
+
+} // namespace voxc

@@ -1,0 +1,101 @@
+// Strata: how the words of a volume lie, as data. A level of a format lowers to a stratum; whatever reads, checks, moves,
+// writes or traces words is driven by this record, and nothing else knows a layout.
+#pragma once
+
+#include "voxc/Support/EnumText.h"
+#include "voxc/Support/Geometry.h"
+
+#include <cstdint>
+#include <string>
+
+namespace voxc {
+
+struct SlotKind;
+
+/// An offset into the words of a volume, in words. 0 leads nowhere.
+using Ref = std::uint32_t;
+
+/// The most words that references can reach.
+inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
+
+/// Where the value of a cell lies.
+enum class Cells {
+  Inline, ///< In the slot of the node itself: a grid.
+  Word,   ///< In a word of its own, which the slot refers to, so that equal ones are shared.
+  Record, ///< In the first word of the child's record, whose masks are 0.
+};
+
+/// What an empty cell tells of the cells around it.
+enum class Skip {
+  None,
+  L1, ///< The L1 distance to the nearest cell of the sub-volume that is not empty, `reach` at most.
+};
+
+/// Which slots are empty. Where it is not `Zero`, the rest of an empty slot holds its distance.
+enum class Empty {
+  Zero,        ///< Those of 0. A distance stands in a second word of the slot.
+  Tagged,      ///< Those whose highest bit is set: references of the stratum have 31 bits.
+  Transparent, ///< Those whose alpha, the highest byte, is 0: no voxel of the volume is.
+};
+
+/// Which equal blocks are written once.
+enum class Sharing {
+  None,
+  SubVolume, ///< Those of one sub-volume.
+  Stratum,   ///< Those of all sub-volumes.
+};
+
+template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Cells> = {"inline", "word", "record"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Skip> = {"none", "l1"};
+template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};
+template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Sharing> = {"none", "sub-volume", "stratum"};
+
+/// A run of `depth` layers of nodes of one shape: a node's children are the nodes of the layer below, and those of the
+/// lowest layer its cells. A sub-volume is one node of the highest layer.
+struct Stratum {
+  std::string level;               ///< The kind of level that it comes from, as IR text names it.
+  Int3 log2Shape;                  ///< log2 of the children of a node along each axis; equal ones if depth is not 1.
+  int depth = 1;                   ///< Layers; 0: a sub-volume is one cell.
+  int log2Cell = 0;                ///< log2 of the voxels along a cell's side.
+  const SlotKind *slots = nullptr; ///< How a node keeps its children.
+  bool leaves = false;             ///< A child above the lowest layer may be a leaf: all its cells have one value.
+  Cells cells = Cells::Inline;
+  Skip skip = Skip::None;
+  Empty empty = Empty::Zero;
+  std::uint32_t reach = 0; ///< The largest distance stored; 0 without.
+  Sharing sharing = Sharing::None;
+
+  bool operator==(const Stratum &) const = default;
+
+  /// log2 of the cells of a sub-volume along each axis.
+  Int3 log2Size() const { return {log2Shape.x * depth, log2Shape.y * depth, log2Shape.z * depth}; }
+  /// log2 of the children of a node.
+  int log2Children() const { return log2Shape.x + log2Shape.y + log2Shape.z; }
+  /// Words of one slot in a grid: the distance of an empty cell may stand beside its value.
+  int slotWords() const { return skip != Skip::None && empty == Empty::Zero ? 2 : 1; }
+  bool isGrid() const { return cells == Cells::Inline; }
+};
+
+/// The longest of three sizes: of the bounding cube that Morton order speaks of.
+inline int longest(Int3 log2) {
+  const int xy = log2.x > log2.y ? log2.x : log2.y;
+  return xy > log2.z ? xy : log2.z;
+}
+
+/// True if this word of a slot says that its cell is empty.
+constexpr bool isEmptySlot(Empty empty, std::uint32_t word) {
+  switch (empty) {
+  case Empty::Zero:
+    return word == 0;
+  case Empty::Tagged:
+    return word >> 31 != 0;
+  case Empty::Transparent:
+    return word >> 24 == 0;
+  }
+  return true;
+}
+
+/// The distance in a slot that is empty and not `Zero`.
+constexpr std::uint32_t distanceInSlot(std::uint32_t word) { return word & 0x7fffffff; }
+
+} // namespace voxc

@@ -1,0 +1,57 @@
+// Reading sub-volumes word by word, within bounds: what the kinds of slots are written against.
+#pragma once
+
+#include "voxc/Support/Geometry.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace voxc {
+
+/// A cell's terminating integer, and the aligned cube of cells around it that is known to have the same
+/// value.
+struct Lookup {
+  std::uint32_t value = 0;
+  int log2Side = 0; ///< In cells of the level.
+};
+
+/// The words of a volume. Reads outside give 0 and are remembered as the first problem found.
+class WordReader {
+public:
+  explicit WordReader(std::span<const std::uint32_t> words) : words_(words) {}
+
+  std::uint64_t size() const { return words_.size(); }
+  std::uint32_t operator[](std::uint64_t offset) const { return offset < words_.size() ? words_[offset] : 0; }
+  /// True if words [offset, offset + count) exist; otherwise a problem is noted that names `what`.
+  bool require(std::uint64_t offset, std::uint64_t count, const char *what);
+  /// Notes a problem; the first one stays.
+  void fail(std::string problem) {
+    if (!problem_)
+      problem_ = std::move(problem);
+  }
+  const std::optional<std::string> &problem() const { return problem_; }
+
+private:
+  std::span<const std::uint32_t> words_;
+  std::optional<std::string> problem_;
+};
+
+/// Receives what `visitSubVolume` finds.
+class SubVolumeVisitor {
+public:
+  virtual ~SubVolumeVisitor() = default;
+  /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it
+  /// out.
+  virtual bool enterNode(std::uint32_t offset, int height) = 0;
+  /// All of the node that was entered last, and not left yet, has been visited.
+  virtual void leaveNode() {}
+  /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.
+  virtual void cells(const Cube &cube, std::uint32_t value) = 0;
+  /// True to end the walk early.
+  virtual bool done() const { return false; }
+};
+
+} // namespace voxc

@@ -1,0 +1,64 @@
+// voxc-check-templates: run when voxc is built. Fills every runtime file with the names of a plan, and demands a file for each
+// row of each table that names one, so that a misspelt hole, condition or file name ends the build.
+#include "Names.h"
+
+#include "voxc/Layout/SlotKind.h"
+
+#include <cstdio>
+#include <string>
+
+namespace voxc {
+namespace {
+
+int problems = 0;
+
+void report(const std::string &file, const std::string &problem) {
+  std::fprintf(stderr, "%s: %s\n", file.c_str(), problem.c_str());
+  ++problems;
+}
+
+/// Names that emitters add to those of the plan.
+TemplateNames allNames() {
+  TemplateNames names = layerNames(makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
+  for (const char *hole : {"LEVELS", "PARTS", "symbol", "PREFIX", "DIGEST", "count-words"})
+    names.holes[hole] = "";
+  return names;
+}
+
+/// Names are checked in branches that do not apply too.
+void check(const std::string &folder, std::span<const EmbeddedFile> files) {
+  const TemplateNames names = allNames();
+  for (const EmbeddedFile &file : files)
+    if (const auto filled = fillTemplate(file.text, names); !filled)
+      report(folder + "/" + std::string(file.path), filled.error().message);
+}
+
+void demand(const std::string &folder, std::span<const EmbeddedFile> files, const std::string &path) {
+  for (const EmbeddedFile &file : files)
+    if (file.path == path)
+      return;
+  report(folder + "/" + path, "is missing, but a table names it");
+}
+
+template <typename Enum> void demandEach(const std::string &folder) {
+  for (const std::string_view name : kEnumNames<Enum>)
+    demand("shaders-runtime", shaderFiles(), folder + "/" + std::string(name) + ".glsl");
+}
+
+} // namespace
+} // namespace voxc
+
+int main() {
+  using namespace voxc;
+  check("shaders-runtime", shaderFiles());
+  check("construct-runtime", constructFiles());
+  check("cpu-runtime", cpuFiles());
+  demandEach<Descent>("walk");
+  demandEach<Predicate>("step");
+  demandEach<Addressing>("memory");
+  for (const SlotKind *kind : slotKinds()) {
+    demand("shaders-runtime", shaderFiles(), "slots/" + std::string(kind->name) + ".glsl");
+    demand("construct-runtime", constructFiles(), "slots/" + std::string(kind->name) + ".cpp");
+  }
+  return problems == 0 ? 0 : 1;
+}

@@ -1,0 +1,98 @@
+// The names that templates speak of.
+#include "Names.h"
+
+#include "voxc/Layout/SlotKind.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+/// True if a node's masks are two sets of words: it has more children than one word has room for.
+bool isWide(const Stratum &stratum) { return stratum.leaves && stratum.log2Children() > 4; }
+
+std::string count(int log2, std::string_view unit) {
+  const std::int64_t number = std::int64_t{1} << log2;
+  return std::to_string(number) + " " + std::string(unit) + (number == 1 ? "" : "s");
+}
+
+void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  const int branch = stratum.log2Shape.x;
+  const std::string factor = std::to_string(branch);
+  auto &holes = names.holes;
+  holes["N"] = std::to_string(index + 1);
+  holes["NEXT"] = plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2);
+  holes["DEPTH"] = std::to_string(stratum.depth);
+  holes["slot-words"] = std::to_string(stratum.slotWords());
+  holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
+  holes["empty-slots"] = stratum.empty == Empty::Tagged ? "with its highest bit set" : "with an alpha of 0";
+  holes["slot-is-empty"] = stratum.empty == Empty::Tagged ? "(value >> 31) != 0u" : "(value >> 24) == 0u";
+  holes["times-branch"] = branch == 1 ? "" : " * " + factor;
+  holes["per-branch"] = branch == 1 ? "" : " / " + factor;
+  holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - 1);
+  holes["around"] = isWide(stratum) ? ", around" : "";
+  holes["plus-around"] = isWide(stratum) ? " + around" : "";
+}
+
+void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  auto &conditions = names.conditions;
+  conditions["first"] = index == 0;
+  conditions["wide"] = isWide(stratum);
+  conditions["grid"] = stratum.isGrid();
+  conditions["counts"] = stratum.log2Children() > 6;
+  conditions["distances"] = stratum.skip != Skip::None;
+  conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
+  conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
+  conditions["stops"] = plan.traversals[index].stops;
+  conditions["sampled"] = plan.traversals[index].sampled;
+  conditions["shares"] = stratum.sharing == Sharing::Stratum;
+  conditions["shares-sub-volumes-apart"] = stratum.sharing == Sharing::SubVolume;
+}
+
+} // namespace
+
+std::string intVector(Int3 v) {
+  return "ivec3(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+}
+
+TemplateNames planNames(const Plan &plan) {
+  const Int3 log2 = plan.layout.log2Extent();
+  const bool cut = plan.loops == Loops::Cut;
+  TemplateNames names;
+  names.holes["FORMAT"] = plan.layout.format;
+  names.holes["VOLUME_SIZE"] = intVector({1 << log2.x, 1 << log2.y, 1 << log2.z});
+  names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
+  names.conditions["cut"] = cut;
+  names.conditions["exact"] = plan.predicate == Predicate::Exact;
+  names.conditions["cone"] = plan.detail == Detail::Cone;
+  names.conditions["segments"] = plan.addressing == Addressing::Segments;
+  names.conditions["any-wide"] = std::ranges::any_of(plan.layout.strata, isWide);
+  return names;
+}
+
+TemplateNames stratumNames(const Plan &plan, std::size_t index) {
+  TemplateNames names = planNames(plan);
+  addHoles(names, plan, index);
+  addConditions(names, plan, index);
+  return names;
+}
+
+TemplateNames layerNames(const Plan &plan, std::size_t index, int layer) {
+  TemplateNames names = stratumNames(plan, index);
+  names.holes["H"] = std::to_string(layer);
+  names.holes["H-1"] = std::to_string(layer - 1);
+  names.conditions["inner"] = layer > 1;
+  return names;
+}
+
+std::string levelComment(const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  const Int3 size = stratum.log2Size();
+  return "\n// Level " + std::to_string(index + 1) + ": " + stratum.level + ", " + std::to_string(1 << size.x) + " x " +
+         std::to_string(1 << size.y) + " x " + count(size.z, "cell") + " of " + count(stratum.log2Cell, "voxel") +
+         " a side.\n";
+}
+
+} // namespace voxc

@@ -1,0 +1,46 @@
+// The table of level kinds and of the attributes that they take.
+#include "Kinds.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+constexpr std::array<const LevelKind *, 6> kKinds = {&kRaw, &kDistance, &kSvo, &kSvdag, &kMasked, &kHash};
+
+constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
+constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
+constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
+
+} // namespace
+
+const AttributeKind kDedupAttribute = {
+    "dedup", AttributeEffect::Storage, kDedupValues,
+    "which equal nodes share storage: those of one sub-volume, or of the whole level"};
+
+const AttributeKind kShareAttribute = {
+    "share", AttributeEffect::Storage, kShareValues,
+    "which equal sub-volumes of grids share storage: none, or those of the whole level"};
+
+const AttributeKind kWalkAttribute = {
+    "walk", AttributeEffect::Walk, kWalkValues,
+    "how a lookup finds its node: from the last lookup's ancestors on a stack, from "
+    "the root each time, or by a loop for each height"};
+
+bool LevelKind::isTree() const {
+  return std::ranges::any_of(parameters, [](const ParameterKind &kind) { return kind.role == ParameterRole::Side; });
+}
+
+std::span<const LevelKind *const> levelKinds() { return kKinds; }
+
+const LevelKind *findLevelKind(char letter) {
+  const auto found = std::ranges::find(kKinds, letter, [](const LevelKind *kind) { return kind->letter; });
+  return found == kKinds.end() ? nullptr : *found;
+}
+
+const LevelKind *findLevelKind(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, [](const LevelKind *kind) { return kind->name; });
+  return found == kKinds.end() ? nullptr : *found;
+}
+
+} // namespace voxc

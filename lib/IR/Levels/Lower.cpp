@@ -1,0 +1,43 @@
+// From levels to strata.
+#include "Kinds.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+Stratum gridStratum(const Level &level, const SlotKind &slots) {
+  Stratum stratum;
+  stratum.log2Shape = level.log2Size();
+  stratum.slots = &slots;
+  if (level.attribute(kShareAttribute) == "level")
+    stratum.sharing = Sharing::Stratum;
+  return stratum;
+}
+
+Stratum treeStratum(const Level &level, const SlotKind &slots, Cells cells) {
+  const int side = static_cast<int>(level.parameter(ParameterRole::Side));
+  const int branching = std::max(static_cast<int>(level.parameter(ParameterRole::Branching)), 1);
+  Stratum stratum;
+  stratum.log2Shape = {branching, branching, branching};
+  stratum.depth = side / branching;
+  stratum.slots = &slots;
+  stratum.leaves = true;
+  stratum.cells = cells;
+  return stratum;
+}
+
+Layout layoutOf(const Format &format) {
+  Layout layout;
+  layout.format = toString(format);
+  layout.storageDigest = storageDigest(format);
+  for (std::size_t i = 0; i < format.levels.size(); ++i) {
+    const Level &level = format.levels[i];
+    Stratum stratum = level.kind->lower(level);
+    stratum.level = level.kind->name;
+    stratum.log2Cell = format.log2CellSide(i);
+    layout.strata.push_back(std::move(stratum));
+  }
+  return layout;
+}
+
+} // namespace voxc

@@ -1,0 +1,22 @@
+// M: a masked grid. A bit for each cell that is not empty, and their values next to each other; the node of VDB.
+#include "Kinds.h"
+
+namespace voxc {
+namespace {
+
+constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
+constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
+
+Stratum lower(const Level &level) { return gridStratum(level, kPackedSlots); }
+
+} // namespace
+
+const LevelKind kMasked = {'M',
+                           "masked",
+                           "Masked",
+                           "a grid with a bit a cell: empty cells cost one bit, a lookup two loads more",
+                           kParameters,
+                           kAttributes,
+                           lower};
+
+} // namespace voxc

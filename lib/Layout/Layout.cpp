@@ -1,0 +1,37 @@
+// What follows from the strata of a layout.
+#include "voxc/Layout/Layout.h"
+
+#include <algorithm>
+
+namespace voxc {
+Int3 Layout::log2Extent() const {
+  const Stratum &top = strata.front();
+  const Int3 size = top.log2Size();
+  return {size.x + top.log2Cell, size.y + top.log2Cell, size.z + top.log2Cell};
+}
+
+std::uint64_t Layout::maxWords() const {
+  const bool tagged =
+      std::ranges::any_of(strata, [](const Stratum &stratum) { return stratum.empty == Empty::Tagged; });
+  return tagged ? kMaxWords / 2 : kMaxWords;
+}
+
+std::size_t Layout::stratumOfPart(int log2Side) const {
+  for (std::size_t i = 0; i + 1 < strata.size(); ++i)
+    if (log2Side > strata[i].log2Cell)
+      return i;
+  return strata.size() - 1;
+}
+
+int Layout::partSide(int log2Side) const {
+  const int whole = longest(log2Extent());
+  const Stratum &stratum = strata[stratumOfPart(log2Side)];
+  const int step = std::max(stratum.log2Shape.x, 1);
+  // Construction goes through the cells of a grid by cubes of any size, through a tree by its nodes.
+  if (stratum.isGrid() || stratum.depth == 0)
+    return std::min(log2Side, whole);
+  const int above = (log2Side - stratum.log2Cell + step - 1) / step * step;
+  return std::min(stratum.log2Cell + above, whole);
+}
+
+} // namespace voxc

@@ -1,0 +1,86 @@
+// The masks at the head of a node: a bit for each child that is not empty and, where children may be leaves, such another
+// set. Up to 16 children with leaves share one word; else each set is words of its own. A node of more than 64 children
+// counts: each word of its mask is followed by how many children the words before it have.
+#pragma once
+
+#include "voxc/Layout/SlotKind.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace voxc {
+
+/// Where the bits of a stratum's masks lie.
+struct MaskShape {
+  explicit MaskShape(const Stratum &stratum)
+      : children(std::uint64_t{1} << stratum.log2Children()), hasLeaves(stratum.leaves),
+        sharesWord(stratum.leaves && children <= 16), counts(children > 64) {}
+
+  std::uint64_t children;
+  bool hasLeaves;
+  bool sharesWord; ///< The leaves' bits follow those of the children in the same word.
+  bool counts;     ///< Each word is followed by a count.
+
+  /// Words of one set.
+  std::uint64_t setWords() const { return (children + 31) / 32; }
+  /// Words of all masks, counts included.
+  std::uint64_t words() const {
+    return sharesWord ? 1 : setWords() * (hasLeaves || counts ? 2 : 1);
+  }
+};
+
+/// The masks of one node.
+class Masks {
+public:
+  Masks(const WordReader &words, const MaskShape &shape, std::uint64_t at) : words_(words), shape_(shape), at_(at) {}
+
+  bool exists(std::uint64_t child) const { return word(child / 32) >> child % 32 & 1; }
+  bool isLeaf(std::uint64_t child) const {
+    if (!shape_.hasLeaves)
+      return false;
+    return (shape_.sharesWord ? words_[at_] >> shape_.children : words_[at_ + shape_.setWords() + child / 32]) >>
+               child % 32 &
+           1;
+  }
+  /// Children before `child` that are not empty.
+  std::uint64_t rank(std::uint64_t child) const {
+    return before(child / 32) + bits(word(child / 32) & ((1u << child % 32) - 1));
+  }
+  /// Children that are not empty, as the masks' bits say.
+  std::uint64_t count() const {
+    std::uint64_t sum = 0;
+    for (std::uint64_t i = 0; i < shape_.setWords(); ++i)
+      sum += bits(word(i));
+    return sum;
+  }
+  /// True if no child of the aligned group of eight around this one exists.
+  bool isGroupEmpty(std::uint64_t child) const { return (word(child / 32) >> (child % 32 & ~7u) & 0xff) == 0; }
+
+  /// Notes what no builder writes: bits of no meaning, leaves that are empty, wrong counts, no child at all, or, in the
+  /// lowest layer, children that are no leaves.
+  bool check(WordReader &words, bool lowest) const;
+
+private:
+  static std::uint64_t bits(std::uint32_t word) { return static_cast<std::uint64_t>(std::popcount(word)); }
+
+  /// Word i of the set of children, without what else it holds.
+  std::uint32_t word(std::uint64_t i) const {
+    const std::uint32_t whole = words_[at_ + (shape_.counts ? 2 * i : i)];
+    return shape_.children < 32 ? whole & ((1u << shape_.children) - 1) : whole;
+  }
+  /// Children in the words before word i.
+  std::uint64_t before(std::uint64_t i) const {
+    if (shape_.counts)
+      return words_[at_ + 2 * i + 1];
+    std::uint64_t sum = 0;
+    for (std::uint64_t j = 0; j < i; ++j)
+      sum += bits(word(j));
+    return sum;
+  }
+
+  const WordReader &words_;
+  const MaskShape &shape_;
+  std::uint64_t at_;
+};
+
+} // namespace voxc

@@ -1,0 +1,69 @@
+// Packed slots: masks, then the slots of the children that are not empty, in their order.
+#include "Masks.h"
+#include "Places.h"
+
+namespace voxc {
+namespace {
+
+std::string problem(const Stratum &stratum) {
+  if (stratum.cells == Cells::Record)
+    return "packed slots are words; records stand with their siblings";
+  if (stratum.leaves && stratum.log2Children() > 6)
+    return "a node with leaves has 64 children at most";
+  return {};
+}
+
+std::uint64_t leastWords(const Stratum &stratum) { return MaskShape(stratum).words() + 1; }
+
+std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  const MaskShape shape(stratum);
+  return shape.words() + Masks(words, shape, node).count();
+}
+
+bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
+  const MaskShape shape(stratum);
+  return words.require(node, shape.words(), "a node's masks") && Masks(words, shape, node).check(words, lowest) &&
+         words.require(node, size(words, stratum, node), "a node");
+}
+
+Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
+            std::uint64_t index) {
+  const Masks masks(words, shape, node);
+  if (!masks.exists(index)) // In Morton order, eight children in a row are a cube.
+    return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
+  const std::uint64_t slot = node + shape.words() + masks.rank(index);
+  if (stratum.isGrid())
+    return {true, true, slot};
+  return {true, masks.isLeaf(index), words[slot]};
+}
+
+Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
+  return found(words, stratum, MaskShape(stratum), node, childIndex(stratum, place));
+}
+
+void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
+  const MaskShape shape(stratum);
+  forEachPlace(stratum, [&](Int3 place) {
+    if (const Child child = found(words, stratum, shape, node, childIndex(stratum, place)); child.exists)
+      visit(place, child);
+  });
+}
+
+bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels, Relocation relocation) {
+  const std::uint64_t head = MaskShape(stratum).words();
+  if (words.size() < head)
+    return false;
+  if (stratum.isGrid() && holdsVoxels)
+    return true;
+  for (std::uint32_t &slot : words.subspan(head))
+    if (!relocateRef(slot, relocation))
+      return false;
+  return true;
+}
+
+} // namespace
+
+const SlotKind kPackedSlots = {
+    "packed", "masks, then a slot for each child that is not empty", problem, check, leastWords, size, child, visit, relocate};
+
+} // namespace voxc

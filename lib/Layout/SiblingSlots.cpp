@@ -1,0 +1,69 @@
+// Sibling slots: a node's record is [first child, masks], and the records of its children that are not empty stand
+// together, in their order. The record of a leaf is [value, 0].
+#include "Masks.h"
+#include "Places.h"
+
+namespace voxc {
+namespace {
+
+std::string problem(const Stratum &stratum) {
+  if (stratum.cells != Cells::Record || !stratum.leaves)
+    return "siblings are records, of nodes and of leaves";
+  if (stratum.log2Children() > 6)
+    return "a node with leaves has 64 children at most";
+  return {};
+}
+
+std::uint64_t recordWords(const MaskShape &shape) { return 1 + shape.words(); }
+
+std::uint64_t leastWords(const Stratum &stratum) { return recordWords(MaskShape(stratum)); }
+
+std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
+
+bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
+  const MaskShape shape(stratum);
+  return words.require(node, recordWords(shape), "a node of an octree") &&
+         Masks(words, shape, node + 1).check(words, lowest);
+}
+
+Child found(const WordReader &words, const MaskShape &shape, std::uint64_t node, std::uint64_t index) {
+  const Masks masks(words, shape, node + 1);
+  if (!masks.exists(index))
+    return {.log2Around = shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
+  return {true, masks.isLeaf(index), words[node] + recordWords(shape) * masks.rank(index)};
+}
+
+Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
+  return found(words, MaskShape(stratum), node, childIndex(stratum, place));
+}
+
+void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
+  const MaskShape shape(stratum);
+  forEachPlace(stratum, [&](Int3 place) {
+    if (const Child child = found(words, shape, node, childIndex(stratum, place)); child.exists)
+      visit(place, child);
+  });
+}
+
+/// Records without masks are leaves, and their first word is a value.
+bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels, Relocation relocation) {
+  const std::uint64_t step = recordWords(MaskShape(stratum));
+  if (words.size() % step != 0)
+    return false;
+  for (std::size_t i = 0; i < words.size(); i += step) {
+    bool isLeaf = true;
+    for (const std::uint32_t mask : words.subspan(i + 1, step - 1))
+      isLeaf &= mask == 0;
+    if (!(isLeaf && holdsVoxels) && !relocateRef(words[i], relocation))
+      return false;
+  }
+  return true;
+}
+
+} // namespace
+
+const SlotKind kSiblingSlots = {
+    "siblings", "a record for each child that is not empty, next to each other", problem, check, leastWords, size, child, visit,
+    relocate};
+
+} // namespace voxc

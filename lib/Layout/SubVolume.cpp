@@ -1,0 +1,94 @@
+// Going down a sub-volume by its stratum's record.
+#include "voxc/Layout/SubVolume.h"
+
+#include "Masks.h"
+#include "Places.h"
+
+namespace voxc {
+namespace {
+
+/// Visits the nodes of one sub-volume in Morton order and checks each before it is used.
+class Visit {
+public:
+  Visit(WordReader &words, const Stratum &stratum, SubVolumeVisitor &visitor)
+      : words_(words), stratum_(stratum), visitor_(visitor) {}
+
+  void subVolume(std::uint64_t offset) {
+    if (stratum_.depth == 0)
+      leaf(offset, {});
+    else
+      node(offset, {}, stratum_.depth);
+  }
+
+private:
+  /// The word of a leaf, in a slot that was checked or in a block of its own.
+  void leaf(std::uint64_t at, const Cube &cube) {
+    const std::uint64_t count = stratum_.cells == Cells::Record ? 1 + MaskShape(stratum_).words() : 1;
+    if (!stratum_.isGrid() && !words_.require(at, count, "a leaf"))
+      return;
+    bool isLeaf = stratum_.isGrid() || (at != 0 && words_[at] != 0);
+    for (std::uint64_t i = 1; i < count; ++i)
+      isLeaf &= words_[at + i] == 0;
+    if (!isLeaf)
+      words_.fail("a leaf at word " + std::to_string(at) + " is empty or malformed");
+    else
+      visitor_.cells(cube, words_[at]);
+  }
+
+  void node(std::uint64_t at, Int3 low, int layer) {
+    const int log2Side = longest(stratum_.log2Shape) * layer;
+    if (visitor_.done() || !visitor_.enterNode(static_cast<Ref>(at), log2Side))
+      return;
+    const SlotKind &slots = *stratum_.slots;
+    if (!slots.check(words_, stratum_, at, layer == 1))
+      return;
+    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
+    slots.visit(words_, stratum_, at, [&](Int3 place, const Child &child) {
+      if (visitor_.done())
+        return;
+      const Cube cube = {low + place * (1 << log2Child), log2Child};
+      if (child.leaf)
+        leaf(child.at, cube);
+      else if (layer > 1)
+        node(child.at, cube.low, layer - 1);
+    });
+    visitor_.leaveNode();
+  }
+
+  WordReader &words_;
+  const Stratum &stratum_;
+  SubVolumeVisitor &visitor_;
+};
+
+} // namespace
+
+Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell) {
+  std::uint64_t node = offset;
+  const Int3 shape = stratum.log2Shape;
+  for (int layer = stratum.depth; layer > 0; --layer) {
+    const Int3 place = {cell.x >> shape.x * (layer - 1) & ((1 << shape.x) - 1),
+                        cell.y >> shape.y * (layer - 1) & ((1 << shape.y) - 1),
+                        cell.z >> shape.z * (layer - 1) & ((1 << shape.z) - 1)};
+    const Child child = stratum.slots->child(words, stratum, node, place);
+    const int log2Child = longest(shape) * (layer - 1);
+    if (!child.exists)
+      return {0, log2Child + child.log2Around};
+    if (child.leaf)
+      return {words[child.at], log2Child};
+    node = child.at;
+  }
+  return {words[node], 0};
+}
+
+void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t offset, SubVolumeVisitor &visitor) {
+  Visit(words, stratum, visitor).subVolume(offset);
+}
+
+bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, Block block, bool holdsVoxels,
+              Relocation relocation) {
+  if (block == Block::Leaf)
+    return stratum.cells == Cells::Word && words.size() == 1 && (holdsVoxels || relocateRef(words[0], relocation));
+  return stratum.slots->relocate(words, stratum, holdsVoxels, relocation);
+}
+
+} // namespace voxc

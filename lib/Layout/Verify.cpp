@@ -1,0 +1,84 @@
+// The rules that every layout keeps, whatever made or rewrote it.
+#include "voxc/Layout/Layout.h"
+
+#include "voxc/Layout/SlotKind.h"
+
+namespace voxc {
+namespace {
+
+class Verifier {
+public:
+  Verifier(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges)
+      : layout_(layout), diagnostics_(diagnostics), ranges_(ranges) {}
+
+  void run() {
+    if (layout_.strata.empty())
+      return diagnostics_.error({}, "the layout has no stratum");
+    for (index_ = 0; index_ < layout_.strata.size(); ++index_)
+      stratum(layout_.strata[index_]);
+  }
+
+private:
+  /// Notes a problem of the stratum at hand unless `holds`.
+  void rule(bool holds, const std::string &otherwise) {
+    if (!holds)
+      diagnostics_.error(index_ < ranges_.size() ? ranges_[index_] : SourceRange{},
+                         "stratum " + std::to_string(index_ + 1) + ": " + otherwise);
+  }
+
+  void stratum(const Stratum &stratum) {
+    shape(stratum);
+    cells(stratum);
+    distances(stratum);
+    if (!stratum.slots)
+      return rule(false, "it has no slots");
+    const std::string problem = stratum.slots->problem(stratum);
+    rule(problem.empty(), problem);
+  }
+
+  void shape(const Stratum &stratum) {
+    const Int3 shape = stratum.log2Shape;
+    const bool isCube = shape.x == shape.y && shape.y == shape.z;
+    rule(shape.x >= 0 && shape.y >= 0 && shape.z >= 0 && longest(shape) <= kMaxLog2Extent && stratum.depth >= 0 &&
+             stratum.depth <= kMaxLog2Extent && stratum.log2Cell >= 0 &&
+             longest(stratum.log2Size()) + stratum.log2Cell <= kMaxLog2Extent,
+         "an axis has at most 2^" + std::to_string(kMaxLog2Extent) + " voxels");
+    rule(isCube || (stratum.depth == 1 && index_ == 0), "only the one node of the first stratum may be no cube");
+    rule(stratum.depth == 1 || shape.x > 0 || stratum.depth == 0, "layers of one child each say nothing");
+    const bool isLast = index_ + 1 == layout_.strata.size();
+    const int below = isLast ? 0 : longest(layout_.strata[index_ + 1].log2Size()) + layout_.strata[index_ + 1].log2Cell;
+    rule(stratum.log2Cell == below, "its cells have 2^" + std::to_string(stratum.log2Cell) +
+                                        " voxels a side, but what is below has 2^" + std::to_string(below));
+  }
+
+  void cells(const Stratum &stratum) {
+    rule(!stratum.isGrid() || stratum.depth == 1, "cells that lie inline are those of one layer");
+    rule(stratum.isGrid() != stratum.leaves, "children may be leaves where cells lie outside their node, and only there");
+  }
+
+  void distances(const Stratum &stratum) {
+    const bool inSlot = stratum.empty != Empty::Zero;
+    const bool isLast = layout_.holdsVoxels(index_);
+    rule((stratum.skip == Skip::L1) == (stratum.reach > 0), "a reach goes with distances");
+    rule(!inSlot || stratum.skip != Skip::None, "empty slots that are not 0 hold distances");
+    rule(stratum.empty != Empty::Tagged || !isLast, "references can be told by a tag, voxels cannot");
+    rule(stratum.empty != Empty::Transparent || isLast, "voxels can be told by their alpha, references cannot");
+    rule(!inSlot || stratum.reach < (stratum.empty == Empty::Tagged ? 1u << 31 : 1u << 24),
+         "a reach of " + std::to_string(stratum.reach) + " does not fit into an empty slot");
+    rule(stratum.skip == Skip::None || (stratum.isGrid() && stratum.slots == &kDenseSlots),
+         "distances stand in dense slots");
+  }
+
+  const Layout &layout_;
+  Diagnostics &diagnostics_;
+  const std::vector<SourceRange> &ranges_;
+  std::size_t index_ = 0;
+};
+
+} // namespace
+
+void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges) {
+  Verifier(layout, diagnostics, ranges).run();
+}
+
+} // namespace voxc

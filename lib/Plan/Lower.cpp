@@ -1,0 +1,20 @@
+// From the level IR to the plan: strata, and what the attributes ask of the kernel.
+#include "voxc/Plan/Plan.h"
+
+namespace voxc {
+
+Plan lowerToPlan(const Format &format, const PlanOptions &options) {
+  Plan plan;
+  plan.layout = layoutOf(format);
+  plan.addressing = options.addressing;
+  plan.loops = options.loops;
+  plan.predicate =
+      format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
+  plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
+  for (const Level &level : format.levels)
+    plan.traversals.push_back(
+        {.descent = level.kind->isTree() ? *fromString<Descent>(level.attribute(kWalkAttribute)) : Descent::Index});
+  return plan;
+}
+
+} // namespace voxc

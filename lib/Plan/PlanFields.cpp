@@ -1,0 +1,97 @@
+// The tables of what plan text says.
+#include "PlanFields.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+
+namespace voxc {
+namespace {
+
+template <typename Number> bool parseNumber(Number &number, std::string_view text, int base = 10) {
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number, base);
+  return problem == std::errc() && end == text.data() + text.size();
+}
+
+/// What a member of Owner is as text, by its type; values that are as in a new Owner are usual.
+template <typename Owner, auto Member> std::string printMember(const Owner &owner) {
+  const auto &value = owner.*Member;
+  if (value == Owner{}.*Member)
+    return {};
+  if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>)
+    return std::string(toString(value));
+  else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>)
+    return value ? "yes" : "no";
+  else
+    return std::to_string(value);
+}
+
+template <typename Owner, auto Member> bool parseMember(Owner &owner, std::string_view text) {
+  auto &value = owner.*Member;
+  using Value = std::remove_cvref_t<decltype(value)>;
+  if constexpr (std::is_enum_v<Value>) {
+    const auto found = fromString<Value>(text);
+    value = found.value_or(value);
+    return found.has_value();
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    value = text == "yes";
+    return text == "yes" || text == "no";
+  } else {
+    return parseNumber(value, text);
+  }
+}
+
+template <typename Owner, auto Member>
+constexpr Field<Owner> field(std::string_view name, std::string_view values) {
+  return {name, printMember<Owner, Member>, parseMember<Owner, Member>, values};
+}
+
+std::string printStorage(const Plan &plan) {
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx",
+                static_cast<unsigned long long>(plan.layout.storageDigest));
+  return digits.data();
+}
+
+bool parseStorage(Plan &plan, std::string_view text) {
+  return text.size() == 16 && parseNumber(plan.layout.storageDigest, text, 16);
+}
+
+std::string printPayload(const Plan &plan) { return std::string(toString(plan.layout.payload)); }
+
+bool parsePayload(Plan &plan, std::string_view text) {
+  const auto payload = fromString<Payload>(text);
+  plan.layout.payload = payload.value_or(Payload::Rgba8);
+  return payload.has_value();
+}
+
+constexpr std::array<Field<Plan>, 6> kPlanFields = {{
+    {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
+    {"payload", printPayload, parsePayload, "rgba8"},
+    field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
+    field<Plan, &Plan::predicate>("predicate", "exact, float32"),
+    field<Plan, &Plan::detail>("detail", "full, cone"),
+    field<Plan, &Plan::loops>("loops", "whole, cut"),
+}};
+
+using S = PlannedStratum;
+constexpr std::array<Field<S>, 11> kStratumFields = {{
+    field<S, &S::depth>("depth", "a number of layers"),
+    field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
+    field<S, &S::leaves>("leaves", "yes, no"),
+    field<S, &S::cells>("cells", "inline, word, record"),
+    field<S, &S::skip>("skip", "none, l1"),
+    field<S, &S::reach>("reach", "a number of cells"),
+    field<S, &S::empty>("empty", "zero, tagged, transparent"),
+    field<S, &S::sharing>("sharing", "none, sub-volume, stratum"),
+    field<S, &S::descent>("descent", "index, probe, single, stack, restart, unrolled"),
+    field<S, &S::stops>("stops", "yes, no"),
+    field<S, &S::sampled>("sampled", "yes, no"),
+}};
+
+} // namespace
+
+std::span<const Field<Plan>> planFields() { return kPlanFields; }
+std::span<const Field<PlannedStratum>> stratumFields() { return kStratumFields; }
+
+} // namespace voxc

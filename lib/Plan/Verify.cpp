@@ -1,0 +1,27 @@
+// The rules of plans: those of the layout, and that each stratum is walked in a way that it has.
+#include "voxc/Layout/SlotKind.h"
+#include "voxc/Plan/Plan.h"
+
+namespace voxc {
+
+void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges) {
+  verify(plan.layout, diagnostics, ranges);
+  if (plan.traversals.size() != plan.layout.strata.size())
+    return diagnostics.error({}, "a plan says of each stratum how it is walked");
+  for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
+    const Stratum &stratum = plan.layout.strata[i];
+    const Traversal &traversal = plan.traversals[i];
+    const SourceRange range = i < ranges.size() ? ranges[i] : SourceRange{};
+    const std::string number = "stratum " + std::to_string(i + 1) + ": ";
+    const bool isTable = stratum.slots == &kHashedSlots;
+    if ((stratum.isGrid() && !isTable) != (traversal.descent == Descent::Index) ||
+        isTable != (traversal.descent == Descent::Probe))
+      diagnostics.error(range, number + "a table is probed, any other grid is walked by index, and nothing else is");
+    if (traversal.descent == Descent::Single && stratum.depth != 0)
+      diagnostics.error(range, number + "a tree with layers is more than a single cell");
+    if ((traversal.stops || traversal.sampled) && plan.detail == Detail::Full)
+      diagnostics.error(range, number + "walks stop above voxels with detail=cone alone");
+  }
+}
+
+} // namespace voxc

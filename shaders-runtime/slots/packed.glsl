@@ -1,0 +1,81 @@
+%if grid
+// A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty.
+%if counts
+// Each word of the mask is followed by how many bits the words before it have.
+%end
+uint cell_level_${N}(uint grid, ivec3 cell) {
+%if first
+  ivec3 at = cell;
+%else
+  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
+%end
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+  uint bit = 1u << (number & 31u);
+%if counts
+  uint mask = load_word(grid + 2u * (number >> 5));
+  if ((mask & bit) == 0u)
+    return 0u;
+  uint rank = load_word(grid + 2u * (number >> 5) + 1u) + uint(bitCount(mask & (bit - 1u)));
+%else
+  uint mask = load_word(grid + (number >> 5));
+  if ((mask & bit) == 0u)
+    return 0u;
+  uint rank = uint(bitCount(mask & (bit - 1u)));
+  if (number >= 32u)
+    rank += uint(bitCount(load_word(grid)));
+%end
+  return load_word(grid + ${head-words}u + rank);
+}
+%if sampled
+
+// The first value of the grid.
+uint any_value_level_${N}(uint grid) { return load_word(grid + ${head-words}u); }
+%end
+%else
+%if wide
+// A node is [mask of children, mask of leaves, references to the children that are not empty...], masks of 64 bits.
+// Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side. `around` is 1 if
+// so are the seven that make a cube with it.
+uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int around) {
+  int child = child_index_of_64(cell >> height);
+  uint half_mask = load_word(node + uint(child >> 5));
+  uint bit = 1u << (child & 31);
+  around = (half_mask >> (child & 24) & 255u) == 0u ? 1 : 0;
+  leaf = (load_word(node + 2u + uint(child >> 5)) & bit) != 0u;
+  if ((half_mask & bit) == 0u)
+    return 0u;
+  int rank = bitCount(half_mask & (bit - 1u));
+  if (child >= 32)
+    rank += bitCount(load_word(node));
+  return load_word(node + 4u + uint(rank));
+}
+%else
+// A node is [masks, references to the children that are not empty...].
+// Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
+uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
+  int child = child_index(cell >> height);
+  uint masks = load_word(node);
+  leaf = (masks >> (8 + child) & 1u) != 0u;
+  if ((masks >> child & 1u) == 0u)
+    return 0u;
+  return load_word(node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
+}
+%end
+%if sampled
+
+// The first child of a node that is not empty.
+uint first_child_level_${N}(uint node, out bool leaf) {
+%if wide
+  uint mask = load_word(node);
+  uint leaves = mask != 0u ? load_word(node + 2u) : load_word(node + 3u);
+  mask = mask != 0u ? mask : load_word(node + 1u);
+  leaf = (leaves >> findLSB(mask) & 1u) != 0u;
+  return load_word(node + 4u);
+%else
+  uint masks = load_word(node);
+  leaf = (masks >> (8 + findLSB(masks & 255u)) & 1u) != 0u;
+  return load_word(node + 1u);
+%end
+}
+%end
+%end

@@ -1,0 +1,53 @@
+// Goes along the ray through a node ${H} layers above the cells, child after child, to the first leaf; 0 if there is none.
+%if stops
+// `leaf` is false where what was found is a node that looks small.
+uint seek_level_${N}_layer_${H}(const Ray ray, inout Walk walk, uint node, out bool leaf) {
+%else
+uint seek_level_${N}_layer_${H}(const Ray ray, inout Walk walk, uint node) {
+%end
+  const int height = LEVEL_${N}_LOG2_CELL + ${H-1}${times-branch};
+  ivec3 begin = walk.cell;
+  uint found = 0u;
+%if stops
+  leaf = false;
+  bool small = false;
+  while (found == 0u && !small && is_same_cube(begin, walk.cell, height + LEVEL_${N}_BRANCH)) {
+%else
+  bool leaf = false;
+  while (found == 0u && is_same_cube(begin, walk.cell, height + LEVEL_${N}_BRANCH)) {
+%end
+%if wide
+    int around = 0;
+%end
+    uint child = child_level_${N}(node, walk.cell, height, leaf${around});
+%if inner
+    bool last = child == 0u || leaf;
+%else
+    bool last = true;
+%end
+%if stops
+    int looks = small_height(ray, walk);
+    last = last || looks >= height;
+%end
+    if (last)
+      count_lookup(walk);
+    if (child == 0u)
+      step_over(ray, walk, height${plus-around});
+%if inner
+    else if (!last)
+%if stops
+      found = seek_level_${N}_layer_${H-1}(ray, walk, child, leaf);
+%else
+      found = seek_level_${N}_layer_${H-1}(ray, walk, child);
+%end
+%end
+    else
+      found = child;
+%if stops
+    // What did not look small when this node was entered may do so now: its parent stops at it.
+    small = found == 0u && ${H} < LEVEL_${N}_DEPTH && small_height(ray, walk) >= height + LEVEL_${N}_BRANCH;
+%end
+  }
+  return found;
+}
+
