@@ -1,8 +1,8 @@
 // A dense volume of samples, as a reader of its file describes it.
 #pragma once
 
-#include "Mesh/WatchedFile.h"
 #include "Source/Dense/Samples.h"
+#include "Support/WatchedFile.h"
 #include "voxc/Source/Input.h"
 
 #include <memory>

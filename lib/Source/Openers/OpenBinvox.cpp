@@ -1,10 +1,10 @@
 // Opening binvox files: a text header, then runs of equal voxels, y fastest, then z, then x.
 #include "Source/Openers/Openers.h"
 
-#include "Mesh/WatchedFile.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
 #include "Source/Openers/InputText.h"
+#include "Support/WatchedFile.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <array>

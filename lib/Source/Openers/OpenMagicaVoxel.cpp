@@ -1,10 +1,10 @@
 // Opening MagicaVoxel files: models placed by a scene graph, in axes whose up is +z.
 #include "Source/Openers/Openers.h"
 
-#include "Mesh/WatchedFile.h"
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
 #include "Source/MagicaVoxel/VoxScene.h"
+#include "Support/WatchedFile.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <utility>

@@ -1,5 +1,5 @@
 // The resident size as the system tells it.
-#include "Mesh/ResidentGrowth.h"
+#include "Support/ResidentGrowth.h"
 
 #include <fstream>
 #include <unistd.h>

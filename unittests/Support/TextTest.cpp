@@ -1,5 +1,5 @@
 // Words, lines and numbers of text.
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Cutting text into words and lines.
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <charconv>

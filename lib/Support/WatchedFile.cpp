@@ -1,5 +1,5 @@
 // Watching a mapped file from its opening to its end.
-#include "Mesh/WatchedFile.h"
+#include "Support/WatchedFile.h"
 
 namespace voxc {
 

@@ -1,6 +1,8 @@
 // What a file's name says about its kind.
 #pragma once
 
+#include "Support/Text.h"
+
 #include <string>
 #include <string_view>
 
@@ -10,11 +12,7 @@ namespace voxc {
 inline std::string pathEnding(std::string_view path) {
   const std::string_view name = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = name.find_last_of('.');
-  std::string ending(dot == std::string_view::npos ? std::string_view() : name.substr(dot));
-  for (char &c : ending)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return ending;
+  return dot == std::string_view::npos ? std::string() : lowerCase(name.substr(dot));
 }
 
 /// The folder of a path, with a slash at its end; empty if it names none.
