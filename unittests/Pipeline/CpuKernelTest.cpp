@@ -216,7 +216,7 @@ TEST_F(CpuKernels, AnswerOneRayAtATimeFromAnyThread) {
   const auto expected = cpuHits(*volume, format, rays);
   const auto ask = [&](std::vector<Hit> &hits) {
     for (const Ray &ray : rays)
-      hits.push_back(*volume->intersect(*kernel, ray));
+      hits.push_back(*intersect(*volume, *kernel, ray));
   };
   std::vector<Hit> here, there;
   std::jthread other(ask, std::ref(there));
@@ -235,7 +235,7 @@ TEST_F(CpuKernels, FitOnlyTheStorageTheyWereMadeFor) {
   const auto refused = createCpuTracer(*other, *volume);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Input);
-  const auto hit = volume->intersect(*other, Ray{});
+  const auto hit = intersect(*volume, *other, Ray{});
   ASSERT_FALSE(hit);
   EXPECT_EQ(hit.error().message, refused.error().message);
   const auto restart =
