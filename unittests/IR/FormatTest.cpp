@@ -1,7 +1,6 @@
 // Parsing, printing and verifying of formats.
-#include "RandomFormat.h"
-
 #include "voxc/IR/Format.h"
+#include "testing/RandomFormat.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Random levels, formats of them, and passes over those.
-#include "voxc/Passes/RandomFormat.h"
+#include "testing/RandomFormat.h"
 
 #include "voxc/Passes/Pass.h"
 
-namespace voxc {
+namespace voxc::test {
 
 namespace {
 
@@ -52,4 +52,4 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
   return format;
 }
 
-} // namespace voxc
+} // namespace voxc::test

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace voxc {
+namespace voxc::test {
 
 Ray backedOff(const Point &point, const Point &direction, float steps) {
   Ray ray{};
@@ -93,4 +93,4 @@ Ray axisParallel(RandomSource &random, const RayTarget &target, int onLattice) {
   return ray;
 }
 
-} // namespace voxc
+} // namespace voxc::test

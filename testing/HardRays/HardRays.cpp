@@ -1,12 +1,12 @@
 // The table of the classes of hard rays, and rays by class and by share.
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 
 #include "Families.h"
 #include "RandomSource.h"
 
 #include <algorithm>
 
-namespace voxc {
+namespace voxc::test {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::vector<Ray> verifyRays(Int3 extent, std::size_t count, std::uint64_t seed) 
   return rays;
 }
 
-} // namespace voxc
+} // namespace voxc::test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace voxc {
+namespace voxc::test {
 
 namespace {
 
@@ -87,4 +87,4 @@ Ray notFiniteRay(RandomSource &random, const RayTarget &target) {
   return ray;
 }
 
-} // namespace voxc
+} // namespace voxc::test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace voxc {
+namespace voxc::test {
 
 namespace {
 
@@ -46,4 +46,4 @@ Ray cameraRay(RandomSource &random, const RayTarget &target) {
   return ray;
 }
 
-} // namespace voxc
+} // namespace voxc::test

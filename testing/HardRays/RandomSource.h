@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-namespace voxc {
+namespace voxc::test {
 
 class RandomSource {
 public:
@@ -29,4 +29,4 @@ private:
   std::mt19937_64 engine_;
 };
 
-} // namespace voxc
+} // namespace voxc::test

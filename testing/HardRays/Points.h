@@ -3,9 +3,9 @@
 
 #include "RandomSource.h"
 
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 
-namespace voxc {
+namespace voxc::test {
 
 using Point = float[3];
 
@@ -33,4 +33,4 @@ float nudged(RandomSource &random, float value);
 /// Along an axis, with `onLattice` of the two other coordinates whole and the rest at a cell's centre.
 Ray axisParallel(RandomSource &random, const RayTarget &target, int onLattice);
 
-} // namespace voxc
+} // namespace voxc::test

@@ -2,9 +2,9 @@
 // HardRays.cpp says what they are.
 #pragma once
 
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 
-namespace voxc {
+namespace voxc::test {
 
 class RandomSource;
 
@@ -40,4 +40,4 @@ Ray signedZeroRay(RandomSource &random, const RayTarget &target);
 Ray stillRay(RandomSource &random, const RayTarget &target);
 Ray notFiniteRay(RandomSource &random, const RayTarget &target);
 
-} // namespace voxc
+} // namespace voxc::test

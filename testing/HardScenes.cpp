@@ -1,11 +1,11 @@
 // The table of scenes that are chosen to hurt.
-#include "voxc/Source/HardScenes.h"
+#include "testing/HardScenes.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
 
-namespace voxc {
+namespace voxc::test {
 
 namespace {
 
@@ -108,4 +108,4 @@ std::vector<HardScene> hardScenes(Int3 extent) {
   return scenes;
 }
 
-} // namespace voxc
+} // namespace voxc::test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace voxc {
+namespace voxc::test {
 
 Ray tinyRay(RandomSource &random, const RayTarget &target) {
   Ray ray = random.flip() ? insideRay(random, target) : diagonalRay(random, target);
@@ -101,4 +101,4 @@ Ray hugeRay(RandomSource &random, const RayTarget &target) {
   return ray;
 }
 
-} // namespace voxc
+} // namespace voxc::test

@@ -1,8 +1,8 @@
 // The classes of hard rays are what they say, repeatable, and aimed at the grid.
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 
-#include "../../lib/Oracle/ExactRay.h"
-#include "../../lib/Oracle/ExactWalk.h"
+#include "Oracle/ExactRay.h"
+#include "Oracle/ExactWalk.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voxc {
+namespace voxc::test {
 
 /// Past a lattice edge or corner, so closely that the products that decide agree in 40 bits and more: the
 /// origin lies next to 0, where float32 is fine, and the lattice point far from it.
@@ -60,4 +60,4 @@ Ray brokenTieRay(RandomSource &random, const RayTarget &target) {
   return ray;
 }
 
-} // namespace voxc
+} // namespace voxc::test

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace voxc {
+namespace voxc::test {
 
 class RandomSource;
 
@@ -45,4 +45,4 @@ std::vector<Ray> hardRays(const RayTarget &target, std::string_view className, s
 /// axis-parallel rays and lines through lattice points, shuffled. The same arguments give the same rays.
 std::vector<Ray> verifyRays(Int3 extent, std::size_t count, std::uint64_t seed);
 
-} // namespace voxc
+} // namespace voxc::test

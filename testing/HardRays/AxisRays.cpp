@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voxc {
+namespace voxc::test {
 
 Ray axisCentreRay(RandomSource &random, const RayTarget &target) { return axisParallel(random, target, 0); }
 Ray axisFaceRay(RandomSource &random, const RayTarget &target) { return axisParallel(random, target, 1); }
@@ -66,4 +66,4 @@ Ray tunnelRay(RandomSource &random, const RayTarget &target) {
   return ray;
 }
 
-} // namespace voxc
+} // namespace voxc::test

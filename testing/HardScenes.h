@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace voxc {
+namespace voxc::test {
 
 /// A scene of a given extent; its voxels are made by arithmetic on integers, the same on every machine.
 struct HardScene {
@@ -27,4 +27,4 @@ struct HardScene {
 /// in its corners and in its middle alone, so that they are built fast in any format.
 std::vector<HardScene> hardScenes(Int3 extent);
 
-} // namespace voxc
+} // namespace voxc::test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace voxc {
+namespace voxc::test {
 
 Ray diagonalRay(RandomSource &random, const RayTarget &target) {
   Point point, direction;
@@ -61,4 +61,4 @@ Ray touchRay(RandomSource &random, const RayTarget &target) {
   return backedOff(point, direction, static_cast<float>(random.integer(0, 16)) / 2);
 }
 
-} // namespace voxc
+} // namespace voxc::test

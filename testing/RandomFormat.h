@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-namespace voxc {
+namespace voxc::test {
 
 /// A number in [low, high], the same for a seed with every standard library.
 int pick(std::mt19937 &random, int low, int high);
@@ -17,4 +17,4 @@ std::string randomFormatText(std::mt19937 &random, int log2Side);
 /// A parsed random format, with random passes.
 Format randomFormat(std::mt19937 &random, int log2Side);
 
-} // namespace voxc
+} // namespace voxc::test
