@@ -3,6 +3,9 @@
 
 #include "voxc/Passes/Pass.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace voxc::test {
 
 namespace {
@@ -23,6 +26,16 @@ std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
   default:
     return "G(" + text(side) + ")";
   }
+}
+
+/// A pass that chooses a walk, or null for the walk that formats have without one: each as likely. strip-walk
+/// is none of them, as it takes back what the others chose.
+const Pass *randomWalk(std::mt19937 &random) {
+  std::vector<const Pass *> walks{nullptr};
+  for (const Pass &pass : passes())
+    if (pass.effect == AttributeEffect::Walk && pass.run != stripWalk)
+      walks.push_back(&pass);
+  return walks[static_cast<std::size_t>(pick(random, 0, static_cast<int>(walks.size()) - 1))];
 }
 
 } // namespace
@@ -47,8 +60,10 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
   Format format = *parseFormat(randomFormatText(random, log2Side));
   Diagnostics diagnostics;
   for (const Pass &pass : passes())
-    if (random() % 2 != 0)
+    if (pass.effect == AttributeEffect::Storage && random() % 2 != 0)
       pass.run(format, diagnostics);
+  if (const Pass *walk = randomWalk(random))
+    walk->run(format, diagnostics);
   return format;
 }
 
