@@ -75,6 +75,10 @@ std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &d
   return std::nullopt;
 }
 
+std::shared_ptr<const SourceText> keepSource(std::string_view text, std::string_view name) {
+  return std::make_shared<const SourceText>(SourceText{std::string(name), std::string(text)});
+}
+
 std::string signature(const LevelKind &kind) {
   std::string text(1, kind.letter);
   const char *separator = "(";

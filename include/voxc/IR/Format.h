@@ -7,6 +7,7 @@
 #include "voxc/Support/Geometry.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,8 @@ struct Level {
 struct Format {
   std::vector<Level> levels;
   AttributeSet attributes; ///< Of `formatAttributes()`: what concerns the kernel as a whole.
+  /// What it was parsed from, which the ranges of levels speak of; null if it was not. Not compared.
+  std::shared_ptr<const SourceText> source;
 
   /// log2 of the voxels along each axis of the whole format.
   Int3 log2Extent() const;
@@ -49,7 +52,9 @@ struct Format {
   /// Sets an attribute of `formatAttributes()`; a default value removes it. True if the format changed.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
-  bool operator==(const Format &) const = default;
+  bool operator==(const Format &other) const {
+    return levels == other.levels && attributes == other.attributes;
+  }
 };
 
 /// Parses a format string such as "R(4, 4, 4) G(8)" (contract, section 3). Every error in it is reported.
