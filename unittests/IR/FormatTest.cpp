@@ -79,6 +79,15 @@ TEST(Ir, AFormatHasAttributesOfItsOwn) {
   EXPECT_FALSE(format.setAttribute(kWalkAttribute, "restart")) << "an attribute of levels";
 }
 
+TEST(Ir, RefusesValuesThatAnAttributeLacks) {
+  Format format = *parseFormat("format precision=fast { level 1: svdag(2) walk=restart }");
+  const Format before = format;
+  EXPECT_FALSE(format.levels[0].setAttribute(kWalkAttribute, "level")) << "a value of another attribute";
+  EXPECT_FALSE(format.levels[0].setAttribute(kDedupAttribute, ""));
+  EXPECT_FALSE(format.setAttribute(kPrecisionAttribute, "exactly"));
+  EXPECT_EQ(format, before);
+}
+
 TEST(Ir, RoundTripsRandomFormats) {
   std::mt19937 random(20260101);
   for (int i = 0; i < 2000; ++i) {

@@ -40,7 +40,8 @@ class AttributeSet {
 public:
   /// The value of an attribute: its default if it was not set.
   std::string_view value(const AttributeKind &kind) const;
-  /// Sets one of `taken` to one of its values; a default removes it. True if the set changed.
+  /// Sets one of `taken` to one of its values; a default removes it. True if the set changed: it stays as it
+  /// is where `taken` has no such kind, or the kind no such value.
   bool set(AttributeKinds taken, const AttributeKind &kind, std::string_view value);
   /// Removes what concerns the kernel alone.
   void eraseWalk();

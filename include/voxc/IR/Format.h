@@ -28,7 +28,8 @@ struct Level {
   bool isCubic() const;
   /// The value of an attribute: its default if it was not set or does not apply.
   std::string_view attribute(const AttributeKind &kind) const { return attributes.value(kind); }
-  /// Sets an attribute that the kind takes; a default value removes it. True if the level changed.
+  /// Sets an attribute that the kind takes; a default value removes it. True if the level changed: it stays
+  /// as it is where the kind has no such attribute, or the attribute no such value.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
   bool operator==(const Level &other) const {
@@ -49,7 +50,7 @@ struct Format {
   Int3 extent() const;
   /// log2 of the voxels along a side of a cell of levels[index]: 0 for the last level.
   int log2CellSide(std::size_t index) const;
-  /// Sets an attribute of `formatAttributes()`; a default value removes it. True if the format changed.
+  /// The same for an attribute of `formatAttributes()`.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
   bool operator==(const Format &other) const {
