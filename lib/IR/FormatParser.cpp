@@ -1,4 +1,4 @@
-// Parsing of format strings: level+, where level is a letter and its parameters (contract, section 3).
+// Parsing of format strings: level+, where level is a letter and its parameters (docs/formats.md).
 #include "LevelParser.h"
 
 #include <algorithm>

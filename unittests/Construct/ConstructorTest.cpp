@@ -110,7 +110,7 @@ TEST(Constructor, RefusesWhatIsLarger) {
   EXPECT_THAT(built.error().message, ::testing::HasSubstr("5 x 1 x 1"));
 }
 
-TEST(Constructor, WritesTheLayoutOfTheContract) {
+TEST(Constructor, WritesTheLayoutOfTheDocumentation) {
   const auto words = [](const char *format, std::uint32_t (*voxel)(Int3)) {
     const Format parsed = formatOf(format);
     const auto built = Constructor::compile(parsed)->build(*makeFunctionSource(parsed.extent(), voxel));

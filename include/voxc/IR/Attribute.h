@@ -9,7 +9,7 @@
 
 namespace voxc {
 
-/// Whether an attribute changes the volume's words or the kernel alone (contract, section 4).
+/// Whether an attribute changes the volume's words, and is kept with them, or the kernel alone.
 enum class AttributeEffect { Storage, Walk };
 
 /// A choice that may be set. The first value is the default and is not printed.

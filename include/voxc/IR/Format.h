@@ -58,8 +58,8 @@ struct Format {
   }
 };
 
-/// Parses a format string such as "R(4, 4, 4) G(8)" (contract, section 3). Every error in it is reported.
-/// The result is verified; it is only meaningful if no error was added to `diagnostics`.
+/// Parses a format string such as "R(4, 4, 4) G(8)"; see docs/formats.md for its grammar. Every error in it
+/// is reported. The result is verified; it is only meaningful if no error was added to `diagnostics`.
 Format parseFormat(std::string_view text, Diagnostics &diagnostics);
 
 /// Parses a format string, or IR text if it starts with the word `format`; errors come rendered.
@@ -68,7 +68,8 @@ Expected<Format> parseFormat(std::string_view text, std::string_view name = "for
 /// The format as a string of the grammar; attributes have no spelling there and are left out.
 std::string toString(const Format &format);
 
-/// Checks every rule of the contract's section 3 on the levels; ranges are those of the levels.
+/// Checks every rule of docs/formats.md on the levels, whatever made them: lower levels are cubes, no axis
+/// has more than 2^21 voxels, no grid alone more words than a volume. Ranges are those of the levels.
 void verify(const Format &format, Diagnostics &diagnostics);
 
 /// Parses IR text; see docs/ir.md for its grammar. The result is verified.

@@ -1,4 +1,4 @@
-// Opening an INPUT as it is written on a command line (contract, section 7).
+// Opening an INPUT as it is written on a command line (docs/command-line.md).
 #pragma once
 
 #include "voxc/Mesh/MeshSource.h"
