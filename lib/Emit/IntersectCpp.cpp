@@ -53,7 +53,8 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
       replaced(file("interface.cpp"), "THE_COUNT_WORDS", countWords ? "true" : "false") +
       glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + dispatch);
   return "// intersect.cpp: first hits of rays with volumes of the format " + toString(plan.format) +
-         ".\n// Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:\n"
+         ".\n// C++20, for Clang 17 and GCC 12, or later ones: Clang 16 knows no __builtin_roundevenf.\n"
+         "// Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:\n"
          "//     -O3 -fwrapv -ffp-contract=off -fno-strict-aliasing\n"
          "#include \"voxc_glsl.h\"\n\nusing namespace voxc::glsl;\n\nnamespace {\n\n"
          "VOXC_BEGIN_INLINE\n\nstruct Kernel {\n" +
