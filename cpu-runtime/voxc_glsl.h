@@ -1,4 +1,5 @@
-// voxc_glsl.h: the built-in functions of GLSL that kernels call, in C++. Freestanding; for Clang and GCC.
+// voxc_glsl.h: the built-in functions of GLSL that kernels call, in C++. Freestanding; for Clang 17 and GCC 12, or
+// later ones.
 #pragma once
 
 #include "voxc_vector.h"

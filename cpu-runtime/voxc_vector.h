@@ -1,4 +1,5 @@
-// voxc_vector.h: the vectors of GLSL in C++, each kept in one SIMD register. Freestanding; for Clang and GCC.
+// voxc_vector.h: the vectors of GLSL in C++, each kept in one SIMD register. Freestanding; for Clang 17 and GCC 12, or
+// later ones.
 #pragma once
 
 #define VOXC_INLINE [[gnu::always_inline]] inline

@@ -3,7 +3,7 @@
 
 #include "FuzzedFile.h"
 
-#include "voxc/Source/Input.h"
+#include "voxc/Input/Input.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Fuzzes the reader of .nii and .nii.gz files.
 #include "SourceUse.h"
 
-#include "Source/Openers/Openers.h"
+#include "Input/Openers/Openers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size) {
   using namespace voxc::fuzz;

@@ -1,7 +1,7 @@
 // Fuzzes the reader of .ply files without faces.
 #include "SourceUse.h"
 
-#include "Source/PointSource.h"
+#include "Input/Points/PointSource.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size) {
   using namespace voxc;

@@ -32,12 +32,13 @@ std::string_view AttributeSet::value(const AttributeKind &kind) const {
 }
 
 bool AttributeSet::set(AttributeKinds taken, const AttributeKind &kind, std::string_view value) {
-  if (std::ranges::find(taken, &kind) == taken.end() || this->value(kind) == value)
+  const auto found = std::ranges::find(kind.values, value);
+  if (std::ranges::find(taken, &kind) == taken.end() || found == kind.values.end() ||
+      this->value(kind) == value)
     return false;
   std::erase_if(attributes_, [&](const Attribute &attribute) { return attribute.kind == &kind; });
-  const auto index = static_cast<std::size_t>(std::ranges::find(kind.values, value) - kind.values.begin());
-  if (index > 0)
-    attributes_.push_back({&kind, index});
+  if (found != kind.values.begin())
+    attributes_.push_back({&kind, static_cast<std::size_t>(found - kind.values.begin())});
   // Kept in the order of the table, so that equal sets compare equal whatever the order of the passes.
   std::ranges::sort(attributes_, {}, [&](const Attribute &attribute) {
     return std::ranges::find(taken, attribute.kind) - taken.begin();

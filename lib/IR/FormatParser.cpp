@@ -1,4 +1,4 @@
-// Parsing of format strings: level+, where level is a letter and its parameters (contract, section 3).
+// Parsing of format strings: level+, where level is a letter and its parameters (docs/formats.md).
 #include "LevelParser.h"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ void parseLevel(Lexer &lexer, Format &format, Diagnostics &diagnostics) {
   const auto arguments = parseArguments(lexer, diagnostics);
   if (!arguments)
     return;
-  level.range.end = arguments->empty() ? letter.range.end : arguments->back().range.end + 1;
+  level.range.end = lexer.takenEnd();
   if (setParameters(level, *arguments, letter.range, diagnostics))
     format.levels.push_back(std::move(level));
 }
@@ -86,6 +86,7 @@ void parseLevel(Lexer &lexer, Format &format, Diagnostics &diagnostics) {
 Format parseFormat(std::string_view text, Diagnostics &diagnostics) {
   Lexer lexer(text);
   Format format;
+  format.source = keepSource(text);
   if (lexer.peek().kind == TokenKind::End)
     diagnostics.error({0, text.size()}, "the format has no level; write at least one of " + knownLevels());
   while (lexer.peek().kind != TokenKind::End)
@@ -101,6 +102,7 @@ Expected<Format> parseFormat(std::string_view text, std::string_view name) {
   Format format = isIr ? parseIr(text, diagnostics) : parseFormat(text, diagnostics);
   if (diagnostics.hasErrors())
     return toError(diagnostics, text, name);
+  format.source = keepSource(text, name);
   return format;
 }
 

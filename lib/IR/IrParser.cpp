@@ -86,7 +86,7 @@ private:
     const auto arguments = parseArguments(lexer_, diagnostics_);
     if (!arguments)
       return false;
-    level.range.end = arguments->empty() ? name.range.end : arguments->back().range.end + 1;
+    level.range.end = lexer_.takenEnd();
     if (!setParameters(level, *arguments, name.range, diagnostics_) ||
         !parseAttributes(level.kind->name, level.kind->attributes, level.attributes))
       return false;
@@ -134,6 +134,7 @@ private:
 
 Format parseIr(std::string_view text, Diagnostics &diagnostics) {
   Format format = IrParser(text, diagnostics).parse();
+  format.source = keepSource(text);
   if (!diagnostics.hasErrors())
     verify(format, diagnostics);
   return format;

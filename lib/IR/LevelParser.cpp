@@ -76,6 +76,10 @@ std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &d
   return std::nullopt;
 }
 
+std::shared_ptr<const SourceText> keepSource(std::string_view text, std::string_view name) {
+  return std::make_shared<const SourceText>(SourceText{std::string(name), std::string(text)});
+}
+
 namespace {
 
 std::size_t requiredParameters(const LevelKind &kind) {

@@ -1,4 +1,4 @@
-// What format strings and IR text share: a level's parameters in parentheses.
+// What format strings and IR text share: a level's parameters in parentheses, and that the text is kept.
 #pragma once
 
 #include "Lexer.h"
@@ -22,6 +22,9 @@ std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &d
 /// Checks the count against the kind's parameters and sets them. `head` is the range of the level's name.
 bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceRange head,
                    Diagnostics &diagnostics);
+
+/// The text for `Format::source`.
+std::shared_ptr<const SourceText> keepSource(std::string_view text, std::string_view name = "format");
 
 /// How a kind is written: "R(W, H, D)".
 std::string signature(const LevelKind &kind);

@@ -22,6 +22,7 @@ void Lexer::skipBlanks() {
 }
 
 void Lexer::advance() {
+  takenEnd_ = token_.range.end;
   skipBlanks();
   const std::size_t begin = position_;
   const auto run = [&](auto &&belongs) {

@@ -19,11 +19,8 @@ struct Token {
 };
 
 /// Splits a text: words of letters, digits, '-' and '_' that start with a letter; numbers (any run of digits,
-/// letters,
-/// '.' and '-' that starts with a digit or '-', so that a wrong number is one token); strings in quotation marks, which
-/// end with their line; single characters.
-/// Blanks and
-/// `//` comments separate.
+/// letters, '.' and '-' that starts with a digit or '-', so that a wrong number is one token); strings in
+/// quotation marks, which end with their line; single characters. Blanks and `//` comments separate.
 class Lexer {
 public:
   explicit Lexer(std::string_view text) : text_(text) { advance(); }
@@ -41,6 +38,8 @@ public:
     advance();
     return true;
   }
+  /// Where the last token that was taken ends.
+  std::size_t takenEnd() const { return takenEnd_; }
 
 private:
   void advance();
@@ -48,6 +47,7 @@ private:
 
   std::string_view text_;
   std::size_t position_ = 0;
+  std::size_t takenEnd_ = 0;
   Token token_;
 };
 

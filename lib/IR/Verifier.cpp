@@ -1,4 +1,4 @@
-// The rules that every format keeps, whatever made it (contract, section 3).
+// The rules that every format keeps, whatever made it (docs/formats.md).
 #include "voxc/IR/Format.h"
 #include "voxc/Layout/SlotKind.h"
 

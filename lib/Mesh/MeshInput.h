@@ -1,8 +1,8 @@
 // What every mesh reader is given.
 #pragma once
 
-#include "Mesh/PathEnding.h"
-#include "Mesh/WatchedFile.h"
+#include "Support/PathEnding.h"
+#include "Support/WatchedFile.h"
 #include "voxc/Support/Progress.h"
 
 #include <memory>

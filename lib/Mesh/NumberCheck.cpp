@@ -1,7 +1,7 @@
 // Looking at every number of a scene once.
 #include "Mesh/NumberCheck.h"
 
-#include "Mesh/Problem.h"
+#include "Support/Problem.h"
 
 #include <algorithm>
 #include <cmath>

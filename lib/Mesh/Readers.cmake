@@ -26,13 +26,10 @@ set(VOXC_MESH_READERS
   Ply/PlyReader.cpp
   Ply/PlyScene.cpp
   Polygon.cpp
-  ResidentGrowth.cpp
   NumberCheck.cpp
   SceneLoader.cpp
   Stl/StlReader.cpp
   Stl/StlText.cpp
-  Text.cpp
-  TriangleScene.cpp
-  WatchedFile.cpp)
+  TriangleScene.cpp)
 # What they are built on, beside stb_image, a header.
 set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> png turbojpeg)

@@ -2,11 +2,11 @@
 // leaves this file.
 #include "voxc/OpenVdb/OpenVdb.h"
 
-#include "Source/Dense/ColourMap.h"
-#include "Source/Dense/Samples.h"
+#include "Input/Dense/ColourMap.h"
+#include "Input/Dense/Samples.h"
+#include "Input/Openers/InputText.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
-#include "Source/Openers/InputText.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <openvdb/openvdb.h>

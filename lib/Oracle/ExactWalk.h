@@ -1,4 +1,4 @@
-// The hit of a ray on decoded voxels, word by word as the contract defines it.
+// The hit of a ray on decoded voxels, word by word as docs/ir.md defines it.
 #pragma once
 
 #include "VoxelRuns.h"

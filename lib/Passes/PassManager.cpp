@@ -22,6 +22,13 @@ Expected<void> verifyAfter(const Pass &pass, const Format &format) {
                       " left a wrong format: " + diagnostics.all().front().message);
 }
 
+/// What a pass found wrong, at its places in the text that the format was written in.
+Error errorAt(const Format &format, const Diagnostics &diagnostics) {
+  if (format.source)
+    return toError(diagnostics, format.source->text, format.source->name);
+  return toError(diagnostics, toString(format), "format");
+}
+
 } // namespace
 
 Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options) {
@@ -34,7 +41,7 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names, con
     const PassResult result = pass->run(format, diagnostics);
     const double seconds = watch.seconds();
     if (diagnostics.hasErrors())
-      return toError(diagnostics, toString(format), name);
+      return errorAt(format, diagnostics);
     if (options.afterEach)
       options.afterEach(*pass, format, result, seconds);
     if (options.verifyEach)

@@ -1,9 +1,9 @@
 // Exporting decoded voxels: the table of kinds, dense grids and points.
 #include "voxc/Source/Export.h"
 
-#include "Mesh/PathEnding.h"
 #include "Source/CubeTools.h"
 #include "Source/VoxWriter.h"
+#include "Support/PathEnding.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A dense grid of words, in memory or from a file.
-#include "Mesh/WatchedFile.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
+#include "Support/WatchedFile.h"
 #include "voxc/Source/Sources.h"
 
 #include <bit>

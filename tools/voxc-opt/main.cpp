@@ -1,4 +1,6 @@
 // voxc-opt: runs passes over IR text and prints the IR that comes out.
+#include "Descriptions.h"
+
 #include "common/Command.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
@@ -18,8 +20,19 @@ struct Options {
   bool printAfterAll = false;
   bool timePasses = false;
   bool verifyEach = true;
-  bool helpPasses = false;
-  bool helpLevels = false;
+  std::string (*description)() = nullptr; ///< To be printed instead.
+};
+
+struct DescriptionRow {
+  const char *flag;
+  const char *summary;
+  std::string (*describe)();
+};
+
+constexpr DescriptionRow kDescriptions[] = {
+    {"--help-passes", "Describe the passes and exit", describePasses},
+    {"--help-levels", "Describe the level kinds and exit", describeLevels},
+    {"--help-attributes", "Describe the attributes, as a table in Markdown, and exit", describeAttributes},
 };
 
 void declare(CLI::App &app, Options &options) {
@@ -31,45 +44,9 @@ void declare(CLI::App &app, Options &options) {
   app.add_flag("--time-passes", options.timePasses, "Print each pass's time to standard error");
   app.add_flag("--verify-each,!--no-verify-each", options.verifyEach,
                "Verify the IR after each pass (the default)");
-  app.add_flag("--help-passes", options.helpPasses, "Describe the passes and exit");
-  app.add_flag("--help-levels", options.helpLevels, "Describe the level kinds and exit");
+  for (const DescriptionRow &row : kDescriptions)
+    app.add_flag_callback(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
   options.passes.declare(app, PassChoice::All);
-}
-
-void describePasses() {
-  for (const Pass &pass : passes())
-    std::printf("--%s (%s)\n  %s\n\n%s\n\n", std::string(pass.name).c_str(),
-                pass.effect == AttributeEffect::Storage ? "storage" : "walk",
-                std::string(pass.summary).c_str(), std::string(pass.details).c_str());
-}
-
-void describeAttributes(AttributeKinds attributes) {
-  for (const AttributeKind *attribute : attributes) {
-    std::printf("  %s (%s):", std::string(attribute->name).c_str(),
-                attribute->effect == AttributeEffect::Storage ? "storage" : "walk");
-    for (const std::string_view value : attribute->values)
-      std::printf(" %s", std::string(value).c_str());
-    std::printf("; %s\n", std::string(attribute->summary).c_str());
-  }
-  std::printf("\n");
-}
-
-void describeLevel(const LevelKind &kind) {
-  std::string parameters;
-  for (const ParameterKind &parameter : kind.parameters)
-    parameters += (parameters.empty() ? "" : ", ") + std::string(parameter.name);
-  std::printf("%c(%s), in IR %s(%s)\n  %s\n\n", kind.letter, parameters.c_str(),
-              std::string(kind.name).c_str(), parameters.c_str(), std::string(kind.summary).c_str());
-  for (const ParameterKind &parameter : kind.parameters)
-    std::printf("  %s: %s\n", std::string(parameter.name).c_str(), std::string(parameter.meaning).c_str());
-  describeAttributes(kind.attributes);
-}
-
-void describeLevels() {
-  for (const LevelKind *kind : levelKinds())
-    describeLevel(*kind);
-  std::printf("A format as a whole, in IR after the word format\n\n");
-  describeAttributes(formatAttributes());
 }
 
 void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
@@ -83,12 +60,8 @@ void tellPass(const Options &options, const Pass &pass, const Format &format, Pa
 }
 
 Expected<void> optimise(const Options &options) {
-  if (options.helpPasses) {
-    describePasses();
-    return {};
-  }
-  if (options.helpLevels) {
-    describeLevels();
+  if (options.description) {
+    std::fputs(options.description().c_str(), stdout);
     return {};
   }
   Expected<Format> format = readFormatFile(options.input);

@@ -1,7 +1,7 @@
 // Reading the table of weights, and sharing out by it.
 #include "HardRayBudget.h"
 
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ constexpr unsigned kMostWeight = 1000000;
 bool fits(std::string_view pattern, std::string_view name) { return pattern == kAny || pattern == name; }
 
 bool isClass(std::string_view name) {
-  return fits(name, kAny) ||
-         std::ranges::find(hardRayClasses(), name, &HardRayClass::name) != hardRayClasses().end();
+  return fits(name, kAny) || std::ranges::find(test::hardRayClasses(), name, &test::HardRayClass::name) !=
+                                 test::hardRayClasses().end();
 }
 
 } // namespace
@@ -69,11 +69,11 @@ unsigned HardRayBudget::weight(std::string_view className, std::string_view scen
 
 std::vector<ClassShare> HardRayBudget::share(std::string_view scene, std::size_t total) const {
   std::uint64_t sum = 0;
-  for (const HardRayClass &row : hardRayClasses())
+  for (const test::HardRayClass &row : test::hardRayClasses())
     sum += weight(row.name, scene);
   std::vector<ClassShare> shares;
   std::uint64_t passed = 0; // Weights of the classes before.
-  for (const HardRayClass &row : hardRayClasses()) {
+  for (const test::HardRayClass &row : test::hardRayClasses()) {
     const unsigned own = weight(row.name, scene);
     if (own == 0)
       continue;

@@ -2,7 +2,7 @@
 #include "HardRayFormats.h"
 
 #include "frontend/FormatArgument.h"
-#include "voxc/Passes/RandomFormat.h"
+#include "testing/RandomFormat.h"
 #include "voxc/Support/File.h"
 
 #include <sstream>
@@ -64,8 +64,8 @@ Expected<std::vector<Format>> HardRayFormats::read(std::uint64_t seed) const {
   }
   std::mt19937 random(static_cast<std::uint32_t>(seed ^ seed >> 32));
   for (std::uint32_t i = 0; i < random_; ++i) {
-    const int log2Side = pick(random, kLeastLog2Side, kMostLog2Side);
-    formats.push_back(randomFormat(random, log2Side));
+    const int log2Side = test::pick(random, kLeastLog2Side, kMostLog2Side);
+    formats.push_back(test::randomFormat(random, log2Side));
   }
   for (Format &format : formats)
     attributes_.apply(format);

@@ -1,7 +1,7 @@
 // Scenes by name.
-#include "HardRayScenes.h"
+#include "testing/HardScenes.h"
 
-#include "voxc/Source/HardScenes.h"
+#include "HardRayScenes.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ constexpr const char *kInput = "input";
 
 Error unknownScene(const std::string &name) {
   std::string names;
-  for (const HardScene &scene : hardScenes({1, 1, 1}))
+  for (const test::HardScene &scene : test::hardScenes({1, 1, 1}))
     names += (names.empty() ? "" : ", ") + scene.name;
   return Error::input("there is no scene '" + name + "'; the scenes are " + names +
                       ", and input if one is given");
@@ -31,7 +31,7 @@ void HardRayScenes::declare(CLI::App &app) {
 
 Expected<std::vector<std::string>> HardRayScenes::names() const {
   std::vector<std::string> names;
-  for (const HardScene &scene : hardScenes({1, 1, 1}))
+  for (const test::HardScene &scene : test::hardScenes({1, 1, 1}))
     names.push_back(scene.name);
   if (!input_.empty())
     names.emplace_back(kInput);
@@ -51,7 +51,7 @@ Expected<std::unique_ptr<VoxelSource>> HardRayScenes::open(const std::string &na
       return input.error();
     return std::move(input->source);
   }
-  for (const HardScene &scene : hardScenes(extent))
+  for (const test::HardScene &scene : test::hardScenes(extent))
     if (scene.name == name)
       return scene.source();
   return unknownScene(name);

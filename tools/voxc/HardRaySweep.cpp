@@ -1,7 +1,7 @@
 // The loops over extents, scenes, formats and devices.
-#include "HardRaySweep.h"
+#include "testing/HardRays.h"
 
-#include "voxc/Oracle/HardRays.h"
+#include "HardRaySweep.h"
 
 #include <algorithm>
 #include <array>
@@ -127,7 +127,7 @@ Expected<Oracle> HardRaySweep::makeSet(RaySet &set, std::uint64_t raysEach, std:
   const std::vector<Int3> voxels = oracle->sampleVoxels(kVoxelsAimedAt);
   for (const ClassShare &share : budget_.share(set.scene, static_cast<std::size_t>(raysEach))) {
     const std::vector<Ray> rays =
-        hardRays({(*source)->extent(), voxels}, share.name, share.rays, mixed(seed, set.parts.size()));
+        test::hardRays({(*source)->extent(), voxels}, share.name, share.rays, mixed(seed, set.parts.size()));
     set.parts.push_back({std::string(share.name), set.rays.size(), rays.size()});
     set.rays.insert(set.rays.end(), rays.begin(), rays.end());
   }

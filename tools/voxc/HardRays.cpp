@@ -6,7 +6,7 @@
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 #include "voxc/Support/File.h"
 
 #include <cstdio>
@@ -105,7 +105,7 @@ void HardRaysCommand::addFigures(const HardRaySweep &sweep, const HardRayReport 
 }
 
 void printClasses() {
-  for (const HardRayClass &row : hardRayClasses())
+  for (const test::HardRayClass &row : test::hardRayClasses())
     std::printf("%-14s %s\n", std::string(row.name).c_str(), std::string(row.summary).c_str());
 }
 

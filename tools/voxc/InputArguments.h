@@ -1,7 +1,7 @@
 // The options that say how an input becomes voxels.
 #pragma once
 
-#include "voxc/Source/Input.h"
+#include "voxc/Input/Input.h"
 
 #include <CLI/CLI.hpp>
 

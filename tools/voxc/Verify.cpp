@@ -9,7 +9,7 @@
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Source/Sources.h"
 
@@ -132,7 +132,7 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
     return opened;
   if (Expected<void> prepared = tracing_.prepare(volume, *format, figures_); !prepared)
     return prepared;
-  const std::vector<Ray> rays = verifyRays(volume.info().extent, rays_, seed_);
+  const std::vector<Ray> rays = test::verifyRays(volume.info().extent, rays_, seed_);
   std::vector<Hit> hits(rays.size());
   if (Expected<void> traced = tracing_.trace(rays, hits, {.progress = progress}, figures_); !traced)
     return traced;

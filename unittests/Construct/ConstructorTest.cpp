@@ -1,11 +1,12 @@
 // Built volumes hold exactly the voxels of their source, in every format.
-#include "RandomFormat.h"
-#include "Scenes.h"
 #include "SharedFolder.h"
 #include "TestLength.h"
 
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Passes/Pass.h"
+#include "voxc/Source/Sources.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@
 namespace voxc {
 namespace {
 
+using test::HardScene;
 using test::hardScenes;
-using test::Scene;
 
 Format formatOf(std::string_view text, bool dedup = false) {
   auto format = parseFormat(text);
@@ -27,7 +28,7 @@ Format formatOf(std::string_view text, bool dedup = false) {
   return *format;
 }
 
-Volume buildScene(const Constructor &constructor, const Scene &scene) {
+Volume buildScene(const Constructor &constructor, const HardScene &scene) {
   const auto source = scene.source();
   auto built = constructor.build(*source);
   EXPECT_TRUE(built) << built.error().message;
@@ -35,7 +36,7 @@ Volume buildScene(const Constructor &constructor, const Scene &scene) {
 }
 
 /// Every voxel of the format by lookup, and all cubes of `decode`, against the scene.
-::testing::AssertionResult holds(const Volume &volume, const Scene &scene) {
+::testing::AssertionResult holds(const Volume &volume, const HardScene &scene) {
   const Int3 extent = volume.format().extent();
   std::uint64_t voxels = 0;
   for (Int3 c; c.z < extent.z; ++c.z)
@@ -67,7 +68,7 @@ Volume buildScene(const Constructor &constructor, const Scene &scene) {
 void expectLossless(const Format &format) {
   const auto constructor = Constructor::compile(format);
   ASSERT_TRUE(constructor) << constructor.error().message;
-  for (const Scene &scene : hardScenes(format.extent()))
+  for (const HardScene &scene : hardScenes(format.extent()))
     EXPECT_TRUE(holds(buildScene(*constructor, scene), scene)) << toString(format) << ", " << scene.name;
 }
 
@@ -95,7 +96,7 @@ TEST(Constructor, IsLosslessForRandomFormats) {
 TEST(Constructor, PadsWhatIsSmallerThanTheFormat) {
   const auto constructor = Constructor::compile(formatOf("S(2) G(3)"));
   ASSERT_TRUE(constructor);
-  for (const Scene &scene : hardScenes({20, 7, 31})) {
+  for (const HardScene &scene : hardScenes({20, 7, 31})) {
     const Volume volume = buildScene(*constructor, scene);
     EXPECT_EQ(volume.info().extent, scene.extent);
     EXPECT_TRUE(holds(volume, scene)) << scene.name;
@@ -109,7 +110,7 @@ TEST(Constructor, RefusesWhatIsLarger) {
   EXPECT_THAT(built.error().message, ::testing::HasSubstr("5 x 1 x 1"));
 }
 
-TEST(Constructor, WritesTheLayoutOfTheContract) {
+TEST(Constructor, WritesTheLayoutOfTheDocumentation) {
   const auto words = [](const char *format, std::uint32_t (*voxel)(Int3)) {
     const Format parsed = formatOf(format);
     const auto built = Constructor::compile(parsed)->build(*makeFunctionSource(parsed.extent(), voxel));

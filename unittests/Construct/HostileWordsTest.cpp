@@ -1,8 +1,8 @@
 // Whatever words pass the structure check are read within bounds, by every format.
-#include "RandomFormat.h"
-#include "Scenes.h"
 #include "TestLength.h"
 
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // However a volume is cut into parts, its bytes are the same.
-#include "RandomFormat.h"
-#include "Scenes.h"
 #include "TestLength.h"
 
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Source/Sources.h"
@@ -32,7 +32,7 @@ Words wordsOf(const Expected<Built> &built) {
 /// A source of a function that makes its voxels in cubes of another size, and that has views.
 class ChunkedSource final : public VoxelSource {
 public:
-  ChunkedSource(test::Scene scene, int log2Chunk) : scene_(std::move(scene)), log2Chunk_(log2Chunk) {}
+  ChunkedSource(test::HardScene scene, int log2Chunk) : scene_(std::move(scene)), log2Chunk_(log2Chunk) {}
 
   Int3 extent() const override { return scene_.extent; }
   int log2Chunk() const override { return log2Chunk_; }
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  test::Scene scene_;
+  test::HardScene scene_;
   int log2Chunk_;
 };
 
@@ -71,7 +71,7 @@ protected:
     return wordsOf(constructor.merge(paths));
   }
 
-  void expectSameBytes(const Format &format, const test::Scene &scene) const {
+  void expectSameBytes(const Format &format, const test::HardScene &scene) const {
     const auto constructor = Constructor::compile(format);
     ASSERT_TRUE(constructor) << constructor.error().message;
     ChunkedSource whole(scene, 6);

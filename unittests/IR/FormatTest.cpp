@@ -1,7 +1,6 @@
 // Parsing, printing and verifying of formats.
-#include "RandomFormat.h"
-
 #include "voxc/IR/Format.h"
+#include "testing/RandomFormat.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +77,15 @@ TEST(Ir, AFormatHasAttributesOfItsOwn) {
   EXPECT_TRUE(format.setAttribute(kPrecisionAttribute, "exact"));
   EXPECT_EQ(format, *parseFormat("R(2^3)"));
   EXPECT_FALSE(format.setAttribute(kWalkAttribute, "restart")) << "an attribute of levels";
+}
+
+TEST(Ir, RefusesValuesThatAnAttributeLacks) {
+  Format format = *parseFormat("format precision=fast { level 1: svdag(2) walk=restart }");
+  const Format before = format;
+  EXPECT_FALSE(format.levels[0].setAttribute(kWalkAttribute, "level")) << "a value of another attribute";
+  EXPECT_FALSE(format.levels[0].setAttribute(kDedupAttribute, ""));
+  EXPECT_FALSE(format.setAttribute(kPrecisionAttribute, "exactly"));
+  EXPECT_EQ(format, before);
 }
 
 TEST(Ir, RoundTripsRandomFormats) {

@@ -2,7 +2,7 @@
 #include "Mesh/SharedModels.h"
 #include "Source/SourceTesting.h"
 
-#include "voxc/Source/Input.h"
+#include "voxc/Input/Input.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // The exact walk against brute force in rational arithmetic, on every class of hard rays.
+#include "testing/HardRays.h"
+
 #include "../../lib/Oracle/ExactWalk.h"
 #include "BruteForce.h"
-
-#include "voxc/Oracle/HardRays.h"
 
 #include <gtest/gtest.h>
 
@@ -81,8 +81,8 @@ TEST_P(ExactWalk, AgreesWithBruteForceOnHardRays) {
   const std::vector<Voxel> voxels = scatter(scene);
   const VoxelRuns runs = runsOf(voxels, scene.extent);
   std::size_t hits = 0, rays = 0;
-  for (const HardRayClass &row : hardRayClasses()) {
-    for (const Ray &ray : hardRays(scene.extent, row.name, scene.rays, 42)) {
+  for (const test::HardRayClass &row : test::hardRayClasses()) {
+    for (const Ray &ray : test::hardRays(scene.extent, row.name, scene.rays, 42)) {
       const Hit expected = bruteForce(voxels, ray);
       const Hit hit = traceExactly(runs, ray);
       ASSERT_TRUE(hit == expected) << row.name << " ray " << describe(ray) << ": " << describe(hit)

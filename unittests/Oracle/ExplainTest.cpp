@@ -1,8 +1,8 @@
 // The face of entry and the cells on the way, against brute force in rational arithmetic.
+#include "testing/HardRays.h"
+
 #include "../../lib/Oracle/ExactWalk.h"
 #include "BruteForce.h"
-
-#include "voxc/Oracle/HardRays.h"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,8 @@ void expectExplained(const VoxelRuns &voxels, const Ray &ray, std::string_view n
 TEST(Explain, AgreesWithBruteForceOnHardRays) {
   const Int3 extent{5, 4, 6};
   const VoxelRuns voxels = gridOf(extent, {{0, 0, 0}, {3, 0, 1}, {1, 2, 1}, {4, 3, 5}});
-  for (const HardRayClass &row : hardRayClasses())
-    for (const Ray &ray : hardRays(extent, row.name, 150, 3))
+  for (const test::HardRayClass &row : test::hardRayClasses())
+    for (const Ray &ray : test::hardRays(extent, row.name, 150, 3))
       if (row.name != "not-finite")
         expectExplained(voxels, ray, row.name);
 }
@@ -79,7 +79,7 @@ TEST(Explain, ListsNoMoreCellsThanAreAskedFor) {
 
 TEST(Explain, ARayThatIsNotFiniteHasNoCells) {
   const VoxelRuns voxels = gridOf({8, 8, 8}, {{0, 0, 0}});
-  for (const Ray &ray : hardRays(Int3{8, 8, 8}, "not-finite", 50, 3)) {
+  for (const Ray &ray : test::hardRays(Int3{8, 8, 8}, "not-finite", 50, 3)) {
     const Explanation explained = explainExactly(voxels, ray, 100);
     EXPECT_FALSE(explained.hit.isHit());
     EXPECT_TRUE(explained.cells.empty());

@@ -1,4 +1,4 @@
-// Each sentence of the definition of a hit (contract, section 6), by hand.
+// Each sentence of the definition of a hit (docs/ir.md), by hand.
 #include "../../lib/Oracle/ExactWalk.h"
 
 #include <gtest/gtest.h>

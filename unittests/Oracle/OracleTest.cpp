@@ -1,7 +1,6 @@
 // The oracle on volumes, and the figures of doctored hits.
 #include "voxc/Oracle/Oracle.h"
-
-#include "voxc/Oracle/HardRays.h"
+#include "testing/HardRays.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +75,7 @@ TEST(Oracle, DecodesWhatTheVolumeHolds) {
 
 TEST(Oracle, EmptyVolumeIsNeverHit) {
   const Oracle oracle = *Oracle::of(Volume({formatOf("R(9,9,9) G(12)"), {1, 1, 1}}, {0}));
-  for (const Ray &ray : verifyRays({1 << 21, 1 << 21, 1 << 21}, 200, 1))
+  for (const Ray &ray : test::verifyRays({1 << 21, 1 << 21, 1 << 21}, 200, 1))
     EXPECT_FALSE(oracle.trace(ray).isHit());
 }
 
@@ -91,7 +90,7 @@ TEST(Oracle, UniformLeavesAreVoxels) {
 }
 
 TEST_F(OracleFigures, OwnHitsAreClean) {
-  const std::vector<Ray> rays = verifyRays({kSide, kSide, kSide}, 2000, 4);
+  const std::vector<Ray> rays = test::verifyRays({kSide, kSide, kSide}, 2000, 4);
   std::vector<Hit> hits;
   for (const Ray &ray : rays)
     hits.push_back(oracle_.trace(ray));

@@ -1,13 +1,14 @@
 // Kernels on this processor: the hits of Vulkan's, bit for bit, and those of the oracle.
-#include "RandomFormat.h"
-#include "Scenes.h"
 #include "TestLength.h"
 
+#include "testing/HardRays.h"
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
-#include "voxc/Oracle/HardRays.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Passes/Pass.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ template <typename Compile> auto compiledOnce(const Format &format, Compile comp
 
 class CpuKernels : public ::testing::Test {
 protected:
-  static Expected<Volume> build(const Format &format, const test::Scene &scene) {
+  static Expected<Volume> build(const Format &format, const test::HardScene &scene) {
     const auto constructor = Constructor::compile(format);
     if (!constructor)
       return constructor.error();
@@ -76,10 +77,11 @@ protected:
           << ours[i].steps << " and " << theirs[i].steps;
   }
 
-  static void expectSameHitsOfAllWalks(const Format &format, const test::Scene &scene, std::size_t count) {
+  static void expectSameHitsOfAllWalks(const Format &format, const test::HardScene &scene,
+                                       std::size_t count) {
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
-    const auto rays = verifyRays(scene.extent, count, 3);
+    const auto rays = test::verifyRays(scene.extent, count, 3);
     const auto stack = cpuHits(*volume, format, rays);
     for (const auto pass : {restartSv, unrollSv}) {
       Format walked = format;
@@ -90,10 +92,10 @@ protected:
     }
   }
 
-  static void expectHits(Format format, const test::Scene &scene, std::uint64_t seed) {
+  static void expectHits(Format format, const test::HardScene &scene, std::uint64_t seed) {
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
-    const auto rays = verifyRays(scene.extent, 2000, seed);
+    const auto rays = test::verifyRays(scene.extent, 2000, seed);
     const auto oracle = Oracle::of(*volume);
     const ErrorFigures exact = compare(*oracle, rays, cpuHits(*volume, format, rays));
     EXPECT_TRUE(exact.clean()) << printIr(format) << scene.name;
@@ -132,7 +134,7 @@ TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
 TEST_F(CpuKernels, WalkLeavesThatStandForManySubVolumes) {
   // Equal sub-volumes are one, so that eight leaves collapse above them too.
   const Format format = *parseFormat("format { level 1: svdag(2) level 2: svdag(2) dedup=level }");
-  for (const test::Scene &scene : test::hardScenes(format.extent()))
+  for (const test::HardScene &scene : test::hardScenes(format.extent()))
     expectSameHitsOfAllWalks(format, scene, 2000);
 }
 
@@ -157,10 +159,10 @@ std::vector<Hit> countedWords(Expected<std::unique_ptr<Tracer>> tracer, std::spa
 
 TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   const Format format = *parseFormat("R(1^3) G(3)");
-  const test::Scene scene = test::hardScenes(format.extent())[7];
+  const test::HardScene scene = test::hardScenes(format.extent())[7];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
-  const auto rays = verifyRays(scene.extent, 2000, 11);
+  const auto rays = test::verifyRays(scene.extent, 2000, 11);
   const auto words = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume, 2), rays);
   const auto plain = cpuHits(*volume, format, rays, true);
   std::uint64_t lookups = 0, read = 0;
@@ -207,16 +209,16 @@ TEST_F(CpuKernels, CountWordsOnlyIfTheyWereMadeToDoSo) {
 
 TEST_F(CpuKernels, AnswerOneRayAtATimeFromAnyThread) {
   const Format format = *parseFormat("R(1^3) G(3)");
-  const test::Scene scene = test::hardScenes(format.extent())[7];
+  const test::HardScene scene = test::hardScenes(format.extent())[7];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
   const auto kernel = compileCpuKernel(format);
   ASSERT_TRUE(kernel) << kernel.error().message;
-  const auto rays = verifyRays(scene.extent, 2000, 5);
+  const auto rays = test::verifyRays(scene.extent, 2000, 5);
   const auto expected = cpuHits(*volume, format, rays);
   const auto ask = [&](std::vector<Hit> &hits) {
     for (const Ray &ray : rays)
-      hits.push_back(*volume->intersect(*kernel, ray));
+      hits.push_back(*intersect(*volume, *kernel, ray));
   };
   std::vector<Hit> here, there;
   std::jthread other(ask, std::ref(there));
@@ -235,7 +237,7 @@ TEST_F(CpuKernels, FitOnlyTheStorageTheyWereMadeFor) {
   const auto refused = createCpuTracer(*other, *volume);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Input);
-  const auto hit = volume->intersect(*other, Ray{});
+  const auto hit = intersect(*volume, *other, Ray{});
   ASSERT_FALSE(hit);
   EXPECT_EQ(hit.error().message, refused.error().message);
   const auto restart =

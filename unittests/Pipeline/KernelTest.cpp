@@ -1,13 +1,15 @@
 // Generated kernels against the oracle, for every format, walk and addressing.
-#include "RandomFormat.h"
-#include "Scenes.h"
 #include "TestLength.h"
 
+#include "testing/HardRays.h"
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Emit/Emit.h"
 #include "voxc/Kernel/Compile.h"
-#include "voxc/Oracle/HardRays.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Passes/Pass.h"
+#include "voxc/Source/Sources.h"
 #include "voxc/Trace/Tracer.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +24,8 @@ namespace {
 /// Rays of every hard class, `count` of each.
 std::vector<Ray> everyHardRay(Int3 extent, std::size_t count, std::uint64_t seed) {
   std::vector<Ray> rays;
-  for (const HardRayClass &row : hardRayClasses()) {
-    const std::vector<Ray> more = hardRays(extent, row.name, count, seed);
+  for (const test::HardRayClass &row : test::hardRayClasses()) {
+    const std::vector<Ray> more = test::hardRays(extent, row.name, count, seed);
     rays.insert(rays.end(), more.begin(), more.end());
   }
   return rays;
@@ -57,14 +59,15 @@ protected:
 
   /// Exact kernels agree with the oracle to the last bit; fast ones differ from it by float rounding at a
   /// cell's boundary alone, and rarely.
-  static void expectHits(const Format &format, const test::Scene &scene, Addressing addressing,
+  static void expectHits(const Format &format, const test::HardScene &scene, Addressing addressing,
                          std::uint64_t seed) {
     const auto constructor = Constructor::compile(format);
     ASSERT_TRUE(constructor) << constructor.error().message;
     const auto built = constructor->build(*scene.source());
     ASSERT_TRUE(built) << built.error().message;
     const bool fast = format.attributes.value(kPrecisionAttribute) == "fast";
-    const auto rays = fast ? verifyRays(scene.extent, 2000, seed) : everyHardRay(scene.extent, 150, seed);
+    const auto rays =
+        fast ? test::verifyRays(scene.extent, 2000, seed) : everyHardRay(scene.extent, 150, seed);
     const auto hits = hitsOf(built->volume, format, addressing, rays);
     const ErrorFigures figures = compare(*Oracle::of(built->volume), rays, hits);
     const std::uint64_t wrong = figures.missed + figures.ghost + figures.wrong;
@@ -96,7 +99,7 @@ Device *Kernels::device_ = nullptr;
 TEST_F(Kernels, AgreeWithTheOracleOnBaseFormats) {
   for (const char *text : {"R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "R(2,3,1)", "D(1,4,2,9)", "S(0)", "G(0)"}) {
     const Format format = *parseFormat(text);
-    for (const test::Scene &scene : test::hardScenes(format.extent()))
+    for (const test::HardScene &scene : test::hardScenes(format.extent()))
       expectHits(format, scene, Addressing::Buffer, 1);
   }
 }
@@ -124,9 +127,9 @@ TEST_F(Kernels, AgreeWithTheOracleOnRandomFormats) {
 
 TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
-  const test::Scene scene = test::hardScenes(format.extent())[6];
+  const test::HardScene scene = test::hardScenes(format.extent())[6];
   const auto built = Constructor::compile(format)->build(*scene.source());
-  const auto rays = verifyRays(scene.extent, 20000, 3);
+  const auto rays = test::verifyRays(scene.extent, 20000, 3);
   const auto stack = hitsOf(built->volume, format, Addressing::Buffer, rays);
   const auto segments = hitsOf(built->volume, format, Addressing::Segments, rays);
   const auto bytes = stack.size() * sizeof(Hit);

@@ -1,8 +1,8 @@
 // Exports come back as they were, and a failed one leaves nothing behind.
 #include "SourceTesting.h"
 
+#include "voxc/Input/Input.h"
 #include "voxc/Source/Export.h"
-#include "voxc/Source/Input.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 // Every source: what it reads and what it calls empty agree, in any order and outside its extent.
 #include "SourceTesting.h"
 
-#include "voxc/Source/Input.h"
+#include "voxc/Input/Input.h"
 #include "voxc/Source/Sources.h"
 
 #include <random>

@@ -5,7 +5,7 @@
 #include "Source/ClippedSource.h"
 #include "TestLength.h"
 
-#include "voxc/Source/Input.h"
+#include "voxc/Input/Input.h"
 #include "voxc/Source/Sources.h"
 
 #include <random>

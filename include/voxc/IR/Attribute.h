@@ -9,7 +9,7 @@
 
 namespace voxc {
 
-/// Whether an attribute changes the volume's words or the kernel alone (contract, section 4).
+/// Whether an attribute changes the volume's words, and is kept with them, or the kernel alone.
 enum class AttributeEffect { Storage, Walk };
 
 /// A choice that may be set. The first value is the default and is not printed.
@@ -40,7 +40,8 @@ class AttributeSet {
 public:
   /// The value of an attribute: its default if it was not set.
   std::string_view value(const AttributeKind &kind) const;
-  /// Sets one of `taken` to one of its values; a default removes it. True if the set changed.
+  /// Sets one of `taken` to one of its values; a default removes it. True if the set changed: it stays as it
+  /// is where `taken` has no such kind, or the kind no such value.
   bool set(AttributeKinds taken, const AttributeKind &kind, std::string_view value);
   /// Removes what concerns the kernel alone.
   void eraseWalk();

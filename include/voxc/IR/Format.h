@@ -8,6 +8,7 @@
 #include "voxc/Support/Geometry.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +29,8 @@ struct Level {
   bool isCubic() const;
   /// The value of an attribute: its default if it was not set or does not apply.
   std::string_view attribute(const AttributeKind &kind) const { return attributes.value(kind); }
-  /// Sets an attribute that the kind takes; a default value removes it. True if the level changed.
+  /// Sets an attribute that the kind takes; a default value removes it. True if the level changed: it stays
+  /// as it is where the kind has no such attribute, or the attribute no such value.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
   bool operator==(const Level &other) const {
@@ -40,6 +42,8 @@ struct Level {
 struct Format {
   std::vector<Level> levels;
   AttributeSet attributes; ///< Of `formatAttributes()`: what concerns the kernel as a whole.
+  /// What it was parsed from, which the ranges of levels speak of; null if it was not. Not compared.
+  std::shared_ptr<const SourceText> source;
 
   /// log2 of the voxels along each axis of the whole format.
   Int3 log2Extent() const;
@@ -47,14 +51,16 @@ struct Format {
   Int3 extent() const;
   /// log2 of the voxels along a side of a cell of levels[index]: 0 for the last level.
   int log2CellSide(std::size_t index) const;
-  /// Sets an attribute of `formatAttributes()`; a default value removes it. True if the format changed.
+  /// The same for an attribute of `formatAttributes()`.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
-  bool operator==(const Format &) const = default;
+  bool operator==(const Format &other) const {
+    return levels == other.levels && attributes == other.attributes;
+  }
 };
 
-/// Parses a format string such as "R(4, 4, 4) G(8)" (contract, section 3). Every error in it is reported.
-/// The result is verified; it is only meaningful if no error was added to `diagnostics`.
+/// Parses a format string such as "R(4, 4, 4) G(8)"; see docs/formats.md for its grammar. Every error in it
+/// is reported. The result is verified; it is only meaningful if no error was added to `diagnostics`.
 Format parseFormat(std::string_view text, Diagnostics &diagnostics);
 
 /// Parses a format string, or IR text if it starts with the word `format`; errors come rendered.
@@ -63,7 +69,8 @@ Expected<Format> parseFormat(std::string_view text, std::string_view name = "for
 /// The format as a string of the grammar; attributes have no spelling there and are left out.
 std::string toString(const Format &format);
 
-/// Checks every rule of the contract's section 3 on the levels; ranges are those of the levels.
+/// Checks every rule of docs/formats.md on the levels, whatever made them: lower levels are cubes, no axis
+/// has more than 2^21 voxels, no grid alone more words than a volume. Ranges are those of the levels.
 void verify(const Format &format, Diagnostics &diagnostics);
 
 /// Parses IR text; see docs/ir.md for its grammar. The result is verified.

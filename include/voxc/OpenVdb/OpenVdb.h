@@ -1,7 +1,7 @@
 // The optional component that reads OpenVDB files.
 #pragma once
 
-#include "voxc/Source/Input.h"
+#include "voxc/Input/Input.h"
 
 namespace voxc {
 

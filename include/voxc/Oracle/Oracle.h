@@ -1,4 +1,4 @@
-// The exact hit, by definition (contract, section 6): slow, simple, and sharing no code with the kernels.
+// The exact hit, by its definition in docs/ir.md: slow, simple, and sharing no code with the kernels.
 #pragma once
 
 #include "voxc/Source/VoxelSource.h"
@@ -70,7 +70,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// How far hits are from the oracle's (contract, section 6), and the first rays on which they differ.
+/// How far hits are from the oracle's, and the first rays on which they differ.
 struct ErrorFigures {
   std::uint64_t rays = 0;
   std::uint64_t missed = 0; ///< The oracle hits, the kernel does not.

@@ -40,7 +40,7 @@ struct PipelineOptions {
 Expected<void> runPasses(Format &format, std::span<const std::string> names,
                          const PipelineOptions &options = {});
 
-// Each pass's contract stands in its own file of lib/Passes.
+// What each pass promises stands in its own file of lib/Passes.
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
 PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult restartSv(Format &format, Diagnostics &diagnostics);

@@ -11,7 +11,7 @@
 
 namespace voxc {
 
-/// Packs a voxel's colour: R in the low byte (contract, section 2).
+/// Packs a voxel's colour: R in the low byte, A in the high one.
 constexpr std::uint32_t rgba(std::uint32_t r, std::uint32_t g, std::uint32_t b, std::uint32_t a = 255) {
   return r | g << 8 | b << 16 | a << 24;
 }

@@ -18,6 +18,12 @@ struct SourceRange {
   bool operator==(const SourceRange &) const = default;
 };
 
+/// A text that diagnostics may speak of, and what they call it: the name of a file, or of an argument.
+struct SourceText {
+  std::string name;
+  std::string text;
+};
+
 enum class Severity { Error, Warning, Note };
 
 /// One sentence about one range of a text, lower case, saying what was found and what would be right.

@@ -36,7 +36,7 @@ struct Cube {
   std::int64_t side() const { return std::int64_t{1} << log2Side; }
 };
 
-/// Largest number of cells on an axis: 2^kMaxLog2Extent (contract, section 3).
+/// Largest number of cells on an axis: 2^kMaxLog2Extent, which a 64-bit Morton code has room for.
 inline constexpr int kMaxLog2Extent = 21;
 
 /// Spreads the low 21 bits of `value` to every third bit.

@@ -29,6 +29,11 @@ struct CpuKernel {
   bool countsWords = false;          ///< It counts words read, always, and no lookups.
 };
 
+/// The first hit of one ray (in voxels), traced by `kernel` on the calling thread; any number of threads may
+/// ask at once. For many rays `createCpuTracer` is faster. Error: the kernel was made for other storage
+/// (`Input`), which two digests tell, so that asking for every ray costs next to nothing.
+Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const Ray &ray);
+
 /// A tracer on this processor, with so many threads; 0: as many as it runs at once. `volume` must outlive it.
 /// Error: the kernel was made for other storage (`Input`).
 Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const Volume &volume,

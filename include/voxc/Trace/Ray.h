@@ -1,4 +1,4 @@
-// Rays and hits, as they lie in ray files, hit files and device buffers (contract, sections 6 and 7).
+// Rays and hits, as they lie in ray files, hit files and device buffers; docs/ir.md says which hit a ray has.
 #pragma once
 
 #include <cstdint>

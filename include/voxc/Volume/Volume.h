@@ -5,7 +5,6 @@
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Progress.h"
-#include "voxc/Trace/Ray.h"
 #include "voxc/Layout/WordReader.h"
 
 #include <cstdint>
@@ -25,8 +24,6 @@ struct VolumeInfo {
   std::uint64_t voxels = 0; ///< Non-empty ones.
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };
-
-struct CpuKernel;
 
 /// An immutable volume. Cheap to move; the words live as long as it does.
 class Volume {
@@ -52,11 +49,6 @@ public:
 
   /// The voxel's word, and the side of the aligned cube around it that holds the same; 0 outside the format.
   Lookup lookup(Int3 voxel) const;
-
-  /// The first hit of one ray (in voxels), traced by `kernel` on the calling thread; any number of threads
-  /// may ask at once. For many rays `createCpuTracer` is faster. Error: the kernel was made for other storage
-  /// (`Input`), which two digests tell, so that asking for every ray costs next to nothing.
-  Expected<Hit> intersect(const CpuKernel &kernel, const Ray &ray) const;
 
   /// How the words lie: `layoutOf(format())`.
   const Layout &layout() const;

@@ -2,7 +2,7 @@
 #include "Mesh/Gltf/GltfBuffers.h"
 
 #include "Mesh/Gltf/DataUri.h"
-#include "Mesh/WatchedFile.h"
+#include "Support/WatchedFile.h"
 
 namespace voxc {
 

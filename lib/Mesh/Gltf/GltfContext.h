@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Mesh/Gltf/GltfObject.h"
-#include "Mesh/Warnings.h"
+#include "Support/Warnings.h"
 #include "voxc/Mesh/TriangleScene.h"
 
 #include <memory>

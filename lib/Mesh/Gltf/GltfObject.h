@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Mesh/Gltf/Json.h"
-#include "Mesh/Problem.h"
+#include "Support/Problem.h"
 
 #include <array>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "Mesh/Gltf/GltfExtensions.h"
 #include "Mesh/Gltf/GltfFile.h"
 #include "Mesh/Gltf/GltfNodes.h"
-#include "Mesh/ResidentGrowth.h"
+#include "Support/ResidentGrowth.h"
 
 namespace voxc {
 

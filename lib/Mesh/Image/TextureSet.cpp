@@ -1,7 +1,7 @@
 // Decoding images when they are first asked for.
 #include "Mesh/Image/TextureSet.h"
 
-#include "Mesh/WatchedFile.h"
+#include "Support/WatchedFile.h"
 
 namespace voxc {
 

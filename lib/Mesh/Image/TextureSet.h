@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Mesh/Image/ImageDecoder.h"
-#include "Mesh/Warnings.h"
+#include "Support/Warnings.h"
 
 #include <functional>
 #include <map>

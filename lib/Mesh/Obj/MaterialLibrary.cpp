@@ -1,7 +1,7 @@
 // Statements of .mtl files.
 #include "Mesh/Obj/MaterialLibrary.h"
 
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,8 +1,8 @@
 // Material libraries of .obj files.
 #pragma once
 
-#include "Mesh/Problem.h"
-#include "Mesh/Warnings.h"
+#include "Support/Problem.h"
+#include "Support/Warnings.h"
 #include "voxc/Mesh/TriangleScene.h"
 
 #include <map>

@@ -3,7 +3,7 @@
 
 #include "Mesh/KeptArray.h"
 #include "Mesh/Polygon.h"
-#include "Mesh/Problem.h"
+#include "Support/Problem.h"
 
 #include <array>
 #include <optional>

@@ -1,7 +1,7 @@
 // From names to materials of the scene.
 #include "Mesh/Obj/ObjMaterials.h"
 
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 

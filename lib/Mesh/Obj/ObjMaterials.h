@@ -4,7 +4,7 @@
 #include "Mesh/Image/TextureSet.h"
 #include "Mesh/MeshInput.h"
 #include "Mesh/Obj/MaterialLibrary.h"
-#include "Mesh/Problem.h"
+#include "Support/Problem.h"
 
 #include <map>
 #include <set>

@@ -3,7 +3,7 @@
 
 #include "Mesh/Obj/ObjGeometry.h"
 #include "Mesh/Obj/ObjMaterials.h"
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <cmath>

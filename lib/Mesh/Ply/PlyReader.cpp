@@ -1,7 +1,7 @@
 // Rows of ASCII and binary PLY files.
 #include "Mesh/Ply/PlyReader.h"
 
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <array>

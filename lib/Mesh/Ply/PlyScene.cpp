@@ -5,7 +5,7 @@
 #include "Mesh/Ply/PlyColour.h"
 #include "Mesh/Ply/PlyReader.h"
 #include "Mesh/Polygon.h"
-#include "Mesh/Problem.h"
+#include "Support/Problem.h"
 
 #include <algorithm>
 #include <limits>

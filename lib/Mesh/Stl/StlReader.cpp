@@ -2,9 +2,9 @@
 #include "Mesh/Stl/StlReader.h"
 
 #include "Mesh/KeptArray.h"
-#include "Mesh/Problem.h"
 #include "Mesh/Stl/StlText.h"
-#include "Mesh/Text.h"
+#include "Support/Problem.h"
+#include "Support/Text.h"
 
 #include <array>
 #include <bit>

@@ -2,7 +2,7 @@
 #include "Mesh/Stl/StlText.h"
 
 #include "Mesh/Polygon.h"
-#include "Mesh/Text.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <string>

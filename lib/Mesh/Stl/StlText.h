@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Mesh/MeshInput.h"
-#include "Mesh/Problem.h"
+#include "Support/Problem.h"
 
 #include <array>
 

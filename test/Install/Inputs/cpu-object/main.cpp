@@ -1,4 +1,4 @@
-// Asks a volume for two rays with a kernel that was compiled ahead, and then one that is of another format.
+// Traces two rays through a volume with a kernel that was compiled ahead, and then one that is of another format.
 #include "intersect.h"
 
 #include <voxc/Trace/CpuKernel.h>
@@ -12,7 +12,7 @@ int main(int, char **arguments) {
   const voxc::CpuKernel kernel{voxc_intersect, VOXC_INTERSECT_STORAGE_DIGEST, nullptr};
   for (const voxc::Ray &ray :
        {voxc::Ray{{-1, 0.5f, 0.5f}, {1, 0, 0}}, voxc::Ray{{-1, 9.5f, 0.5f}, {1, 0, 0}}}) {
-    const auto hit = volume->intersect(kernel, ray);
+    const auto hit = intersect(*volume, kernel, ray);
     if (!hit)
       std::printf("%s\n", hit.error().message.c_str());
     else if (hit->isHit())

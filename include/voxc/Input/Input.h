@@ -1,0 +1,63 @@
+// Opening an INPUT as it is written on a command line (docs/command-line.md).
+#pragma once
+
+#include "voxc/Mesh/MeshSource.h"
+#include "voxc/Source/VoxelSource.h"
+#include "voxc/Support/Progress.h"
+#include "voxc/Support/WorkingMemory.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+struct Input;
+struct InputOptions;
+
+/// A kind of input, and what opens it.
+struct InputKind {
+  std::string_view mark; ///< A prefix if it ends in a colon, else an ending in lower case.
+  /// Takes what follows the prefix, or a path, and options with a memory.
+  Expected<Input> (*open)(const std::string &rest, const InputOptions &options);
+};
+
+/// How an input becomes voxels.
+struct InputOptions {
+  int resolution = 0;                          ///< Voxels on a mesh's longest axis; 0: what the format holds.
+  Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
+  std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
+  bool zUp = false;                ///< The up of a mesh or a dense volume is +z: it is turned to +y.
+  std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
+  std::string colourMap = "grey";  ///< How a dense volume's samples look: grey, heat, dusk or polar.
+  std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
+                                               ///< the least and the greatest.
+  Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
+  bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
+  std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
+  std::vector<InputKind> otherKinds; ///< What optional components read; asked before the kinds known here.
+  Progress progress;
+};
+
+/// An opened input.
+struct Input {
+  std::unique_ptr<VoxelSource> source;
+  std::uint64_t triangles = 0;       ///< Of a mesh, after instancing; else 0.
+  double loadSeconds = 0;            ///< Reading the file.
+  double binSeconds = 0;             ///< Sorting triangles or points into chunks.
+  std::uint64_t loaderPeakBytes = 0; ///< Memory that a library took beside the bound while it read.
+  std::string provenance;            ///< The options that matter, for `VolumeInfo::provenance`.
+  std::vector<std::string> warnings; ///< One sentence each.
+};
+
+/// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx), MagicaVoxel models
+/// (.vox), dense volumes (.nrrd .nhdr .nii .nii.gz .binvox, "raw:WxHxD:TYPE:FILE"), "grid:WxHxD:FILE", or
+/// "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis).
+/// Errors: unknown kind (naming those there are), unreadable, broken, or larger than the format.
+Expected<Input> openInput(const std::string &input, const InputOptions &options);
+
+} // namespace voxc

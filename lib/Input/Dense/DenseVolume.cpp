@@ -1,0 +1,122 @@
+// Dense volumes as inputs.
+#include "Input/Dense/DenseVolume.h"
+
+#include "Input/Dense/ColourMap.h"
+#include "Input/Openers/InputText.h"
+#include "Source/DenseSource.h"
+#include "Source/GridExtent.h"
+
+#include <cmath>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+class SampleRows final : public DenseRows {
+public:
+  SampleRows(DenseVolume volume, SampleMap map) : volume_(std::move(volume)), map_(map) {}
+
+  void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
+    const std::uint64_t at = cellNumber(volume_.extent, first) * byteSize(volume_.layout.type);
+    mapSamples(volume_.layout, volume_.samples + at, static_cast<std::size_t>(count), map_, words);
+  }
+
+private:
+  DenseVolume volume_;
+  SampleMap map_;
+};
+
+/// From the least to the greatest value that is finite.
+Expected<SampleRange> rangeOf(const DenseVolume &volume, const SampleMap &map, const InputOptions &options) {
+  SampleRange range;
+  const std::uint64_t count = cellsOf(volume.extent);
+  const std::uint64_t bytes = byteSize(volume.layout.type);
+  constexpr std::uint64_t kStep = 1 << 14;
+  for (std::uint64_t done = 0; done < count; done += kStep) {
+    if (options.progress.stopped())
+      return Error::interrupted();
+    addToRange(volume.layout, volume.samples + done * bytes, std::min(kStep, count - done), map, range);
+    options.memory->relieve();
+  }
+  return range.low <= range.high ? range : SampleRange{0, 0};
+}
+
+Expected<SampleMap> mapOf(const DenseVolume &volume, const InputOptions &options) {
+  SampleMap map{volume.slope, volume.intercept, options.threshold, {}, {}};
+  auto colours = colourMap(options.colourMap);
+  if (!colours)
+    return colours.error();
+  map.colours = *colours;
+  if (options.window) {
+    const auto [low, high] = *options.window;
+    if (!std::isfinite(low) || !std::isfinite(high) || low > high)
+      return Error::usage("the window from " + toText(low) + " to " + toText(high) +
+                          " is none; its first number must be the lower one");
+    map.window = {low, high};
+    return map;
+  }
+  const auto range = rangeOf(volume, map, options);
+  if (!range)
+    return range.error();
+  map.window = *range;
+  return map;
+}
+
+std::string provenanceOf(const SampleMap &map, const InputOptions &options) {
+  std::string text = "coverage=samples";
+  if (map.threshold)
+    text += " threshold=" + toText(*map.threshold);
+  text += " colour-map=" + options.colourMap;
+  text += " window=" + toText(map.window.low) + "," + toText(map.window.high);
+  return text + upProvenance(options);
+}
+
+} // namespace
+
+Expected<std::uint64_t> sampleBytes(Int3 extent, SampleLayout layout) {
+  if (auto possible = checkGridExtent(extent); !possible)
+    return possible.error();
+  const std::uint64_t cells = cellsOf(extent);
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 59;
+  if (cells > kMost)
+    return Error::input("a grid of " + toText(extent) + " samples is larger than any file");
+  return cells * byteSize(layout.type);
+}
+
+Transform mapOfSteps(const std::array<std::array<double, 3>, 3> &steps, const std::array<double, 3> &origin) {
+  Transform map;
+  for (std::size_t row = 0; row < 3; ++row) {
+    map.rows[4 * row + 3] = origin[row];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      map.rows[4 * row + axis] = steps[axis][row];
+      map.rows[4 * row + 3] -= steps[axis][row] / 2;
+    }
+  }
+  return map;
+}
+
+Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
+  const auto map = mapOf(volume, options);
+  if (!map)
+    return map.error();
+  Input input;
+  input.provenance = provenanceOf(*map, options);
+  input.warnings = std::move(volume.warnings);
+  Int3 extent = volume.extent;
+  const std::int32_t height = extent.y;
+  Transform voxelToModel = volume.sampleToModel;
+  std::shared_ptr<const DenseRows> rows = std::make_shared<SampleRows>(std::move(volume), *map);
+  if (options.zUp) {
+    rows = turnUpright(std::move(rows), height);
+    voxelToModel = turnUpright(voxelToModel, height);
+    extent = {extent.x, extent.z, extent.y};
+  }
+  auto source = makeDenseSource(extent, std::move(rows), voxelToModel, options.memory, options.progress);
+  if (!source)
+    return source.error();
+  input.source = std::move(*source);
+  return input;
+}
+
+} // namespace voxc

@@ -1,0 +1,125 @@
+// Following the scene graph, by a stack of its own: a file may nest its nodes as deeply as it likes.
+#include "Input/MagicaVoxel/VoxScene.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+class SceneBuilder {
+public:
+  SceneBuilder(const VoxFile &file, VoxScene &scene) : file_(file), scene_(scene) {}
+
+  Expected<void> run() {
+    // Copies by reference share nodes, so that a small file may stand for a scene without end.
+    constexpr std::uint64_t kMostVisits = std::uint64_t{1} << 20;
+    stack_.push_back({0, 0, {}});
+    for (std::uint64_t visits = 0; !stack_.empty(); ++visits) {
+      if (visits == kMostVisits)
+        return Error::input("its scene graph, written out, has more than " + std::to_string(kMostVisits) +
+                            " nodes");
+      const Step step = stack_.back();
+      stack_.pop_back();
+      if (auto visited = visit(step); !visited)
+        return visited;
+    }
+    return {};
+  }
+
+private:
+  struct Step {
+    std::uint32_t number;
+    std::uint32_t depth;
+    Placement above;
+  };
+
+  Expected<void> visit(const Step &step) {
+    const auto found = file_.nodes.find(step.number);
+    if (found == file_.nodes.end())
+      return Error::input("its scene graph names the node " + std::to_string(step.number) +
+                          ", which it does not have");
+    if (step.depth > file_.nodes.size())
+      return Error::input("its node " + std::to_string(step.number) + " stands below itself");
+    const VoxNode &node = found->second;
+    if (node.isHidden || file_.hiddenLayers.contains(node.layer))
+      return {};
+    if (node.kind == VoxNode::Kind::Shape)
+      return addInstance(node.model, step.above);
+    const auto placement = step.above.around(node.placement);
+    if (!placement)
+      return Error::input("its node " + std::to_string(step.number) + " is moved too far");
+    // Backwards, so that the first child is visited first.
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+      stack_.push_back({*child, step.depth + 1, *placement});
+    return {};
+  }
+
+  Expected<void> addInstance(std::uint32_t number, const Placement &placement) {
+    if (number >= file_.models.size())
+      return Error::input("its scene graph names the model " + std::to_string(number) + " of " +
+                          std::to_string(file_.models.size()));
+    const VoxModel &model = file_.models[number];
+    // A model turns about the middle of its cells, rounded down.
+    Placement centred;
+    centred.setTranslation({-(model.size[0] / 2), -(model.size[1] / 2), -(model.size[2] / 2)});
+    const auto whole = placement.around(centred);
+    if (!whole)
+      return Error::input("its model " + std::to_string(number) + " is moved too far");
+    scene_.instances.push_back({&model, *whole});
+    return {};
+  }
+
+  const VoxFile &file_;
+  VoxScene &scene_;
+  std::vector<Step> stack_;
+};
+
+/// The box around all instances that have any cells.
+Expected<void> findBox(VoxScene &scene) {
+  Long3 high{};
+  bool any = false;
+  for (const VoxInstance &instance : scene.instances) {
+    const Long3 &modelSize = instance.model->size;
+    if (std::ranges::count(modelSize, 0) != 0)
+      continue;
+    const Long3 low = instance.placement.moveBox({}, modelSize);
+    const Long3 size = instance.placement.turnSize(modelSize);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      scene.low[axis] = any ? std::min(scene.low[axis], low[axis]) : low[axis];
+      high[axis] = any ? std::max(high[axis], low[axis] + size[axis]) : low[axis] + size[axis];
+    }
+    any = true;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    scene.size[axis] = any ? high[axis] - scene.low[axis] : 1;
+    if (scene.size[axis] > std::int64_t{1} << kMaxLog2Extent)
+      return Error::input("its scene takes " + std::to_string(scene.size[axis]) +
+                          " cells on an axis; there may be 2097152");
+  }
+  return {};
+}
+
+} // namespace
+
+Expected<VoxScene> makeVoxScene(const VoxFile &file) {
+  VoxScene scene;
+  if (!file.nodes.empty()) {
+    if (auto built = SceneBuilder(file, scene).run(); !built)
+      return built.error();
+    if (scene.instances.empty())
+      scene.warnings.push_back("nothing of its scene is to be seen: all models are hidden");
+  } else {
+    scene.instances.push_back({&file.models.front(), {}});
+    if (file.models.size() > 1)
+      scene.warnings.push_back(
+          "it holds " + std::to_string(file.models.size()) +
+          " models without a scene graph, the frames of an animation; the first is taken");
+  }
+  if (auto found = findBox(scene); !found)
+    return found.error();
+  return scene;
+}
+
+} // namespace voxc

@@ -1,0 +1,50 @@
+// Reading and writing of texts about inputs.
+#include "Input/Openers/InputText.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace voxc {
+
+int longestAxis(Int3 extent) { return std::max({extent.x, extent.y, extent.z}); }
+
+std::optional<int> parseCount(std::string_view text) {
+  int value = 0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 1)
+    return std::nullopt;
+  return value;
+}
+
+std::optional<Int3> parseExtent(std::string_view text) {
+  Int3 extent;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = axis < 2 ? text.find('x') : text.size();
+    const auto size = end == std::string_view::npos ? std::nullopt : parseCount(text.substr(0, end));
+    if (!size)
+      return std::nullopt;
+    extent[axis] = *size;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return extent;
+}
+
+std::string toText(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string upProvenance(const InputOptions &options) { return options.zUp ? " up=z" : " up=y"; }
+
+std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options) {
+  std::string text = "resolution=" + std::to_string(resolution) + " coverage=" + coverage;
+  if (options.bounds) {
+    text += " bounds=";
+    for (std::size_t i = 0; i < options.bounds->size(); ++i)
+      text += (i == 0 ? "" : ",") + toText((*options.bounds)[i]);
+  }
+  return text + upProvenance(options);
+}
+
+} // namespace voxc

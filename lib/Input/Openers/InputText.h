@@ -1,0 +1,30 @@
+// The texts that inputs are written with, and those that say how an input became voxels.
+#pragma once
+
+#include "voxc/Input/Input.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+/// The longest axis of an extent.
+int longestAxis(Int3 extent);
+
+/// A whole positive number, and nothing else.
+std::optional<int> parseCount(std::string_view text);
+
+/// "WxHxD".
+std::optional<Int3> parseExtent(std::string_view text);
+
+/// The shortest text that reads back as the same number.
+std::string toText(double value);
+
+/// " up=z" or " up=y".
+std::string upProvenance(const InputOptions &options);
+
+/// The options that decide the voxels of a model whose longest axis got `resolution` of them.
+std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options);
+
+} // namespace voxc

@@ -1,0 +1,33 @@
+// Opening PLY files: a mesh if they have faces, else points.
+#include "Input/Openers/Openers.h"
+
+#include "Input/Openers/InputText.h"
+#include "Input/Points/PointSource.h"
+#include "Mesh/Ply/PlyReader.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <utility>
+
+namespace voxc {
+
+Expected<Input> openPly(const std::string &path, const InputOptions &options) {
+  const Stopwatch loading;
+  auto reader = PlyReader::open(path);
+  if (!reader)
+    return reader.error();
+  if (hasFaces(reader->header()))
+    return openMesh(path, options);
+  auto points = readPoints(*reader, options);
+  if (!points)
+    return points.error();
+  Input input;
+  input.source = std::move(points->source);
+  input.loadSeconds = loading.seconds();
+  input.provenance = points->areIndices
+                         ? std::string("coverage=indices")
+                         : modelProvenance("points", longestAxis(input.source->extent()), options);
+  input.warnings = std::move(points->warnings);
+  return input;
+}
+
+} // namespace voxc

@@ -1,0 +1,22 @@
+// What opens each kind of input; the table in Input.cpp says which takes what.
+#pragma once
+
+#include "voxc/Input/Input.h"
+
+#include <string>
+
+namespace voxc {
+
+/// Each takes what follows the prefix of its kind, or the path of a file, and options with a memory.
+Expected<Input> openBuiltin(const std::string &text, const InputOptions &options);
+Expected<Input> openGrid(const std::string &text, const InputOptions &options);
+Expected<Input> openMesh(const std::string &path, const InputOptions &options);
+Expected<Input> openPly(const std::string &path, const InputOptions &options);
+Expected<Input> openVolume(const std::string &path, const InputOptions &options);
+Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options);
+Expected<Input> openBinvox(const std::string &path, const InputOptions &options);
+Expected<Input> openNrrd(const std::string &path, const InputOptions &options);
+Expected<Input> openNifti(const std::string &path, const InputOptions &options);
+Expected<Input> openRaw(const std::string &text, const InputOptions &options);
+
+} // namespace voxc

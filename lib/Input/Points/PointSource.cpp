@@ -1,0 +1,191 @@
+// Points of PLY files: voxel indices, or coordinates of a model.
+#include "Input/Points/PointSource.h"
+
+#include "Input/Points/PointList.h"
+#include "Mesh/ModelFrame.h"
+#include "Source/BinnedVoxels.h"
+#include "Source/GridExtent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+using Position = std::array<double, 3>;
+
+bool isInside(const Position &index, Int3 extent) {
+  return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < extent.x && index[1] < extent.y &&
+         index[2] < extent.z;
+}
+
+std::string listed(const Position &index) {
+  const auto text = [](double v) { return std::to_string(static_cast<std::int64_t>(v)); };
+  return text(index[0]) + ", " + text(index[1]) + ", " + text(index[2]);
+}
+
+Int3 cellAt(const Position &position) {
+  return {static_cast<int>(position[0]), static_cast<int>(position[1]), static_cast<int>(position[2])};
+}
+
+Float3 narrowed(const Position &position) {
+  return {static_cast<float>(position[0]), static_cast<float>(position[1]), static_cast<float>(position[2])};
+}
+
+/// The voxel of a position within the frame; one on its far face belongs to the last voxel.
+std::optional<Int3> voxelAt(const Double3 &position, Int3 extent) {
+  Int3 voxel;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double coordinate = position[static_cast<std::size_t>(axis)];
+    if (!(coordinate >= 0 && coordinate <= extent[axis]))
+      return std::nullopt;
+    voxel[axis] = std::min(static_cast<int>(coordinate), extent[axis] - 1);
+  }
+  return voxel;
+}
+
+/// Goes through the points of a file as often as it takes to know their box, to count them and to place them.
+class PointPlacer {
+public:
+  PointPlacer(const PlyReader &reader, const PointList &points, const InputOptions &options)
+      : reader_(reader), points_(points), options_(options) {}
+
+  std::uint64_t dropped() const { return dropped_; }
+
+  Expected<std::unique_ptr<VoxelSource>> placeIndices() {
+    Int3 extent{1, 1, 1};
+    std::optional<Error> problem;
+    auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
+      if (!isInside(point.position, options_.formatExtent)) {
+        problem =
+            reader_.broken("vertex " + std::to_string(number) + " is the voxel " + listed(point.position) +
+                           ", but the format holds only " + toText(options_.formatExtent));
+        return false;
+      }
+      const Int3 voxel = cellAt(point.position);
+      for (int axis = 0; axis < 3; ++axis)
+        extent[axis] = std::max(extent[axis], voxel[axis] + 1);
+      return true;
+    });
+    if (!passed)
+      return passed.error();
+    if (problem)
+      return *problem;
+    return place(extent, {}, [](const Position &position) { return std::optional(cellAt(position)); });
+  }
+
+  Expected<std::unique_ptr<VoxelSource>> placePositions() {
+    BoundsBuilder bounds;
+    std::optional<Error> problem;
+    auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
+      const Float3 position = narrowed(point.position);
+      if (!std::ranges::all_of(position, [](float v) { return std::isfinite(v); })) {
+        problem = reader_.broken("vertex " + std::to_string(number) + " has a coordinate that is not finite");
+        return false;
+      }
+      bounds.add(position);
+      return true;
+    });
+    if (!passed)
+      return passed.error();
+    if (problem)
+      return *problem;
+    const auto frame = ModelFrame::fit({chosen(bounds.bounds().value_or(Bounds{})), options_.resolution,
+                                        options_.formatExtent, options_.zUp});
+    if (!frame)
+      return frame.error();
+    return place(frame->extent(), frame->voxelToModel(), [&](const Position &position) {
+      return voxelAt(frame->toVoxels(narrowed(position)), frame->extent());
+    });
+  }
+
+private:
+  /// Calls `visit(point, number)` for all points that have a colour, until it returns false.
+  template <typename Visit> Expected<void> pass(Visit visit) {
+    constexpr std::uint64_t kBatch = 1 << 10;
+    std::array<PlyPoint, kBatch> batch;
+    dropped_ = 0;
+    for (std::uint64_t first = 0; first < points_.size(); first += kBatch) {
+      if (options_.progress.stopped())
+        return Error::interrupted();
+      options_.memory->relieve();
+      const std::span<PlyPoint> points = std::span(batch).first(std::min(kBatch, points_.size() - first));
+      points_.read(first, points);
+      for (std::uint64_t i = 0; i < points.size(); ++i) {
+        if (points[i].word == 0)
+          ++dropped_;
+        else if (!visit(points[i], first + i))
+          return {};
+      }
+    }
+    return {};
+  }
+
+  /// Sorts the points into their chunks; `voxelOf` may say that one has no voxel.
+  template <typename VoxelOf>
+  Expected<std::unique_ptr<VoxelSource>> place(Int3 extent, const Transform &voxelToModel, VoxelOf voxelOf) {
+    auto voxels = BinnedVoxels::create(extent, options_.memory);
+    if (!voxels)
+      return voxels.error();
+    const auto count = [&](const PlyPoint &point, std::uint64_t) {
+      if (const std::optional<Int3> voxel = voxelOf(point.position))
+        voxels->count(*voxel);
+      return true;
+    };
+    const auto add = [&](const PlyPoint &point, std::uint64_t) {
+      if (const std::optional<Int3> voxel = voxelOf(point.position))
+        voxels->place(*voxel, point.word);
+      return true;
+    };
+    if (auto counted = pass(count); !counted)
+      return counted.error();
+    if (auto allocated = voxels->allocate(); !allocated)
+      return allocated.error();
+    if (auto added = pass(add); !added)
+      return added.error();
+    return std::move(*voxels).finish(voxelToModel);
+  }
+
+  Bounds chosen(const Bounds &found) const {
+    if (!options_.bounds)
+      return found;
+    const std::array<double, 6> &b = *options_.bounds;
+    return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+  }
+
+  const PlyReader &reader_;
+  const PointList &points_;
+  const InputOptions &options_;
+  std::uint64_t dropped_ = 0;
+};
+
+Expected<PointVoxels> placePoints(PlyReader &reader, const InputOptions &options) {
+  const auto points = readPointList(reader, options.memory, options.progress);
+  if (!points)
+    return points.error();
+  PointPlacer placer(reader, **points, options);
+  const bool areIndices = voxc::areIndices(reader.header());
+  auto source = areIndices ? placer.placeIndices() : placer.placePositions();
+  if (!source)
+    return source.error();
+  PointVoxels voxels{std::move(*source), areIndices, {}};
+  if (placer.dropped() != 0)
+    voxels.warnings.push_back(std::to_string(placer.dropped()) +
+                              " points are dropped: their colour is the word 0, which means empty");
+  return voxels;
+}
+
+} // namespace
+
+Expected<PointVoxels> readPoints(PlyReader &reader, const InputOptions &options) {
+  if (!hasPoints(reader.header()))
+    return reader.broken("its points need an element 'vertex' with the properties x, y and z");
+  options.memory->watch(reader.bytes());
+  auto voxels = placePoints(reader, options);
+  options.memory->unwatch(reader.bytes());
+  return voxels;
+}
+
+} // namespace voxc

@@ -1,0 +1,19 @@
+# What reads voxel inputs and needs no voxelizer; fuzzers build it apart from all else.
+set(VOXC_INPUT_READERS
+  Dense/ColourMap.cpp
+  Dense/DenseVolume.cpp
+  Dense/GzipReader.cpp
+  Dense/NiftiHeader.cpp
+  Dense/NrrdHeader.cpp
+  Dense/Samples.cpp
+  MagicaVoxel/Placement.cpp
+  MagicaVoxel/VoxFile.cpp
+  MagicaVoxel/VoxScene.cpp
+  Openers/InputText.cpp
+  Openers/OpenBinvox.cpp
+  Openers/OpenMagicaVoxel.cpp
+  Openers/OpenNifti.cpp
+  Openers/OpenNrrd.cpp
+  Points/PointList.cpp
+  Points/PointSource.cpp)
+set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB)

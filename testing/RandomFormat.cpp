@@ -1,0 +1,70 @@
+// Random levels, formats of them, and passes over those.
+#include "testing/RandomFormat.h"
+
+#include "voxc/Passes/Pass.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace voxc::test {
+
+namespace {
+
+/// One level of 2^side cells an axis; the first may stretch its axes apart where `cubic` is not asked for.
+std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
+  const auto text = [](int number) { return std::to_string(number); };
+  std::string dims = text(side) + "^3";
+  if (!cubic)
+    dims = text(pick(random, 0, side)) + ", " + text(side) + ", " + text(pick(random, 0, side));
+  switch (pick(random, 0, 3)) {
+  case 0:
+    return "R(" + dims + ")";
+  case 1:
+    return "D(" + dims + ", " + text(pick(random, 1, 3 * (1 << side))) + ")";
+  case 2:
+    return "S(" + text(side) + ")";
+  default:
+    return "G(" + text(side) + ")";
+  }
+}
+
+/// A pass that chooses a walk, or null for the walk that formats have without one: each as likely. strip-walk
+/// is none of them, as it takes back what the others chose.
+const Pass *randomWalk(std::mt19937 &random) {
+  std::vector<const Pass *> walks{nullptr};
+  for (const Pass &pass : passes())
+    if (pass.effect == AttributeEffect::Walk && pass.run != stripWalk)
+      walks.push_back(&pass);
+  return walks[static_cast<std::size_t>(pick(random, 0, static_cast<int>(walks.size()) - 1))];
+}
+
+} // namespace
+
+int pick(std::mt19937 &random, int low, int high) {
+  return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
+}
+
+std::string randomFormatText(std::mt19937 &random, int log2Side) {
+  std::string text;
+  int left = log2Side;
+  const int levels = pick(random, 1, 5);
+  for (int level = 0; level < levels; ++level) {
+    const int side = level + 1 == levels ? left : pick(random, 0, left);
+    left -= side;
+    text += (text.empty() ? "" : " ") + randomLevel(random, side, level > 0 || random() % 4 != 0);
+  }
+  return text;
+}
+
+Format randomFormat(std::mt19937 &random, int log2Side) {
+  Format format = *parseFormat(randomFormatText(random, log2Side));
+  Diagnostics diagnostics;
+  for (const Pass &pass : passes())
+    if (pass.effect == AttributeEffect::Storage && random() % 2 != 0)
+      pass.run(format, diagnostics);
+  if (const Pass *walk = randomWalk(random))
+    walk->run(format, diagnostics);
+  return format;
+}
+
+} // namespace voxc::test

@@ -1,0 +1,17 @@
+// What the tables of passes, level kinds and attributes say, as text; docs/ has each to the letter.
+#pragma once
+
+#include <string>
+
+namespace voxc::tool {
+
+/// Each pass with its paragraph.
+std::string describePasses();
+
+/// Each level kind with its parameters and attributes, and the attributes of a format.
+std::string describeLevels();
+
+/// Every attribute, as a table in Markdown.
+std::string describeAttributes();
+
+} // namespace voxc::tool

@@ -1,0 +1,283 @@
+// Dense volumes: NRRD, NIfTI, raw samples and binvox, and how samples become voxels.
+#include "Mesh/SharedModels.h"
+#include "Source/SourceTesting.h"
+
+#include "voxc/Input/Input.h"
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <zlib.h>
+
+namespace voxc {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+template <typename Value> std::string bytesOf(std::initializer_list<Value> values, bool bigEndian = false) {
+  std::string bytes;
+  for (const Value value : values) {
+    std::array<char, sizeof value> raw;
+    std::memcpy(raw.data(), &value, sizeof value);
+    if (bigEndian)
+      std::ranges::reverse(raw);
+    bytes.append(raw.data(), raw.size());
+  }
+  return bytes;
+}
+
+std::string gzipped(const std::string &bytes) {
+  z_stream stream{};
+  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
+  std::string out(deflateBound(&stream, bytes.size()) + 64, '\0');
+  stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef *>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  out.resize(out.size() - stream.avail_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+class DenseVolumes : public testing::Test {
+protected:
+  Expected<Input> open(const std::string &name, const std::string &content) {
+    return openInput(folder_.file(name, content), options_);
+  }
+  Voxels voxels(const std::string &name, const std::string &content) { return take(open(name, content)); }
+  Voxels raw(const std::string &what, const std::string &content) {
+    return take(openInput("raw:" + what + ":" + folder_.file("samples.bin", content), options_));
+  }
+  Voxels take(Expected<Input> input) {
+    EXPECT_TRUE(input) << input.error().message;
+    if (!input)
+      return {};
+    warnings_ = input->warnings;
+    provenance_ = input->provenance;
+    extent_ = input->source->extent();
+    map_ = input->source->voxelToModel();
+    return voxelsOf(*input->source);
+  }
+  /// A point of voxels in the model.
+  std::array<double, 3> toModel(double x, double y, double z) const {
+    const std::array<double, 12> &m = map_.rows;
+    return {m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7],
+            m[8] * x + m[9] * y + m[10] * z + m[11]};
+  }
+
+  TemporaryFolder folder_;
+  InputOptions options_;
+  std::vector<std::string> warnings_;
+  std::string provenance_;
+  Int3 extent_;
+  Transform map_;
+};
+
+constexpr std::uint32_t kBlack = 0xff000000;
+constexpr std::uint32_t kWhite = 0xffffffff;
+
+TEST_F(DenseVolumes, AllButZeroAreVoxelsUnlessThereIsAThreshold) {
+  const std::string samples = bytesOf<std::int8_t>({-1, 0, 1, 3});
+  EXPECT_EQ(raw("4x1x1:int8", samples), (Voxels{{mortonCode({0, 0, 0}), kBlack},
+                                                {mortonCode({2, 0, 0}), 0xff808080},
+                                                {mortonCode({3, 0, 0}), kWhite}}));
+  EXPECT_EQ(provenance_, "coverage=samples colour-map=grey window=-1,3 up=y");
+  options_.threshold = 1;
+  EXPECT_EQ(raw("4x1x1:int8", samples).size(), 2u);
+  EXPECT_EQ(provenance_, "coverage=samples threshold=1 colour-map=grey window=-1,3 up=y");
+  options_.threshold = 0;
+  EXPECT_EQ(raw("4x1x1:int8", samples).size(), 3u);
+}
+
+TEST_F(DenseVolumes, WindowAndColourMapMakeColours) {
+  options_.window = {{1, 3}};
+  EXPECT_EQ(raw("4x1x1:uint8", bytesOf<std::uint8_t>({1, 2, 3, 200})),
+            (Voxels{{0, kBlack}, {1, 0xff808080}, {8, kWhite}, {9, kWhite}}));
+  options_.colourMap = "heat";
+  const Voxels heat = raw("2x1x1:uint8", bytesOf<std::uint8_t>({1, 3}));
+  EXPECT_EQ(heat, (Voxels{{0, rgba(20, 8, 12)}, {1, rgba(255, 252, 224)}}));
+  options_.colourMap = "rainbow";
+  EXPECT_THAT(open("a.nrrd", "").error().message, HasSubstr("NRRD"));
+  const auto input = openInput("raw:1x1x1:uint8:" + folder_.file("b", "1"), options_);
+  ASSERT_FALSE(input);
+  EXPECT_EQ(input.error().message, "there is no colour map 'rainbow'; there are grey, heat, dusk, polar");
+  options_.colourMap = "grey";
+  options_.window = {{3, 1}};
+  EXPECT_THAT(openInput("raw:1x1x1:uint8:" + folder_.file("b", "1"), options_).error().message,
+              HasSubstr("first number must be the lower one"));
+}
+
+TEST_F(DenseVolumes, NumbersThatAreNoneAndEndsOfRanges) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  // The one finite number is both ends of the range.
+  const Voxels expected{{0, kWhite}, {8, kWhite}, {9, kBlack}};
+  EXPECT_EQ(raw("4x1x1:float32le", bytesOf<float>({-2, nan, inf, -inf})), expected);
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(raw("3x1x1:float64le", bytesOf<double>({-most, 0, most})), (Voxels{{0, kBlack}, {8, kWhite}}));
+  EXPECT_EQ(raw("2x1x1:float32le", bytesOf<float>({nan, nan})), Voxels());
+  EXPECT_EQ(raw("2x1x1:uint16le", bytesOf<std::uint16_t>({7, 7})), (Voxels{{0, kWhite}, {1, kWhite}}));
+}
+
+TEST_F(DenseVolumes, SamplesOfAllTypesAndByteOrders) {
+  const auto expectType = [&]<typename Value>(const std::string &name, Value high) {
+    const Value low = high / 5;
+    for (const bool bigEndian : {false, true}) {
+      const std::string type = name + (sizeof(Value) == 1 ? "" : bigEndian ? "be" : "le");
+      EXPECT_EQ(raw("3x1x1:" + type, bytesOf<Value>({Value{0}, high, low}, bigEndian)),
+                (Voxels{{1, kWhite}, {8, 0xff333333}}))
+          << type;
+    }
+  };
+  expectType("int8", std::int8_t{125});
+  expectType("uint8", std::uint8_t{250});
+  expectType("int16", std::int16_t{32000});
+  expectType("uint16", std::uint16_t{65000});
+  expectType("int32", std::int32_t{2000000000});
+  expectType("uint32", std::uint32_t{4000000000});
+  expectType("int64", std::int64_t{9000000000000000000});
+  expectType("uint64", std::uint64_t{15000000000000000000u});
+  expectType("float32", 1e-30f);
+  expectType("float64", 1e-300);
+}
+
+TEST_F(DenseVolumes, AxesAreAsTheyLieUnlessUpIsZ) {
+  std::string samples(3 * 4 * 5, '\0');
+  samples[2 + 3 * (1 + 4 * 4)] = 9;
+  EXPECT_EQ(raw("3x4x5:uint8", samples), (Voxels{{mortonCode({2, 1, 4}), kWhite}}));
+  EXPECT_EQ(extent_, (Int3{3, 4, 5}));
+  EXPECT_THAT(toModel(2, 1, 4), ElementsAre(2, 1, 4));
+  options_.zUp = true;
+  EXPECT_EQ(raw("3x4x5:uint8", samples), (Voxels{{mortonCode({2, 4, 2}), kWhite}}));
+  EXPECT_EQ(extent_, (Int3{3, 5, 4}));
+  // The middle of the voxel is that of the sample.
+  EXPECT_THAT(toModel(2.5, 4.5, 2.5), ElementsAre(2.5, 1.5, 4.5));
+}
+
+std::string nrrd(const std::string &fields, const std::string &data = "\1\2\3\4\5\6") {
+  return "NRRD0004\n# a comment\ntype: uint8\ndimension: 3\nsizes: 3 2 1\n" + fields + "\n" + data;
+}
+
+const Voxels kSix{{0, kBlack},     {1, 0xff333333}, {8, 0xff666666},
+                  {2, 0xff999999}, {3, 0xffcccccc}, {10, kWhite}};
+
+TEST_F(DenseVolumes, NrrdAttachedAndDetachedRawAndCompressed) {
+  const std::string six = "\1\2\3\4\5\6";
+  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: raw\n")), kSix);
+  EXPECT_EQ(voxels("a.NRRD", nrrd("encoding: raw\r\nkey:=value: x\n", six + "more")), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: gzip\n", gzipped(six))), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: gz\nbyte skip: 2\n", gzipped("ab" + six))), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: gz\n", gzipped("\1\2") + gzipped("\3\4\5\6"))), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: raw\nbyte skip: -1\n", "xyz" + six)), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: raw\nlineskip: 2\nbyteskip: 1\n", "one\ntwo\nx" + six)), kSix);
+  folder_.file("a.bin", six);
+  EXPECT_EQ(voxels("a.nhdr", nrrd("encoding: raw\ndata file: a.bin\n", "")), kSix);
+  folder_.file("a.bin.gz", gzipped(six));
+  EXPECT_EQ(voxels("a.nhdr", nrrd("encoding: gzip\ndatafile: a.bin.gz", "")), kSix);
+}
+
+TEST_F(DenseVolumes, NrrdSaysWhereItsSamplesLie) {
+  voxels("a.nrrd", nrrd("encoding: raw\nspacings: 2 3 4\n"));
+  EXPECT_THAT(toModel(1, 1, 1), ElementsAre(2, 3, 4));
+  voxels("a.nrrd",
+         nrrd("encoding: raw\nspace directions: (0,2,0) (-1,0,0) (0,0,1)\nspace origin: (10, 20, 30)\n"));
+  EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(10, 20, 30));
+  EXPECT_THAT(toModel(1.5, 0.5, 0.5), ElementsAre(10, 22, 30));
+  EXPECT_THAT(toModel(0.5, 1.5, 0.5), ElementsAre(9, 20, 30));
+}
+
+/// A NIfTI header of version 1 or 2, of 3 x 2 x 1 bytes.
+std::string nifti(bool isVersion1, bool big) {
+  std::string header(isVersion1 ? 352 : 544, '\0');
+  const auto put = [&](std::size_t at, const std::string &bytes) { header.replace(at, bytes.size(), bytes); };
+  put(0, bytesOf<std::int32_t>({isVersion1 ? 348 : 540}, big));
+  if (isVersion1) {
+    put(344, std::string("n+1\0", 4));
+    put(40, bytesOf<std::int16_t>({3, 3, 2, 1, 1, 1, 1, 1}, big));
+    put(70, bytesOf<std::int16_t>({2, 8}, big));
+    put(76, bytesOf<float>({1, 2, 3, 4}, big));
+    put(108, bytesOf<float>({352}, big));
+  } else {
+    put(4, std::string("n+2\0\r\n\x1a\n", 8));
+    put(16, bytesOf<std::int64_t>({3, 3, 2, 1, 1, 1, 1, 1}, big));
+    put(12, bytesOf<std::int16_t>({2, 8}, big));
+    put(104, bytesOf<double>({1, 2, 3, 4}, big));
+    put(168, bytesOf<std::int64_t>({544}, big));
+  }
+  return header;
+}
+
+TEST_F(DenseVolumes, NiftiOfBothVersionsAndByteOrders) {
+  for (const bool isVersion1 : {true, false})
+    for (const bool big : {true, false}) {
+      const std::string file = nifti(isVersion1, big) + "\1\2\3\4\5\6";
+      EXPECT_EQ(voxels("a.nii", file), kSix) << isVersion1 << big;
+      EXPECT_THAT(toModel(1, 1, 1), ElementsAre(2, 3, 4));
+      EXPECT_EQ(voxels("a.nii.gz", gzipped(file)), kSix) << isVersion1 << big;
+      EXPECT_EQ(voxels("b.nii", gzipped(file)), kSix) << isVersion1 << big;
+    }
+}
+
+TEST_F(DenseVolumes, NiftiScalesItsSamplesAndTakesTheFirstVolume) {
+  std::string file = nifti(true, false);
+  file.replace(112, 8, bytesOf<float>({-2, 12}));
+  file.replace(40, 16, bytesOf<std::int16_t>({4, 3, 2, 1, 2, 1, 1, 1}));
+  file += "\1\2\3\4\5\6xxxxxx";
+  // 10, 8, 6, 4, 2 and 0, which is empty.
+  Voxels found = voxels("a.nii", file);
+  EXPECT_EQ(found, (Voxels{{0, kWhite}, {1, 0xffcccccc}, {8, 0xff999999}, {2, 0xff666666}, {3, 0xff333333}}));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("2 volumes")));
+  options_.threshold = 7;
+  EXPECT_EQ(voxels("a.nii", file).size(), 2u);
+}
+
+TEST_F(DenseVolumes, NiftiSaysWhereItsSamplesLie) {
+  std::string file = nifti(true, false) + "\1\2\3\4\5\6";
+  file.replace(252, 4, bytesOf<std::int16_t>({1, 0}));
+  // A half turn about z: the quaternion (0, 0, 0, 1); and z mirrored.
+  file.replace(256, 24, bytesOf<float>({0, 0, 1, 10, 20, 30}));
+  file.replace(76, 4, bytesOf<float>({-1}));
+  voxels("a.nii", file);
+  EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(10, 20, 30));
+  EXPECT_THAT(toModel(1.5, 1.5, 1.5), ElementsAre(8, 17, 26));
+  file.replace(254, 2, bytesOf<std::int16_t>({1}));
+  file.replace(280, 48, bytesOf<float>({0, 5, 0, 1, 6, 0, 0, 2, 0, 0, 7, 3}));
+  voxels("a.nii", file);
+  EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(1, 2, 3));
+  EXPECT_THAT(toModel(1.5, 0.5, 0.5), ElementsAre(1, 8, 3));
+}
+
+TEST_F(DenseVolumes, BinvoxRunsGoAlongYThenZThenX) {
+  // 2 x 3 x 4 cells in the order x, z, y: a run of 5 empty ones, 2 full ones, 17 empty ones.
+  const std::string file =
+      "#binvox 1\ndim 2 3 4\ntranslate 1 2 3\nscale 8\ndata\n" + std::string("\0\5\1\2\0\21", 6);
+  EXPECT_EQ(voxels("a.binvox", file),
+            (Voxels{{mortonCode({0, 1, 1}), kWhite}, {mortonCode({0, 2, 1}), kWhite}}));
+  EXPECT_EQ(extent_, (Int3{2, 4, 3}));
+  EXPECT_THAT(toModel(1, 1, 1), ElementsAre(3, 4, 5));
+  EXPECT_EQ(provenance_, "coverage=voxels up=y");
+  options_.zUp = true;
+  EXPECT_EQ(voxels("a.binvox", file),
+            (Voxels{{mortonCode({0, 1, 2}), kWhite}, {mortonCode({0, 1, 1}), kWhite}}));
+  EXPECT_EQ(extent_, (Int3{2, 3, 4}));
+}
+
+TEST_F(DenseVolumes, SharedVolumesAgree) {
+  VOXC_SKIP_WITHOUT("volumes/fuel.nii.gz");
+  const auto shared = [](const char *name) { return sharedModel("volumes/") + name; };
+  const Voxels fuel = take(openInput("raw:64x33x32:uint8:" + shared("fuel_64x33x32_uint8.raw"), options_));
+  EXPECT_EQ(fuel, take(openInput(shared("fuel.nii.gz"), options_)));
+  EXPECT_EQ(fuel.size(), 13731u);
+  EXPECT_FALSE(take(openInput(shared("test_128.binvox"), options_)).empty());
+  EXPECT_EQ(extent_, (Int3{128, 128, 128}));
+  options_.threshold = 40;
+  EXPECT_FALSE(take(openInput(shared("bonsai.nii.gz"), options_)).empty());
+  EXPECT_EQ(extent_, (Int3{256, 256, 256}));
+}
+
+} // namespace
+} // namespace voxc

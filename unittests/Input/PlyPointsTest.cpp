@@ -1,0 +1,172 @@
+// Points of PLY files: encodings, indices and coordinates, colours, and files that lie.
+#include "Source/SourceTesting.h"
+
+#include "voxc/Input/Input.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace voxc {
+namespace {
+
+constexpr const char *kIndexProperties = "property int x\nproperty int y\nproperty int z\n"
+                                         "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+constexpr const char *kFloatProperties = "property float x\nproperty float y\nproperty float z\n";
+
+std::string header(const std::string &encoding, const std::string &count, const std::string &properties) {
+  return "ply\nformat " + encoding + " 1.0\ncomment one vertex is not another vertex 99\nelement vertex " +
+         count + "\n" + properties + "end_header\n";
+}
+
+template <typename Value> void append(std::string &bytes, Value value, bool bigEndian) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  if (bigEndian)
+    std::reverse(raw, raw + sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+class PlyPoints : public testing::Test {
+protected:
+  Expected<Input> open(const std::string &content) {
+    return openInput(folder_.file("points.ply", content), options_);
+  }
+  Voxels voxels(const std::string &content) {
+    auto input = open(content);
+    EXPECT_TRUE(input) << input.error().message;
+    return input ? voxelsOf(*input->source) : Voxels{};
+  }
+  std::string problem(const std::string &content) {
+    auto input = open(content);
+    return input ? "no error" : input.error().message;
+  }
+
+  TemporaryFolder folder_;
+  InputOptions options_;
+};
+
+const Voxels kTwoVoxels{{mortonCode({3, 4, 5}), rgba(10, 20, 30)}, {mortonCode({0, 500, 1}), rgba(1, 2, 3)}};
+
+TEST_F(PlyPoints, ReadsAscii) {
+  EXPECT_EQ(voxels(header("ascii", "2", kIndexProperties) + "3 4 5 10 20 30\n0 500 1 1 2 3"), kTwoVoxels);
+  EXPECT_EQ(voxels(header("ascii", "2", kIndexProperties) + "3 4 5 10 20 30\r\n+0 500 1 1 2 3\r\n"),
+            kTwoVoxels);
+}
+
+TEST_F(PlyPoints, ReadsBothByteOrders) {
+  for (const bool big : {false, true}) {
+    std::string bytes = header(big ? "binary_big_endian" : "binary_little_endian", "2", kIndexProperties);
+    for (const int value : {3, 4, 5})
+      append(bytes, value, big);
+    bytes += {10, 20, 30};
+    for (const int value : {0, 500, 1})
+      append(bytes, value, big);
+    bytes += {1, 2, 3};
+    EXPECT_EQ(voxels(bytes), kTwoVoxels) << big;
+  }
+}
+
+TEST_F(PlyPoints, ReadsEveryTypeOfProperty) {
+  std::string bytes = header("binary_big_endian", "1",
+                             "property double weight\nproperty list uchar short tags\nproperty short x\n"
+                             "property uint8 y\nproperty uint32 z\nproperty float red\nproperty float green\n"
+                             "property float blue\nproperty ushort alpha\n");
+  append(bytes, 1.5, true);
+  bytes.push_back(2);
+  append(bytes, std::int16_t{-1}, true);
+  append(bytes, std::int16_t{-2}, true);
+  append(bytes, std::int16_t{300}, true);
+  bytes.push_back(static_cast<char>(200));
+  append(bytes, std::uint32_t{7}, true);
+  for (const float channel : {1.0f, 0.0f, 0.5f})
+    append(bytes, channel, true);
+  append(bytes, std::uint16_t{0xffff}, true);
+  EXPECT_EQ(voxels(bytes), (Voxels{{mortonCode({300, 200, 7}), rgba(255, 0, 128)}}));
+}
+
+TEST_F(PlyPoints, FirstOfDuplicatesWinsAndWordZeroIsDropped) {
+  const std::string properties = std::string(kIndexProperties) + "property uchar alpha\n";
+  auto input = open(header("ascii", "5", properties) +
+                    "1 1 1 0 0 0 0\n1 1 1 5 5 5 5\n2 0 0 0 0 0 0\n1 1 1 3 3 3 3\n1 1 1 8 8 8 8\n");
+  ASSERT_TRUE(input);
+  EXPECT_EQ(voxelsOf(*input->source), (Voxels{{mortonCode({1, 1, 1}), 0x05050505}}));
+  ASSERT_EQ(input->warnings.size(), 1u);
+  EXPECT_NE(input->warnings[0].find("2 points"), std::string::npos);
+}
+
+TEST_F(PlyPoints, NoColourIsWhite) {
+  EXPECT_EQ(voxels(header("ascii", "1", "property int x\nproperty int y\nproperty int z\n") + "1 2 3\n"),
+            (Voxels{{mortonCode({1, 2, 3}), 0xffffffff}}));
+}
+
+TEST_F(PlyPoints, CoordinatesFillTheResolution) {
+  options_.resolution = 4;
+  // 2 units are 4 voxels: the far corner belongs to the last voxel of its axis.
+  EXPECT_EQ(voxels(header("ascii", "3", kFloatProperties) + "1 1 1\n3 2 1\n1.6 1.4 1\n"),
+            (Voxels{{mortonCode({0, 0, 0}), 0xffffffff},
+                    {mortonCode({3, 1, 0}), 0xffffffff},
+                    {mortonCode({1, 0, 0}), 0xffffffff}}));
+  auto input = open(header("ascii", "2", kFloatProperties) + "1 1 1\n3 2 1\n");
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->source->extent(), (Int3{4, 2, 1}));
+  EXPECT_EQ(input->provenance, "resolution=4 coverage=points up=y");
+}
+
+TEST_F(PlyPoints, UpIsTurnedToY) {
+  options_.resolution = 4;
+  options_.zUp = true;
+  EXPECT_EQ(voxels(header("ascii", "2", kFloatProperties) + "0 0 0\n4 0 2\n"),
+            (Voxels{{mortonCode({0, 0, 0}), 0xffffffff}, {mortonCode({3, 1, 0}), 0xffffffff}}));
+}
+
+TEST_F(PlyPoints, BoundsCrop) {
+  options_.resolution = 4;
+  options_.bounds = {{0, 0, 0, 4, 4, 4}};
+  EXPECT_EQ(voxels(header("ascii", "3", kFloatProperties) + "1 1 1\n5 1 1\n-0.1 1 1\n"),
+            (Voxels{{mortonCode({1, 1, 1}), 0xffffffff}}));
+}
+
+TEST_F(PlyPoints, IndexOutsideTheFormatIsAnError) {
+  const std::string text = header("ascii", "1", kIndexProperties);
+  EXPECT_NE(problem(text + "512 0 0 1 1 1\n").find("512, 0, 0"), std::string::npos);
+  EXPECT_NE(problem(text + "0 -1 0 1 1 1\n").find("0, -1, 0"), std::string::npos);
+}
+
+TEST_F(PlyPoints, NoPointsAreNoVoxels) {
+  EXPECT_TRUE(voxels(header("ascii", "0", kIndexProperties)).empty());
+  EXPECT_TRUE(voxels(header("ascii", "0", kFloatProperties)).empty());
+}
+
+TEST_F(PlyPoints, ClaimsAreCheckedAgainstTheFile) {
+  for (const char *encoding : {"ascii", "binary_little_endian"})
+    for (const char *count : {"3", "18446744073709551615", "4000000000"})
+      EXPECT_NE(problem(header(encoding, count, kFloatProperties) + "0 0 0\n").find("claims"),
+                std::string::npos);
+  // Rows of nothing take no bytes: no file is large enough for them.
+  EXPECT_NE(problem(header("ascii", "9999999999", "")).find("x, y and z"), std::string::npos);
+  EXPECT_NE(
+      problem(header("ascii", "1", kFloatProperties).replace(4, 0, "element none 999999999999\n") + "0 0 0")
+          .find("claims"),
+      std::string::npos);
+}
+
+TEST_F(PlyPoints, BrokenFilesAreErrors) {
+  const std::string good = header("ascii", "1", kFloatProperties);
+  const std::string list = header("ascii", "1", std::string("property list int int l\n") + kFloatProperties);
+  for (const std::string &text :
+       {std::string(), std::string("ply"), std::string("ply\n"), std::string("plx\nend_header\n"),
+        std::string("ply\nend_header\n"), std::string("ply\nformat ascii 2.0\nend_header\n"),
+        std::string("ply\nformat ascii 1.0\nproperty int x\nend_header\n"),
+        std::string("ply\nformat ascii 1.0\nelement vertex -1\nend_header\n"),
+        std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty long x\nend_header\n"),
+        std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\nend_header\n"),
+        good + "0 zero 0\n", good + "0 0x1 0\n", good + "nan 0 0\n", good + "0 1e39 0\n", good + "0 0 inf\n",
+        list + "-1 0 0 0\n", list + "999999999 0 0 0\n",
+        header("ascii", "1", "property int x\nproperty int y\nproperty int z\n") + "1.5 0 0\n",
+        header("ascii", "1", "property float x\nproperty float y\n") + "0 0\n"})
+    EXPECT_NE(problem(text), "no error") << text;
+}
+
+} // namespace
+} // namespace voxc

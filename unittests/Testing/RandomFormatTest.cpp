@@ -1,0 +1,40 @@
+// Random formats: what property tests see of the formats there are.
+#include "testing/RandomFormat.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+namespace voxc::test {
+namespace {
+
+/// How many of so many random formats with trees have each walk.
+std::map<std::string_view, int> countWalks(int formats) {
+  std::map<std::string_view, int> counts;
+  std::mt19937 random(1);
+  for (int found = 0; found < formats;) {
+    const Format format = randomFormat(random, pick(random, 3, 7));
+    const auto tree = std::ranges::find_if(
+        format.levels, [](const Level &level) { return level.parameter(ParameterRole::Side) > 0; });
+    if (tree == format.levels.end())
+      continue;
+    ++counts[tree->attribute(kWalkAttribute)];
+    ++found;
+  }
+  return counts;
+}
+
+TEST(RandomFormats, HaveEveryWalkEquallyOften) {
+  constexpr int kFormats = 3000;
+  const auto counts = countWalks(kFormats);
+  const auto walks = kWalkAttribute.values;
+  ASSERT_EQ(counts.size(), walks.size());
+  const int share = kFormats / static_cast<int>(walks.size());
+  for (const auto &[walk, count] : counts)
+    EXPECT_NEAR(count, share, share / 10) << walk;
+}
+
+} // namespace
+} // namespace voxc::test
