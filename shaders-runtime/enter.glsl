@@ -61,6 +61,39 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
   bound_errors(ray, cell, error, 2.0f * max(max(slack.x, slack.y), slack.z));
 }
 
+// Finds the cell in which the ray enters the volume, in exact arithmetic: through the last of the faces that it must pass.
+OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, ivec3 cell, bvec3 enters, ivec3 face, bool starts_far) {
+  int axis = last_entered(ray, enters, face);
+  if (starts_far)
+    start_at(ray, cell, axis, face[axis]);
+  Crossing crossing;
+  crossing.t = (float(face[axis]) - ray.origin[axis]) * ray.inverse[axis];
+  crossing.axis = axis;
+  crossing.face = face[axis];
+  crossing.rising = !ray.falls[axis];
+  Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
+  range.least[axis] = range.most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
+  walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
+  walk.axis = axis;
+  return walk;
+}
+
+// The same by float32. Not sure if that cannot tell which face is the last, or which cell is behind it.
+Walk entered(const Ray ray, Walk walk, bvec3 enters, ivec3 face, out bool sure) {
+  vec3 t = mix(vec3(-NEVER), times_of(ray, face), enters);
+  float latest = max(max(t.x, t.y), t.z);
+  bvec3 may_be_last = greaterThanEqual(t, vec3(latest - (latest * ROUNDINGS + ray.slack)));
+  ivec3 count = ivec3(may_be_last);
+  vec3 point = ray.lowest + latest * ray.direction;
+  vec3 whole = floor(point);
+  bvec3 certain = lessThan(point - whole, 1.0f - ray.doubt);
+  sure = count.x + count.y + count.z == 1 && all(greaterThan(ivec3(certain) + count, ivec3(0)));
+  ivec3 behind = face - ivec3(ray.falls);
+  walk.cell = mix(ivec3(clamp(whole, -1.0f, 4194304.0f)), behind, may_be_last);
+  walk.axis = may_be_last.x ? 0 : may_be_last.y ? 1 : 2;
+  return walk;
+}
+
 // Puts the walk into the first cell of the volume on the ray; false if there is none.
 bool enter_volume(inout Ray ray, inout Walk walk) {
   ivec3 size = VOLUME_SIZE;
@@ -75,19 +108,18 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
   bound_errors(ray, cell, vec3(0.0f), any(starts_tiny(ray)) ? NEVER : 0.0f);
   walk.cell = cell;
   ivec3 face = mix(ivec3(0), size, ray.falls);
-  int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
-  if (axis >= 0) {
-    if (starts_far)
-      start_at(ray, cell, axis, face[axis]);
-    Crossing crossing;
-    crossing.t = (float(face[axis]) - ray.origin[axis]) * ray.inverse[axis];
-    crossing.axis = axis;
-    crossing.face = face[axis];
-    crossing.rising = !ray.falls[axis];
-    Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, size, ray.moves));
-    range.least[axis] = range.most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
-    walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
-    walk.axis = axis;
+  if (enters != ivec3(0)) {
+    bvec3 axes = greaterThan(enters, ivec3(0));
+    bool sure;
+    Walk start = entered(ray, walk, axes, face, sure);
+    // A loop that turns once at most: devices of wide vectors run through both sides of an `if`, but not through the loops
+    // in one that no lane enters.
+    bool unsure = !sure || starts_far;
+    while (unsure) {
+      start = entered_exactly(ray, walk, cell, axes, face, starts_far);
+      unsure = false;
+    }
+    walk = start;
   }
   return is_in_volume(walk.cell);
 }

@@ -21,7 +21,7 @@ struct Walk {
   uint rgba;  // Of the voxel that was hit.
   uint lookups;
   int steps_left; // There are no more cells on any ray.
-%if exact
+%if settles-outside
   int open; // Not -1: the step over the cube of 2^open voxels a side around ~cell is left to be settled.
 %end
 };
@@ -37,7 +37,7 @@ const float ROUNDINGS = 12.0f / 8388608.0f;
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell, int axis) {
-%if exact
+%if settles-outside
   return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, -1);
 %else
   return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z);
@@ -50,7 +50,7 @@ void count_step(inout Walk walk) {
   if (walk.steps_left < 0) {
     walk.cell = ivec3(-1);
     walk.axis = ENDLESS;
-%if exact
+%if settles-outside
     walk.open = -1;
 %end
   }

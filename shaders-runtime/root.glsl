@@ -41,12 +41,16 @@ bool trace(uvec3 origin, uvec3 direction, inout Walk walk, inout uint t) {
     return false;
   if (!is_in_volume(walk.cell))
     walk = start;
-%if exact
+%if settles-outside
   bool hit = false;
   bool goes_on = true;
   while (goes_on) {
-    if (walk.open >= 0)
-      settle_step(ray, walk);
+    if (walk.open >= 0) {
+      int log2_side = walk.open;
+      walk.open = -1;
+      walk.cell = ~walk.cell;
+      walk = settled(ray, walk, log2_side);
+    }
     // What was settled may have been the last step inside.
     hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
     goes_on = walk.open >= 0;

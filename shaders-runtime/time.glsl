@@ -100,15 +100,19 @@ OUT_OF_LINE uint crossing_time(const Ray ray, int axis, int face) {
   uint divisor = significand_of(ray.given_direction[axis]);
   int shift = 23 - findMSB(divisor);
   divisor <<= shift;
-  // Long division: the first 24 of the 50 bits, then the others one by one.
-  uint rest = distance.number.high << 6 | distance.number.low >> 26;
-  uint value = 0u;
-  for (int place = 26; place >= 0; place--) {
-    if (place < 26)
-      rest = rest << 1 | (distance.number.low >> place & 1u);
-    value = value << 1 | (rest >= divisor ? 1u : 0u);
-    rest -= rest >= divisor ? divisor : 0u;
-  }
+  // The quotient, below 2^27, by an estimate that an exact remainder corrects: what float32 rounds leaves it wrong by less
+  // than 100, so the remainder fits 32 bits; the quotient of that is wrong by 1 at most.
+  float size = float(divisor);
+  float estimate = (float(distance.number.high) * 4294967296.0f + float(distance.number.low)) / size;
+  uint value = uint(estimate);
+  uint high, low;
+  umulExtended(value, divisor, high, low);
+  int rest = int(distance.number.low - low);
+  int more = int(floor(float(rest) / size));
+  rest -= more * int(divisor);
+  int last = rest < 0 ? -1 : rest >= int(divisor) ? 1 : 0;
+  value += uint(more + last);
+  rest -= last * int(divisor);
   int exponent = distance.exponent - (exponent_of(ray.given_direction[axis]) - 150 - shift);
-  return rounded(value, exponent, distance.inexact || rest != 0u);
+  return rounded(value, exponent, distance.inexact || rest != 0);
 }

@@ -16,13 +16,19 @@ std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
   std::string dims = text(side) + "^3";
   if (!cubic)
     dims = text(pick(random, 0, side)) + ", " + text(side) + ", " + text(pick(random, 0, side));
-  switch (pick(random, 0, 3)) {
+  switch (pick(random, 0, 6)) {
   case 0:
     return "R(" + dims + ")";
   case 1:
     return "D(" + dims + ", " + text(pick(random, 1, 3 * (1 << side))) + ")";
   case 2:
     return "S(" + text(side) + ")";
+  case 3:
+    return "M(" + dims + ")";
+  case 4:
+    return "H(" + dims + ")";
+  case 5:
+    return "G(" + text(side) + (side % 2 == 0 ? ", 2)" : ")");
   default:
     return "G(" + text(side) + ")";
   }

@@ -60,11 +60,13 @@ public:
   Expected<Fragment> build(Int3 low, int log2Side, const Progress &progress);
 
 private:
-  PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, std::unique_ptr<NodeStore> store)
-      : source_(std::move(source)), code_(code), store_(std::move(store)) {}
+  PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, Alpha alpha,
+              std::unique_ptr<NodeStore> store)
+      : source_(std::move(source)), code_(code), alpha_(alpha), store_(std::move(store)) {}
 
   std::unique_ptr<VoxelSource> source_;
   ConstructCode code_;
+  Alpha alpha_;
   std::unique_ptr<NodeStore> store_;
 };
 

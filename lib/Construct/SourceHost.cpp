@@ -24,8 +24,21 @@ bool MortonProgress::at(Int3 low, std::uint64_t voxels) {
   return !progress_.stopped();
 }
 
+void SourceHost::proveAlpha(Int3 low, const std::uint32_t *voxels) {
+  for (unsigned i = 0; i < 512; ++i) {
+    if (voxels[i] == 0 || voxels[i] >> 24 != 0)
+      continue;
+    const Int3 voxel = low + mortonCell(i);
+    return store().fail(Error::input("voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
+                                     std::to_string(voxel.z) + ") has an alpha of 0, but the format states " +
+                                     "alpha=positive; build it without visible-voxels"));
+  }
+}
+
 void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
   source_.read({low, construct::kLog2Brick}, voxels);
+  if (alpha_ == Alpha::Positive)
+    proveAlpha(low, voxels);
   voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
   if (auto error = source_.failure())
     store().fail(*error);

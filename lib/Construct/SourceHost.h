@@ -3,6 +3,7 @@
 
 #include "BuildHost.h"
 
+#include "voxc/Layout/Layout.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 
@@ -25,8 +26,9 @@ private:
 /// Reads and counts voxels; also the host of a part, whose result it keeps.
 class SourceHost : public BuildHost {
 public:
-  SourceHost(VoxelSource &source, NodeStore &store, const Progress &progress)
-      : BuildHost(store), source_(source), progress_(source.extent(), progress) {}
+  /// `alpha`: what the volume's format states of its voxels.
+  SourceHost(VoxelSource &source, NodeStore &store, Alpha alpha, const Progress &progress)
+      : BuildHost(store), source_(source), alpha_(alpha), progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
 
@@ -35,7 +37,10 @@ protected:
   void readBrick(Int3 low, std::uint32_t *voxels) override;
 
 private:
+  void proveAlpha(Int3 low, const std::uint32_t *voxels);
+
   VoxelSource &source_;
+  Alpha alpha_;
   MortonProgress progress_;
   std::uint64_t voxels_ = 0;
 };

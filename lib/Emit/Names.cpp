@@ -27,6 +27,8 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
   holes["empty-slots"] = stratum.empty == Empty::Tagged ? "with its highest bit set" : "with an alpha of 0";
+  holes["empty-tag"] = stratum.empty == Empty::Tagged ? "0x80000000u" : "0u";
+  holes["word-is-empty"] = stratum.empty == Empty::Tagged ? "word >> 31 != 0" : "word >> 24 == 0";
   holes["slot-is-empty"] = stratum.empty == Empty::Tagged ? "(value >> 31) != 0u" : "(value >> 24) == 0u";
   holes["times-branch"] = branch == 1 ? "" : " * " + factor;
   holes["per-branch"] = branch == 1 ? "" : " / " + factor;
@@ -66,6 +68,8 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
   names.conditions["cut"] = cut;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
+  names.conditions["settles-outside"] =
+      plan.predicate == Predicate::Exact && plan.settling == Settling::Outside;
   names.conditions["cone"] = plan.detail == Detail::Cone;
   names.conditions["segments"] = plan.addressing == Addressing::Segments;
   names.conditions["any-wide"] = std::ranges::any_of(plan.layout.strata, isWide);

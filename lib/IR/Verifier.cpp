@@ -36,6 +36,14 @@ void verifySlots(const Level &level, Diagnostics &diagnostics) {
     diagnostics.error(level.range, problem);
 }
 
+/// Voxels can be told from distances in empty slots only by their alpha.
+void verifyDistances(const Format &format, Diagnostics &diagnostics) {
+  const Level &last = format.levels.back();
+  if (last.attribute(kDistancesAttribute) == "in-slot" && format.attributes.value(kAlphaAttribute) != "positive")
+    diagnostics.error(last.range, "distances in the slots of the last level cannot be told from voxels unless none has an "
+                                  "alpha of 0; state that by alpha=positive (the pass visible-voxels)");
+}
+
 /// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.
 void verifyWords(const Level &level, Diagnostics &diagnostics) {
   const Stratum stratum = level.kind->lower(level);
@@ -73,6 +81,7 @@ void verify(const Format &format, Diagnostics &diagnostics) {
     verifySlots(format.levels[i], diagnostics);
     verifyWords(format.levels[i], diagnostics);
   }
+  verifyDistances(format, diagnostics);
   verifyExtent(format, diagnostics);
 }
 

@@ -14,10 +14,10 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
   if (!module)
     return module.error();
   const std::uint64_t digest = plan.layout.storageDigest;
-  SpirvWords finished = addModuleProcessed(*module, kernelFacts(digest, plan.addressing));
+  SpirvWords finished = addModuleProcessed(*module, kernelFacts(digest, plan.addressing, plan.loops));
   if (auto valid = validateSpirv(finished); !valid)
     return valid.error();
-  return Kernel{std::move(finished), digest, plan.addressing};
+  return Kernel{std::move(finished), digest, plan.addressing, plan.loops};
 }
 
 Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options) {

@@ -24,9 +24,6 @@ Expected<std::string> compile(const std::string &text, const std::string &proces
   return compileToObject(files, {.optimisation = kOptimisation, .processor = processor});
 }
 
-/// This processor runs loops to their end.
-Plan planFor(const Format &format) { return makePlan(format, {.loops = Loops::Whole}); }
-
 bool isIdentifier(const std::string &name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   return !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) &&
@@ -36,7 +33,7 @@ bool isIdentifier(const std::string &name) {
 } // namespace
 
 Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
-  const auto object = compile(emitIntersectCpp(planFor(format), kSymbol, countWords), "native");
+  const auto object = compile(emitIntersectCpp(makePlan(format, kCpuPlan), kSymbol, countWords), "native");
   if (!object)
     return object.error();
   auto code = JitCode::link(*object);
@@ -52,7 +49,7 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {
   if (!isIdentifier(options.symbol))
     return Error::usage("'" + options.symbol + "' is no name of a C function");
-  return compile(emitIntersectCpp(planFor(format), options.symbol), options.processor);
+  return compile(emitIntersectCpp(makePlan(format, kCpuPlan), options.symbol), options.processor);
 }
 
 } // namespace voxc

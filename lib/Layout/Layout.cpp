@@ -4,6 +4,14 @@
 #include <algorithm>
 
 namespace voxc {
+void packDistances(Stratum &stratum, bool holdsVoxels) {
+  stratum.empty = holdsVoxels ? Empty::Transparent : Empty::Tagged;
+  // No cell is farther from another; so a reach that no distance comes up to says no more than this one.
+  const Int3 size = stratum.log2Size();
+  const std::uint32_t farthest = (1u << size.x) + (1u << size.y) + (1u << size.z);
+  stratum.reach = std::min(stratum.reach, farthest);
+}
+
 Int3 Layout::log2Extent() const {
   const Stratum &top = strata.front();
   const Int3 size = top.log2Size();

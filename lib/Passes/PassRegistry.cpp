@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 5> kPasses = {{
+constexpr std::array<Pass, 9> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
@@ -20,6 +20,24 @@ constexpr std::array<Pass, 5> kPasses = {{
      "level "
      "has written already is pointed to instead. Unchanged where no level but the first is an R or a D.",
      shareGrids},
+    {"visible-voxels", AttributeEffect::Storage, "state that no voxel has an alpha of 0",
+     "A fact about the voxels that other passes may use, and that a build proves: it fails at a voxel with an "
+     "alpha of 0, and names it.",
+     visibleVoxels},
+    {"df-packing", AttributeEffect::Storage, "keep the distances of D levels in the words of their empty cells",
+     "Without it, a cell of a D level has two words, of which one is always without use: a value or a distance. "
+     "With it, an empty cell's word holds its distance. References then have 31 bits, and a bit tells them from "
+     "distances; voxels are told by their alpha, so that a D as the last level needs visible-voxels first. "
+     "Unchanged where no level is a D.",
+     dfPacking},
+    {"merge-grids", AttributeEffect::Storage, "make one R level of neighbouring ones",
+     "R(2^3) R(3^3) is R(5^3) in meaning: one lookup in place of two, and a word for each cell. Left out where "
+     "the merged grid would not fit a volume. Unchanged where no two R levels are neighbours.",
+     mergeGrids},
+    {"split-grids", AttributeEffect::Storage, "make two R levels of each",
+     "R(5^3) is R(3^3) R(2^3) in meaning: empty parts of the grid then take no words. Unchanged where no R level "
+     "has four cells on each axis.",
+     splitGrids},
     {"restart-sv", AttributeEffect::Walk,
      "walk octrees and DAGs from the root at each lookup, without a stack",
      "The stack walk keeps the nodes above the current cell. Restarting keeps nothing and descends from the "

@@ -65,12 +65,24 @@ bool parsePayload(Plan &plan, std::string_view text) {
   return payload.has_value();
 }
 
-constexpr std::array<Field<Plan>, 6> kPlanFields = {{
+std::string printAlpha(const Plan &plan) {
+  return plan.layout.alpha == Alpha::Any ? "" : std::string(toString(plan.layout.alpha));
+}
+
+bool parseAlpha(Plan &plan, std::string_view text) {
+  const auto alpha = fromString<Alpha>(text);
+  plan.layout.alpha = alpha.value_or(Alpha::Any);
+  return alpha.has_value();
+}
+
+constexpr std::array<Field<Plan>, 8> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8"},
+    {"alpha", printAlpha, parseAlpha, "any, positive"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
     field<Plan, &Plan::detail>("detail", "full, cone"),
+    field<Plan, &Plan::settling>("settling", "outside, inside"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
 }};
 

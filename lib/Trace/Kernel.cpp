@@ -19,7 +19,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "modules and volumes are mapped as they are");
 
 constexpr std::string_view kFactsPrefix = "voxc kernel ";
-constexpr std::string_view kFactsVersion = "1";
+constexpr std::string_view kFactsVersion = "2";
 
 std::optional<std::uint64_t> parseDigest(std::string_view text) {
   std::uint64_t digest = 0;
@@ -53,26 +53,31 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
                         ", but this voxc reads version " + std::string(kFactsVersion) + ": compile it again");
   std::optional<std::uint64_t> digest;
   std::optional<Addressing> addressing;
+  std::optional<Loops> loops;
   if (auto value = takeValue(rest, "storage="))
     digest = parseDigest(*value);
   if (auto value = takeValue(rest, "addressing="))
     addressing = fromString<Addressing>(*value);
-  if (!digest || !addressing || !rest.empty())
+  if (auto value = takeValue(rest, "loops="))
+    loops = fromString<Loops>(*value);
+  if (!digest || !addressing || !loops || !rest.empty())
     return Error::input("this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
-                        "addressing=<buffer|segments>\"");
+                        "addressing=<buffer|segments> loops=<whole|cut>\"");
   kernel.storageDigest = *digest;
   kernel.addressing = *addressing;
+  kernel.loops = *loops;
   return {};
 }
 
 } // namespace
 
-std::string kernelFacts(std::uint64_t storageDigest, Addressing addressing) {
+std::string kernelFacts(std::uint64_t storageDigest, Addressing addressing, Loops loops) {
   std::array<char, 17> digits;
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(storageDigest));
   std::string facts(kFactsPrefix);
   facts.append(kFactsVersion).append(" storage=").append(digits.data());
-  return facts.append(" addressing=").append(toString(addressing));
+  facts.append(" addressing=").append(toString(addressing));
+  return facts.append(" loops=").append(toString(loops));
 }
 
 Expected<Kernel> Kernel::fromSpirv(std::vector<std::uint32_t> spirv) {

@@ -63,6 +63,7 @@ void describeVersion12(PhysicalDevice &device) {
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
   properties.pNext = &driver;
   vkGetPhysicalDeviceProperties2(device.handle, &properties);
+  device.info.loops = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE ? Loops::Cut : Loops::Whole;
   device.info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
   device.info.maxAllocationBytes = maintenance.maxMemoryAllocationSize;
 

@@ -33,15 +33,15 @@ void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner,
   }
 }
 
-// Settles the step that a walk has left open: which faces the ray passes first, of those that float32 cannot tell apart,
-// and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide vectors run
-// through it as often as any ray needs it.
+// Settles the step over the cube of 2^log2_side voxels a side around the walk's cell: which faces the ray passes first, of
+// those that float32 cannot tell apart, and then by bisection to which cell it comes. All questions are asked at one place,
+// since devices of wide vectors run through it as often as any ray needs it.
 %if cut
 // Where the device cuts it short, the walk stays where it is.
 %end
-OUT_OF_LINE void settle_step(const Ray ray, inout Walk walk) {
-  int side = 1 << walk.open;
-  ivec3 corner = corner_of(~walk.cell, walk.open);
+OUT_OF_LINE Walk settled(const Ray ray, Walk walk, int log2_side) {
+  int side = 1 << log2_side;
+  ivec3 corner = corner_of(walk.cell, log2_side);
   ivec3 face = corner + (ray.ahead & side);
   vec3 t = times_of(ray, face);
   float earliest = min_of(t);
@@ -78,10 +78,9 @@ OUT_OF_LINE void settle_step(const Ray ray, inout Walk walk) {
       }
     }
   }
-  walk.open = -1;
-  walk.cell = ~walk.cell;
   if (${order-known}range.least == range.most) {
     walk.cell = range.least;
     walk.axis = crossing.axis;
   }
+  return walk;
 }

@@ -18,6 +18,8 @@ std::string joined(std::span<const std::string_view> values) {
 
 void AttributeOptions::declare(CLI::App &app) {
   for (const AttributeKind *kind : formatAttributes()) {
+    if (kind->effect == AttributeEffect::Storage) // Passes set those.
+      continue;
     const std::vector<std::string> values(kind->values.begin(), kind->values.end());
     app.add_option("--" + std::string(kind->name), values_[kind], std::string(kind->summary))
         ->type_name(joined(kind->values) + "=" + values.front())

@@ -19,7 +19,7 @@ class Generator {
 public:
   Generator(const Format &format, const KernelChoices &choices)
       : format_(format), plan_(makePlan(format, {.addressing = choices.addressing})),
-        cpuPlan_(makePlan(format, {.loops = Loops::Whole})), choices_(choices) {}
+        cpuPlan_(makePlan(format, kCpuPlan)), choices_(choices) {}
 
   const Format &format() const { return format_; }
   const Plan &plan() const { return plan_; }

@@ -27,10 +27,12 @@ using AttributeKinds = std::span<const AttributeKind *const>;
 extern const AttributeKind kDedupAttribute; ///< dedup: sub-volume | level
 extern const AttributeKind kShareAttribute; ///< share: none | level
 extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart | unrolled
+extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
+extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 
 /// The attributes that a format takes.
 AttributeKinds formatAttributes();

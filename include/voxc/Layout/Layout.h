@@ -18,11 +18,18 @@ enum class Payload {
   Rgba8, ///< A colour of four bytes, R lowest. The word 0 is no voxel.
 };
 
+/// What is known of the alpha of voxels.
+enum class Alpha {
+  Any,
+  Positive, ///< No voxel has an alpha of 0; a build of one that has fails.
+};
+
 /// Where the words of a volume lie, for all voxels of it.
 struct Layout {
   std::string format;              ///< As a string of the grammar, for people.
   std::uint64_t storageDigest = 0; ///< Of the level IR that it comes from: what kernels and volumes agree on.
   Payload payload = Payload::Rgba8;
+  Alpha alpha = Alpha::Any;
   std::vector<Stratum> strata; ///< From the highest to the lowest, one a level.
 
   bool operator==(const Layout &) const = default;
@@ -45,5 +52,10 @@ struct Layout {
 void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
 
 template <> inline constexpr std::array<std::string_view, 1> kEnumNames<Payload> = {"rgba8"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
+
+/// Rewrites a stratum with distances beside its slots: each moves into the slot of its empty cell, which is told by a tag,
+/// or, where the cells are voxels, by an alpha of 0. Half the words.
+void packDistances(Stratum &stratum, bool holdsVoxels);
 
 } // namespace voxc

@@ -43,6 +43,10 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names,
 // What each pass promises stands in its own file of lib/Passes.
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
 PassResult shareGrids(Format &format, Diagnostics &diagnostics);
+PassResult visibleVoxels(Format &format, Diagnostics &diagnostics);
+PassResult dfPacking(Format &format, Diagnostics &diagnostics);
+PassResult mergeGrids(Format &format, Diagnostics &diagnostics);
+PassResult splitGrids(Format &format, Diagnostics &diagnostics);
 PassResult restartSv(Format &format, Diagnostics &diagnostics);
 PassResult unrollSv(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);

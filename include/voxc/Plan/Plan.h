@@ -36,10 +36,17 @@ enum class Detail {
   Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
+/// Where a step is settled of which float32 is not sure.
+enum class Settling {
+  Outside, ///< Outside of all loops: where lanes run together, those that are sure do not wait for it at every step.
+  Inside,  ///< At once, by a function out of the way: where one ray runs alone.
+};
+
 template <>
 inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe", "single", "stack",
                                                                         "restart", "unrolled"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Settling> = {"outside", "inside"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
 /// How a kernel goes through one stratum.
@@ -57,6 +64,7 @@ struct Plan {
   Predicate predicate = Predicate::Exact;
   Detail detail = Detail::Full;
   Loops loops = Loops::Whole;
+  Settling settling = Settling::Outside;
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
 
   bool operator==(const Plan &) const = default;
@@ -66,7 +74,11 @@ struct Plan {
 struct PlanOptions {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
+  bool lanes = true;        ///< The device runs several rays in step with each other.
 };
+
+/// What the kernels of this processor are made for: rays one by one, loops to their end.
+inline constexpr PlanOptions kCpuPlan = {.loops = Loops::Whole, .lanes = false};
 
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from that.
 Plan lowerToPlan(const Format &format, const PlanOptions &options = {});

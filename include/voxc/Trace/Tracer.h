@@ -26,6 +26,7 @@ struct DeviceInfo {
   std::uint64_t maxAllocationBytes = 0;
   bool usable = false; ///< Vulkan 1.2 with a compute queue.
   bool deviceAddresses = false;
+  Loops loops = Loops::Whole; ///< What its kernels must be ready for.
 };
 
 /// Every Vulkan device of this machine; empty if there is none or no loader.

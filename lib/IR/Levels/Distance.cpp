@@ -13,7 +13,7 @@ constexpr std::array<ParameterKind, 4> kParameters = {
      kDepth,
      {"M", ParameterRole::Reach, "the largest distance stored, in cells", 1, std::numeric_limits<std::uint32_t>::max()}}};
 
-constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
+constexpr std::array<const AttributeKind *, 2> kAttributes = {&kShareAttribute, &kDistancesAttribute};
 
 Stratum lower(const Level &level) {
   Stratum stratum = gridStratum(level, kDenseSlots);

@@ -10,6 +10,7 @@ constexpr std::array<const LevelKind *, 6> kKinds = {&kRaw, &kDistance, &kSvo, &
 
 constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
 constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
+constexpr std::array<std::string_view, 2> kDistancesValues = {"beside", "in-slot"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace
@@ -21,6 +22,10 @@ const AttributeKind kDedupAttribute = {
 const AttributeKind kShareAttribute = {
     "share", AttributeEffect::Storage, kShareValues,
     "which equal sub-volumes of grids share storage: none, or those of the whole level"};
+
+const AttributeKind kDistancesAttribute = {
+    "distances", AttributeEffect::Storage, kDistancesValues,
+    "where the distance of an empty cell stands: in a word beside its slot, or in the slot itself"};
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,

@@ -30,11 +30,14 @@ Layout layoutOf(const Format &format) {
   Layout layout;
   layout.format = toString(format);
   layout.storageDigest = storageDigest(format);
+  layout.alpha = *fromString<Alpha>(format.attributes.value(kAlphaAttribute));
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     Stratum stratum = level.kind->lower(level);
     stratum.level = level.kind->name;
     stratum.log2Cell = format.log2CellSide(i);
+    if (level.attribute(kDistancesAttribute) == "in-slot")
+      packDistances(stratum, i + 1 == format.levels.size());
     layout.strata.push_back(std::move(stratum));
   }
   return layout;
