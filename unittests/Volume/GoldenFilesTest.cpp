@@ -4,10 +4,13 @@
 //   voxc build FORMAT builtin:SCENE PASSES -o NAME.hvx
 //
 // of commit d909103, with the formats, scenes and passes of the table below.
+#include "VolumeTesting.h"
+
 #include "voxc/Source/Input.h"
-#include "voxc/Volume/Volume.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace voxc {
 namespace {
@@ -59,16 +62,17 @@ constexpr GoldenFile kFiles[] = {
      {0xff5bdeec, 0}},
 };
 
-class GoldenFiles : public ::testing::TestWithParam<GoldenFile> {
+class GoldenFiles : public test::VolumeFile, public ::testing::WithParamInterface<GoldenFile> {
 protected:
-  static Expected<Volume> load() {
-    return Volume::load(std::string(VOXC_UNITTESTS_DIR "/Volume/Golden/v1/") + GetParam().name + ".hvx");
+  static std::string path() {
+    return std::string(VOXC_UNITTESTS_DIR "/Volume/Golden/v1/") + GetParam().name + ".hvx";
   }
+  static Expected<Volume> loadOld() { return Volume::load(path()); }
 };
 
 TEST_P(GoldenFiles, SayWhatTheyHold) {
   const GoldenFile &golden = GetParam();
-  const auto volume = load();
+  const auto volume = loadOld();
   ASSERT_TRUE(volume) << volume.error().message;
   EXPECT_EQ(volume->format(), *parseFormat(golden.format));
   EXPECT_EQ(volume->info().extent, golden.extent);
@@ -81,7 +85,7 @@ TEST_P(GoldenFiles, SayWhatTheyHold) {
 }
 
 TEST_P(GoldenFiles, HoldTheVoxelsOfTheirScene) {
-  const auto volume = load();
+  const auto volume = loadOld();
   ASSERT_TRUE(volume) << volume.error().message;
   const Int3 extent = volume->format().extent();
   const auto scene = openInput(std::string("builtin:") + GetParam().scene, {.formatExtent = extent});
@@ -93,6 +97,44 @@ TEST_P(GoldenFiles, HoldTheVoxelsOfTheirScene) {
         scene->source->read({c, 0}, &word);
         ASSERT_EQ(volume->lookup(c).value, word) << c.x << "," << c.y << "," << c.z;
       }
+}
+
+TEST_P(GoldenFiles, AreWrittenAsTheNewestVersion) {
+  const auto old = loadOld();
+  ASSERT_TRUE(old) << old.error().message;
+  const std::string bytes = saved(*old);
+  EXPECT_EQ(bytes[8], 2);
+  EXPECT_EQ(bytes.size(), readTextFile(path())->size());
+  const auto now = Volume::load(path_);
+  ASSERT_TRUE(now) << now.error().message;
+  EXPECT_EQ(now->format(), old->format());
+  EXPECT_EQ(now->info().extent, old->info().extent);
+  EXPECT_EQ(now->info().voxels, old->info().voxels);
+  EXPECT_EQ(now->info().provenance, old->info().provenance);
+  EXPECT_TRUE(std::ranges::equal(now->words(), old->words()));
+}
+
+TEST_P(GoldenFiles, AreRefusedIfTheyAreDamaged) {
+  const std::string whole = *readTextFile(path());
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string broken = whole;
+    broken[at] ^= static_cast<char>(1 << at % 8);
+    ASSERT_NE(errorOf(broken), "no error") << "byte " << at;
+  }
+  for (std::size_t length = 0; length < whole.size(); length += length < 400 ? 1 : 61)
+    ASSERT_NE(errorOf(whole.substr(0, length)), "no error") << length;
+}
+
+TEST_P(GoldenFiles, HaveHeadersThatAreNotBelieved) {
+  const std::string whole = *readTextFile(path());
+  for (std::size_t at = 0; at < whole.find("builtin="); ++at)
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string broken = whole;
+      broken[at] ^= static_cast<char>(1 << bit);
+      broken = test::sealed(broken);
+      const auto volume = load(broken);
+      EXPECT_TRUE(!volume || decode(*volume, [](const Cube &, std::uint32_t) { return true; }));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Version1, GoldenFiles, ::testing::ValuesIn(kFiles),
