@@ -51,10 +51,11 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels) {
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
+  std::vector<Stream> streams = {wordStream(span)};
   if (isStreamed_)
-    if (auto finished = writer_->finish(info_, span, words.settled(), *options_.memory); !finished)
+    if (auto finished = writer_->finish(info_, streams, words.settled(), *options_.memory); !finished)
       return finished.error();
-  Volume volume(std::move(info_), span, std::make_shared<const MemoryBlock>(words.take()));
+  Volume volume(std::move(info_), std::move(streams), std::make_shared<const MemoryBlock>(words.take()));
   if (!options_.path.empty() && !isStreamed_)
     if (auto saved = volume.save(options_.path); !saved)
       return saved.error();

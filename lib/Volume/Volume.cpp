@@ -1,9 +1,12 @@
-// Volumes: words in memory or in a mapped file, and what is known of them.
+// Volumes: streams in memory or in a mapped file, and what is known of them.
 #include "voxc/Volume/Volume.h"
 
+#include "StreamTable.h"
 #include "VolumeFile.h"
 
 #include "voxc/Support/File.h"
+
+#include <algorithm>
 
 namespace voxc {
 
@@ -11,24 +14,24 @@ struct Volume::State {
   VolumeInfo info;
   std::vector<std::uint32_t> owned;
   std::shared_ptr<const void> owner;
-  std::span<const std::uint32_t> words; ///< Of `owned`, or of `owner`.
+  std::vector<Stream> streams; ///< Of `owned`, or of `owner`.
+  std::span<const std::uint32_t> words;
   Layout layout;
+
+  State(VolumeInfo given, std::vector<Stream> held, std::shared_ptr<const void> holder)
+      : info(std::move(given)), owner(std::move(holder)), streams(std::move(held)),
+        words(streams.front().as<std::uint32_t>()), layout(layoutOf(info.format)) {}
 };
 
-Volume::Volume(VolumeInfo info, std::vector<std::uint32_t> words) : state_(std::make_unique<State>()) {
-  state_->layout = layoutOf(info.format);
-  state_->info = std::move(info);
-  state_->owned = std::move(words);
-  state_->words = state_->owned;
+Volume::Volume(VolumeInfo info, std::vector<std::uint32_t> words) : Volume(std::move(info), words, nullptr) {
+  state_->owned = std::move(words); // Its elements stay where they are.
 }
 
 Volume::Volume(VolumeInfo info, std::span<const std::uint32_t> words, std::shared_ptr<const void> owner)
-    : state_(std::make_unique<State>()) {
-  state_->layout = layoutOf(info.format);
-  state_->info = std::move(info);
-  state_->owner = std::move(owner);
-  state_->words = words;
-}
+    : Volume(std::move(info), std::vector{wordStream(words)}, std::move(owner)) {}
+
+Volume::Volume(VolumeInfo info, std::vector<Stream> streams, std::shared_ptr<const void> owner)
+    : state_(std::make_unique<State>(std::move(info), std::move(streams), std::move(owner))) {}
 
 Volume::~Volume() = default;
 Volume::Volume(Volume &&) noexcept = default;
@@ -37,37 +40,44 @@ Volume &Volume::operator=(Volume &&) noexcept = default;
 const VolumeInfo &Volume::info() const { return state_->info; }
 std::span<const std::uint32_t> Volume::words() const { return state_->words; }
 const Layout &Volume::layout() const { return state_->layout; }
+std::span<const Stream> Volume::streams() const { return state_->streams; }
+
+const Stream *Volume::findStream(std::string_view name) const {
+  const auto found = std::ranges::find(state_->streams, name, &Stream::name);
+  return found == state_->streams.end() ? nullptr : &*found;
+}
+
+std::uint64_t Volume::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const Stream &stream : streams())
+    bytes += stream.bytes.size();
+  return bytes;
+}
 
 Expected<Volume> Volume::load(const std::string &path, bool trusted) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  auto contents = parseVolumeFile(file->bytes(), path);
-  if (!contents)
-    return contents.error();
-  if (contents->words.empty())
-    return Error::input("'" + path + "' has no words; even an empty volume has one");
-  if (!trusted) {
-    const auto voxels = checkStructure(contents->info.format, contents->words);
-    if (!voxels)
-      return Error::input("'" + path + "': " + voxels.error().message);
-    if (*voxels != contents->info.voxels)
-      return Error::input("'" + path + "' holds " + std::to_string(*voxels) +
-                          " voxels, but its header says " + std::to_string(contents->info.voxels));
-  }
-  const auto words = contents->words;
-  return Volume(std::move(contents->info), words, std::make_shared<const MappedFile>(std::move(*file)));
+  auto opened = MappedFile::open(path);
+  if (!opened)
+    return opened.error();
+  const auto file = std::make_shared<const MappedFile>(std::move(*opened));
+  return readVolumeFile(file->bytes(), file, path, trusted);
 }
 
 Expected<void> Volume::save(const std::string &path) const {
   auto file = OutputFile::create(path);
   if (!file)
     return file.error();
-  const std::string header = volumeFileHeader(info(), words());
-  if (auto written = file->write(header.data(), header.size()); !written)
-    return written.error();
-  if (auto written = file->write(words().data(), words().size_bytes()); !written)
-    return written.error();
+  const std::string head = volumeFileHead(info(), streams());
+  if (auto written = file->write(head.data(), head.size()); !written)
+    return written;
+  std::uint64_t end = head.size();
+  for (const Stream &stream : streams()) {
+    const std::string padding(placeOf(stream.bytes.size(), end) - end, '\0');
+    if (auto written = file->write(padding.data(), padding.size()); !written)
+      return written;
+    if (auto written = file->write(stream.bytes.data(), stream.bytes.size()); !written)
+      return written;
+    end += padding.size() + stream.bytes.size();
+  }
   return file->commit();
 }
 

@@ -1,4 +1,4 @@
-// The .hvx file (docs/hvx.md): a header that says everything about the words, then the words.
+// The .hvx file (docs/hvx.md): a head that says everything about the streams, then the streams.
 #pragma once
 
 #include "voxc/Support/Error.h"
@@ -6,27 +6,23 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
 namespace voxc {
 
-/// Where the words of a checked file lie.
-struct VolumeFileContents {
-  VolumeInfo info;
-  std::span<const std::uint32_t> words; ///< Inside the bytes that were parsed.
-};
+/// The volume in a whole file, of any version up to ours, that lies in memory that `owner` keeps, aligned as
+/// a mapped file is. Nothing that it claims is believed: see `Volume::load`, whose errors these are.
+Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_ptr<const void> owner,
+                                const std::string &name, bool trusted = false);
 
-/// Parses a whole file that lies in memory, aligned to 4 bytes. Nothing that it claims is believed: sizes are
-/// held against the file's own, the checksum against all its bytes.
-Expected<VolumeFileContents> parseVolumeFile(std::span<const std::byte> bytes, const std::string &name);
+/// The bytes of the head of a file with so many streams, whole pages: there the words begin.
+std::uint64_t volumeHeadBytes(const VolumeInfo &info, std::size_t streams);
 
-/// Where the words of a file with this header begin, in bytes: a whole page.
-std::uint64_t volumeWordsOffset(const VolumeInfo &info);
-
-/// The header of a file that holds these words, padded so that the words that follow are aligned to a page.
-/// `pause` is called for every few kilobytes of words that are read.
-std::string volumeFileHeader(const VolumeInfo &info, std::span<const std::uint32_t> words,
-                             const std::function<void()> &pause = {});
+/// The head of a file that holds these streams. `pause` is called for every few kilobytes that are read of
+/// them.
+std::string volumeFileHead(const VolumeInfo &info, std::span<const Stream> streams,
+                           const std::function<void()> &pause = {});
 
 } // namespace voxc

@@ -1,17 +1,19 @@
 // Writing of .hvx files page by page.
 #include "VolumeFileWriter.h"
 
+#include "StreamTable.h"
 #include "VolumeFile.h"
 
 #include <algorithm>
 
 namespace voxc {
 
-Expected<VolumeFileWriter> VolumeFileWriter::create(const std::string &path, const VolumeInfo &info) {
+Expected<VolumeFileWriter> VolumeFileWriter::create(const std::string &path, const VolumeInfo &info,
+                                                    std::size_t streams) {
   auto file = OutputFile::create(path);
   if (!file)
     return file.error();
-  return VolumeFileWriter(std::move(*file), volumeWordsOffset(info));
+  return VolumeFileWriter(std::move(*file), volumeHeadBytes(info, streams));
 }
 
 Expected<void> VolumeFileWriter::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes,
@@ -19,20 +21,36 @@ Expected<void> VolumeFileWriter::settle(MemoryBlock &block, std::uint64_t begin,
   return memory.settle(block, begin, bytes, file_.descriptor(), wordsOffset_ + begin);
 }
 
-Expected<void> VolumeFileWriter::finish(const VolumeInfo &info, std::span<const std::uint32_t> words,
+Expected<void> VolumeFileWriter::write(std::uint64_t offset, std::span<const std::byte> bytes,
+                                       WorkingMemory &memory) {
+  constexpr std::size_t kPiece = std::size_t{4} << 20;
+  while (!bytes.empty()) {
+    const auto piece = bytes.first(std::min(kPiece, bytes.size()));
+    if (auto written = file_.rewrite(offset, piece.data(), piece.size()); !written)
+      return written;
+    memory.relieve(piece.size());
+    offset += piece.size();
+    bytes = bytes.subspan(piece.size());
+  }
+  return {};
+}
+
+Expected<void> VolumeFileWriter::finish(const VolumeInfo &info, std::span<const Stream> streams,
                                         std::pair<std::uint64_t, std::uint64_t> settled,
                                         WorkingMemory &memory) {
-  const auto bytes = std::as_bytes(words);
-  const std::uint64_t headEnd = std::min<std::uint64_t>(settled.first, bytes.size());
-  if (auto written = file_.rewrite(wordsOffset_, bytes.data(), headEnd); !written)
+  const auto words = streams.front().bytes;
+  const std::uint64_t headEnd = std::min<std::uint64_t>(settled.first, words.size());
+  const std::uint64_t tail = std::min<std::uint64_t>(settled.second, words.size());
+  if (auto written = write(wordsOffset_, words.first(headEnd), memory); !written)
     return written;
-  if (bytes.size() > settled.second)
-    if (auto written = file_.rewrite(wordsOffset_ + settled.second, bytes.data() + settled.second,
-                                     bytes.size() - settled.second);
-        !written)
+  if (auto written = write(wordsOffset_ + tail, words.subspan(tail), memory); !written)
+    return written;
+  const auto rows = layOut(streams, wordsOffset_);
+  for (std::size_t i = 1; i < streams.size(); ++i)
+    if (auto written = write(rows[i].offset, streams[i].bytes, memory); !written)
       return written;
-  const std::string header = volumeFileHeader(info, words, [&] { memory.relieve(); });
-  if (auto written = file_.rewrite(0, header.data(), header.size()); !written)
+  const std::string head = volumeFileHead(info, streams, [&] { memory.relieve(); });
+  if (auto written = file_.rewrite(0, head.data(), head.size()); !written)
     return written;
   return file_.commit();
 }

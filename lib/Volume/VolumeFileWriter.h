@@ -6,16 +6,19 @@
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
 namespace voxc {
 
-/// Takes complete pages of words as they are made; the rest follows at the end.
+/// Takes complete pages of words as they are made; the rest, and all other streams, follow at the end.
 class VolumeFileWriter {
 public:
-  /// `info`: as it will be, but for the number of voxels. Errors: as `OutputFile::create`.
-  static Expected<VolumeFileWriter> create(const std::string &path, const VolumeInfo &info);
+  /// `info`: as it will be, but for the number of voxels. `streams`: how many there will be. Errors: as
+  /// `OutputFile::create`.
+  static Expected<VolumeFileWriter> create(const std::string &path, const VolumeInfo &info,
+                                           std::size_t streams = 1);
 
   /// True if words can be settled: the file is not a pipe or a device.
   bool canSettle() const { return file_.isRegular(); }
@@ -23,13 +26,15 @@ public:
   /// full disk.
   Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, WorkingMemory &memory);
 
-  /// Completes the file and gives it its name. Bytes [settled.first, settled.second) of the words are there.
-  Expected<void> finish(const VolumeInfo &info, std::span<const std::uint32_t> words,
+  /// Completes the file and gives it its name. Bytes [settled.first, settled.second) of the words, the first
+  /// stream, are there.
+  Expected<void> finish(const VolumeInfo &info, std::span<const Stream> streams,
                         std::pair<std::uint64_t, std::uint64_t> settled, WorkingMemory &memory);
 
 private:
   VolumeFileWriter(OutputFile file, std::uint64_t wordsOffset)
       : file_(std::move(file)), wordsOffset_(wordsOffset) {}
+  Expected<void> write(std::uint64_t offset, std::span<const std::byte> bytes, WorkingMemory &memory);
 
   OutputFile file_;
   std::uint64_t wordsOffset_; ///< In bytes.

@@ -34,7 +34,7 @@ void addVolumeFigures(Json &figures, const Volume &volume) {
   figures["format"] = toString(volume.format());
   figures["extent"] = {extent.x, extent.y, extent.z};
   figures["words"] = volume.words().size();
-  figures["bytes"] = volume.words().size_bytes();
+  figures["bytes"] = volume.bytes();
   figures["voxels"] = volume.info().voxels;
 }
 

@@ -14,18 +14,31 @@ namespace {
 
 void print(const Volume &volume) {
   const VolumeInfo &info = volume.info();
-  const double bytes = 4.0 * double(volume.words().size());
+  const double bytes = double(volume.bytes());
   std::printf("%s", printIr(info.format).c_str());
   std::printf("extent      %d x %d x %d voxels, in a format of %d x %d x %d\n", info.extent.x, info.extent.y,
               info.extent.z, info.format.extent().x, info.format.extent().y, info.format.extent().z);
   std::printf("voxels      %" PRIu64 "\n", info.voxels);
-  std::printf("words       %zu (%.2f MiB, %.2f bytes a voxel)\n", volume.words().size(), bytes / (1 << 20),
+  std::printf("bytes       %" PRIu64 " (%.2f MiB, %.2f a voxel)\n", volume.bytes(), bytes / (1 << 20),
               info.voxels ? bytes / double(info.voxels) : 0.0);
+  for (const Stream &stream : volume.streams())
+    std::printf("stream      %s: %zu bytes, %" PRIu64 " elements of %" PRIu32 "\n", stream.name.c_str(),
+                stream.bytes.size(), stream.elements(), stream.elementBytes);
   std::printf("made with   %s\n", info.provenance.empty() ? "(not told)" : info.provenance.c_str());
   std::printf("to model   ");
   for (const double entry : info.voxelToModel.rows)
     std::printf(" %g", entry);
   std::printf("\n");
+}
+
+Json figuresOf(std::span<const Stream> streams) {
+  Json figures = Json::array();
+  for (const Stream &stream : streams)
+    figures.push_back({{"name", stream.name},
+                       {"element_bytes", stream.elementBytes},
+                       {"elements", stream.elements()},
+                       {"bytes", stream.bytes.size()}});
+  return figures;
 }
 
 class InfoCommand final : public Subcommand {
@@ -43,6 +56,7 @@ public:
       print(*volume);
     Json figures;
     addVolumeFigures(figures, *volume);
+    figures["streams"] = figuresOf(volume->streams());
     figures["ir"] = printIr(volume->format());
     figures["provenance"] = volume->info().provenance;
     figures["voxel_to_model"] = volume->info().voxelToModel.rows;

@@ -1,49 +1,18 @@
 // The .hvx file and its loader, which trusts nothing.
-#include "voxc/Support/File.h"
-#include "voxc/Volume/Volume.h"
+#include "VolumeTesting.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 namespace voxc {
 namespace {
 
 using ::testing::HasSubstr;
 
-class VolumeFile : public ::testing::Test {
-protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("voxc-volume-file-" + std::to_string(::getpid()));
-    std::filesystem::create_directory(folder_);
-    path_ = folder_ / "volume.hvx";
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  /// One voxel, 9, at (1, 0, 0) of G(1).
-  static Volume small() {
-    VolumeInfo info;
-    info.format = *parseFormat("G(1)");
-    info.extent = {2, 1, 1};
-    info.voxels = 1;
-    info.provenance = "resolution=2";
-    info.voxelToModel.rows[3] = -1.5;
-    return Volume(std::move(info), {2, 9, 0x0202, 1});
-  }
-
-  std::string errorOf(const std::string &bytes, bool trusted = false) {
-    EXPECT_TRUE(writeFile(path_, bytes));
-    const auto loaded = Volume::load(path_, trusted);
-    return loaded ? "no error" : loaded.error().message;
-  }
-
-  std::filesystem::path folder_;
-  std::string path_;
-};
+using test::VolumeFile;
 
 TEST_F(VolumeFile, RoundTrips) {
   const Volume saved = small();
@@ -61,9 +30,15 @@ TEST_F(VolumeFile, RoundTrips) {
   EXPECT_EQ(loaded->lookup({2, 0, 0}).value, 0u);
 }
 
+/// A file of version 2 stays what it is, byte for byte.
+TEST_F(VolumeFile, IsWrittenAsEver) {
+  const auto golden = readTextFile(VOXC_UNITTESTS_DIR "/Volume/Golden/v2/small.hvx");
+  ASSERT_TRUE(golden) << golden.error().message;
+  EXPECT_EQ(saved(small()), *golden);
+}
+
 TEST_F(VolumeFile, NoticesEveryFlippedBit) {
-  ASSERT_TRUE(small().save(path_));
-  const std::string whole = *readTextFile(path_);
+  const std::string whole = saved(small());
   std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
   const auto put = [&](std::size_t at, char byte) {
     file.seekp(static_cast<std::streamoff>(at));
@@ -81,8 +56,7 @@ TEST_F(VolumeFile, NoticesEveryFlippedBit) {
 }
 
 TEST_F(VolumeFile, NoticesEveryLength) {
-  ASSERT_TRUE(small().save(path_));
-  const std::string whole = *readTextFile(path_);
+  const std::string whole = saved(small());
   for (std::size_t length = 0; length < whole.size(); length += length < 200 ? 1 : 61)
     ASSERT_NE(errorOf(whole.substr(0, length)), "no error") << length;
   EXPECT_THAT(errorOf(whole + "more"), HasSubstr("surplus"));

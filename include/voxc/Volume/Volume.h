@@ -1,22 +1,25 @@
-// A volume: the words of one scene in one format, in memory or mapped from a .hvx file.
+// A volume: the streams of one scene in one format, in memory or mapped from a .hvx file. The first is its
+// words.
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/Layout/WordReader.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Progress.h"
-#include "voxc/Layout/WordReader.h"
+#include "voxc/Volume/Stream.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace voxc {
 
-/// What a volume says of itself beside its words; kept in the file's header.
+/// What a volume says of itself beside its streams; kept in the file's header.
 struct VolumeInfo {
   Format format; ///< Its storage: no walk attributes.
   Int3 extent;   ///< Of the input, in voxels; the rest of the format is padding.
@@ -25,13 +28,15 @@ struct VolumeInfo {
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };
 
-/// An immutable volume. Cheap to move; the words live as long as it does.
+/// An immutable volume. Cheap to move; its streams live as long as it does.
 class Volume {
 public:
   /// Takes words made by a builder; they are trusted.
   Volume(VolumeInfo info, std::vector<std::uint32_t> words);
   /// The same for words that `owner` keeps alive.
   Volume(VolumeInfo info, std::span<const std::uint32_t> words, std::shared_ptr<const void> owner);
+  /// The same for several streams: the words, then at most 63 others.
+  Volume(VolumeInfo info, std::vector<Stream> streams, std::shared_ptr<const void> owner);
   ~Volume();
   Volume(Volume &&) noexcept;
   Volume &operator=(Volume &&) noexcept;
@@ -46,6 +51,13 @@ public:
   const VolumeInfo &info() const;
   const Format &format() const { return info().format; }
   std::span<const std::uint32_t> words() const;
+
+  /// All streams in the order of the file; the first is `words`.
+  std::span<const Stream> streams() const;
+  /// The stream of this name, or null.
+  const Stream *findStream(std::string_view name) const;
+  /// Of all streams together.
+  std::uint64_t bytes() const;
 
   /// The voxel's word, and the side of the aligned cube around it that holds the same; 0 outside the format.
   Lookup lookup(Int3 voxel) const;
