@@ -6,6 +6,7 @@
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -31,6 +32,8 @@ public:
     // A function stands before its callers: the last level first.
     for (std::size_t i = plan_.layout.strata.size(); i-- > 0;)
       level(i);
+    if (plan_.walk == Walk::Flat)
+      flatWalk();
     file("root.glsl");
     return std::move(text_);
   }
@@ -83,13 +86,26 @@ private:
     }
     if (traversal.sampled)
       leaf(index, isSingle ? "detail/single.glsl" : stratum.isGrid() ? "detail/grid.glsl" : "detail/tree.glsl");
-    if (traversal.descent != Descent::Stack && !isSingle)
+    if (plan_.walk == Walk::Flat ? stratum.skip != Skip::None : traversal.descent != Descent::Stack && !isSingle)
       leaf(index, "walk/within.glsl");
     if (stratum.skip != Skip::None)
       leaf(index, "walk/march.glsl");
+    if (plan_.walk == Walk::Flat)
+      return;
     if (traversal.descent == Descent::Unrolled)
       layers(index, "walk/unrolled_node.glsl");
     leaf(index, "walk/" + std::string(toString(traversal.descent)) + ".glsl");
+  }
+
+  /// One loop, with what each level adds to its parts.
+  void flatWalk() {
+    TemplateNames names = names_;
+    const std::pair<const char *, const char *> parts[] = {
+        {"FLAT_BEGIN", "begin"}, {"FLAT_LEVELS", "level"}, {"FLAT_STEP", "step"}, {"FLAT_CLIMB", "climb"}};
+    for (const auto &[hole, file] : parts)
+      for (std::size_t i = 0; i < plan_.layout.strata.size(); ++i)
+        names.holes[hole] += fillFile(shaderFiles(), "walk/flat/" + std::string(file) + ".glsl", stratumNames(plan_, i));
+    text_ += "\n" + fillFile(shaderFiles(), "walk/flat.glsl", names);
   }
 
   const Plan &plan_;

@@ -32,9 +32,27 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["slot-is-empty"] = stratum.empty == Empty::Tagged ? "(value >> 31) != 0u" : "(value >> 24) == 0u";
   holes["times-branch"] = branch == 1 ? "" : " * " + factor;
   holes["per-branch"] = branch == 1 ? "" : " / " + factor;
+  const std::string height = "highest - LEVEL_" + holes["N"] + "_LOG2_CELL";
+  holes["highest-layer"] = branch == 1 ? height : "(" + height + ") / " + factor;
   holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - 1);
   holes["around"] = isWide(stratum) ? ", around" : "";
   holes["plus-around"] = isWide(stratum) ? " + around" : "";
+}
+
+/// Where the layers of a stratum lie among those of all strata.
+void addLayers(TemplateNames &names, const Plan &plan, std::size_t index) {
+  int begin = 0;
+  for (std::size_t i = 0; i < index; ++i)
+    begin += flatLayers(plan.layout.strata[i]);
+  const int end = begin + flatLayers(plan.layout.strata[index]);
+  const bool isLast = plan.layout.holdsVoxels(index);
+  auto &holes = names.holes;
+  holes["BEGIN"] = std::to_string(begin);
+  holes["END"] = std::to_string(end);
+  holes["LOWEST"] = isLast ? std::to_string(end - 1) : "lowest_" + holes["N"];
+  const std::string where = std::string(index == 0 ? "" : "else ") +
+                            (isLast ? "" : "if (layer < " + std::to_string(end) + ") ");
+  holes["WHERE"] = plan.layout.strata.size() == 1 ? "" : where;
 }
 
 void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
@@ -42,6 +60,10 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   auto &conditions = names.conditions;
   conditions["first"] = index == 0;
   conditions["wide"] = isWide(stratum);
+  conditions["last"] = plan.layout.holdsVoxels(index);
+  conditions["single"] = !stratum.isGrid() && stratum.depth == 0;
+  conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
+  conditions["probes"] = stratum.slots == &kHashedSlots;
   conditions["grid"] = stratum.isGrid();
   conditions["counts"] = stratum.log2Children() > 6;
   conditions["distances"] = stratum.skip != Skip::None;
@@ -54,6 +76,8 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
 }
 
 } // namespace
+
+int flatLayers(const Stratum &stratum) { return std::max(stratum.depth, 1); }
 
 std::string intVector(Int3 v) {
   return "ivec3(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
@@ -72,6 +96,14 @@ TemplateNames planNames(const Plan &plan) {
       plan.predicate == Predicate::Exact && plan.settling == Settling::Outside;
   names.conditions["cone"] = plan.detail == Detail::Cone;
   names.conditions["segments"] = plan.addressing == Addressing::Segments;
+  int layers = 0;
+  for (const Stratum &stratum : plan.layout.strata)
+    layers += flatLayers(stratum);
+  names.holes["LAYERS"] = std::to_string(layers);
+  names.conditions["any-distances"] =
+      std::ranges::any_of(plan.layout.strata, [](const Stratum &s) { return s.skip != Skip::None; });
+  names.conditions["any-probes"] =
+      std::ranges::any_of(plan.layout.strata, [](const Stratum &s) { return s.slots == &kHashedSlots; });
   names.conditions["any-wide"] = std::ranges::any_of(plan.layout.strata, isWide);
   return names;
 }
@@ -79,6 +111,7 @@ TemplateNames planNames(const Plan &plan) {
 TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   TemplateNames names = planNames(plan);
   addHoles(names, plan, index);
+  addLayers(names, plan, index);
   addConditions(names, plan, index);
   return names;
 }

@@ -20,6 +20,9 @@ TemplateNames stratumNames(const Plan &plan, std::size_t index);
 /// Those, and of a layer of a tree, from 1, whose nodes have cells for children, to its depth.
 TemplateNames layerNames(const Plan &plan, std::size_t index, int layer);
 
+/// The layers of nodes that a flat walk keeps for a stratum: one for a single cell, which has none.
+int flatLayers(const Stratum &stratum);
+
 /// "// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side." and an empty line before it.
 std::string levelComment(const Plan &plan, std::size_t index);
 

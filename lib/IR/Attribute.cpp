@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
 constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
+constexpr std::array<std::string_view, 2> kLevelsValues = {"nested", "flat"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 
 } // namespace
@@ -21,13 +22,17 @@ const AttributeKind kDetailAttribute = {
     "detail", AttributeEffect::Walk, kDetailValues,
     "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"};
 
+const AttributeKind kLevelsAttribute = {
+    "levels", AttributeEffect::Walk, kLevelsValues,
+    "how the kernel goes from level to level: by a loop for each, or by one loop through all"};
+
 const AttributeKind kAlphaAttribute = {
     "alpha", AttributeEffect::Storage, kAlphaValues,
     "a fact about the voxels, which a build proves: whether one that is not empty may have an alpha of 0"};
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 3> kAttributes = {&kPrecisionAttribute, &kDetailAttribute,
-                                                                       &kAlphaAttribute};
+  static constexpr std::array<const AttributeKind *, 4> kAttributes = {&kPrecisionAttribute, &kDetailAttribute,
+                                                                       &kLevelsAttribute, &kAlphaAttribute};
   return kAttributes;
 }
 

@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 9> kPasses = {{
+constexpr std::array<Pass, 10> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
@@ -50,6 +50,12 @@ constexpr std::array<Pass, 9> kPasses = {{
      "height of the tree, which goes over the children of a node and calls the one below. Excludes "
      "restart-sv. Unchanged where no level is a tree.",
      unrollSv},
+    {"flat-walk", AttributeEffect::Walk, "walk through all levels by one loop",
+     "Without it, each level has a loop, which calls that of the next. One loop through the nodes of all levels makes "
+     "a smaller kernel, which is faster where rays of a group are on different levels, and slower where they are "
+     "together. Formats of 8 levels and more have it without being asked. Excludes restart-sv and unroll-sv, and "
+     "gives way to detail=cone.",
+     flatWalk},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",
      "Gives the format as volumes store it.", stripWalk},
 }};

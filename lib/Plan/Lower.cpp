@@ -11,6 +11,7 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.settling = options.lanes ? Settling::Outside : Settling::Inside;
   plan.predicate =
       format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
+  plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));
   plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
   for (const Level &level : format.levels)
     plan.traversals.push_back(

@@ -6,6 +6,7 @@
 namespace voxc {
 
 void chooseDescents(Plan &plan);
+void chooseWalk(Plan &plan);
 void placeStops(Plan &plan);
 
 } // namespace voxc

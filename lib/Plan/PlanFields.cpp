@@ -75,11 +75,12 @@ bool parseAlpha(Plan &plan, std::string_view text) {
   return alpha.has_value();
 }
 
-constexpr std::array<Field<Plan>, 8> kPlanFields = {{
+constexpr std::array<Field<Plan>, 9> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
+    field<Plan, &Plan::walk>("walk", "nested, flat"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
     field<Plan, &Plan::detail>("detail", "full, cone"),
     field<Plan, &Plan::settling>("settling", "outside, inside"),

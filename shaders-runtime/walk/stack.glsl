@@ -42,6 +42,6 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     if (highest >= LEVEL_${N}_LOG2_SIDE)
       return false;
-    top = max(layer, (highest - LEVEL_${N}_LOG2_CELL)${per-branch}) + 1;
+    top = max(layer, ${highest-layer}) + 1;
   }
 }

@@ -1,4 +1,5 @@
-// Goes along the ray through a node ${H} layers above the cells, child after child, to the first leaf; 0 if there is none.
+// Goes along the ray through a node of layer ${H}, counted from the cells, child after child, to the first leaf; 0 if there is
+// none.
 %if stops
 // `leaf` is false where what was found is a node that looks small.
 uint seek_level_${N}_layer_${H}(const Ray ray, inout Walk walk, uint node, out bool leaf) {

@@ -2,6 +2,7 @@
 #include "Descriptions.h"
 
 #include "voxc/Passes/Pass.h"
+#include "voxc/Plan/Plan.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -80,6 +81,13 @@ std::string describePasses() {
   for (const Pass &pass : passes())
     text += concat(
         {"--", pass.name, " (", nameOf(pass.effect), ")\n  ", pass.summary, "\n\n", pass.details, "\n\n"});
+  return text;
+}
+
+std::string describePlanPasses() {
+  std::string text = "| Pass | Does | Why there |\n|---|---|---|\n";
+  for (const PlanPass &pass : planPasses())
+    text += concat({"| `", pass.name, "` | ", pass.summary, " | ", pass.place, " |\n"});
   return text;
 }
 

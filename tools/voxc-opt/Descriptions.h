@@ -8,6 +8,9 @@ namespace voxc::tool {
 /// Each pass with its paragraph.
 std::string describePasses();
 
+/// The passes over plans, as a table in Markdown.
+std::string describePlanPasses();
+
 /// Each level kind with its parameters and attributes, and the attributes of a format.
 std::string describeLevels();
 

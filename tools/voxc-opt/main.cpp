@@ -1,12 +1,17 @@
-// voxc-opt: runs passes over IR text and prints the IR that comes out.
+// voxc-opt: runs passes over the text of either IR and prints what comes out.
 #include "Descriptions.h"
+#include "PlanPipeline.h"
 
 #include "common/Command.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Passes/Pass.h"
+#include "voxc/Support/File.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iostream>
+#include <iterator>
 #include <string>
 
 namespace {
@@ -17,9 +22,9 @@ using namespace voxc::tool;
 struct Options {
   std::string input = "-";
   PassOptions passes;
-  bool printAfterAll = false;
+  PlanPipelineOptions plan;
+  bool lower = false;
   bool timePasses = false;
-  bool verifyEach = true;
   std::string (*description)() = nullptr; ///< To be printed instead.
 };
 
@@ -31,19 +36,22 @@ struct DescriptionRow {
 
 constexpr DescriptionRow kDescriptions[] = {
     {"--help-passes", "Describe the passes and exit", describePasses},
+    {"--help-plan-passes", "Describe the passes over plans, as a table in Markdown, and exit", describePlanPasses},
     {"--help-levels", "Describe the level kinds and exit", describeLevels},
     {"--help-attributes", "Describe the attributes, as a table in Markdown, and exit", describeAttributes},
 };
 
 void declare(CLI::App &app, Options &options) {
   app.set_version_flag("--version", versionText());
-  app.add_option("INPUT", options.input, "File with IR or a format string; - for standard input")
+  app.add_option("INPUT", options.input, "File with IR, a plan or a format string; - for standard input")
       ->type_name("")
       ->capture_default_str();
-  app.add_flag("--print-after-all", options.printAfterAll, "Print the IR to standard error after each pass");
+  app.add_flag("--print-after-all", options.plan.printAfterAll, "Print the IR to standard error after each pass");
   app.add_flag("--time-passes", options.timePasses, "Print each pass's time to standard error");
-  app.add_flag("--verify-each,!--no-verify-each", options.verifyEach,
+  app.add_flag("--verify-each,!--no-verify-each", options.plan.verifyEach,
                "Verify the IR after each pass (the default)");
+  app.add_flag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
+  app.add_option("--until", options.plan.until, "Stop after this pass, of either IR, or after lower")->type_name("PASS");
   for (const DescriptionRow &row : kDescriptions)
     app.add_flag_callback(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
   options.passes.declare(app, PassChoice::All);
@@ -52,11 +60,43 @@ void declare(CLI::App &app, Options &options) {
 void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
               double seconds) {
   const bool changed = result == PassResult::Changed;
-  if (options.printAfterAll)
+  if (options.plan.printAfterAll)
     std::fprintf(stderr, "-- after %s%s\n%s", std::string(pass.name).c_str(), changed ? "" : " (unchanged)",
                  changed ? printIr(format).c_str() : "");
   if (options.timePasses)
     std::fprintf(stderr, "%10.6f s  %s\n", seconds, std::string(pass.name).c_str());
+}
+
+Expected<std::string> readText(const std::string &input) {
+  if (input == "-")
+    return std::string{std::istreambuf_iterator<char>(std::cin), {}};
+  return readTextFile(input);
+}
+
+/// The passes over formats that are to run: those that were given, up to `until` if it is one of them.
+std::vector<std::string> passesUntil(const Options &options) {
+  std::vector<std::string> names = options.passes.names();
+  const auto last = std::ranges::find(names, options.plan.until);
+  if (last != names.end())
+    names.erase(last + 1, names.end());
+  return names;
+}
+
+/// True if the passes over plans are to run too.
+Expected<bool> goesOn(const Options &options) {
+  const std::string &until = options.plan.until;
+  const auto names = options.passes.names();
+  const bool isGiven = std::ranges::find(names, until) != names.end();
+  if (!until.empty() && !isGiven && !isPlanPass(until))
+    return Error::usage("there is no pass '" + until + "' to stop after; give one of those that run");
+  return options.lower && !isGiven;
+}
+
+Expected<void> optimisePlan(Plan plan, const Options &options) {
+  if (Expected<void> passed = runPlanPasses(plan, options.plan); !passed)
+    return passed;
+  std::fputs(printPlan(plan).c_str(), stdout);
+  return {};
 }
 
 Expected<void> optimise(const Options &options) {
@@ -64,15 +104,31 @@ Expected<void> optimise(const Options &options) {
     std::fputs(options.description().c_str(), stdout);
     return {};
   }
-  Expected<Format> format = readFormatFile(options.input);
+  const std::string name = options.input == "-" ? "<stdin>" : options.input;
+  const Expected<std::string> text = readText(options.input);
+  if (!text)
+    return text.error();
+  if (isPlanText(*text)) {
+    Expected<Plan> plan = readPlan(*text, name);
+    return plan ? optimisePlan(std::move(*plan), options) : plan.error();
+  }
+  Expected<Format> format = parseFormat(*text, name);
   if (!format)
     return format.error();
-  PipelineOptions pipeline{.verifyEach = options.verifyEach, .afterEach = {}};
+  PipelineOptions pipeline{.verifyEach = options.plan.verifyEach, .afterEach = {}};
   pipeline.afterEach = [&](const Pass &pass, const Format &changed, PassResult result, double seconds) {
     tellPass(options, pass, changed, result, seconds);
   };
-  if (Expected<void> passed = options.passes.apply(*format, pipeline); !passed)
+  if (Expected<void> passed = runPasses(*format, passesUntil(options), pipeline); !passed)
     return passed;
+  const Expected<bool> lowers = goesOn(options);
+  if (!lowers)
+    return lowers.error();
+  if (*lowers) {
+    Plan plan = lowerToPlan(*format);
+    tellPlan(options.plan, kLower, plan, true);
+    return optimisePlan(std::move(plan), options);
+  }
   std::fputs(printIr(*format).c_str(), stdout);
   return {};
 }
@@ -80,7 +136,7 @@ Expected<void> optimise(const Options &options) {
 } // namespace
 
 int main(int argc, char **argv) {
-  CLI::App app{"Runs passes over the level IR of a format", "voxc-opt"};
+  CLI::App app{"Runs passes over the level IR or the plan of a format", "voxc-opt"};
   Options options;
   declare(app, options);
   return runTool(app, argc, argv, [&] { return optimise(options); });

@@ -32,6 +32,7 @@ extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
+extern const AttributeKind kLevelsAttribute;    ///< levels: nested | flat
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 
 /// The attributes that a format takes.

@@ -49,6 +49,7 @@ PassResult mergeGrids(Format &format, Diagnostics &diagnostics);
 PassResult splitGrids(Format &format, Diagnostics &diagnostics);
 PassResult restartSv(Format &format, Diagnostics &diagnostics);
 PassResult unrollSv(Format &format, Diagnostics &diagnostics);
+PassResult flatWalk(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);
 
 } // namespace voxc

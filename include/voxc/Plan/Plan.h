@@ -14,6 +14,12 @@
 
 namespace voxc {
 
+/// How a kernel goes from level to level.
+enum class Walk {
+  Nested, ///< A loop for each level, which calls that of the next.
+  Flat,   ///< One loop through the nodes of all levels: a kernel of one step, however many levels there are.
+};
+
 /// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
 enum class Descent {
   Index,    ///< In the one node of a grid.
@@ -45,6 +51,7 @@ enum class Settling {
 template <>
 inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe", "single", "stack",
                                                                         "restart", "unrolled"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Walk> = {"nested", "flat"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Settling> = {"outside", "inside"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
@@ -61,6 +68,7 @@ struct Traversal {
 struct Plan {
   Layout layout;
   Addressing addressing = Addressing::Buffer;
+  Walk walk = Walk::Nested;
   Predicate predicate = Predicate::Exact;
   Detail detail = Detail::Full;
   Loops loops = Loops::Whole;
@@ -94,8 +102,7 @@ struct PlanPass {
 /// All of them, in the order in which they run.
 std::span<const PlanPass> planPasses();
 
-/// Makes every choice for a verified format: lowers it and runs all passes, verified after each. An error is a defect
-/// of voxc, and never happens to a verified format.
+/// Makes every choice for a verified format: lowers it and runs all passes.
 Plan makePlan(const Format &format, const PlanOptions &options = {});
 
 /// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each stratum stands.

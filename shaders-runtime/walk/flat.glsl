@@ -1,0 +1,40 @@
+// All levels in one loop. path[i] is the node in layer i around the walk's cell, counted from the root through all levels; a
+// step climbs only to the lowest node that has the old cell and the new.
+bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+  uint path[${LAYERS}];
+  path[0] = root;
+  int layer = 0;
+${FLAT_BEGIN}  while (is_in_volume(walk.cell)) {
+    // Down to a voxel, or to the empty cube of 2^side voxels a side around the cell.
+    count_lookup(walk);
+    uint node = path[layer];
+    uint value = 0u;
+    int side = 0;
+%if any-distances
+    uint reach = 0u;
+%end
+%if any-probes
+    bool known = true;
+%end
+    while (node != 0u) {
+      path[layer] = node;
+${FLAT_LEVELS}    }
+    if (value != 0u) {
+      walk.rgba = value;
+      return true;
+    }
+    ivec3 before = walk.cell;
+%if any-probes
+    bool is_empty = node == 0u && known;
+%else
+    bool is_empty = node == 0u; // Else the device ended the loop above.
+%end
+${FLAT_STEP}    if (is_empty)
+      step_over(ray, walk, side);
+    ivec3 changed = before ^ walk.cell;
+    int highest = findMSB(uint(changed.x | changed.y | changed.z));
+    int common = 0;
+${FLAT_CLIMB}    layer = min(layer, common);
+  }
+  return false;
+}

@@ -1,0 +1,6 @@
+%if distances
+    if (is_empty && layer == ${BEGIN}) {
+      march_level_${N}(ray, walk, reach);
+      is_empty = false;
+    }
+%end

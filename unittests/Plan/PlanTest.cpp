@@ -1,0 +1,119 @@
+// Plans as text, and the rules that they keep.
+#include "TestLength.h"
+#include "testing/RandomFormat.h"
+
+#include "voxc/Layout/SlotKind.h"
+#include "voxc/Plan/Plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+namespace voxc {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// What is said first of a plan; "" if it is right.
+std::string problemOf(const Plan &plan) {
+  Diagnostics diagnostics;
+  verify(plan, diagnostics);
+  return diagnostics.hasErrors() ? diagnostics.all().front().message : "";
+}
+
+TEST(PlanText, IsReadAsItWasPrinted) {
+  std::mt19937 random(5);
+  for (int i = 0; i < test::rounds(300); ++i) {
+    Format format = test::randomFormat(random, test::pick(random, 2, 8));
+    format.setAttribute(kDetailAttribute, random() % 2 ? "cone" : "full");
+    format.setAttribute(kPrecisionAttribute, random() % 2 ? "fast" : "exact");
+    const Plan plan = makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
+                                        .loops = random() % 2 ? Loops::Whole : Loops::Cut,
+                                        .lanes = random() % 2 != 0});
+    EXPECT_EQ(problemOf(plan), "") << printPlan(plan);
+    Diagnostics diagnostics;
+    const Plan parsed = parsePlan(printPlan(plan), diagnostics);
+    EXPECT_FALSE(diagnostics.hasErrors()) << printPlan(plan);
+    EXPECT_EQ(parsed, plan) << printPlan(plan);
+    EXPECT_EQ(printPlan(parsed), printPlan(plan));
+  }
+}
+
+TEST(PlanText, IsNeverBelieved) {
+  std::mt19937 random(6);
+  for (int i = 0; i < test::rounds(2000); ++i) {
+    std::string text = printPlan(makePlan(test::randomFormat(random, 5)));
+    for (int changes = test::pick(random, 1, 3); changes > 0; --changes) {
+      const std::size_t at = random() % text.size();
+      if (random() % 2)
+        text.erase(at, 1 + random() % 4);
+      else
+        text.insert(at, 1, "0123456789()=,x {}"[random() % 18]);
+    }
+    Diagnostics diagnostics;
+    const Plan plan = parsePlan(text, diagnostics);
+    if (!diagnostics.hasErrors()) {
+      EXPECT_EQ(problemOf(plan), "") << text;
+    }
+  }
+}
+
+struct BrokenRule {
+  const char *format;
+  std::function<void(Plan &)> breakIt;
+  const char *problem;
+};
+
+TEST(PlanRules, AreEachHeld) {
+  const BrokenRule rules[] = {
+      {"R(2^3) G(3)", [](Plan &p) { p.layout.strata[0].log2Cell = 2; }, "what is below has 2^3"},
+      {"R(2^3) R(2^3)", [](Plan &p) { p.layout.strata[1].log2Shape.x = 1; }, "may be no cube"},
+      {"G(3)", [](Plan &p) { p.layout.strata[0].depth = 40; }, "at most 2^21"},
+      {"G(3)", [](Plan &p) { p.layout.strata[0].leaves = false; }, "children may be leaves"},
+      {"R(2^3)", [](Plan &p) { p.layout.strata[0].depth = 2; }, "one layer"},
+      {"R(2^3)", [](Plan &p) { p.layout.strata[0].reach = 2; }, "a reach goes with distances"},
+      {"D(2^3, 4)", [](Plan &p) { p.layout.strata[0].empty = Empty::Tagged; }, "voxels cannot"},
+      {"D(2^3, 4)", [](Plan &p) { p.layout.strata[0].empty = Empty::Transparent; }, "alpha of 0"},
+      {"M(2^3)", [](Plan &p) { p.layout.strata[0] = {.skip = Skip::L1, .reach = 1}; }, "it has no slots"},
+      {"M(2^3) R(1^3)",
+       [](Plan &p) {
+         p.layout.strata[0].skip = Skip::L1;
+         p.layout.strata[0].reach = 3;
+       },
+       "dense slots"},
+      {"G(2) R(1^3)", [](Plan &p) { p.layout.strata[0].slots = &kDenseSlots; }, "dense slots hold"},
+      {"S(2)", [](Plan &p) { p.layout.strata[0].cells = Cells::Word; }, "siblings are records"},
+      {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Index; }, "walked by index"},
+      {"H(2^3)", [](Plan &p) { p.traversals[0].descent = Descent::Index; }, "a table is probed"},
+      {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "more than a single cell"},
+      {"G(2)", [](Plan &p) { p.traversals[0].stops = true; }, "detail=cone alone"},
+      {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is walked"},
+  };
+  for (const BrokenRule &rule : rules) {
+    Plan plan = makePlan(*parseFormat(rule.format));
+    EXPECT_EQ(problemOf(plan), "");
+    rule.breakIt(plan);
+    EXPECT_THAT(problemOf(plan), HasSubstr(rule.problem)) << rule.format;
+  }
+}
+
+TEST(Layout, KnowsWhichCubesCanBeBuiltApart) {
+  const auto sideOf = [](const char *format) { return layoutOf(*parseFormat(format)).partSide(6); };
+  EXPECT_EQ(sideOf("G(9)"), 6);
+  EXPECT_EQ(sideOf("G(8, 2)"), 6);
+  EXPECT_EQ(sideOf("G(8, 2) R(1^3)"), 7); // Nodes of 2^1, 2^3, 2^5, 2^7 voxels a side.
+  EXPECT_EQ(sideOf("R(4^3) G(4, 2)"), 6);
+  EXPECT_EQ(sideOf("G(2, 2)"), 2);
+}
+
+TEST(Layout, HasRoomForTagsInItsReferences) {
+  Format format = *parseFormat("D(2^3, 4) G(3)");
+  EXPECT_EQ(layoutOf(format).maxWords(), std::uint64_t{1} << 32);
+  format.levels[0].setAttribute(kDistancesAttribute, "in-slot");
+  EXPECT_EQ(layoutOf(format).maxWords(), std::uint64_t{1} << 31);
+}
+
+} // namespace
+} // namespace voxc
