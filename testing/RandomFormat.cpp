@@ -66,7 +66,8 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
   Format format = *parseFormat(randomFormatText(random, log2Side));
   Diagnostics diagnostics;
   for (const Pass &pass : passes())
-    if (pass.effect == AttributeEffect::Storage && random() % 2 != 0)
+    // What visible-voxels states is a fact of a scene, not a choice.
+    if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && random() % 2 != 0)
       pass.run(format, diagnostics);
   if (const Pass *walk = randomWalk(random))
     walk->run(format, diagnostics);

@@ -50,7 +50,11 @@ void addLayers(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["BEGIN"] = std::to_string(begin);
   holes["END"] = std::to_string(end);
   holes["LOWEST"] = isLast ? std::to_string(end - 1) : "lowest_" + holes["N"];
-  const std::string where = std::string(index == 0 ? "" : "else ") +
+  const int branch = plan.layout.strata[index].log2Shape.x;
+  const std::string above = "LEVEL_" + holes["N"] + "_LOG2_SIDE - 1 - highest";
+  holes["climb"] = branch == 1 ? above : "(" + above + ") / " + std::to_string(branch);
+  holes["LAST"] = std::to_string(end - 1);
+  const std::string where = std::string(index == 0 ? "" : "} else ") +
                             (isLast ? "" : "if (layer < " + std::to_string(end) + ") ");
   holes["WHERE"] = plan.layout.strata.size() == 1 ? "" : where;
 }

@@ -18,7 +18,8 @@ ${FLAT_BEGIN}  while (is_in_volume(walk.cell)) {
 %end
     while (node != 0u) {
       path[layer] = node;
-${FLAT_LEVELS}    }
+${FLAT_LEVELS}      }
+    }
     if (value != 0u) {
       walk.rgba = value;
       return true;
@@ -33,8 +34,8 @@ ${FLAT_STEP}    if (is_empty)
       step_over(ray, walk, side);
     ivec3 changed = before ^ walk.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
-    int common = 0;
-${FLAT_CLIMB}    layer = min(layer, common);
+    int ancestor = 0;
+${FLAT_CLIMB}    layer = min(layer, ancestor);
   }
   return false;
 }

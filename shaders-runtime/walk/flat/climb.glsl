@@ -3,13 +3,13 @@
     if (highest < LEVEL_${N}_LOG2_SIDE)
 %if tree
 %else
-      common = ${BEGIN};
+      ancestor = ${BEGIN};
 %end
 %end
 %if tree
 %if first
-    common = min((LEVEL_${N}_LOG2_SIDE - 1 - highest)${per-branch}, ${LOWEST});
+    ancestor = min(${climb}, ${LOWEST});
 %else
-      common = ${BEGIN} + min((LEVEL_${N}_LOG2_SIDE - 1 - highest)${per-branch}, ${LOWEST} - ${BEGIN});
+      ancestor = min(${BEGIN} + ${climb}, ${LOWEST});
 %end
 %end

@@ -16,7 +16,7 @@
         side = LEVEL_${N}_LOG2_CELL;
 %else
         bool leaf = false;
-        int below = ${END} - 1 - layer;
+        int below = ${LAST} - layer;
 %if wide
         int around = 0;
 %end
@@ -48,4 +48,3 @@
         layer += node != 0u ? 1 : 0;
 %end
 %end
-      }

@@ -1,6 +1,5 @@
 %if distances
-    if (is_empty && layer == ${BEGIN}) {
+    if (is_empty && layer == ${BEGIN})
       march_level_${N}(ray, walk, reach);
-      is_empty = false;
-    }
+    is_empty = is_empty && layer != ${BEGIN};
 %end
