@@ -64,13 +64,16 @@ std::string randomFormatText(std::mt19937 &random, int log2Side) {
 
 Format randomFormat(std::mt19937 &random, int log2Side) {
   Format format = *parseFormat(randomFormatText(random, log2Side));
-  Diagnostics diagnostics;
+  const auto run = [&](const Pass &pass) {
+    Diagnostics diagnostics; // What does not apply leaves the format as it is.
+    pass.run(format, diagnostics);
+  };
   for (const Pass &pass : passes())
     // What visible-voxels states is a fact of a scene, not a choice.
     if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && random() % 2 != 0)
-      pass.run(format, diagnostics);
+      run(pass);
   if (const Pass *walk = randomWalk(random))
-    walk->run(format, diagnostics);
+    run(*walk);
   return format;
 }
 

@@ -3,6 +3,7 @@
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <utility>
 
@@ -66,8 +67,8 @@ public:
 
   Expected<std::uint64_t> run() {
     if (words_.size() == 0 || words_.size() > layout_.maxWords())
-      return Error::input("a volume of this format has 1 to " + std::to_string(layout_.maxWords()) + " words, not " +
-                          std::to_string(words_.size()));
+      return Error::input("a volume of this format has 1 to 2^" + std::to_string(std::bit_width(layout_.maxWords()) - 1) +
+                          " words, not " + std::to_string(words_.size()));
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == 1)
       return std::uint64_t{0};

@@ -37,6 +37,8 @@ std::string parametersText(const Level &level) {
   if (!isTree(level) && level.isCubic())
     append(std::to_string(level.parameter(ParameterRole::Width)) + "³");
   for (std::size_t i = 0; i < level.parameters.size(); ++i) {
+    if (level.kind->parameters[i].usual == level.parameters[i])
+      continue; // As it is when it is not written.
     if (isTree(level) || !level.kind->parameters[i].isSize() || !level.isCubic())
       append(std::to_string(level.parameters[i]));
   }

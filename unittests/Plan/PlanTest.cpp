@@ -76,7 +76,7 @@ TEST(PlanRules, AreEachHeld) {
       {"R(2^3)", [](Plan &p) { p.layout.strata[0].reach = 2; }, "a reach goes with distances"},
       {"D(2^3, 4)", [](Plan &p) { p.layout.strata[0].empty = Empty::Tagged; }, "voxels cannot"},
       {"D(2^3, 4)", [](Plan &p) { p.layout.strata[0].empty = Empty::Transparent; }, "alpha of 0"},
-      {"M(2^3)", [](Plan &p) { p.layout.strata[0] = {.skip = Skip::L1, .reach = 1}; }, "it has no slots"},
+      {"M(2^3)", [](Plan &p) { p.layout.strata[0].slots = nullptr; }, "it has no slots"},
       {"M(2^3) R(1^3)",
        [](Plan &p) {
          p.layout.strata[0].skip = Skip::L1;

@@ -81,11 +81,11 @@ TEST(Structure, AcceptsWhatBuildersWrite) {
 
 TEST(Structure, RefusesWhatWouldLeadAstray) {
   EXPECT_THAT(structureOf("R(1,0,0)", {}), HasSubstr("1 to 2^32 words"));
-  EXPECT_THAT(structureOf("R(1,0,0)", {2, 0, 5}), HasSubstr("a raw grid"));
+  EXPECT_THAT(structureOf("R(1,0,0)", {2, 0, 5}), HasSubstr("a grid at word 2 needs 2 words"));
   EXPECT_THAT(structureOf("R(1,0,0)", {0, 0, 5}), HasSubstr("word 0"));
   EXPECT_THAT(structureOf("G(1)", {9, 9, 0x0202, 1}), HasSubstr("leads to word 9"));
   EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0202, 7}), HasSubstr("a leaf at word 7"));
-  EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0202}), HasSubstr("a node of a DAG"));
+  EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0202}), HasSubstr("a node at word 2 needs 2 words"));
   EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0002, 1}), HasSubstr("not a leaf"));
   EXPECT_THAT(structureOf("G(2)", {1, 0x0203, 1, 1}), HasSubstr("broken"));
   EXPECT_THAT(structureOf("G(1)", {2, 9, 0x0302, 1}), HasSubstr("leaf that is empty"));
@@ -95,6 +95,33 @@ TEST(Structure, RefusesWhatWouldLeadAstray) {
   EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 9, 1, 0, 1}), HasSubstr("has a distance"));
   EXPECT_THAT(structureOf("D(1,0,0,3)", {1, 9, 0, 0, 4}), HasSubstr("outside 1..3"));
   EXPECT_THAT(structureOf("R(1,0,0) R(0^3)", {1, 3, 99, 7}), HasSubstr("leads to word 99"));
+  // A leaf at word 0 is what a kernel takes for empty.
+  EXPECT_THAT(structureOf("G(1)", {1, 0x0101, 0}), HasSubstr("empty or malformed"));
+}
+
+TEST(Structure, RefusesWhatWouldLeadAstrayInWideAndMaskedNodes) {
+  EXPECT_EQ(structureOf("G(2,2)", {2, 9, 2, 0, 2, 0, 1}), "sound");
+  EXPECT_THAT(structureOf("G(2,2)", {2, 9, 2, 0, 2, 0}), HasSubstr("needs 5 words"));
+  EXPECT_THAT(structureOf("G(2,2)", {2, 9, 2, 0, 2}), HasSubstr("needs 4 words"));
+  EXPECT_THAT(structureOf("G(2,2)", {2, 9, 2, 0, 2, 2, 1}), HasSubstr("leaf that is empty"));
+  EXPECT_THAT(structureOf("G(2,2)", {2, 9, 2, 0, 0, 0, 1}), HasSubstr("not a leaf"));
+  EXPECT_EQ(structureOf("M(1^3)", {1, 0x81, 5, 6}), "sound");
+  EXPECT_THAT(structureOf("M(1^3)", {1, 0x81, 5}), HasSubstr("needs 3 words"));
+  EXPECT_THAT(structureOf("M(1^3)", {1, 0x101, 5, 6}), HasSubstr("no meaning"));
+  EXPECT_THAT(structureOf("M(1^3)", {1, 0, 5}), HasSubstr("no child"));
+  EXPECT_THAT(structureOf("M(3,2,2)", {1, 1, 0, 1, 2, 0, 2, 0, 2, 5, 6}), HasSubstr("counts other children"));
+}
+
+TEST(Structure, RefusesWhatNoProbeFinds) {
+  EXPECT_EQ(structureOf("H(1^3)", {1, 1, 1, 0, 7, 0, 0}), "sound");
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 7, 0}), HasSubstr("needs 6 words"));
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 8, 7, 0, 0}), HasSubstr("no probe finds")); // No such cell.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 7, 3, 0}), HasSubstr("no probe finds")); // A free entry of a cell.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 0, 0, 7}), HasSubstr("no probe finds")); // Not where it is sought.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 2, 0, 7, 0, 8}), HasSubstr("no probe finds")); // Twice.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 0, 0, 7, 0, 0}), HasSubstr("no probe finds")); // No probes.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 0, 0, 0}), HasSubstr("or none"));
+  EXPECT_THAT(structureOf("H(1^3)", {1, 40, 1, 0, 7, 0, 0}), HasSubstr("lie outside"));
 }
 
 TEST(Structure, CountsVoxelsHoweverTheyAreShared) {
