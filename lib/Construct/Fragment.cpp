@@ -18,9 +18,10 @@ void Splice::write(std::span<std::uint32_t> words, std::uint64_t at, const Block
   const bool isLeaf = block.kind == BlockRecord::InternLeaf;
   // A block points only to what was written before it: the offsets from here on are still 0.
   const auto relocation = [&](Ref ref) { return ref < newOffsets_.size() ? newOffsets_[ref] : 0; };
-  if (!relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index), relocation))
+  if (!relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index),
+                relocation))
     return store_.fail(contradiction());
-  newOffsets_[at] = isLeaf                               ? store_.internLeaf(block.level, words[0])
+  newOffsets_[at] = isLeaf                              ? store_.internLeaf(block.level, words[0])
                     : block.kind == BlockRecord::Intern ? store_.intern(block.level, words)
                                                         : store_.append(block.level, words);
 }

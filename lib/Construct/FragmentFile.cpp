@@ -97,12 +97,13 @@ Expected<void> FragmentWriter::write(const void *data, std::size_t size) {
 
 Expected<void> FragmentWriter::add(const Fragment &fragment) {
   const construct::Node &node = fragment.node;
-  const PartHeader header = {{fragment.low.x, fragment.low.y, fragment.low.z},
-                             {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3]},
-                             fragment.words.size(),
-                             fragment.blocks.size(),
-                             fragment.cells.size(),
-                             fragment.voxels};
+  const PartHeader header = {
+      {fragment.low.x, fragment.low.y, fragment.low.z},
+      {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3]},
+      fragment.words.size(),
+      fragment.blocks.size(),
+      fragment.cells.size(),
+      fragment.voxels};
   std::vector<std::uint64_t> blocks;
   blocks.reserve(fragment.blocks.size());
   for (const BlockRecord &block : fragment.blocks)
@@ -194,8 +195,8 @@ bool covers(const std::vector<BlockRecord> &blocks, std::uint64_t words, std::si
     return false;
   for (const BlockRecord &block : blocks) {
     const bool isForget = block.kind == BlockRecord::Forget;
-    if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > levels || block.words > left ||
-        isForget != (block.words == 0))
+    if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > levels ||
+        block.words > left || isForget != (block.words == 0))
       return false;
     left -= block.words;
   }

@@ -72,12 +72,14 @@ public:
   WordStore &words() { return words_; }
   /// What each level has come to.
   std::vector<LevelReport> report() const;
-  /// How often each level, by its number, was given what it had written already. Generated code counts here too.
+  /// How often each level, by its number, was given what it had written already. Generated code counts here
+  /// too.
   std::vector<std::uint64_t> &shared() { return shared_; }
 
 private:
   struct Level {
-    explicit Level(const std::shared_ptr<WorkingMemory> &memory) : leaves(memory), nodes(memory), kept(memory) {}
+    explicit Level(const std::shared_ptr<WorkingMemory> &memory)
+        : leaves(memory), nodes(memory), kept(memory) {}
 
     NodeMap leaves;
     NodeMap nodes;

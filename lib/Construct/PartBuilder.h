@@ -22,8 +22,8 @@ struct PartGrid {
   int log2Side = 0;  ///< Of a part, in voxels.
   int log2Count = 0; ///< log2 of the parts along a side of the bounding cube.
 
-  /// Parts about as large as the cubes in which the source makes voxels, if the format and the source are as large, and
-  /// whole nodes or cells of the layout.
+  /// Parts about as large as the cubes in which the source makes voxels, if the format and the source are as
+  /// large, and whole nodes or cells of the layout.
   static PartGrid of(const VoxelSource &source, const Layout &layout);
 
   std::uint64_t count() const { return std::uint64_t{1} << (3 * log2Count); }

@@ -29,8 +29,9 @@ void SourceHost::proveAlpha(Int3 low, const std::uint32_t *voxels) {
     if (voxels[i] == 0 || voxels[i] >> 24 != 0)
       continue;
     const Int3 voxel = low + mortonCell(i);
-    return store().fail(Error::input("voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
-                                     std::to_string(voxel.z) + ") has an alpha of 0, but the format states " +
+    return store().fail(Error::input("voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) +
+                                     ", " + std::to_string(voxel.z) +
+                                     ") has an alpha of 0, but the format states " +
                                      "alpha=positive; build it without visible-voxels"));
   }
 }

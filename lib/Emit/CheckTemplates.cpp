@@ -1,5 +1,6 @@
-// voxc-check-templates: run when voxc is built. Fills every runtime file with the names of a plan, and demands a file for each
-// row of each table that names one, so that a misspelt hole, condition or file name ends the build.
+// voxc-check-templates: run when voxc is built. Fills every runtime file with the names of a plan, and
+// demands a file for each row of each table that names one, so that a misspelt hole, condition or file name
+// ends the build.
 #include "Names.h"
 
 #include "voxc/Layout/SlotKind.h"
@@ -20,7 +21,8 @@ void report(const std::string &file, const std::string &problem) {
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
   TemplateNames names = layerNames(makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
-  for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "symbol", "PREFIX", "DIGEST", "count-words"})
+  for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB",
+                           "symbol", "PREFIX", "DIGEST", "count-words"})
     names.holes[hole] = "";
   return names;
 }

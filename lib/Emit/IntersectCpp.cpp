@@ -43,10 +43,11 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   TemplateNames names = planNames(plan);
   names.holes["symbol"] = symbol;
   names.holes["count-words"] = countWords ? "true" : "false";
-  const std::string members =
-      fillFile(cpuFiles(), "interface.inc", names) +
-      glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + fillFile(shaderFiles(), "dispatch.glsl", names));
-  return fillFile(cpuFiles(), "begin.inc", names) + indented(members) + fillFile(cpuFiles(), "entry.inc", names);
+  const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
+                              glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" +
+                                        fillFile(shaderFiles(), "dispatch.glsl", names));
+  return fillFile(cpuFiles(), "begin.inc", names) + indented(members) +
+         fillFile(cpuFiles(), "entry.inc", names);
 }
 
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {

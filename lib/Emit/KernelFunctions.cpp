@@ -1,4 +1,5 @@
-// The functions of a kernel: the runtime files that a plan names, in order of use, with each level's constants.
+// The functions of a kernel: the runtime files that a plan names, in order of use, with each level's
+// constants.
 #include "KernelFunctions.h"
 
 #include "Names.h"
@@ -40,7 +41,8 @@ public:
 
 private:
   bool hasLayers() const {
-    return std::ranges::any_of(plan_.layout.strata, [](const Stratum &s) { return !s.isGrid() && s.depth > 0; });
+    return std::ranges::any_of(plan_.layout.strata,
+                               [](const Stratum &s) { return !s.isGrid() && s.depth > 0; });
   }
 
   /// A file that is written once.
@@ -85,8 +87,11 @@ private:
       text_ += "\n";
     }
     if (traversal.sampled)
-      leaf(index, isSingle ? "detail/single.glsl" : stratum.isGrid() ? "detail/grid.glsl" : "detail/tree.glsl");
-    if (plan_.walk == Walk::Flat ? stratum.skip != Skip::None : traversal.descent != Descent::Stack && !isSingle)
+      leaf(index, isSingle           ? "detail/single.glsl"
+                  : stratum.isGrid() ? "detail/grid.glsl"
+                                     : "detail/tree.glsl");
+    if (plan_.walk == Walk::Flat ? stratum.skip != Skip::None
+                                 : traversal.descent != Descent::Stack && !isSingle)
       leaf(index, "walk/within.glsl");
     if (stratum.skip != Skip::None)
       leaf(index, "walk/march.glsl");
@@ -104,7 +109,8 @@ private:
         {"FLAT_BEGIN", "begin"}, {"FLAT_LEVELS", "level"}, {"FLAT_STEP", "step"}, {"FLAT_CLIMB", "climb"}};
     for (const auto &[hole, file] : parts)
       for (std::size_t i = 0; i < plan_.layout.strata.size(); ++i)
-        names.holes[hole] += fillFile(shaderFiles(), "walk/flat/" + std::string(file) + ".glsl", stratumNames(plan_, i));
+        names.holes[hole] +=
+            fillFile(shaderFiles(), "walk/flat/" + std::string(file) + ".glsl", stratumNames(plan_, i));
     text_ += "\n" + fillFile(shaderFiles(), "walk/flat.glsl", names);
   }
 
@@ -118,7 +124,8 @@ private:
 std::string kernelFunctions(const Plan &plan) { return FunctionEmitter(plan).emit(); }
 
 std::string volumeSize(const Plan &plan) {
-  return "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + planNames(plan).holes["VOLUME_SIZE"] + ";\n";
+  return "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + planNames(plan).holes["VOLUME_SIZE"] +
+         ";\n";
 }
 
 } // namespace voxc

@@ -54,8 +54,8 @@ void addLayers(TemplateNames &names, const Plan &plan, std::size_t index) {
   const std::string above = "LEVEL_" + holes["N"] + "_LOG2_SIDE - 1 - highest";
   holes["climb"] = branch == 1 ? above : "(" + above + ") / " + std::to_string(branch);
   holes["LAST"] = std::to_string(end - 1);
-  const std::string where = std::string(index == 0 ? "" : "} else ") +
-                            (isLast ? "" : "if (layer < " + std::to_string(end) + ") ");
+  const std::string where =
+      std::string(index == 0 ? "" : "} else ") + (isLast ? "" : "if (layer < " + std::to_string(end) + ") ");
   holes["WHERE"] = plan.layout.strata.size() == 1 ? "" : where;
 }
 
@@ -131,9 +131,9 @@ TemplateNames layerNames(const Plan &plan, std::size_t index, int layer) {
 std::string levelComment(const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
   const Int3 size = stratum.log2Size();
-  return "\n// Level " + std::to_string(index + 1) + ": " + stratum.level + ", " + std::to_string(1 << size.x) + " x " +
-         std::to_string(1 << size.y) + " x " + count(size.z, "cell") + " of " + count(stratum.log2Cell, "voxel") +
-         " a side.\n";
+  return "\n// Level " + std::to_string(index + 1) + ": " + stratum.level + ", " +
+         std::to_string(1 << size.x) + " x " + std::to_string(1 << size.y) + " x " + count(size.z, "cell") +
+         " of " + count(stratum.log2Cell, "voxel") + " a side.\n";
 }
 
 } // namespace voxc

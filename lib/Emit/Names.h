@@ -1,5 +1,5 @@
-// What templates may speak of: the names of a plan, of one of its strata, and of one layer of a tree. All names of a kind
-// are always there, so that a template which is right for one plan is right for all.
+// What templates may speak of: the names of a plan, of one of its strata, and of one layer of a tree. All
+// names of a kind are always there, so that a template which is right for one plan is right for all.
 #pragma once
 
 #include "Template.h"

@@ -48,7 +48,8 @@ private:
     if (text.starts_with("%if "))
       begin(text.substr(4));
     else if (text == "%else" && !branches_.empty() && !branches_.back().hasElse)
-      branches_.back() = {branches_.back().outside, branches_.back().outside && !branches_.back().applies, true};
+      branches_.back() = {branches_.back().outside, branches_.back().outside && !branches_.back().applies,
+                          true};
     else if (text == "%end" && !branches_.empty())
       branches_.pop_back();
     else

@@ -7,9 +7,9 @@
 //       ...
 //     %end
 //
-// ${NAME} is replaced, in comments too. Lines that begin with %if NAME, %else and %end are left out, and so are those between
-// them that do not apply; they nest. A name that nobody gave a meaning is an error, which voxc-check-templates finds when voxc
-// is built.
+// ${NAME} is replaced, in comments too. Lines that begin with %if NAME, %else and %end are left out, and so
+// are those between them that do not apply; they nest. A name that nobody gave a meaning is an error, which
+// voxc-check-templates finds when voxc is built.
 #pragma once
 
 #include "voxc/Support/EmbeddedFile.h"
@@ -32,7 +32,8 @@ struct TemplateNames {
 /// The text with its holes filled and its conditions resolved. Error: what is wrong, and in which line.
 Expected<std::string> fillTemplate(std::string_view text, const TemplateNames &names);
 
-/// The same for a runtime file. What is wrong becomes an #error line in the text: no compiler takes it silently.
+/// The same for a runtime file. What is wrong becomes an #error line in the text: no compiler takes it
+/// silently.
 std::string fillFile(std::span<const EmbeddedFile> files, std::string_view path, const TemplateNames &names);
 
 /// The text of a runtime file as it is, which must exist.

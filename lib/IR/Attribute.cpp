@@ -31,8 +31,8 @@ const AttributeKind kAlphaAttribute = {
     "a fact about the voxels, which a build proves: whether one that is not empty may have an alpha of 0"};
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 4> kAttributes = {&kPrecisionAttribute, &kDetailAttribute,
-                                                                       &kLevelsAttribute, &kAlphaAttribute};
+  static constexpr std::array<const AttributeKind *, 4> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kAlphaAttribute};
   return kAttributes;
 }
 

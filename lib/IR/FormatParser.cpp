@@ -33,17 +33,17 @@ std::string knownLevels() {
 /// The level as it is spelled in log2 sizes, if the sizes written are counts of cells: Raw(16,16,16) is
 /// R(4,4,4).
 std::string rightSpelling(const LevelKind &kind, const std::vector<Argument> &arguments) {
-  const bool isWhole = arguments.size() <= kind.parameters.size() &&
-                       std::ranges::all_of(kind.parameters.subspan(arguments.size()),
-                                           [](const ParameterKind &parameter) { return parameter.usual.has_value(); });
+  const bool isWhole =
+      arguments.size() <= kind.parameters.size() &&
+      std::ranges::all_of(kind.parameters.subspan(arguments.size()),
+                          [](const ParameterKind &parameter) { return parameter.usual.has_value(); });
   const bool counts =
       isWhole && std::ranges::all_of(arguments, [](const Argument &a) { return a.value > 0; });
   if (!counts)
     return signature(kind) + " with log2 sizes";
   std::string text(1, kind.letter);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool isSize =
-        kind.parameters[i].isSize() && !kind.isTree();
+    const bool isSize = kind.parameters[i].isSize() && !kind.isTree();
     const std::uint32_t value = arguments[i].value;
     text += (i == 0 ? "(" : ", ") + std::to_string(isSize ? std::bit_width(value - 1) : value);
   }

@@ -83,17 +83,19 @@ std::shared_ptr<const SourceText> keepSource(std::string_view text, std::string_
 namespace {
 
 std::size_t requiredParameters(const LevelKind &kind) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(kind.parameters, [](const ParameterKind &parameter) { return !parameter.usual; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      kind.parameters, [](const ParameterKind &parameter) { return !parameter.usual; }));
 }
 
-std::string plural(std::size_t count) { return std::to_string(count) + " parameter" + (count == 1 ? "" : "s"); }
+std::string plural(std::size_t count) {
+  return std::to_string(count) + " parameter" + (count == 1 ? "" : "s");
+}
 
 std::string outOfRange(const ParameterKind &kind, std::uint32_t value) {
   const std::string name(kind.name);
   if (kind.isSize())
-    return "2^" + std::to_string(value) + " cells are too many for " + name + "; sizes are log2 and at most " +
-           std::to_string(kind.most);
+    return "2^" + std::to_string(value) + " cells are too many for " + name +
+           "; sizes are log2 and at most " + std::to_string(kind.most);
   if (kind.role == ParameterRole::Reach)
     return "the largest distance " + name + " must be at least " + std::to_string(kind.least);
   return name + " is " + std::to_string(kind.least) + " to " + std::to_string(kind.most) + ", not " +
@@ -124,13 +126,15 @@ bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceR
   const std::string right = "; it is written " + signature(*level.kind);
   const auto letter = std::string(1, level.kind->letter);
   if (arguments.size() < required) {
-    diagnostics.error({head.begin, level.range.end}, letter + " has " + std::to_string(arguments.size()) + " of " +
-                                                         std::to_string(required) + " parameters" + right);
+    diagnostics.error({head.begin, level.range.end}, letter + " has " + std::to_string(arguments.size()) +
+                                                         " of " + std::to_string(required) + " parameters" +
+                                                         right);
     return false;
   }
   if (arguments.size() > kinds.size()) {
     diagnostics.error({arguments[kinds.size()].range.begin, arguments.back().range.end},
-                      letter + " takes " + plural(kinds.size()) + ", not " + std::to_string(arguments.size()) + right);
+                      letter + " takes " + plural(kinds.size()) + ", not " +
+                          std::to_string(arguments.size()) + right);
     return false;
   }
   bool inRange = true;

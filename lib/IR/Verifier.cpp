@@ -24,7 +24,8 @@ void verifyBranching(const Level &level, Diagnostics &diagnostics) {
   const std::uint32_t branching = level.parameter(ParameterRole::Branching);
   const std::uint32_t side = level.parameter(ParameterRole::Side);
   if (branching > 1 && side % branching != 0)
-    diagnostics.error(level.range, "2^" + std::to_string(side) + " cells a side are no whole number of nodes of 2^" +
+    diagnostics.error(level.range, "2^" + std::to_string(side) +
+                                       " cells a side are no whole number of nodes of 2^" +
                                        std::to_string(branching) + " children a side; a multiple of " +
                                        std::to_string(branching) + " would be");
 }
@@ -39,9 +40,11 @@ void verifySlots(const Level &level, Diagnostics &diagnostics) {
 /// Voxels can be told from distances in empty slots only by their alpha.
 void verifyDistances(const Format &format, Diagnostics &diagnostics) {
   const Level &last = format.levels.back();
-  if (last.attribute(kDistancesAttribute) == "in-slot" && format.attributes.value(kAlphaAttribute) != "positive")
-    diagnostics.error(last.range, "distances in the slots of the last level cannot be told from voxels unless none has an "
-                                  "alpha of 0; state that by alpha=positive (the pass visible-voxels)");
+  if (last.attribute(kDistancesAttribute) == "in-slot" &&
+      format.attributes.value(kAlphaAttribute) != "positive")
+    diagnostics.error(
+        last.range, "distances in the slots of the last level cannot be told from voxels unless none has an "
+                    "alpha of 0; state that by alpha=positive (the pass visible-voxels)");
 }
 
 /// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.

@@ -1,5 +1,5 @@
-// Dense slots: one for each child, x fastest, then y, then z. An empty one may tell its distance, in a word beside it or
-// in its own.
+// Dense slots: one for each child, x fastest, then y, then z. An empty one may tell its distance, in a word
+// beside it or in its own.
 #include "Places.h"
 
 #include <algorithm>
@@ -37,7 +37,8 @@ void checkDistance(WordReader &words, const Stratum &stratum, std::uint64_t slot
   if (!empty && distance != 0)
     words.fail("a cell of a distance field is not empty but has a distance");
   else if (empty && (distance == 0 || distance > stratum.reach))
-    words.fail("an empty cell of a distance field has a distance outside 1.." + std::to_string(stratum.reach));
+    words.fail("an empty cell of a distance field has a distance outside 1.." +
+               std::to_string(stratum.reach));
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
@@ -45,7 +46,8 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) 
   if (!words.require(node, count, "a grid"))
     return false;
   if (stratum.skip == Skip::L1)
-    for (std::uint64_t slot = node; slot < node + count; slot += static_cast<std::uint64_t>(stratum.slotWords()))
+    for (std::uint64_t slot = node; slot < node + count;
+         slot += static_cast<std::uint64_t>(stratum.slotWords()))
       checkDistance(words, stratum, slot);
   return !words.problem();
 }
@@ -62,8 +64,10 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   });
 }
 
-bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels, Relocation relocation) {
-  for (std::size_t i = 0; i < words.size() && !holdsVoxels; i += static_cast<std::size_t>(stratum.slotWords()))
+bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
+              Relocation relocation) {
+  for (std::size_t i = 0; i < words.size() && !holdsVoxels;
+       i += static_cast<std::size_t>(stratum.slotWords()))
     if (!isEmptySlot(stratum.empty, words[i]) && !relocateRef(words[i], relocation))
       return false;
   return true;
@@ -71,6 +75,7 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 
 } // namespace
 
-const SlotKind kDenseSlots = {"dense", "a slot for each child", problem, check, leastWords, size, child, visit, relocate};
+const SlotKind kDenseSlots = {
+    "dense", "a slot for each child", problem, check, leastWords, size, child, visit, relocate};
 
 } // namespace voxc

@@ -1,5 +1,5 @@
-// Hashed slots: a table of the cells that are not empty, found by linear probing. [log2 of the entries, longest probe], then
-// two words an entry: the cell's number, its value; an entry of value 0 is free.
+// Hashed slots: a table of the cells that are not empty, found by linear probing. [log2 of the entries,
+// longest probe], then two words an entry: the cell's number, its value; an entry of value 0 is free.
 #include "Places.h"
 
 #include <algorithm>
@@ -58,7 +58,8 @@ std::uint64_t size(const WordReader &words, const Stratum &, std::uint64_t node)
 
 /// Each entry is the one that its own cell finds, so none is there twice.
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
-  if (!words.require(node, kHeadWords, "a hashed grid") || !words.require(node, size(words, stratum, node), "a hashed grid"))
+  if (!words.require(node, kHeadWords, "a hashed grid") ||
+      !words.require(node, size(words, stratum, node), "a hashed grid"))
     return false;
   const Table table(words, node);
   const std::uint64_t cells = std::uint64_t{1} << stratum.log2Children();
@@ -66,7 +67,8 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) 
   std::uint64_t used = 0;
   for (std::uint64_t entry = 0; entry < table.entries() && isRight; ++entry) {
     used += table.isFree(entry) ? 0 : 1;
-    isRight = table.isFree(entry) ? table.key(entry) == 0 : table.key(entry) < cells && table.find(table.key(entry)) == entry;
+    isRight = table.isFree(entry) ? table.key(entry) == 0
+                                  : table.key(entry) < cells && table.find(table.key(entry)) == entry;
   }
   if (!isRight || used == 0)
     words.fail("a hashed grid has entries that no probe finds, or none");
@@ -106,7 +108,10 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels,
 
 } // namespace
 
-const SlotKind kHashedSlots = {"hashed", "a table of the cells that are not empty, found by probing",
-                               problem,  check, leastWords, size, child, visit, relocate};
+const SlotKind kHashedSlots = {"hashed",   "a table of the cells that are not empty, found by probing",
+                               problem,    check,
+                               leastWords, size,
+                               child,      visit,
+                               relocate};
 
 } // namespace voxc

@@ -1,6 +1,7 @@
-// The masks at the head of a node: a bit for each child that is not empty and, where children may be leaves, such another
-// set. Up to 16 children with leaves share one word; else each set is words of its own. A node of more than 64 children
-// counts: each word of its mask is followed by how many children the words before it have.
+// The masks at the head of a node: a bit for each child that is not empty and, where children may be leaves,
+// such another set. Up to 16 children with leaves share one word; else each set is words of its own. A node
+// of more than 64 children counts: each word of its mask is followed by how many children the words before it
+// have.
 #pragma once
 
 #include "voxc/Layout/SlotKind.h"
@@ -24,21 +25,21 @@ struct MaskShape {
   /// Words of one set.
   std::uint64_t setWords() const { return (children + 31) / 32; }
   /// Words of all masks, counts included.
-  std::uint64_t words() const {
-    return sharesWord ? 1 : setWords() * (hasLeaves || counts ? 2 : 1);
-  }
+  std::uint64_t words() const { return sharesWord ? 1 : setWords() * (hasLeaves || counts ? 2 : 1); }
 };
 
 /// The masks of one node.
 class Masks {
 public:
-  Masks(const WordReader &words, const MaskShape &shape, std::uint64_t at) : words_(words), shape_(shape), at_(at) {}
+  Masks(const WordReader &words, const MaskShape &shape, std::uint64_t at)
+      : words_(words), shape_(shape), at_(at) {}
 
   bool exists(std::uint64_t child) const { return word(child / 32) >> child % 32 & 1; }
   bool isLeaf(std::uint64_t child) const {
     if (!shape_.hasLeaves)
       return false;
-    return (shape_.sharesWord ? words_[at_] >> shape_.children : words_[at_ + shape_.setWords() + child / 32]) >>
+    return (shape_.sharesWord ? words_[at_] >> shape_.children
+                              : words_[at_ + shape_.setWords() + child / 32]) >>
                child % 32 &
            1;
   }
@@ -54,10 +55,12 @@ public:
     return sum;
   }
   /// True if no child of the aligned group of eight around this one exists.
-  bool isGroupEmpty(std::uint64_t child) const { return (word(child / 32) >> (child % 32 & ~7u) & 0xff) == 0; }
+  bool isGroupEmpty(std::uint64_t child) const {
+    return (word(child / 32) >> (child % 32 & ~7u) & 0xff) == 0;
+  }
 
-  /// Notes what no builder writes: bits of no meaning, leaves that are empty, wrong counts, no child at all, or, in the
-  /// lowest layer, children that are no leaves.
+  /// Notes what no builder writes: bits of no meaning, leaves that are empty, wrong counts, no child at all,
+  /// or, in the lowest layer, children that are no leaves.
   bool check(WordReader &words, bool lowest) const;
 
 private:

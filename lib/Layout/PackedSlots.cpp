@@ -22,7 +22,8 @@ std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
   const MaskShape shape(stratum);
-  return words.require(node, shape.words(), "a node's masks") && Masks(words, shape, node).check(words, lowest) &&
+  return words.require(node, shape.words(), "a node's masks") &&
+         Masks(words, shape, node).check(words, lowest) &&
          words.require(node, size(words, stratum, node), "a node");
 }
 
@@ -49,7 +50,8 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   });
 }
 
-bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels, Relocation relocation) {
+bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
+              Relocation relocation) {
   const std::uint64_t head = MaskShape(stratum).words();
   if (words.size() < head)
     return false;
@@ -63,7 +65,10 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 
 } // namespace
 
-const SlotKind kPackedSlots = {
-    "packed", "masks, then a slot for each child that is not empty", problem, check, leastWords, size, child, visit, relocate};
+const SlotKind kPackedSlots = {"packed",   "masks, then a slot for each child that is not empty",
+                               problem,    check,
+                               leastWords, size,
+                               child,      visit,
+                               relocate};
 
 } // namespace voxc

@@ -10,7 +10,8 @@ namespace voxc {
 /// The number of a cell of a grid: x fastest, then y, then z.
 inline std::uint64_t gridIndex(Int3 log2Shape, Int3 place) {
   return static_cast<std::uint64_t>(place.x) +
-         ((static_cast<std::uint64_t>(place.y) + (static_cast<std::uint64_t>(place.z) << log2Shape.y)) << log2Shape.x);
+         ((static_cast<std::uint64_t>(place.y) + (static_cast<std::uint64_t>(place.z) << log2Shape.y))
+          << log2Shape.x);
 }
 
 /// The number of a child by which its node's masks and slots go: that of a grid, or Morton order in trees.
@@ -26,8 +27,8 @@ template <typename Visit> void forEachPlace(Int3 log2Shape, Int3 low, int log2Si
   if (log2Side == 0)
     return visit(low);
   for (int child = 0; child < 8; ++child)
-    forEachPlace(log2Shape, low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << (log2Side - 1)), log2Side - 1,
-                 visit);
+    forEachPlace(log2Shape, low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << (log2Side - 1)),
+                 log2Side - 1, visit);
 }
 
 template <typename Visit> void forEachPlace(const Stratum &stratum, Visit &&visit) {

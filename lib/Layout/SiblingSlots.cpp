@@ -1,5 +1,5 @@
-// Sibling slots: a node's record is [first child, masks], and the records of its children that are not empty stand
-// together, in their order. The record of a leaf is [value, 0].
+// Sibling slots: a node's record is [first child, masks], and the records of its children that are not empty
+// stand together, in their order. The record of a leaf is [value, 0].
 #include "Masks.h"
 #include "Places.h"
 
@@ -46,7 +46,8 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
 }
 
 /// Records without masks are leaves, and their first word is a value.
-bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels, Relocation relocation) {
+bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
+              Relocation relocation) {
   const std::uint64_t step = recordWords(MaskShape(stratum));
   if (words.size() % step != 0)
     return false;
@@ -62,8 +63,10 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 
 } // namespace
 
-const SlotKind kSiblingSlots = {
-    "siblings", "a record for each child that is not empty, next to each other", problem, check, leastWords, size, child, visit,
-    relocate};
+const SlotKind kSiblingSlots = {"siblings", "a record for each child that is not empty, next to each other",
+                                problem,    check,
+                                leastWords, size,
+                                child,      visit,
+                                relocate};
 
 } // namespace voxc

@@ -7,7 +7,8 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<const SlotKind *, 4> kKinds = {&kDenseSlots, &kPackedSlots, &kSiblingSlots, &kHashedSlots};
+constexpr std::array<const SlotKind *, 4> kKinds = {&kDenseSlots, &kPackedSlots, &kSiblingSlots,
+                                                    &kHashedSlots};
 
 } // namespace
 

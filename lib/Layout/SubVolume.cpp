@@ -80,14 +80,16 @@ Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t off
   return {words[node], 0};
 }
 
-void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t offset, SubVolumeVisitor &visitor) {
+void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t offset,
+                    SubVolumeVisitor &visitor) {
   Visit(words, stratum, visitor).subVolume(offset);
 }
 
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, Block block, bool holdsVoxels,
               Relocation relocation) {
   if (block == Block::Leaf)
-    return stratum.cells == Cells::Word && words.size() == 1 && (holdsVoxels || relocateRef(words[0], relocation));
+    return stratum.cells == Cells::Word && words.size() == 1 &&
+           (holdsVoxels || relocateRef(words[0], relocation));
   return stratum.slots->relocate(words, stratum, holdsVoxels, relocation);
 }
 

@@ -39,21 +39,24 @@ private:
   void shape(const Stratum &stratum) {
     const Int3 shape = stratum.log2Shape;
     const bool isCube = shape.x == shape.y && shape.y == shape.z;
-    rule(shape.x >= 0 && shape.y >= 0 && shape.z >= 0 && longest(shape) <= kMaxLog2Extent && stratum.depth >= 0 &&
-             stratum.depth <= kMaxLog2Extent && stratum.log2Cell >= 0 &&
+    rule(shape.x >= 0 && shape.y >= 0 && shape.z >= 0 && longest(shape) <= kMaxLog2Extent &&
+             stratum.depth >= 0 && stratum.depth <= kMaxLog2Extent && stratum.log2Cell >= 0 &&
              longest(stratum.log2Size()) + stratum.log2Cell <= kMaxLog2Extent,
          "an axis has at most 2^" + std::to_string(kMaxLog2Extent) + " voxels");
-    rule(isCube || (stratum.depth == 1 && index_ == 0), "only the one node of the first stratum may be no cube");
+    rule(isCube || (stratum.depth == 1 && index_ == 0),
+         "only the one node of the first stratum may be no cube");
     rule(stratum.depth == 1 || shape.x > 0 || stratum.depth == 0, "layers of one child each say nothing");
     const bool isLast = index_ + 1 == layout_.strata.size();
-    const int below = isLast ? 0 : longest(layout_.strata[index_ + 1].log2Size()) + layout_.strata[index_ + 1].log2Cell;
+    const int below =
+        isLast ? 0 : longest(layout_.strata[index_ + 1].log2Size()) + layout_.strata[index_ + 1].log2Cell;
     rule(stratum.log2Cell == below, "its cells have 2^" + std::to_string(stratum.log2Cell) +
                                         " voxels a side, but what is below has 2^" + std::to_string(below));
   }
 
   void cells(const Stratum &stratum) {
     rule(!stratum.isGrid() || stratum.depth == 1, "cells that lie inline are those of one layer");
-    rule(stratum.isGrid() != stratum.leaves, "children may be leaves where cells lie outside their node, and only there");
+    rule(stratum.isGrid() != stratum.leaves,
+         "children may be leaves where cells lie outside their node, and only there");
   }
 
   void distances(const Stratum &stratum) {

@@ -1,7 +1,9 @@
-// df-packing: the distance of an empty cell of a D level moves into the cell's own word, which has no use for it.
+// df-packing: the distance of an empty cell of a D level moves into the cell's own word, which has no use for
+// it.
 //
-// Contract: sets distances=in-slot on every D level. The words of a volume get fewer, and decode to the same voxels. An error
-// where the last level is a D and the format does not state alpha=positive: nothing would tell a distance from a voxel.
+// Contract: sets distances=in-slot on every D level. The words of a volume get fewer, and decode to the same
+// voxels. An error where the last level is a D and the format does not state alpha=positive: nothing would
+// tell a distance from a voxel.
 #include "voxc/Passes/Pass.h"
 
 namespace voxc {

@@ -21,21 +21,27 @@ constexpr std::array<Pass, 10> kPasses = {{
      "has written already is pointed to instead. Unchanged where no level but the first is an R or a D.",
      shareGrids},
     {"visible-voxels", AttributeEffect::Storage, "state that no voxel has an alpha of 0",
-     "A fact about the voxels that other passes may use, and that a build proves: it fails at a voxel with an "
+     "A fact about the voxels that other passes may use, and that a build proves: it fails at a voxel with "
+     "an "
      "alpha of 0, and names it.",
      visibleVoxels},
-    {"df-packing", AttributeEffect::Storage, "keep the distances of D levels in the words of their empty cells",
-     "Without it, a cell of a D level has two words, of which one is always without use: a value or a distance. "
-     "With it, an empty cell's word holds its distance. References then have 31 bits, and a bit tells them from "
+    {"df-packing", AttributeEffect::Storage,
+     "keep the distances of D levels in the words of their empty cells",
+     "Without it, a cell of a D level has two words, of which one is always without use: a value or a "
+     "distance. "
+     "With it, an empty cell's word holds its distance. References then have 31 bits, and a bit tells them "
+     "from "
      "distances; voxels are told by their alpha, so that a D as the last level needs visible-voxels first. "
      "Unchanged where no level is a D.",
      dfPacking},
     {"merge-grids", AttributeEffect::Storage, "make one R level of neighbouring ones",
-     "R(2^3) R(3^3) is R(5^3) in meaning: one lookup in place of two, and a word for each cell. Left out where "
+     "R(2^3) R(3^3) is R(5^3) in meaning: one lookup in place of two, and a word for each cell. Left out "
+     "where "
      "the merged grid would not fit a volume. Unchanged where no two R levels are neighbours.",
      mergeGrids},
     {"split-grids", AttributeEffect::Storage, "make two R levels of each",
-     "R(5^3) is R(3^3) R(2^3) in meaning: empty parts of the grid then take no words. Unchanged where no R level "
+     "R(5^3) is R(3^3) R(2^3) in meaning: empty parts of the grid then take no words. Unchanged where no R "
+     "level "
      "has four cells on each axis.",
      splitGrids},
     {"restart-sv", AttributeEffect::Walk,
@@ -51,9 +57,12 @@ constexpr std::array<Pass, 10> kPasses = {{
      "restart-sv. Unchanged where no level is a tree.",
      unrollSv},
     {"flat-walk", AttributeEffect::Walk, "walk through all levels by one loop",
-     "Without it, each level has a loop, which calls that of the next. One loop through the nodes of all levels makes "
-     "a smaller kernel, which is faster where rays of a group are on different levels, and slower where they are "
-     "together. Formats of 8 levels and more have it without being asked. Excludes restart-sv and unroll-sv, and "
+     "Without it, each level has a loop, which calls that of the next. One loop through the nodes of all "
+     "levels makes "
+     "a smaller kernel, which is faster where rays of a group are on different levels, and slower where they "
+     "are "
+     "together. Formats of 8 levels and more have it without being asked. Excludes restart-sv and unroll-sv, "
+     "and "
      "gives way to detail=cone.",
      flatWalk},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",

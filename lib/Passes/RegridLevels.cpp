@@ -1,8 +1,9 @@
 // merge-grids and split-grids: a run of R levels is one grid in meaning, however it is cut.
 //
-// Contract: merge-grids makes one R level of each run of them; split-grids makes two of each R level with at least four cells
-// an axis, the upper one of the larger half. Volumes have other words and the same voxels. Merging is left out where the
-// merged grid would take more words than a volume can have; attributes are those of the lower level.
+// Contract: merge-grids makes one R level of each run of them; split-grids makes two of each R level with at
+// least four cells an axis, the upper one of the larger half. Volumes have other words and the same voxels.
+// Merging is left out where the merged grid would take more words than a volume can have; attributes are
+// those of the lower level.
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
@@ -40,7 +41,8 @@ PassResult mergeGrids(Format &format, Diagnostics &) {
   for (std::size_t i = 0; i + 1 < merged.levels.size();) {
     Format next = merged;
     if (isRaw(next.levels[i]) && isRaw(next.levels[i + 1])) {
-      next.levels[i] = rawLevel(next.levels[i].log2Size() + next.levels[i + 1].log2Size(), next.levels[i + 1]);
+      next.levels[i] =
+          rawLevel(next.levels[i].log2Size() + next.levels[i + 1].log2Size(), next.levels[i + 1]);
       next.levels.erase(next.levels.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     }
     if (next.levels.size() < merged.levels.size() && isValid(next))

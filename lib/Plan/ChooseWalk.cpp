@@ -1,4 +1,5 @@
-// choose-walk: one loop for all levels where there are many of them, and nested loops where only those can do what is asked.
+// choose-walk: one loop for all levels where there are many of them, and nested loops where only those can do
+// what is asked.
 #include "Passes.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ void chooseWalk(Plan &plan) {
   const auto goesItsOwnWay = [](const Traversal &traversal) {
     return traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled;
   };
-  const bool needsNesting = plan.detail == Detail::Cone || std::ranges::any_of(plan.traversals, goesItsOwnWay);
+  const bool needsNesting =
+      plan.detail == Detail::Cone || std::ranges::any_of(plan.traversals, goesItsOwnWay);
   if (needsNesting)
     plan.walk = Walk::Nested;
   else if (plan.layout.strata.size() >= kManyLevels)

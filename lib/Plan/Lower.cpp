@@ -14,8 +14,9 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));
   plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
   for (const Level &level : format.levels)
-    plan.traversals.push_back(
-        {.descent = level.kind->isTree() ? *fromString<Descent>(level.attribute(kWalkAttribute)) : Descent::Index});
+    plan.traversals.push_back({.descent = level.kind->isTree()
+                                              ? *fromString<Descent>(level.attribute(kWalkAttribute))
+                                              : Descent::Index});
   return plan;
 }
 

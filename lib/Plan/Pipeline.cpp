@@ -7,10 +7,12 @@ namespace voxc {
 namespace {
 
 constexpr std::array<PlanPass, 3> kPasses = {{
-    {"choose-descents", "what slots and layers leave no choice of: a table is probed, a tree without layers is one leaf",
+    {"choose-descents",
+     "what slots and layers leave no choice of: a table is probed, a tree without layers is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
-    {"choose-walk", "nested loops, or one flat loop: as asked, but flat from 8 levels on, and nested where restart-sv, "
-                    "unroll-sv or detail=cone need it",
+    {"choose-walk",
+     "nested loops, or one flat loop: as asked, but flat from 8 levels on, and nested where restart-sv, "
+     "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},

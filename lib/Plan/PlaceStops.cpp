@@ -1,4 +1,5 @@
-// place-stops: where the walk of a kernel of detail=cone may stop. It stops only above what can be searched for a colour.
+// place-stops: where the walk of a kernel of detail=cone may stop. It stops only above what can be searched
+// for a colour.
 #include "Passes.h"
 
 #include "voxc/Layout/SlotKind.h"
@@ -6,7 +7,8 @@
 namespace voxc {
 namespace {
 
-/// Slots of a grid in which a colour is searched one by one, as log2: more would take longer than the walk that is saved.
+/// Slots of a grid in which a colour is searched one by one, as log2: more would take longer than the walk
+/// that is saved.
 constexpr int kLog2SearchedSlots = 12;
 
 bool isSearchable(const Stratum &stratum) {

@@ -1,5 +1,5 @@
-// What plan text says as name=value: one table for a plan as a whole and one for a stratum, from which printer, parser and
-// docs draw.
+// What plan text says as name=value: one table for a plan as a whole and one for a stratum, from which
+// printer, parser and docs draw.
 #pragma once
 
 #include "voxc/Plan/Plan.h"

@@ -1,5 +1,5 @@
-// Parsing of plan text (docs/ir.md):
-//   plan "R(4, 4, 4) G(8)" storage=0123456789abcdef payload=rgba8 { stratum 1: raw dense(4, 4, 4) cell=8 ... }
+// Parsing of plan text (docs/ir.md):   plan "R(4, 4, 4) G(8)" storage=0123456789abcdef payload=rgba8 {
+// stratum 1: raw dense(4, 4, 4) cell=8 ... }
 #include "PlanFields.h"
 
 #include "IR/Lexer.h"
@@ -100,7 +100,8 @@ private:
         return false;
       const Token value = lexer_.next();
       if (!field->parse(owner, value.text))
-        return fail(value, "a value of " + std::string(field->name) + " (" + std::string(field->values) + ")");
+        return fail(value,
+                    "a value of " + std::string(field->name) + " (" + std::string(field->values) + ")");
     }
     return true;
   }
@@ -127,6 +128,8 @@ private:
 
 } // namespace
 
-Plan parsePlan(std::string_view text, Diagnostics &diagnostics) { return PlanParser(text, diagnostics).parse(); }
+Plan parsePlan(std::string_view text, Diagnostics &diagnostics) {
+  return PlanParser(text, diagnostics).parse();
+}
 
 } // namespace voxc

@@ -6,8 +6,7 @@
 namespace voxc {
 namespace {
 
-template <typename Owner>
-std::string fieldsOf(const Owner &owner, std::span<const Field<Owner>> fields) {
+template <typename Owner> std::string fieldsOf(const Owner &owner, std::span<const Field<Owner>> fields) {
   std::string text;
   for (const Field<Owner> &field : fields)
     if (const std::string value = field.print(owner); !value.empty())
@@ -25,8 +24,9 @@ std::string printPlan(const Plan &plan) {
   std::string text = "plan \"" + plan.layout.format + "\"" + fieldsOf(plan, planFields()) + " {\n";
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i) {
     const PlannedStratum stratum{plan.layout.strata[i], plan.traversals[i]};
-    text += "  stratum " + std::to_string(i + 1) + ": " + stratum.level + " " + std::string(stratum.slots->name) +
-            triple(stratum.log2Shape) + fieldsOf(stratum, stratumFields()) + "\n";
+    text += "  stratum " + std::to_string(i + 1) + ": " + stratum.level + " " +
+            std::string(stratum.slots->name) + triple(stratum.log2Shape) +
+            fieldsOf(stratum, stratumFields()) + "\n";
   }
   return text + "}\n";
 }

@@ -18,8 +18,10 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
     const bool isTable = stratum.slots == &kHashedSlots;
     if ((stratum.isGrid() && !isTable) != (traversal.descent == Descent::Index) ||
         isTable != (traversal.descent == Descent::Probe))
-      diagnostics.error(range, number + "a table is probed, any other grid is walked by index, and nothing else is");
-    if (plan.walk == Walk::Flat && (traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled))
+      diagnostics.error(range,
+                        number + "a table is probed, any other grid is walked by index, and nothing else is");
+    if (plan.walk == Walk::Flat &&
+        (traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled))
       diagnostics.error(range, number + "one loop for all levels goes down trees by its own stack");
     if (traversal.descent == Descent::Single && stratum.depth != 0)
       diagnostics.error(range, number + "a tree with layers is more than a single cell");

@@ -58,8 +58,8 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
   if (auto fits = checkFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
   if (kernel.loops == Loops::Whole && device.info().loops == Loops::Cut)
-    return Error::input("this kernel is for devices that run every loop to its end, which " + device.info().name +
-                        " does not: compile one with loops=cut");
+    return Error::input("this kernel is for devices that run every loop to its end, which " +
+                        device.info().name + " does not: compile one with loops=cut");
   if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
     return capable.error();
   auto transfer = Transfer::create(device);

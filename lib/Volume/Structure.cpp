@@ -67,8 +67,9 @@ public:
 
   Expected<std::uint64_t> run() {
     if (words_.size() == 0 || words_.size() > layout_.maxWords())
-      return Error::input("a volume of this format has 1 to 2^" + std::to_string(std::bit_width(layout_.maxWords()) - 1) +
-                          " words, not " + std::to_string(words_.size()));
+      return Error::input("a volume of this format has 1 to 2^" +
+                          std::to_string(std::bit_width(layout_.maxWords()) - 1) + " words, not " +
+                          std::to_string(words_.size()));
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == 1)
       return std::uint64_t{0};
@@ -130,9 +131,7 @@ private:
   static constexpr int kLowestRemembered = 3;
 
   /// True for the highest node of a sub-volume.
-  bool isWhole(const Node &node) const {
-    return node.height == longest(layout_.strata[level_].log2Size());
-  }
+  bool isWhole(const Node &node) const { return node.height == longest(layout_.strata[level_].log2Size()); }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
   bool spendGrid(std::uint32_t offset) {

@@ -36,7 +36,8 @@ struct DescriptionRow {
 
 constexpr DescriptionRow kDescriptions[] = {
     {"--help-passes", "Describe the passes and exit", describePasses},
-    {"--help-plan-passes", "Describe the passes over plans, as a table in Markdown, and exit", describePlanPasses},
+    {"--help-plan-passes", "Describe the passes over plans, as a table in Markdown, and exit",
+     describePlanPasses},
     {"--help-levels", "Describe the level kinds and exit", describeLevels},
     {"--help-attributes", "Describe the attributes, as a table in Markdown, and exit", describeAttributes},
 };
@@ -46,12 +47,14 @@ void declare(CLI::App &app, Options &options) {
   app.add_option("INPUT", options.input, "File with IR, a plan or a format string; - for standard input")
       ->type_name("")
       ->capture_default_str();
-  app.add_flag("--print-after-all", options.plan.printAfterAll, "Print the IR to standard error after each pass");
+  app.add_flag("--print-after-all", options.plan.printAfterAll,
+               "Print the IR to standard error after each pass");
   app.add_flag("--time-passes", options.timePasses, "Print each pass's time to standard error");
   app.add_flag("--verify-each,!--no-verify-each", options.plan.verifyEach,
                "Verify the IR after each pass (the default)");
   app.add_flag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
-  app.add_option("--until", options.plan.until, "Stop after this pass, of either IR, or after lower")->type_name("PASS");
+  app.add_option("--until", options.plan.until, "Stop after this pass, of either IR, or after lower")
+      ->type_name("PASS");
   for (const DescriptionRow &row : kDescriptions)
     app.add_flag_callback(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
   options.passes.declare(app, PassChoice::All);

@@ -1,12 +1,12 @@
 // The words of volumes stay what they are: a list of digests in Golden/words.txt, whose head says how it is
 // made.
-#include "testing/HardScenes.h"
 #include "TestLength.h"
+#include "testing/HardScenes.h"
 
 #include "Volume/Checksum.h"
 #include "voxc/Construct/Constructor.h"
-#include "voxc/Passes/Pass.h"
 #include "voxc/Input/Input.h"
+#include "voxc/Passes/Pass.h"
 #include "voxc/Support/File.h"
 
 #include <gtest/gtest.h>

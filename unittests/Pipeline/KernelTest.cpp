@@ -175,7 +175,8 @@ TEST(Kernel, IsValidForEveryBaseFormatAndOptimised) {
   for (const char *text : {"R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "R(1^3) S(1) D(1^3,2) G(1)"})
     for (const bool optimise : {false, true})
       for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments}) {
-        const auto kernel = compileKernel(*parseFormat(text), {.addressing = addressing, .optimise = optimise});
+        const auto kernel =
+            compileKernel(*parseFormat(text), {.addressing = addressing, .optimise = optimise});
         ASSERT_TRUE(kernel) << kernel.error().message;
         const auto read = Kernel::fromSpirv(kernel->spirv);
         ASSERT_TRUE(read) << read.error().message;

@@ -29,9 +29,10 @@ TEST(PlanText, IsReadAsItWasPrinted) {
     Format format = test::randomFormat(random, test::pick(random, 2, 8));
     format.setAttribute(kDetailAttribute, random() % 2 ? "cone" : "full");
     format.setAttribute(kPrecisionAttribute, random() % 2 ? "fast" : "exact");
-    const Plan plan = makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
-                                        .loops = random() % 2 ? Loops::Whole : Loops::Cut,
-                                        .lanes = random() % 2 != 0});
+    const Plan plan =
+        makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
+                          .loops = random() % 2 ? Loops::Whole : Loops::Cut,
+                          .lanes = random() % 2 != 0});
     EXPECT_EQ(problemOf(plan), "") << printPlan(plan);
     Diagnostics diagnostics;
     const Plan parsed = parsePlan(printPlan(plan), diagnostics);

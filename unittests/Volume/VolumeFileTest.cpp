@@ -116,8 +116,10 @@ TEST(Structure, RefusesWhatNoProbeFinds) {
   EXPECT_EQ(structureOf("H(1^3)", {1, 1, 1, 0, 7, 0, 0}), "sound");
   EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 7, 0}), HasSubstr("needs 6 words"));
   EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 8, 7, 0, 0}), HasSubstr("no probe finds")); // No such cell.
-  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 7, 3, 0}), HasSubstr("no probe finds")); // A free entry of a cell.
-  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 0, 0, 7}), HasSubstr("no probe finds")); // Not where it is sought.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 7, 3, 0}),
+              HasSubstr("no probe finds")); // A free entry of a cell.
+  EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 0, 0, 7}),
+              HasSubstr("no probe finds")); // Not where it is sought.
   EXPECT_THAT(structureOf("H(1^3)", {1, 1, 2, 0, 7, 0, 8}), HasSubstr("no probe finds")); // Twice.
   EXPECT_THAT(structureOf("H(1^3)", {1, 1, 0, 0, 7, 0, 0}), HasSubstr("no probe finds")); // No probes.
   EXPECT_THAT(structureOf("H(1^3)", {1, 1, 1, 0, 0, 0, 0}), HasSubstr("or none"));

@@ -24,9 +24,9 @@ struct AttributeKind {
 using AttributeKinds = std::span<const AttributeKind *const>;
 
 // Attributes of levels, whichever kinds take them.
-extern const AttributeKind kDedupAttribute; ///< dedup: sub-volume | level
-extern const AttributeKind kShareAttribute; ///< share: none | level
-extern const AttributeKind kWalkAttribute;  ///< walk: stack | restart | unrolled
+extern const AttributeKind kDedupAttribute;     ///< dedup: sub-volume | level
+extern const AttributeKind kShareAttribute;     ///< share: none | level
+extern const AttributeKind kWalkAttribute;      ///< walk: stack | restart | unrolled
 extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 
 // Attributes of formats.

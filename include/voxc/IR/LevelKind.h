@@ -1,4 +1,5 @@
-// The table of level kinds: each base format is described once, in lib/IR/Levels, and everything draws from it.
+// The table of level kinds: each base format is described once, in lib/IR/Levels, and everything draws from
+// it.
 #pragma once
 
 #include "voxc/IR/Attribute.h"
@@ -26,16 +27,17 @@ enum class ParameterRole {
 struct ParameterKind {
   std::string_view name; ///< As in the grammar: "W", "L", "M".
   ParameterRole role;
-  std::string_view meaning;           ///< For documentation and diagnostics.
-  std::uint32_t least = 0;            ///< The values that it takes,
-  std::uint32_t most = 0;             ///< inclusive.
-  std::optional<std::uint32_t> usual; ///< What it is if it is not written; only the last parameters may be so.
+  std::string_view meaning; ///< For documentation and diagnostics.
+  std::uint32_t least = 0;  ///< The values that it takes,
+  std::uint32_t most = 0;   ///< inclusive.
+  std::optional<std::uint32_t>
+      usual; ///< What it is if it is not written; only the last parameters may be so.
 
   bool isSize() const { return role != ParameterRole::Reach && role != ParameterRole::Branching; }
 };
 
-/// One base format. Adding one: a file in lib/IR/Levels and its row in LevelKinds.cpp there; where its nodes keep their
-/// children as no other kind's do, a slot kind too (include/voxc/Layout/SlotKind.h).
+/// One base format. Adding one: a file in lib/IR/Levels and its row in LevelKinds.cpp there; where its nodes
+/// keep their children as no other kind's do, a slot kind too (include/voxc/Layout/SlotKind.h).
 struct LevelKind {
   char letter;               ///< In format strings: 'R'.
   std::string_view name;     ///< In IR text: "raw".
@@ -44,8 +46,8 @@ struct LevelKind {
   std::span<const ParameterKind> parameters;
   std::span<const AttributeKind *const> attributes;
 
-  /// How a level of this kind lies in words; the caller sets what depends on other levels (`Stratum::log2Cell`) and on no
-  /// kind (`Stratum::level`).
+  /// How a level of this kind lies in words; the caller sets what depends on other levels
+  /// (`Stratum::log2Cell`) and on no kind (`Stratum::level`).
   Stratum (*lower)(const Level &level);
 
   /// True for trees, which have one size for all axes.

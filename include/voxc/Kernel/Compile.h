@@ -12,7 +12,7 @@ namespace voxc {
 struct KernelOptions {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut; ///< `Device::loops`; the safe choice, where the device is not known.
-  bool optimise = false; ///< spirv-opt -O: may help a GPU's driver; lavapipe is slower with it.
+  bool optimise = false;    ///< spirv-opt -O: may help a GPU's driver; lavapipe is slower with it.
 };
 
 /// Emits, compiles and validates the kernel of `format`. An error here is a defect of voxc and says so.

@@ -13,8 +13,7 @@ enum class Addressing {
   Segments, ///< Device addresses of segments of 2^28 words each: up to 16 GiB.
 };
 
-template <>
-inline constexpr std::array<std::string_view, 2> kEnumNames<Addressing> = {"buffer", "segments"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Addressing> = {"buffer", "segments"};
 
 /// Words in a segment of `Addressing::Segments`.
 inline constexpr std::uint64_t kSegmentWords = std::uint64_t{1} << 28;
@@ -22,7 +21,8 @@ inline constexpr std::uint64_t kSegmentWords = std::uint64_t{1} << 28;
 /// Whether the device runs every loop to its end.
 enum class Loops {
   Whole,
-  Cut, ///< It may end loops early, in silence, as Mesa's llvmpipe does: kernels leave such rays to be resumed.
+  Cut, ///< It may end loops early, in silence, as Mesa's llvmpipe does: kernels leave such rays to be
+       ///< resumed.
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Loops> = {"whole", "cut"};

@@ -40,22 +40,22 @@ struct Layout {
   bool holdsVoxels(std::size_t index) const { return index + 1 == strata.size(); }
   /// The most words that a volume may have: references may be narrower than a word.
   std::uint64_t maxWords() const;
-  /// The smallest cubes, of 2^n voxels a side, n at least `log2Side`, that are whole nodes or cells somewhere: volumes can
-  /// be built of such parts. The bounding cube at most.
+  /// The smallest cubes, of 2^n voxels a side, n at least `log2Side`, that are whole nodes or cells
+  /// somewhere: volumes can be built of such parts. The bounding cube at most.
   int partSide(int log2Side) const;
   /// The stratum, by index, that has nodes of 2^log2Side voxels a side, or whose cells such cubes cover.
   std::size_t stratumOfPart(int log2Side) const;
 };
 
-/// Checks every rule of strata: shapes, masks, slots, cells and distances fit each other, and the sizes add up.
-/// `ranges`, where they are given, say where each stratum was written.
+/// Checks every rule of strata: shapes, masks, slots, cells and distances fit each other, and the sizes add
+/// up. `ranges`, where they are given, say where each stratum was written.
 void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
 
 template <> inline constexpr std::array<std::string_view, 1> kEnumNames<Payload> = {"rgba8"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
 
-/// Rewrites a stratum with distances beside its slots: each moves into the slot of its empty cell, which is told by a tag,
-/// or, where the cells are voxels, by an alpha of 0. Half the words.
+/// Rewrites a stratum with distances beside its slots: each moves into the slot of its empty cell, which is
+/// told by a tag, or, where the cells are voxels, by an alpha of 0. Half the words.
 void packDistances(Stratum &stratum, bool holdsVoxels);
 
 } // namespace voxc

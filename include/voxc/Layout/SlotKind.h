@@ -1,5 +1,5 @@
-// The table of slot kinds: each way in which a node keeps its children is described once. A kind is a file of lib/Layout
-// and one of its name in shaders-runtime/slots and in construct-runtime/slots.
+// The table of slot kinds: each way in which a node keeps its children is described once. A kind is a file of
+// lib/Layout and one of its name in shaders-runtime/slots and in construct-runtime/slots.
 #pragma once
 
 #include "voxc/Layout/Stratum.h"
@@ -17,7 +17,8 @@ struct Child {
   bool exists = false; ///< Else it is empty.
   bool leaf = false;   ///< All its cells have the value in the word `at`; else its node begins there.
   std::uint64_t at = 0;
-  int log2Around = 0; ///< Of an empty child: the aligned cube of 2^log2Around children a side around it is empty too.
+  int log2Around =
+      0; ///< Of an empty child: the aligned cube of 2^log2Around children a side around it is empty too.
 };
 
 /// Receives a child that is not empty, and its place among its siblings.
@@ -39,8 +40,8 @@ struct SlotKind {
   /// What is wrong with such a stratum, or "". The rules of all kinds are `verify`'s.
   std::string (*problem)(const Stratum &stratum);
 
-  /// True if the node at `node` lies within the words and is well-formed: masks, counts, distances, empty slots. Else a
-  /// problem is noted. `lowest`: its children are cells.
+  /// True if the node at `node` lies within the words and is well-formed: masks, counts, distances, empty
+  /// slots. Else a problem is noted. `lowest`: its children are cells.
   bool (*check)(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest);
 
   /// Words that a node takes at least.
@@ -55,8 +56,8 @@ struct SlotKind {
   /// Visits the children of a checked node that are not empty, in Morton order.
   void (*visit)(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit);
 
-  /// Moves the references of a node or of siblings. `holdsVoxels`: the cells of the stratum are voxels, and stay. False
-  /// if one leads nowhere, or the words are no such block.
+  /// Moves the references of a node or of siblings. `holdsVoxels`: the cells of the stratum are voxels, and
+  /// stay. False if one leads nowhere, or the words are no such block.
   bool (*relocate)(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
                    Relocation relocation);
 };

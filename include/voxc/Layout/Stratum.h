@@ -1,5 +1,5 @@
-// Strata: how the words of a volume lie, as data. A level of a format lowers to a stratum; whatever reads, checks, moves,
-// writes or traces words is driven by this record, and nothing else knows a layout.
+// Strata: how the words of a volume lie, as data. A level of a format lowers to a stratum; whatever reads,
+// checks, moves, writes or traces words is driven by this record, and nothing else knows a layout.
 #pragma once
 
 #include "voxc/Support/EnumText.h"
@@ -47,18 +47,20 @@ enum class Sharing {
 
 template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Cells> = {"inline", "word", "record"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Skip> = {"none", "l1"};
-template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};
-template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Sharing> = {"none", "sub-volume", "stratum"};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<Sharing> = {"none", "sub-volume", "stratum"};
 
-/// A run of `depth` layers of nodes of one shape: a node's children are the nodes of the layer below, and those of the
-/// lowest layer its cells. A sub-volume is one node of the highest layer.
+/// A run of `depth` layers of nodes of one shape: a node's children are the nodes of the layer below, and
+/// those of the lowest layer its cells. A sub-volume is one node of the highest layer.
 struct Stratum {
-  std::string level;               ///< The kind of level that it comes from, as IR text names it.
-  Int3 log2Shape;                  ///< log2 of the children of a node along each axis; equal ones if depth is not 1.
-  int depth = 1;                   ///< Layers; 0: a sub-volume is one cell.
-  int log2Cell = 0;                ///< log2 of the voxels along a cell's side.
+  std::string level; ///< The kind of level that it comes from, as IR text names it.
+  Int3 log2Shape;    ///< log2 of the children of a node along each axis; equal ones if depth is not 1.
+  int depth = 1;     ///< Layers; 0: a sub-volume is one cell.
+  int log2Cell = 0;  ///< log2 of the voxels along a cell's side.
   const SlotKind *slots = nullptr; ///< How a node keeps its children.
-  bool leaves = false;             ///< A child above the lowest layer may be a leaf: all its cells have one value.
+  bool leaves = false; ///< A child above the lowest layer may be a leaf: all its cells have one value.
   Cells cells = Cells::Inline;
   Skip skip = Skip::None;
   Empty empty = Empty::Zero;

@@ -10,16 +10,16 @@
 
 namespace voxc {
 
-/// The value of `cell` in the sub-volume at `offset`, and the empty or uniform cube around it. The words must have been
-/// checked.
+/// The value of `cell` in the sub-volume at `offset`, and the empty or uniform cube around it. The words must
+/// have been checked.
 Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell);
 
 /// Visits the sub-volume at `offset` and its non-empty cells in Morton order, checking every word on the way.
 void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t offset,
                     SubVolumeVisitor &visitor);
 
-/// Moves all references of a block. `holdsVoxels`: the cells of the stratum are voxels, and stay. False if one leads
-/// nowhere.
+/// Moves all references of a block. `holdsVoxels`: the cells of the stratum are voxels, and stay. False if
+/// one leads nowhere.
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, Block block, bool holdsVoxels,
               Relocation relocation);
 

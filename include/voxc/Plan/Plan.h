@@ -1,5 +1,5 @@
-// The plan: the layout of a format, and how a kernel goes through it. Every text that voxc generates is printed from it,
-// and no emitter makes a choice that is not written here. docs/ir.md has its text.
+// The plan: the layout of a format, and how a kernel goes through it. Every text that voxc generates is
+// printed from it, and no emitter makes a choice that is not written here. docs/ir.md has its text.
 #pragma once
 
 #include "voxc/IR/Format.h"
@@ -44,13 +44,14 @@ enum class Detail {
 
 /// Where a step is settled of which float32 is not sure.
 enum class Settling {
-  Outside, ///< Outside of all loops: where lanes run together, those that are sure do not wait for it at every step.
+  Outside, ///< Outside of all loops: where lanes run together, those that are sure do not wait for it at
+           ///< every step.
   Inside,  ///< At once, by a function out of the way: where one ray runs alone.
 };
 
 template <>
-inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe", "single", "stack",
-                                                                        "restart", "unrolled"};
+inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe",   "single",
+                                                                        "stack", "restart", "unrolled"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Walk> = {"nested", "flat"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Settling> = {"outside", "inside"};
@@ -59,8 +60,9 @@ template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> 
 /// How a kernel goes through one stratum.
 struct Traversal {
   Descent descent = Descent::Index;
-  bool stops = false;   ///< `Detail::Cone`: the walk may stop at nodes and cells of this stratum.
-  bool sampled = false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this stratum.
+  bool stops = false; ///< `Detail::Cone`: the walk may stop at nodes and cells of this stratum.
+  bool sampled =
+      false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this stratum.
 
   bool operator==(const Traversal &) const = default;
 };
@@ -88,7 +90,8 @@ struct PlanOptions {
 /// What the kernels of this processor are made for: rays one by one, loops to their end.
 inline constexpr PlanOptions kCpuPlan = {.loops = Loops::Whole, .lanes = false};
 
-/// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from that.
+/// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
+/// that.
 Plan lowerToPlan(const Format &format, const PlanOptions &options = {});
 
 /// A pass over plans: docs/ir.md lists them as `planPasses` does.
@@ -105,7 +108,8 @@ std::span<const PlanPass> planPasses();
 /// Makes every choice for a verified format: lowers it and runs all passes.
 Plan makePlan(const Format &format, const PlanOptions &options = {});
 
-/// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each stratum stands.
+/// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each
+/// stratum stands.
 void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
 
 /// The plan as text: parsing it gives the same plan, printing that the same text.

@@ -1,4 +1,5 @@
-// Enumerations as text: the names of the values stand beside the enumeration, and printing and parsing draw from them.
+// Enumerations as text: the names of the values stand beside the enumeration, and printing and parsing draw
+// from them.
 #pragma once
 
 #include <array>

@@ -16,10 +16,13 @@ public:
   FunctionRef(Callable &&callable)
       : object_(const_cast<void *>(static_cast<const void *>(std::addressof(callable)))),
         call_([](void *object, Arguments... arguments) -> Result {
-          return (*static_cast<std::remove_reference_t<Callable> *>(object))(std::forward<Arguments>(arguments)...);
+          return (*static_cast<std::remove_reference_t<Callable> *>(object))(
+              std::forward<Arguments>(arguments)...);
         }) {}
 
-  Result operator()(Arguments... arguments) const { return call_(object_, std::forward<Arguments>(arguments)...); }
+  Result operator()(Arguments... arguments) const {
+    return call_(object_, std::forward<Arguments>(arguments)...);
+  }
 
 private:
   void *object_;

@@ -14,15 +14,15 @@ namespace voxc {
 /// Invocations in a workgroup of every kernel; local_size_x of the GLSL.
 inline constexpr std::uint32_t kWorkgroupSize = 64;
 
-/// SPIR-V with its voxc facts, which travel inside the module as an OpModuleProcessed string:
-/// "voxc kernel 2 storage=<16 hex digits> addressing=<buffer|segments> loops=<whole|cut>".
+/// SPIR-V with its voxc facts, which travel inside the module as an OpModuleProcessed string: "voxc kernel 2
+/// storage=<16 hex digits> addressing=<buffer|segments> loops=<whole|cut>".
 ///
-/// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each), 1 the hits (6 words each),
-/// 2 the words (`Buffer`), or a table of up to 16 64-bit segment addresses (`Segments`). Push constants:
-/// uint first_ray, uint ray_count and, with `Loops::Cut`, uint resumes. Specialization constants: 0 (bool) count lookups; 1 (float)
-/// the cone's spread, in kernels of `detail=cone` (`TraceOptions::spread`); 2 (bool) count words read.
-/// `Loops::Cut`: rays whose loops the device cuts short are left with a hit of -2 - cell; a dispatch with `resumes` 1
-/// goes on with these alone.
+/// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each), 1 the hits (6 words each), 2
+/// the words (`Buffer`), or a table of up to 16 64-bit segment addresses (`Segments`). Push constants: uint
+/// first_ray, uint ray_count and, with `Loops::Cut`, uint resumes. Specialization constants: 0 (bool) count
+/// lookups; 1 (float) the cone's spread, in kernels of `detail=cone` (`TraceOptions::spread`); 2 (bool) count
+/// words read. `Loops::Cut`: rays whose loops the device cuts short are left with a hit of -2 - cell; a
+/// dispatch with `resumes` 1 goes on with these alone.
 struct Kernel {
   std::vector<std::uint32_t> spirv;
   std::uint64_t storageDigest = 0;

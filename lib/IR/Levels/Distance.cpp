@@ -11,7 +11,8 @@ constexpr std::array<ParameterKind, 4> kParameters = {
     {kWidth,
      kHeight,
      kDepth,
-     {"M", ParameterRole::Reach, "the largest distance stored, in cells", 1, std::numeric_limits<std::uint32_t>::max()}}};
+     {"M", ParameterRole::Reach, "the largest distance stored, in cells", 1,
+      std::numeric_limits<std::uint32_t>::max()}}};
 
 constexpr std::array<const AttributeKind *, 2> kAttributes = {&kShareAttribute, &kDistancesAttribute};
 
@@ -24,9 +25,10 @@ Stratum lower(const Level &level) {
 
 } // namespace
 
-const LevelKind kDistance = {'D',         "distance",
-                             "DF",        "a grid with the distance to the nearest full cell: long steps, twice the size",
-                             kParameters, kAttributes,
-                             lower};
+const LevelKind kDistance = {
+    'D',         "distance",
+    "DF",        "a grid with the distance to the nearest full cell: long steps, twice the size",
+    kParameters, kAttributes,
+    lower};
 
 } // namespace voxc

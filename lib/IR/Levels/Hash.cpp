@@ -11,12 +11,10 @@ Stratum lower(const Level &level) { return gridStratum(level, kHashedSlots); }
 
 } // namespace
 
-const LevelKind kHash = {'H',
-                         "hash",
-                         "Hash",
-                         "a table of the cells that are not empty: empty ones cost nothing, a lookup a few probes",
-                         kParameters,
-                         kAttributes,
-                         lower};
+const LevelKind kHash = {
+    'H',         "hash",
+    "Hash",      "a table of the cells that are not empty: empty ones cost nothing, a lookup a few probes",
+    kParameters, kAttributes,
+    lower};
 
 } // namespace voxc

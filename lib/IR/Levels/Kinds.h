@@ -15,9 +15,12 @@ extern const LevelKind kSvdag;
 extern const LevelKind kMasked;
 extern const LevelKind kHash;
 
-inline constexpr ParameterKind kWidth = {"W", ParameterRole::Width, "log2 of the cells along x", 0, kMaxLog2Extent};
-inline constexpr ParameterKind kHeight = {"H", ParameterRole::Height, "log2 of the cells along y", 0, kMaxLog2Extent};
-inline constexpr ParameterKind kDepth = {"D", ParameterRole::Depth, "log2 of the cells along z", 0, kMaxLog2Extent};
+inline constexpr ParameterKind kWidth = {"W", ParameterRole::Width, "log2 of the cells along x", 0,
+                                         kMaxLog2Extent};
+inline constexpr ParameterKind kHeight = {"H", ParameterRole::Height, "log2 of the cells along y", 0,
+                                          kMaxLog2Extent};
+inline constexpr ParameterKind kDepth = {"D", ParameterRole::Depth, "log2 of the cells along z", 0,
+                                         kMaxLog2Extent};
 
 /// The cells of a grid, which are the children of one node.
 Stratum gridStratum(const Level &level, const SlotKind &slots);

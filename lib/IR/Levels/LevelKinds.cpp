@@ -33,7 +33,8 @@ const AttributeKind kWalkAttribute = {
     "the root each time, or by a loop for each height"};
 
 bool LevelKind::isTree() const {
-  return std::ranges::any_of(parameters, [](const ParameterKind &kind) { return kind.role == ParameterRole::Side; });
+  return std::ranges::any_of(parameters,
+                             [](const ParameterKind &kind) { return kind.role == ParameterRole::Side; });
 }
 
 std::span<const LevelKind *const> levelKinds() { return kKinds; }

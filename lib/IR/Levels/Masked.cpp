@@ -1,4 +1,5 @@
-// M: a masked grid. A bit for each cell that is not empty, and their values next to each other; the node of VDB.
+// M: a masked grid. A bit for each cell that is not empty, and their values next to each other; the node of
+// VDB.
 #include "Kinds.h"
 
 namespace voxc {
@@ -11,12 +12,10 @@ Stratum lower(const Level &level) { return gridStratum(level, kPackedSlots); }
 
 } // namespace
 
-const LevelKind kMasked = {'M',
-                           "masked",
-                           "Masked",
-                           "a grid with a bit a cell: empty cells cost one bit, a lookup two loads more",
-                           kParameters,
-                           kAttributes,
-                           lower};
+const LevelKind kMasked = {
+    'M',         "masked",
+    "Masked",    "a grid with a bit a cell: empty cells cost one bit, a lookup two loads more",
+    kParameters, kAttributes,
+    lower};
 
 } // namespace voxc

@@ -11,7 +11,8 @@ Stratum lower(const Level &level) { return gridStratum(level, kDenseSlots); }
 
 } // namespace
 
-const LevelKind kRaw = {'R',         "raw",       "Raw", "a grid of cells: no compression, the fastest lookup",
-                        kParameters, kAttributes, lower};
+const LevelKind kRaw = {
+    'R',         "raw",       "Raw", "a grid of cells: no compression, the fastest lookup",
+    kParameters, kAttributes, lower};
 
 } // namespace voxc

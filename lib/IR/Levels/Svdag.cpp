@@ -6,8 +6,10 @@ namespace voxc {
 namespace {
 
 constexpr std::array<ParameterKind, 2> kParameters = {{
-    {"L", ParameterRole::Side, "log2 of the cells along each axis; the depth, with nodes of 2 x 2 x 2", 0, kMaxLog2Extent},
-    {"B", ParameterRole::Branching, "log2 of a node's children along each axis; 1 if it is not written", 1, 2, 1},
+    {"L", ParameterRole::Side, "log2 of the cells along each axis; the depth, with nodes of 2 x 2 x 2", 0,
+     kMaxLog2Extent},
+    {"B", ParameterRole::Branching, "log2 of a node's children along each axis; 1 if it is not written", 1, 2,
+     1},
 }};
 
 constexpr std::array<const AttributeKind *, 2> kAttributes = {&kDedupAttribute, &kWalkAttribute};
@@ -20,9 +22,8 @@ Stratum lower(const Level &level) {
 
 } // namespace
 
-const LevelKind kSvdag = {'G',         "svdag",
-                          "SVDAG",     "a sparse voxel DAG: an octree whose equal nodes share storage",
-                          kParameters, kAttributes,
-                          lower};
+const LevelKind kSvdag = {
+    'G',         "svdag",     "SVDAG", "a sparse voxel DAG: an octree whose equal nodes share storage",
+    kParameters, kAttributes, lower};
 
 } // namespace voxc

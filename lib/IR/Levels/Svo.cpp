@@ -15,9 +15,8 @@ Stratum lower(const Level &level) { return treeStratum(level, kSiblingSlots, Cel
 
 } // namespace
 
-const LevelKind kSvo = {'S',         "svo",
-                        "SVO",       "a sparse voxel octree: empty space costs nothing, two words a node",
-                        kParameters, kAttributes,
-                        lower};
+const LevelKind kSvo = {
+    'S',         "svo",       "SVO", "a sparse voxel octree: empty space costs nothing, two words a node",
+    kParameters, kAttributes, lower};
 
 } // namespace voxc
