@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 #include <map>
 #include <string>
@@ -62,7 +63,8 @@ protected:
     return traced(createCpuTracer(kernel, volume, 2), rays, countSteps);
   }
 
-  /// The rays, and the lookups that each takes, must come out alike. Nothing to compare without llvmpipe.
+  /// The hits must come out alike, and the lookups too where no step is settled; a device of lanes settles
+  /// outside of the walk, and then looks again. Nothing to compare without llvmpipe.
   static void expectVulkansHits(const Volume &volume, const Format &format, std::span<const Ray> rays,
                                 const std::string &what) {
     auto device = Device::open("llvmpipe");
@@ -71,10 +73,14 @@ protected:
     const auto kernel = compiledOnce(format, [&] { return compileKernel(format); });
     const auto theirs = traced(createTracer(*device, kernel, volume), rays, true);
     const auto ours = cpuHits(volume, format, rays, true);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      ASSERT_EQ(std::memcmp(&ours[i], &theirs[i], sizeof(Hit)), 0)
-          << what << ", ray " << i << ": t = " << ours[i].t << " and " << theirs[i].t << ", steps "
-          << ours[i].steps << " and " << theirs[i].steps;
+    const bool settles = format.attributes.value(kPrecisionAttribute) == "exact";
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const std::string where = what + ", ray " + std::to_string(i);
+      ASSERT_EQ(std::memcmp(&ours[i], &theirs[i], offsetof(Hit, steps)), 0)
+          << where << ": t = " << ours[i].t << " and " << theirs[i].t;
+      ASSERT_LE(ours[i].steps, theirs[i].steps) << where;
+      ASSERT_TRUE(settles || ours[i].steps == theirs[i].steps) << where << ": " << ours[i].steps;
+    }
   }
 
   static void expectSameHitsOfAllWalks(const Format &format, const test::HardScene &scene,
@@ -158,7 +164,8 @@ std::vector<Hit> countedWords(Expected<std::unique_ptr<Tracer>> tracer, std::spa
 }
 
 TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
-  const Format format = *parseFormat("R(1^3) G(3)");
+  Format format = *parseFormat("R(1^3) G(3)");
+  format.setAttribute(kPrecisionAttribute, "fast"); // No step is settled, after which words are read again.
   const test::HardScene scene = test::hardScenes(format.extent())[7];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
