@@ -1,4 +1,4 @@
-// A part of a volume that was built apart, and how it joins the whole (contract, section 10).
+// A part of a volume that was built apart, and how it joins the whole (docs/hvf.md).
 #pragma once
 
 #include "NodeStore.h"
