@@ -2,6 +2,7 @@
 find_package(Vulkan 1.3 REQUIRED)
 find_package(Threads REQUIRED)
 find_path(VOXC_XXHASH_INCLUDE xxhash.h REQUIRED)
+find_package(glm REQUIRED CONFIG)
 
 # The compiler.
 find_package(LLVM 19.1 REQUIRED CONFIG)

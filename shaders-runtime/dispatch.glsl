@@ -32,7 +32,7 @@ void store(uint at, const Walk walk, bool found, uint t) {
   hit_words[at] = uint(voxel.x);
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
-  hit_words[at + 3u] = hit ? walk.rgba : 0u;
+  hit_words[at + 3u] = hit ? colour_of(walk.voxel) : 0u;
 %if cut
   hit_words[at + 4u] = hit ? t : unfinished ? uint(walk.axis) : 0u;
 %else

@@ -14,15 +14,21 @@ struct Ray {
   ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
 };
 
+// Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
+struct Gap {
+  int log2_side;
+  int count;
+};
+
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
-  uint rgba;  // Of the voxel that was hit.
+  uint voxel; // The value of the cell that was hit: its payload tells what that means.
   uint lookups;
   int steps_left; // There are no more cells on any ray.
 %if settles-outside
-  int open; // Not -1: the step over the cube of 2^open voxels a side around ~cell is left to be settled.
+  int open; // Not -1: the step over a gap around ~cell is left to be settled; 32 times its count, and its log2_side.
 %end
 };
 
@@ -78,6 +84,14 @@ int entered_face(const Ray ray, const Walk walk) {
 }
 
 float min_of(vec3 v) { return min(min(v.x, v.y), v.z); }
+
+// The number of the ray's octant: a bit for each coordinate that rises, that of x lowest.
+int octant_of(const Ray ray) { return (ray.ahead.x & 1) | (ray.ahead.y & 2) | (ray.ahead.z & 4); }
+
+// The low corner of the cube of a gap around a cell.
+ivec3 corner_of(const Ray ray, ivec3 cell, const Gap gap) {
+  return corner_of(cell, gap.log2_side) - (~ray.ahead & ((gap.count - 1) << gap.log2_side));
+}
 
 // About when each coordinate passes its face.
 vec3 times_of(const Ray ray, ivec3 face) { return (vec3(face) - ray.origin) * ray.inverse; }

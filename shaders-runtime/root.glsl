@@ -46,10 +46,10 @@ bool trace(uvec3 origin, uvec3 direction, inout Walk walk, inout uint t) {
   bool goes_on = true;
   while (goes_on) {
     if (walk.open >= 0) {
-      int log2_side = walk.open;
+      Gap gap = Gap(walk.open & 31, walk.open >> 5);
       walk.open = -1;
       walk.cell = ~walk.cell;
-      walk = settled(ray, walk, log2_side);
+      walk = settled(ray, walk, gap);
     }
     // What was settled may have been the last step inside.
     hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);

@@ -7,7 +7,7 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
   uint32_t *grid = nullptr;
   auto place = [&](Voxel cell, uint32_t value) {
     if (grid || (grid = build.allocate(${N}, words)))
-      grid[${slot-words-times}LEVEL_${N}_SHAPE.index(cell)] = value;
+      grid[${slot-words-times}LEVEL_${N}_SHAPE.index(cell)] = ${slot-of-value};
   };
   for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
   if (!grid)

@@ -65,7 +65,7 @@ Header headerOf(const FragmentInfo &info) {
   header.log2Side = info.log2Side;
   header.irBytes = static_cast<std::uint32_t>(printIr(volume.format).size());
   header.provenanceBytes = static_cast<std::uint32_t>(volume.provenance.size());
-  header.voxelToModel = volume.voxelToModel.rows;
+  header.voxelToModel = rowsOf(volume.voxelToModel);
   return header;
 }
 
@@ -228,7 +228,7 @@ Expected<FragmentReader> FragmentReader::open(const std::string &path) {
     return broken("names no valid format, or one that is too small");
   reader.info_ = {{std::move(format),
                    extent,
-                   {header.voxelToModel},
+                   transformOfRows(header.voxelToModel),
                    0,
                    std::string(text + header.irBytes, header.provenanceBytes)},
                   header.log2Side,

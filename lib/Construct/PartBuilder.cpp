@@ -30,9 +30,13 @@ int log2Ceil(int extent) { return std::bit_width(static_cast<unsigned>(std::max(
 } // namespace
 
 PartGrid PartGrid::of(const VoxelSource &source, const Layout &layout) {
+  return of(source.extent(), layout, std::max(source.log2Chunk(), construct::kLog2Brick));
+}
+
+PartGrid PartGrid::of(Int3 extent, const Layout &layout, int log2Side) {
   PartGrid grid;
-  grid.log2Side = layout.partSide(std::max(source.log2Chunk(), construct::kLog2Brick));
-  grid.log2Count = std::max(log2Ceil(longest(source.extent())) - grid.log2Side, 0);
+  grid.log2Side = layout.partSide(log2Side);
+  grid.log2Count = std::max(log2Ceil(longest(extent)) - grid.log2Side, 0);
   return grid;
 }
 

@@ -25,6 +25,8 @@ struct PartGrid {
   /// Parts about as large as the cubes in which the source makes voxels, if the format and the source are as
   /// large, and whole nodes or cells of the layout.
   static PartGrid of(const VoxelSource &source, const Layout &layout);
+  /// The same for parts of about 2^log2Side voxels a side, of a volume of these voxels.
+  static PartGrid of(Int3 extent, const Layout &layout, int log2Side);
 
   std::uint64_t count() const { return std::uint64_t{1} << (3 * log2Count); }
   std::uint64_t index(Int3 low) const { return mortonCode(low >> log2Side); }

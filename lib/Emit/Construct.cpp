@@ -38,10 +38,8 @@ std::string constants(const Plan &plan, std::size_t index) {
 std::vector<std::string> filesOf(const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
   const std::string slots = "slots/" + std::string(stratum.slots->name) + ".cpp";
-  const std::string distances =
-      std::string(toString(stratum.skip)) + (stratum.slotWords() == 1 ? "-in-slot" : "");
   if (stratum.isGrid() && stratum.skip != Skip::None)
-    return {"distances/" + distances + ".cpp", slots, "part/grid.cpp"};
+    return {"distances/" + std::string(toString(stratum.skip)) + ".cpp", slots, "part/grid.cpp"};
   if (stratum.isGrid())
     return {slots, "part/grid.cpp"};
   const char *const descent = plan.layout.holdsVoxels(index) ? "descent/voxels.cpp" : "descent/cells.cpp";

@@ -13,7 +13,7 @@ namespace voxc {
 namespace {
 
 constexpr const char *kBeforeStep[] = {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"};
-constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "time.glsl", "unit.glsl"};
+constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "time.glsl"};
 
 class FunctionEmitter {
 public:
@@ -25,6 +25,9 @@ public:
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
     for (const char *path : kAfterStep)
       file(path);
+    file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
+    if (plan_.walk == Walk::Nested)
+      file("unit.glsl");
     if (plan_.detail == Detail::Cone)
       file("detail/cone.glsl");
     text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
@@ -35,6 +38,8 @@ public:
       level(i);
     if (plan_.walk == Walk::Flat)
       flatWalk();
+    if (plan_.walk == Walk::Direct)
+      file("walk/direct.glsl");
     file("root.glsl");
     return std::move(text_);
   }
@@ -90,16 +95,30 @@ private:
       leaf(index, isSingle           ? "detail/single.glsl"
                   : stratum.isGrid() ? "detail/grid.glsl"
                                      : "detail/tree.glsl");
-    if (plan_.walk == Walk::Flat ? stratum.skip != Skip::None
+    if (plan_.walk == Walk::Direct)
+      return locate(index);
+    if (plan_.walk == Walk::Flat ? stratum.skip == Skip::L1
                                  : traversal.descent != Descent::Stack && !isSingle)
       leaf(index, "walk/within.glsl");
-    if (stratum.skip != Skip::None)
+    if (stratum.skip == Skip::L1)
       leaf(index, "walk/march.glsl");
     if (plan_.walk == Walk::Flat)
       return;
     if (traversal.descent == Descent::Unrolled)
       layers(index, "walk/unrolled_node.glsl");
     leaf(index, "walk/" + std::string(toString(traversal.descent)) + ".glsl");
+  }
+
+  /// The level as a function from a cell to what is there.
+  void locate(std::size_t index) {
+    const Stratum &stratum = plan_.layout.strata[index];
+    if (stratum.isGrid() || stratum.depth == 0)
+      return leaf(index, stratum.isGrid() ? "walk/direct/grid.glsl" : "walk/direct/single.glsl");
+    TemplateNames names = stratumNames(plan_, index);
+    for (int layer = stratum.depth; layer > 0; --layer)
+      names.holes["LAYERS_DOWN"] +=
+          fillFile(shaderFiles(), "walk/direct/layer.glsl", layerNames(plan_, index, layer));
+    text_ += fillFile(shaderFiles(), "walk/direct/tree.glsl", names);
   }
 
   /// One loop, with what each level adds to its parts.

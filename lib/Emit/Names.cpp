@@ -11,6 +11,11 @@ namespace {
 /// True if a node's masks are two sets of words: it has more children than one word has room for.
 bool isWide(const Stratum &stratum) { return stratum.leaves && stratum.log2Children() > 4; }
 
+/// True if a grid's masks tell which empty cells stand together.
+bool tellsAround(const Stratum &stratum) {
+  return stratum.isGrid() && stratum.slots == &kPackedSlots && stratum.log2Shape == Int3{2, 2, 2};
+}
+
 std::string count(int log2, std::string_view unit) {
   const std::int64_t number = std::int64_t{1} << log2;
   return std::to_string(number) + " " + std::string(unit) + (number == 1 ? "" : "s");
@@ -24,19 +29,39 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["N"] = std::to_string(index + 1);
   holes["NEXT"] = plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2);
   holes["DEPTH"] = std::to_string(stratum.depth);
+  const std::string fieldBits = std::to_string(stratum.fieldBits());
+  const std::string fieldMask = std::to_string((1 << stratum.fieldBits()) - 1);
+  const std::string shift = stratum.tagShift() == 0 ? "" : std::to_string(stratum.tagShift());
+  const bool isTagged = stratum.empty == Empty::Tagged;
+  const bool hasOctants = stratum.skip == Skip::Octant;
+  holes["field-bits"] = fieldBits;
+  holes["field-mask"] = fieldMask;
+  holes["value-of-slot"] = shift.empty() ? "value" : "value >> " + shift;
+  holes["slot-of-value"] = shift.empty() ? "value" : "value << " + shift;
+  holes["octant"] = hasOctants ? ", octant_of(ray)" : "";
+  holes["octant-0"] = hasOctants ? ", 0" : "";
+  holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
+  holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
+  holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
+  holes["known"] = stratum.slots == &kHashedSlots ? "known ? 1 : 0" : "1";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
-  holes["empty-slots"] = stratum.empty == Empty::Tagged ? "with its highest bit set" : "with an alpha of 0";
+  holes["empty-slots"] = !isTagged    ? "with an alpha of 0"
+                         : hasOctants ? "whose lowest field is not 0"
+                                      : "with its highest bit set";
   holes["empty-tag"] = stratum.empty == Empty::Tagged ? "0x80000000u" : "0u";
-  holes["word-is-empty"] = stratum.empty == Empty::Tagged ? "word >> 31 != 0" : "word >> 24 == 0";
-  holes["slot-is-empty"] = stratum.empty == Empty::Tagged ? "(value >> 31) != 0u" : "(value >> 24) == 0u";
+  const std::string emptyBits = !isTagged ? " >> 24" : hasOctants ? " & " + fieldMask : " >> 31";
+  holes["word-is-empty"] = "(word" + emptyBits + (isTagged ? ") != 0" : ") == 0");
+  holes["slot-is-empty"] =
+      "(value" + emptyBits + (isTagged && hasOctants ? "u" : "") + (isTagged ? ") != 0u" : ") == 0u");
   holes["times-branch"] = branch == 1 ? "" : " * " + factor;
   holes["per-branch"] = branch == 1 ? "" : " / " + factor;
   const std::string height = "highest - LEVEL_" + holes["N"] + "_LOG2_CELL";
   holes["highest-layer"] = branch == 1 ? height : "(" + height + ") / " + factor;
   holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - 1);
   holes["around"] = isWide(stratum) ? ", around" : "";
-  holes["plus-around"] = isWide(stratum) ? " + around" : "";
+  holes["plus-around"] = isWide(stratum) || tellsAround(stratum) ? " + around" : "";
+  holes["grid-plus-around"] = tellsAround(stratum) ? " + around" : "";
 }
 
 /// Where the layers of a stratum lie among those of all strata.
@@ -73,6 +98,8 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["distances"] = stratum.skip != Skip::None;
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
+  conditions["octants"] = stratum.skip == Skip::Octant;
+  conditions["tells-around"] = tellsAround(stratum);
   conditions["stops"] = plan.traversals[index].stops;
   conditions["sampled"] = plan.traversals[index].sampled;
   conditions["shares"] = stratum.sharing == Sharing::Stratum;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
 constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
-constexpr std::array<std::string_view, 2> kLevelsValues = {"nested", "flat"};
+constexpr std::array<std::string_view, 3> kLevelsValues = {"nested", "flat", "direct"};
+constexpr std::array<std::string_view, 1> kPayloadValues = {"rgba8"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 
 } // namespace
@@ -24,15 +25,20 @@ const AttributeKind kDetailAttribute = {
 
 const AttributeKind kLevelsAttribute = {
     "levels", AttributeEffect::Walk, kLevelsValues,
-    "how the kernel goes from level to level: by a loop for each, or by one loop through all"};
+    "how the kernel goes from level to level: by a loop for each, by one loop through all, or by one loop that "
+    "goes down from the root in each turn"};
+
+const AttributeKind kPayloadAttribute = {
+    "payload", AttributeEffect::Storage, kPayloadValues,
+    "what a voxel is: a colour of four bytes, in the word of its cell"};
 
 const AttributeKind kAlphaAttribute = {
     "alpha", AttributeEffect::Storage, kAlphaValues,
     "a fact about the voxels, which a build proves: whether one that is not empty may have an alpha of 0"};
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 4> kAttributes = {
-      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kAlphaAttribute};
+  static constexpr std::array<const AttributeKind *, 5> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kPayloadAttribute, &kAlphaAttribute};
   return kAttributes;
 }
 

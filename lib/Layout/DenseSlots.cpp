@@ -24,16 +24,16 @@ std::uint64_t leastWords(const Stratum &stratum) {
 
 std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
 
-/// The distance of a slot; 0 where the cell is not empty.
-std::uint32_t distanceOf(const WordReader &words, const Stratum &stratum, std::uint64_t slot) {
+/// What a slot says of how far a ray may skip; 0 where the cell is not empty.
+std::uint32_t skipWord(const WordReader &words, const Stratum &stratum, std::uint64_t slot) {
   if (stratum.slotWords() == 2)
     return words[slot + 1];
-  return isEmptySlot(stratum.empty, words[slot]) ? distanceInSlot(words[slot]) : 0;
+  return stratum.isEmptySlot(words[slot]) ? words[slot] : 0;
 }
 
 void checkDistance(WordReader &words, const Stratum &stratum, std::uint64_t slot) {
-  const bool empty = isEmptySlot(stratum.empty, words[slot]);
-  const std::uint32_t distance = distanceOf(words, stratum, slot);
+  const bool empty = stratum.isEmptySlot(words[slot]);
+  const std::uint32_t distance = distanceInSlot(skipWord(words, stratum, slot));
   if (!empty && distance != 0)
     words.fail("a cell of a distance field is not empty but has a distance");
   else if (empty && (distance == 0 || distance > stratum.reach))
@@ -41,20 +41,41 @@ void checkDistance(WordReader &words, const Stratum &stratum, std::uint64_t slot
                std::to_string(stratum.reach));
 }
 
+void checkOctants(WordReader &words, const Stratum &stratum, std::uint64_t slot) {
+  const std::uint32_t fields = skipWord(words, stratum, slot);
+  if (!stratum.isEmptySlot(words[slot])) {
+    if (fields != 0)
+      words.fail("a cell of a distance field is not empty but has empty cubes");
+    return;
+  }
+  for (int octant = 0; octant < 8; ++octant) {
+    const std::uint32_t side =
+        fields >> octant * stratum.fieldBits() & ((1u << stratum.fieldBits()) - 1);
+    if (side == 0 || side > stratum.reach)
+      return words.fail("an empty cell of a distance field has an empty cube outside 1.." +
+                        std::to_string(stratum.reach));
+  }
+}
+
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
   const std::uint64_t count = size(words, stratum, node);
   if (!words.require(node, count, "a grid"))
     return false;
-  if (stratum.skip == Skip::L1)
-    for (std::uint64_t slot = node; slot < node + count;
-         slot += static_cast<std::uint64_t>(stratum.slotWords()))
+  if (stratum.skip == Skip::None)
+    return true;
+  for (std::uint64_t slot = node; slot < node + count && !words.problem();
+       slot += static_cast<std::uint64_t>(stratum.slotWords())) {
+    if (stratum.skip == Skip::L1)
       checkDistance(words, stratum, slot);
+    else
+      checkOctants(words, stratum, slot);
+  }
   return !words.problem();
 }
 
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
   const std::uint64_t slot = slotOf(stratum, node, place);
-  return isEmptySlot(stratum.empty, words[slot]) ? Child{} : Child{true, true, slot};
+  return stratum.isEmptySlot(words[slot]) ? Child{} : Child{true, true, slot};
 }
 
 void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
@@ -67,9 +88,14 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
               Relocation relocation) {
   for (std::size_t i = 0; i < words.size() && !holdsVoxels;
-       i += static_cast<std::size_t>(stratum.slotWords()))
-    if (!isEmptySlot(stratum.empty, words[i]) && !relocateRef(words[i], relocation))
+       i += static_cast<std::size_t>(stratum.slotWords())) {
+    if (stratum.isEmptySlot(words[i]))
+      continue;
+    std::uint32_t ref = stratum.cellValue(words[i]);
+    if (!relocateRef(ref, relocation))
       return false;
+    words[i] = ref << stratum.tagShift();
+  }
   return true;
 }
 

@@ -4,8 +4,11 @@
 #include <algorithm>
 
 namespace voxc {
+
 void packDistances(Stratum &stratum, bool holdsVoxels) {
   stratum.empty = holdsVoxels ? Empty::Transparent : Empty::Tagged;
+  if (stratum.skip == Skip::Octant)
+    stratum.reach = std::min(stratum.reach, (1u << stratum.fieldBits()) - 1);
   // No cell is farther from another; so a reach that no distance comes up to says no more than this one.
   const Int3 size = stratum.log2Size();
   const std::uint32_t farthest = (1u << size.x) + (1u << size.y) + (1u << size.z);
@@ -19,9 +22,10 @@ Int3 Layout::log2Extent() const {
 }
 
 std::uint64_t Layout::maxWords() const {
-  const bool tagged =
-      std::ranges::any_of(strata, [](const Stratum &stratum) { return stratum.empty == Empty::Tagged; });
-  return tagged ? kMaxWords / 2 : kMaxWords;
+  int log2 = 32;
+  for (const Stratum &stratum : strata)
+    log2 = std::min(log2, stratum.log2Reach());
+  return std::uint64_t{1} << log2;
 }
 
 std::size_t Layout::stratumOfPart(int log2Side) const {

@@ -32,7 +32,7 @@ private:
     if (!isLeaf)
       words_.fail("a leaf at word " + std::to_string(at) + " is empty or malformed");
     else
-      visitor_.cells(cube, words_[at]);
+      visitor_.cells(cube, stratum_.cellValue(words_[at]));
   }
 
   void node(std::uint64_t at, Int3 low, int layer) {
@@ -74,7 +74,7 @@ Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t off
     if (!child.exists)
       return {0, log2Child + child.log2Around};
     if (child.leaf)
-      return {words[child.at], log2Child};
+      return {stratum.cellValue(words[child.at]), log2Child};
     node = child.at;
   }
   return {words[node], 0};

@@ -62,12 +62,16 @@ private:
   void distances(const Stratum &stratum) {
     const bool inSlot = stratum.empty != Empty::Zero;
     const bool isLast = layout_.holdsVoxels(index_);
-    rule((stratum.skip == Skip::L1) == (stratum.reach > 0), "a reach goes with distances");
+    rule((stratum.skip != Skip::None) == (stratum.reach > 0), "a reach goes with distances");
+    rule(stratum.skip != Skip::Octant || stratum.reach < 1u << stratum.fieldBits(),
+         "a reach of " + std::to_string(stratum.reach) + " does not fit into " +
+             std::to_string(stratum.fieldBits()) + " bits, which an octant has");
     rule(!inSlot || stratum.skip != Skip::None, "empty slots that are not 0 hold distances");
     rule(stratum.empty != Empty::Tagged || !isLast, "references can be told by a tag, voxels cannot");
     rule(stratum.empty != Empty::Transparent || (isLast && layout_.alpha == Alpha::Positive),
          "voxels can be told by their alpha where none has an alpha of 0, references cannot");
-    rule(!inSlot || stratum.reach < (stratum.empty == Empty::Tagged ? 1u << 31 : 1u << 24),
+    rule(!inSlot || stratum.skip != Skip::L1 ||
+             stratum.reach < (stratum.empty == Empty::Tagged ? 1u << 31 : 1u << 24),
          "a reach of " + std::to_string(stratum.reach) + " does not fit into an empty slot");
     rule(stratum.skip == Skip::None || (stratum.isGrid() && stratum.slots == &kDenseSlots),
          "distances stand in dense slots");

@@ -1,6 +1,8 @@
 // Fitting a model's bounds into voxels.
 #include "Mesh/ModelFrame.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -13,15 +15,15 @@ std::string toText(Int3 extent) {
   return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
 }
 
-Double3 turned(const Double3 &point, bool zUp) {
-  return zUp ? Double3{point[0], point[2], -point[1]} : point;
+glm::dvec3 turned(const glm::dvec3 &point, bool zUp) {
+  return zUp ? glm::dvec3{point[0], point[2], -point[1]} : point;
 }
 
 /// Voxels on each axis with `resolution` of them on the longest.
-Int3 extentAt(const Double3 &size, double longest, int resolution) {
+Int3 extentAt(const glm::dvec3 &size, double longest, int resolution) {
   Int3 extent{1, 1, 1};
   for (int axis = 0; axis < 3; ++axis) {
-    const double share = longest > 0 ? size[static_cast<std::size_t>(axis)] / longest : 0;
+    const double share = longest > 0 ? size[axis] / longest : 0;
     extent[axis] = std::max(1, static_cast<int>(std::ceil(share * resolution)));
   }
   return extent;
@@ -30,7 +32,7 @@ Int3 extentAt(const Double3 &size, double longest, int resolution) {
 bool fits(Int3 extent, Int3 max) { return extent.x <= max.x && extent.y <= max.y && extent.z <= max.z; }
 
 /// The largest resolution whose extent fits.
-int largestResolution(const Double3 &size, double longest, Int3 max) {
+int largestResolution(const glm::dvec3 &size, double longest, Int3 max) {
   int low = 1;
   int high = std::max({max.x, max.y, max.z});
   while (low < high) {
@@ -45,28 +47,24 @@ int largestResolution(const Double3 &size, double longest, Int3 max) {
 
 } // namespace
 
-void BoundsBuilder::add(const Double3 &point) {
+void BoundsBuilder::add(const glm::dvec3 &point) {
   if (!bounds_)
     bounds_ = {point, point};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    bounds_->low[axis] = std::min(bounds_->low[axis], point[axis]);
-    bounds_->high[axis] = std::max(bounds_->high[axis], point[axis]);
-  }
+  bounds_->low = glm::min(bounds_->low, point);
+  bounds_->high = glm::max(bounds_->high, point);
 }
 
 Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
-  const Double3 a = turned(options.bounds.low, options.zUp);
-  const Double3 b = turned(options.bounds.high, options.zUp);
+  const glm::dvec3 a = turned(options.bounds.low, options.zUp);
+  const glm::dvec3 b = turned(options.bounds.high, options.zUp);
   ModelFrame frame;
   frame.zUp_ = options.zUp;
-  Double3 size;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(options.bounds.low[axis] <= options.bounds.high[axis]) || !std::isfinite(b[axis] - a[axis]))
+  const glm::dvec3 size = glm::abs(b - a);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(options.bounds.low[axis] <= options.bounds.high[axis]) || !std::isfinite(size[axis]))
       return Error::input("the bounds are not a box: each low corner must be a number below the high one");
-    frame.origin_[axis] = std::min(a[axis], b[axis]);
-    size[axis] = std::abs(b[axis] - a[axis]);
-  }
-  const double longest = *std::max_element(size.begin(), size.end());
+  frame.origin_ = glm::min(a, b);
+  const double longest = std::max({size.x, size.y, size.z});
   const int resolution =
       options.resolution > 0 ? options.resolution : largestResolution(size, longest, options.maxExtent);
   frame.extent_ = extentAt(size, longest, resolution);
@@ -80,18 +78,15 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
   return frame;
 }
 
-Double3 ModelFrame::toVoxels(const Double3 &point) const {
-  Double3 voxel = turned(point, zUp_);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    voxel[axis] = (voxel[axis] - origin_[axis]) * scale_;
-  return voxel;
+glm::dvec3 ModelFrame::toVoxels(const glm::dvec3 &point) const {
+  return (turned(point, zUp_) - origin_) * scale_;
 }
 
 Transform ModelFrame::voxelToModel() const {
   const double unit = 1 / scale_;
   if (!zUp_)
-    return {{unit, 0, 0, origin_[0], 0, unit, 0, origin_[1], 0, 0, unit, origin_[2]}};
-  return {{unit, 0, 0, origin_[0], 0, 0, -unit, -origin_[2], 0, unit, 0, origin_[1]}};
+    return transformOfRows({unit, 0, 0, origin_.x, 0, unit, 0, origin_.y, 0, 0, unit, origin_.z});
+  return transformOfRows({unit, 0, 0, origin_.x, 0, 0, -unit, -origin_.z, 0, unit, 0, origin_.y});
 }
 
 } // namespace voxc

@@ -3,26 +3,25 @@
 
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
+#include "voxc/Support/Transform.h"
+
+#include <glm/vec3.hpp>
 
 #include <array>
 #include <optional>
 
 namespace voxc {
 
-using Float3 = std::array<float, 3>;
-using Double3 = std::array<double, 3>;
-
 /// A box of points, in model units.
 struct Bounds {
-  Double3 low{};
-  Double3 high{};
+  glm::dvec3 low{};
+  glm::dvec3 high{};
 };
 
 /// Grows box by box and point by point.
 class BoundsBuilder {
 public:
-  void add(const Double3 &point);
-  void add(const Float3 &point) { add(Double3{point[0], point[1], point[2]}); }
+  void add(const glm::dvec3 &point);
   /// Nothing if no point was added.
   const std::optional<Bounds> &bounds() const { return bounds_; }
 
@@ -49,14 +48,13 @@ public:
   /// Voxels a model unit.
   double scale() const { return scale_; }
   /// A point in voxels. Its error is below 2^-50 of its largest coordinate.
-  Double3 toVoxels(const Double3 &point) const;
-  Double3 toVoxels(const Float3 &point) const { return toVoxels(Double3{point[0], point[1], point[2]}); }
+  glm::dvec3 toVoxels(const glm::dvec3 &point) const;
   /// The inverse map, of points in voxels to model units.
   Transform voxelToModel() const;
 
 private:
   bool zUp_ = false;
-  Double3 origin_{}; ///< In turned model units.
+  glm::dvec3 origin_{}; ///< In turned model units.
   double scale_ = 1;
   Int3 extent_;
 };

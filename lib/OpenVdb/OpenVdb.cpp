@@ -156,11 +156,11 @@ Transform mapOf(const Grid &grid, const openvdb::Coord &low) {
   };
   const openvdb::Vec3d origin = at(0, 0, 0);
   const std::array<openvdb::Vec3d, 3> steps{at(1, 0, 0) - origin, at(0, 1, 0) - origin, at(0, 0, 1) - origin};
-  Transform map;
+  Transform map = kNoTransform;
   for (int row = 0; row < 3; ++row) {
     for (int axis = 0; axis < 3; ++axis)
-      map.rows[static_cast<std::size_t>(4 * row + axis)] = steps[static_cast<std::size_t>(axis)][row];
-    map.rows[static_cast<std::size_t>(4 * row + 3)] = origin[row];
+      map[axis][row] = steps[static_cast<std::size_t>(axis)][row];
+    map[3][row] = origin[row];
   }
   return map;
 }

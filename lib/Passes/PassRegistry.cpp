@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 10> kPasses = {{
+constexpr std::array<Pass, 12> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
@@ -25,6 +25,13 @@ constexpr std::array<Pass, 10> kPasses = {{
      "an "
      "alpha of 0, and names it.",
      visibleVoxels},
+    {"octant-distances", AttributeEffect::Storage,
+     "let D levels tell empty cubes by octant in place of an L1 distance",
+     "Without it, an empty cell of a D level tells how far the nearest full cell is, and a ray looks up the "
+     "cells that it may pass one by one. With it, the cell tells, for each octant of directions, the side of the "
+     "largest empty cube that begins there and goes that way: a ray leaves that cube in one step. M is 15 at "
+     "most, and 7 in the words of voxels. Unchanged where no level is a D.",
+     octantDistances},
     {"df-packing", AttributeEffect::Storage,
      "keep the distances of D levels in the words of their empty cells",
      "Without it, a cell of a D level has two words, of which one is always without use: a value or a "
@@ -65,6 +72,12 @@ constexpr std::array<Pass, 10> kPasses = {{
      "and "
      "gives way to detail=cone.",
      flatWalk},
+    {"direct-walk", AttributeEffect::Walk, "walk by one loop that goes down from the root in each turn",
+     "Without it, each level has a loop, which calls that of the next. With it there is one loop, and each turn "
+     "goes down through all levels, straight and without a loop, to a voxel or to what is known to be empty "
+     "around: where a format has few layers of nodes, rays of a group then never wait for each other. Excludes "
+     "flat-walk, restart-sv and unroll-sv, and gives way to detail=cone.",
+     directWalk},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",
      "Gives the format as volumes store it.", stripWalk},
 }};

@@ -149,13 +149,8 @@ std::shared_ptr<const DenseRows> turnUpright(std::shared_ptr<const DenseRows> ro
 }
 
 Transform turnUpright(const Transform &voxelToModel, std::int32_t height) {
-  Transform turned = voxelToModel;
-  for (std::size_t row = 0; row < 12; row += 4) {
-    turned.rows[row + 1] = voxelToModel.rows[row + 2];
-    turned.rows[row + 2] = -voxelToModel.rows[row + 1];
-    turned.rows[row + 3] += voxelToModel.rows[row + 1] * height;
-  }
-  return turned;
+  const auto &[x, y, z, origin] = std::array{voxelToModel[0], voxelToModel[1], voxelToModel[2], voxelToModel[3]};
+  return {x, z, -y, origin + y * static_cast<double>(height)};
 }
 
 } // namespace voxc

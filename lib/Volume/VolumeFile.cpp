@@ -121,7 +121,7 @@ Expected<VolumeInfo> infoOf(const Header &header, std::span<const std::byte> byt
     return Error::input("has a header that contradicts its format");
   return VolumeInfo{std::move(format),
                     {header.extent[0], header.extent[1], header.extent[2]},
-                    {header.voxelToModel},
+                    transformOfRows(header.voxelToModel),
                     header.voxels,
                     std::string(text + header.irBytes, header.provenanceBytes)};
 }
@@ -176,7 +176,7 @@ Header headerOf(const VolumeInfo &info, std::size_t irBytes, std::size_t streams
   header.irBytes = static_cast<std::uint32_t>(irBytes);
   header.provenanceBytes = static_cast<std::uint32_t>(info.provenance.size());
   header.streams = static_cast<std::uint32_t>(streams);
-  header.voxelToModel = info.voxelToModel.rows;
+  header.voxelToModel = voxc::rowsOf(info.voxelToModel);
   header.headBytes = wholePages(header.textEnd());
   return header;
 }

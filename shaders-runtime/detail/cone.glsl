@@ -14,11 +14,11 @@ int small_height(const Ray ray, const Walk walk) {
   return width > 1.0 ? int((floatBitsToUint(width) - 1u) >> 23) - 127 : -1;
 }
 
-// Ends the walk in its cell. A colour is missing only where the device cut its search short: the walk then stays in its
+// Ends the walk in its cell. A voxel is missing only where the device cut its search short: the walk then stays in its
 // cell, to be resumed.
-bool stop_with(inout Walk walk, uint rgba) {
-  walk.rgba = rgba;
-  return rgba != 0u;
+bool stop_with(inout Walk walk, uint voxel) {
+  walk.voxel = voxel;
+  return voxel != 0u;
 }
 
-uint sample_voxel(uint rgba) { return rgba; }
+uint sample_voxel(uint voxel) { return voxel; }

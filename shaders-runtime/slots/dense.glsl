@@ -12,6 +12,24 @@ uint slot_level_${N}(uint grid, ivec3 cell) {
   return grid + ${slot-words}u * uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
 }
 
+%if octants
+// The value of a cell, or 0 and, if it is empty, how many cells a side the empty cube ahead of it has for rays of an octant.
+%if distances-in-slot
+// A slot ${empty-slots} holds that, ${field-bits} bits for each octant.
+%end
+uint cell_level_${N}(uint grid, ivec3 cell, int octant, out uint reach) {
+  uint slot = slot_level_${N}(grid, cell);
+  uint value = load_word(slot);
+%if distances-beside
+  reach = value == 0u ? load_word(slot + 1u) >> (octant * ${field-bits}) & ${field-mask}u : 0u;
+  return value;
+%else
+  bool is_empty = ${slot-is-empty};
+  reach = value >> (octant * ${field-bits}) & ${field-mask}u;
+  return is_empty ? 0u : ${value-of-slot};
+%end
+}
+%else
 %if distances
 %if distances-in-slot
 // The value of a cell, or 0 and its distance if it is empty: a slot ${empty-slots} holds that.
@@ -34,6 +52,7 @@ uint cell_level_${N}(uint grid, ivec3 cell, out uint reach) {
 // The value of a cell, or 0 if it is empty.
 uint cell_level_${N}(uint grid, ivec3 cell) { return load_word(slot_level_${N}(grid, cell)); }
 %end
+%end
 %if sampled
 
 // The first value of the grid in an order that jumps about, so that a surface is met soon wherever it lies. 0 if the
@@ -50,7 +69,7 @@ uint any_value_level_${N}(uint grid) {
     ivec3 cell = ivec3(at, at >> LEVEL_${N}_LOG2_SIZE.x, at >> (LEVEL_${N}_LOG2_SIZE.x + LEVEL_${N}_LOG2_SIZE.y));
     cell = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
 %if distances
-    value = cell_level_${N}(grid, cell, reach);
+    value = cell_level_${N}(grid, cell${octant-0}, reach);
 %else
     value = cell_level_${N}(grid, cell);
 %end

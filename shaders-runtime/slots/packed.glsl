@@ -3,6 +3,33 @@
 %if counts
 // Each word of the mask is followed by how many bits the words before it have.
 %end
+%if tells-around
+// Gives the value of a cell, or 0 if it is empty. Then the cells around it in a cube of 2^around a side may be passed: the
+// eight of an aligned group if they are all empty, and the whole grid if no cell is full that a ray may still come to.
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, out int around) {
+  ivec3 at = cell & 3;
+  int number = at.x | at.y << 2 | at.z << 4;
+  uint low = load_word(grid);
+  uint high = load_word(grid + 1u);
+  uint half_mask = number < 32 ? low : high;
+  uint bit = 1u << (number & 31);
+  around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
+  ivec3 from = at & ray.ahead;
+  ivec3 to = at | (ray.ahead & 3);
+  uvec3 sides = uvec3((ivec3(2) << to) - (ivec3(1) << from));
+  uint plane = sides.x * (sides.y & 1u | (sides.y & 2u) << 3 | (sides.y & 4u) << 6 | (sides.y & 8u) << 9);
+  uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
+  uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
+  around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
+  if ((half_mask & bit) == 0u)
+    return 0u;
+  int rank = bitCount(half_mask & (bit - 1u));
+  if (number >= 32)
+    rank += bitCount(low);
+  return load_word(grid + 2u + uint(rank));
+}
+%else
 uint cell_level_${N}(uint grid, ivec3 cell) {
 %if first
   ivec3 at = cell;
@@ -26,6 +53,7 @@ uint cell_level_${N}(uint grid, ivec3 cell) {
 %end
   return load_word(grid + ${head-words}u + rank);
 }
+%end
 %if sampled
 
 // The first value of the grid.

@@ -33,15 +33,15 @@ void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner,
   }
 }
 
-// Settles the step over the cube of 2^log2_side voxels a side around the walk's cell: which faces the ray passes first, of
+// Settles the step over the gap around the walk's cell: which faces the ray passes first, of
 // those that float32 cannot tell apart, and then by bisection to which cell it comes. All questions are asked at one place,
 // since devices of wide vectors run through it as often as any ray needs it.
 %if cut
 // Where the device cuts it short, the walk stays where it is.
 %end
-OUT_OF_LINE Walk settled(const Ray ray, Walk walk, int log2_side) {
-  int side = 1 << log2_side;
-  ivec3 corner = corner_of(walk.cell, log2_side);
+OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
+  int side = gap.count << gap.log2_side;
+  ivec3 corner = corner_of(ray, walk.cell, gap);
   ivec3 face = corner + (ray.ahead & side);
   vec3 t = times_of(ray, face);
   float earliest = min_of(t);

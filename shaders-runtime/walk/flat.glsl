@@ -21,7 +21,7 @@ ${FLAT_BEGIN}  while (is_in_volume(walk.cell)) {
 ${FLAT_LEVELS}      }
     }
     if (value != 0u) {
-      walk.rgba = value;
+      walk.voxel = value;
       return true;
     }
     ivec3 before = walk.cell;

@@ -13,6 +13,6 @@ void march_level_${N}(const Ray ray, inout Walk walk, uint reach) {
     ivec3 moved = abs(crossing.step);
     left = within_level_${N}(walk.cell, corner) ? left - max(moved.x + moved.y + moved.z, 1) : 0;
   }
-  land_or_settle(ray, walk, crossing, corner, LEVEL_${N}_LOG2_CELL, sure);
+  land_or_settle(ray, walk, crossing, corner, side, Gap(LEVEL_${N}_LOG2_CELL, 1), sure);
 }
 

@@ -29,13 +29,13 @@ template <typename Number> std::optional<Number> parseNumber(std::string_view te
   return value;
 }
 
-std::optional<Double3> parsePoint(std::string_view text) {
+std::optional<glm::dvec3> parsePoint(std::string_view text) {
   std::vector<std::string_view> parts = split(text, ',');
   if (parts.size() != 3)
     return std::nullopt;
-  Double3 point;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto value = parseNumber<double>(parts[axis]);
+  glm::dvec3 point;
+  for (int axis = 0; axis < 3; ++axis) {
+    auto value = parseNumber<double>(parts[static_cast<std::size_t>(axis)]);
     if (!value || !std::isfinite(*value))
       return std::nullopt;
     point[axis] = *value;
@@ -50,7 +50,7 @@ std::optional<Camera> parsePoints(std::string_view text) {
     return std::nullopt;
   auto eye = parsePoint(parts[0]);
   auto look = parsePoint(parts[1]);
-  auto up = parts.size() == 3 ? parsePoint(parts[2]) : Double3{0, 1, 0};
+  auto up = parts.size() == 3 ? parsePoint(parts[2]) : glm::dvec3{0, 1, 0};
   if (!eye || !look || !up)
     return std::nullopt;
   return Camera{.eye = *eye, .look = *look, .up = *up};

@@ -1,43 +1,16 @@
 // voxc build: voxelizes an input and writes its volume.
 #include "Building.h"
 #include "Figures.h"
+#include "FragmentOption.h"
 #include "Outputs.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <charconv>
-#include <optional>
-#include <string_view>
-
 namespace voxc::tool {
 
 namespace {
-
-/// One of several fragments, as "i/N" with i from 0 to N - 1.
-struct FragmentChoice {
-  std::uint64_t index = 0;
-  std::uint64_t count = 0;
-};
-
-std::optional<FragmentChoice> parseFragment(std::string_view text) {
-  constexpr std::uint64_t kMostFragments = std::uint64_t{1} << 20;
-  FragmentChoice choice;
-  const char *const end = text.data() + text.size();
-  const auto [slash, badIndex] = std::from_chars(text.data(), end, choice.index);
-  if (badIndex != std::errc() || slash == end || *slash != '/')
-    return std::nullopt;
-  const auto [rest, badCount] = std::from_chars(slash + 1, end, choice.count);
-  if (badCount != std::errc() || rest != end || choice.index >= choice.count || choice.count > kMostFragments)
-    return std::nullopt;
-  return choice;
-}
-
-std::string checkFragment(const std::string &text) {
-  return parseFragment(text) ? std::string()
-                             : "'" + text + "' is no fragment; write i/N with i from 0 to N - 1";
-}
 
 class BuildCommand final : public Subcommand {
 public:
@@ -45,9 +18,7 @@ public:
     building_.declare(app);
     building_.declareThreads(app);
     building_.declareMaxBytes(app);
-    app.add_option("--fragment", fragment_, "Build one of N fragments only, for voxc merge")
-        ->type_name("I/N")
-        ->check(CLI::Validator(checkFragment, "", ""));
+    fragment_.declare(app, "Build one of N fragments only, for voxc merge");
     app.add_option("-o,--output", output_, "Volume to write, or fragment")->type_name("FILE")->required();
     addCommonOptions(app, common_);
   }
@@ -72,7 +43,7 @@ public:
 
 private:
   Expected<void> build(const Format &format, const Progress &progress, Json &figures) {
-    if (const auto fragment = parseFragment(fragment_))
+    if (const auto fragment = fragment_.choice())
       return building_.buildFragment(format, fragment->index, fragment->count, output_, common_, progress,
                                      figures);
     Expected<Volume> volume = building_.build(format, output_, common_, progress, figures);
@@ -80,7 +51,7 @@ private:
   }
 
   Building building_;
-  std::string fragment_;
+  FragmentOption fragment_;
   std::string output_;
   CommonOptions common_;
 };

@@ -26,7 +26,7 @@ void print(const Volume &volume) {
                 stream.bytes.size(), stream.elements(), stream.elementBytes);
   std::printf("made with   %s\n", info.provenance.empty() ? "(not told)" : info.provenance.c_str());
   std::printf("to model   ");
-  for (const double entry : info.voxelToModel.rows)
+  for (const double entry : rowsOf(info.voxelToModel))
     std::printf(" %g", entry);
   std::printf("\n");
 }
@@ -59,7 +59,7 @@ public:
     figures["streams"] = figuresOf(volume->streams());
     figures["ir"] = printIr(volume->format());
     figures["provenance"] = volume->info().provenance;
-    figures["voxel_to_model"] = volume->info().voxelToModel.rows;
+    figures["voxel_to_model"] = rowsOf(volume->info().voxelToModel);
     return writeStatistics(common_.stats, figures);
   }
 

@@ -21,6 +21,7 @@ public:
 std::unique_ptr<Subcommand> makeCompileCommand();
 std::unique_ptr<Subcommand> makeBuildCommand();
 std::unique_ptr<Subcommand> makeMergeCommand();
+std::unique_ptr<Subcommand> makeSplitCommand();
 std::unique_ptr<Subcommand> makeRenderCommand();
 std::unique_ptr<Subcommand> makeRunCommand();
 std::unique_ptr<Subcommand> makeTraceCommand();

@@ -23,6 +23,7 @@ constexpr CommandKind kCommands[] = {
     {"compile", "Write the code that is generated for a format", makeCompileCommand},
     {"build", "Voxelize an input and construct its volume", makeBuildCommand},
     {"merge", "Join the fragments of a volume", makeMergeCommand},
+    {"split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
     {"render", "Render a picture of a volume", makeRenderCommand},
     {"run", "Compile, build and render in one go", makeRunCommand},
     {"trace", "Trace the rays of a file through a volume", makeTraceCommand},

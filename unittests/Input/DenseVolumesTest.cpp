@@ -64,9 +64,8 @@ protected:
   }
   /// A point of voxels in the model.
   std::array<double, 3> toModel(double x, double y, double z) const {
-    const std::array<double, 12> &m = map_.rows;
-    return {m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7],
-            m[8] * x + m[9] * y + m[10] * z + m[11]};
+    const glm::dvec3 point = map_ * glm::dvec4(x, y, z, 1);
+    return {point.x, point.y, point.z};
   }
 
   TemporaryFolder folder_;
@@ -74,7 +73,7 @@ protected:
   std::vector<std::string> warnings_;
   std::string provenance_;
   Int3 extent_;
-  Transform map_;
+  Transform map_ = kNoTransform;
 };
 
 constexpr std::uint32_t kBlack = 0xff000000;

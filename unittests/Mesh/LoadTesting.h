@@ -29,12 +29,8 @@ protected:
 };
 
 inline Corner transformed(const Transform &transform, const Corner &point) {
-  Corner result;
-  for (std::size_t row = 0; row < 3; ++row) {
-    const double *r = transform.rows.data() + 4 * row;
-    result[row] = r[0] * point[0] + r[1] * point[1] + r[2] * point[2] + r[3];
-  }
-  return result;
+  const glm::dvec3 moved = transform * glm::dvec4(point[0], point[1], point[2], 1);
+  return {moved.x, moved.y, moved.z};
 }
 
 /// The corners of every triangle, in model space.

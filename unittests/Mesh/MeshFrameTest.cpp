@@ -54,7 +54,7 @@ TEST(MeshFrame, TransformLeadsBackToTheModel) {
     auto source = open(soupOf(corners), options);
     ASSERT_TRUE(source);
     EXPECT_EQ((*source)->extent(), zUp ? (Int3{8, 16, 4}) : (Int3{8, 4, 16}));
-    const auto &m = (*source)->voxelToModel().rows;
+    const auto m = rowsOf((*source)->voxelToModel());
     // With z up, the model's low y is the far end of the voxels' z.
     const std::array<double, 3> corner{0, 0, zUp ? 4.0 : 0.0};
     for (std::size_t i = 0; i < 3; ++i)
@@ -118,8 +118,8 @@ TEST(MeshFrame, BadScenesAreErrors) {
   EXPECT_NE(problem(soupOf({{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}})).find("finite"), std::string::npos);
   EXPECT_NE(problem(soupOf({{0, 0, 0}, {1, 0, 0}, {0, INFINITY, 0}})).find("finite"), std::string::npos);
   auto scene = soupOf(kCorners);
-  scene->instances[0].toModel.rows[0] = 1e308;
-  scene->instances[0].toModel.rows[3] = 1e308;
+  scene->instances[0].toModel[0][0] = 1e308;
+  scene->instances[0].toModel[3][0] = 1e308;
   EXPECT_NE(problem(scene).find("finite"), std::string::npos);
   EXPECT_NE(problem(sceneOf({{kCorners, {0, 1, 3}}})).find("vertex that does not exist"), std::string::npos);
   EXPECT_NE(problem(sceneOf({{kCorners, {}, {{0, 0}}}})).find("not for all"), std::string::npos);

@@ -11,21 +11,21 @@
 namespace voxc {
 namespace {
 
-using Corners = std::array<Double3, 3>;
+using Corners = std::array<glm::dvec3, 3>;
 
-double distanceSquared(const Corners &triangle, const Double3 &weights, const Double3 &point) {
+double distanceSquared(const Corners &triangle, const glm::dvec3 &weights, const glm::dvec3 &point) {
   double sum = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     double at = -point[axis];
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      at += weights[corner] * triangle[corner][axis];
+    for (int corner = 0; corner < 3; ++corner)
+      at += weights[corner] * triangle[static_cast<std::size_t>(corner)][axis];
     sum += at * at;
   }
   return sum;
 }
 
 /// The smallest squared distance of points that are 1/64 of an edge apart.
-double sampled(const Corners &triangle, const Double3 &point) {
+double sampled(const Corners &triangle, const glm::dvec3 &point) {
   constexpr int kParts = 64;
   double least = INFINITY;
   for (int i = 0; i <= kParts; ++i)
@@ -46,11 +46,11 @@ double longestEdge(const Corners &triangle) {
   return std::sqrt(longest);
 }
 
-void expectNearest(const Corners &triangle, const Double3 &point) {
+void expectNearest(const Corners &triangle, const glm::dvec3 &point) {
   const NearestPoint nearest = NearestPoints(triangle).to(point);
   EXPECT_NEAR(nearest.weights[0] + nearest.weights[1] + nearest.weights[2], 1, 1e-12);
-  for (const double weight : nearest.weights)
-    EXPECT_TRUE(weight >= 0 && weight <= 1) << weight;
+  for (int corner = 0; corner < 3; ++corner)
+    EXPECT_TRUE(nearest.weights[corner] >= 0 && nearest.weights[corner] <= 1) << nearest.weights[corner];
   EXPECT_NEAR(nearest.distanceSquared, distanceSquared(triangle, nearest.weights, point), 1e-9);
   const double least = std::sqrt(sampled(triangle, point));
   const double found = std::sqrt(nearest.distanceSquared);
@@ -61,13 +61,13 @@ void expectNearest(const Corners &triangle, const Double3 &point) {
 TEST(NearestPoint, NoPointOfTheTriangleIsNearer) {
   std::mt19937 random(1);
   const auto coordinate = [&] { return static_cast<double>(random() % 4096) / 256 - 8; };
-  const auto point = [&] { return Double3{coordinate(), coordinate(), coordinate()}; };
+  const auto point = [&] { return glm::dvec3{coordinate(), coordinate(), coordinate()}; };
   for (int i = 0; i < test::rounds(1000); ++i) {
     Corners triangle{point(), point(), point()};
     if (i % 4 == 1) // A segment.
       triangle[random() % 3] = triangle[random() % 3];
     if (i % 4 == 2) // A needle, of which one side is far shorter than the others.
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      for (int axis = 0; axis < 3; ++axis)
         triangle[2][axis] = triangle[1][axis] + static_cast<double>(random() % 3) / 4096;
     expectNearest(triangle, point());
   }

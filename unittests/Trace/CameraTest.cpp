@@ -87,7 +87,7 @@ TEST(FrameExtent, SeesTheWholeBoxAndNotMuchMore) {
 TEST(CameraFromAngles, FollowsTheCameraFiles) {
   // Position is scaled by the longest axis; yaw 0 looks along +z, yaw 90 along +x, pitch up.
   Camera camera = cameraFromAngles({200, 400, 100}, {50, 25, 10}, 0, 90, 90, 3, 3);
-  EXPECT_EQ(camera.eye, (Double3{200, 100, 40}));
+  EXPECT_EQ(camera.eye, (glm::dvec3{200, 100, 40}));
   expectDirection(cameraRays(camera)[4], 1, 0, 0);
   expectDirection(cameraRays(cameraFromAngles({9, 9, 9}, {}, 0, 0, 90, 3, 3))[4], 0, 0, 1);
   expectDirection(cameraRays(cameraFromAngles({9, 9, 9}, {}, 30, 0, 90, 3, 3))[4], 0, 0.5, std::sqrt(0.75));

@@ -49,7 +49,7 @@ protected:
     info.extent = {2, 1, 1};
     info.voxels = 1;
     info.provenance = "resolution=2";
-    info.voxelToModel.rows[3] = -1.5;
+    info.voxelToModel[3][0] = -1.5;
     return info;
   }
 

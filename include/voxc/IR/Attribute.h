@@ -28,11 +28,13 @@ extern const AttributeKind kDedupAttribute;     ///< dedup: sub-volume | level
 extern const AttributeKind kShareAttribute;     ///< share: none | level
 extern const AttributeKind kWalkAttribute;      ///< walk: stack | restart | unrolled
 extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
+extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
-extern const AttributeKind kLevelsAttribute;    ///< levels: nested | flat
+extern const AttributeKind kLevelsAttribute;    ///< levels: nested | flat | direct
+extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 
 /// The attributes that a format takes.

@@ -29,12 +29,17 @@ enum class Cells {
 enum class Skip {
   None,
   L1, ///< The L1 distance to the nearest cell of the sub-volume that is not empty, `reach` at most.
+  Octant, ///< For each octant of directions, how many cells a side the largest empty cube has that begins in
+          ///< the cell and goes that way, `reach` at most: eight fields in one word, that of the octant in
+          ///< which x, y and z rise as bits 0, 1 and 2 say at its number. A cube may leave the volume, and no
+          ///< other sub-volume.
 };
 
 /// Which slots are empty. Where it is not `Zero`, the rest of an empty slot holds its distance.
 enum class Empty {
   Zero,        ///< Those of 0. A distance stands in a second word of the slot.
-  Tagged,      ///< Those whose highest bit is set: references of the stratum have 31 bits.
+  Tagged,      ///< Those with a tag, and references have fewer bits: 31, and the highest bit is the tag; beside
+               ///< octants 28, above a field of 0.
   Transparent, ///< Those whose alpha, the highest byte, is 0: no voxel of the volume is.
 };
 
@@ -46,7 +51,7 @@ enum class Sharing {
 };
 
 template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Cells> = {"inline", "word", "record"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Skip> = {"none", "l1"};
+template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Skip> = {"none", "l1", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};
 template <>
@@ -76,6 +81,16 @@ struct Stratum {
   /// Words of one slot in a grid: the distance of an empty cell may stand beside its value.
   int slotWords() const { return skip != Skip::None && empty == Empty::Zero ? 2 : 1; }
   bool isGrid() const { return cells == Cells::Inline; }
+  /// Bits of each field of `Skip::Octant`: the alpha of a voxel's word leaves room for less.
+  int fieldBits() const { return empty == Empty::Transparent ? 3 : 4; }
+  /// Bits of a slot below a reference.
+  int tagShift() const { return skip == Skip::Octant && empty == Empty::Tagged ? fieldBits() : 0; }
+  /// log2 of the words that references of the stratum can reach.
+  int log2Reach() const { return empty != Empty::Tagged ? 32 : skip == Skip::Octant ? 28 : 31; }
+  /// True if this word of a grid's slot says that its cell is empty.
+  bool isEmptySlot(std::uint32_t word) const;
+  /// The value in a grid's slot that is not empty.
+  std::uint32_t cellValue(std::uint32_t word) const { return word >> tagShift(); }
 };
 
 /// The longest of three sizes: of the bounding cube that Morton order speaks of.
@@ -84,20 +99,19 @@ inline int longest(Int3 log2) {
   return xy > log2.z ? xy : log2.z;
 }
 
-/// True if this word of a slot says that its cell is empty.
-constexpr bool isEmptySlot(Empty empty, std::uint32_t word) {
+inline bool Stratum::isEmptySlot(std::uint32_t word) const {
   switch (empty) {
   case Empty::Zero:
     return word == 0;
   case Empty::Tagged:
-    return word >> 31 != 0;
+    return skip == Skip::Octant ? (word & 15) != 0 : word >> 31 != 0;
   case Empty::Transparent:
     return word >> 24 == 0;
   }
   return true;
 }
 
-/// The distance in a slot that is empty and not `Zero`.
+/// The L1 distance in a slot that is empty and not `Zero`.
 constexpr std::uint32_t distanceInSlot(std::uint32_t word) { return word & 0x7fffffff; }
 
 } // namespace voxc

@@ -5,6 +5,7 @@
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Support/Transform.h"
 #include "voxc/Support/WorkingMemory.h"
 
 #include <array>
@@ -64,7 +65,7 @@ struct MeshPart {
 /// A part at a place.
 struct MeshInstance {
   std::uint32_t part = 0;
-  Transform toModel;
+  Transform toModel = kNoTransform;
 };
 
 /// Texels in rows from the top, RGBA8 with R in the low byte. The texture coordinates (0, 0) and (1, 1) are

@@ -44,12 +44,14 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names,
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
 PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult visibleVoxels(Format &format, Diagnostics &diagnostics);
+PassResult octantDistances(Format &format, Diagnostics &diagnostics);
 PassResult dfPacking(Format &format, Diagnostics &diagnostics);
 PassResult mergeGrids(Format &format, Diagnostics &diagnostics);
 PassResult splitGrids(Format &format, Diagnostics &diagnostics);
 PassResult restartSv(Format &format, Diagnostics &diagnostics);
 PassResult unrollSv(Format &format, Diagnostics &diagnostics);
 PassResult flatWalk(Format &format, Diagnostics &diagnostics);
+PassResult directWalk(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);
 
 } // namespace voxc

@@ -18,6 +18,7 @@ namespace voxc {
 enum class Walk {
   Nested, ///< A loop for each level, which calls that of the next.
   Flat,   ///< One loop through the nodes of all levels: a kernel of one step, however many levels there are.
+  Direct, ///< One loop whose every turn goes down from the root through all levels, without a loop in it.
 };
 
 /// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
@@ -52,7 +53,7 @@ enum class Settling {
 template <>
 inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe",   "single",
                                                                         "stack", "restart", "unrolled"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Walk> = {"nested", "flat"};
+template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Walk> = {"nested", "flat", "direct"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Settling> = {"outside", "inside"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};

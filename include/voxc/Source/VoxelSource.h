@@ -3,6 +3,7 @@
 
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
+#include "voxc/Support/Transform.h"
 
 #include <cstdint>
 #include <functional>
@@ -47,7 +48,7 @@ public:
   virtual double readSeconds() const { return 0; }
 
   /// Maps voxel coordinates to those of the model that the voxels were made from.
-  virtual Transform voxelToModel() const { return {}; }
+  virtual Transform voxelToModel() const { return kNoTransform; }
 
   /// Set when reading failed; a builder stops and passes it on.
   virtual std::optional<Error> failure() const { return std::nullopt; }

@@ -1,7 +1,6 @@
 // Integer geometry of voxel space: cell coordinates, extents, aligned cubes and Morton order.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 namespace voxc {
@@ -71,12 +70,5 @@ constexpr Int3 mortonCell(std::uint64_t code) {
   return {static_cast<std::int32_t>(gatherBits(code)), static_cast<std::int32_t>(gatherBits(code >> 1)),
           static_cast<std::int32_t>(gatherBits(code >> 2))};
 }
-
-/// An affine map of points: row-major 3x4, the last column is the translation.
-struct Transform {
-  std::array<double, 12> rows = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-
-  bool operator==(const Transform &) const = default;
-};
 
 } // namespace voxc

@@ -1,6 +1,8 @@
 // Rays and hits, as they lie in ray files, hit files and device buffers; docs/ir.md says which hit a ray has.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 
 namespace voxc {
@@ -10,6 +12,11 @@ struct Ray {
   float origin[3];
   float direction[3];
 };
+
+/// The ray from a point in a direction, both rounded to float32.
+inline Ray makeRay(const glm::vec3 &origin, const glm::vec3 &direction) {
+  return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
+}
 
 /// The first voxel that is hit; a miss is -1, -1, -1, 0, 0. 24 bytes, little-endian.
 struct Hit {

@@ -7,6 +7,7 @@
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Support/Transform.h"
 #include "voxc/Volume/Stream.h"
 
 #include <cstdint>
@@ -23,7 +24,7 @@ namespace voxc {
 struct VolumeInfo {
   Format format; ///< Its storage: no walk attributes.
   Int3 extent;   ///< Of the input, in voxels; the rest of the format is padding.
-  Transform voxelToModel;
+  Transform voxelToModel = kNoTransform;
   std::uint64_t voxels = 0; ///< Non-empty ones.
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };

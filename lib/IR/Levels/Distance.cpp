@@ -1,7 +1,8 @@
-// D: a grid whose cells carry the L1 distance to the nearest cell that is not empty, so that a ray may step
-// over several. Two words a cell: the terminating integer, the distance.
+// D: a grid whose empty cells tell how far a ray may step: the L1 distance to the nearest cell that is not
+// empty, or empty cubes by octant. Two words a cell, the terminating integer and the distance, or one.
 #include "Kinds.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace voxc {
@@ -14,12 +15,15 @@ constexpr std::array<ParameterKind, 4> kParameters = {
      {"M", ParameterRole::Reach, "the largest distance stored, in cells", 1,
       std::numeric_limits<std::uint32_t>::max()}}};
 
-constexpr std::array<const AttributeKind *, 2> kAttributes = {&kShareAttribute, &kDistancesAttribute};
+constexpr std::array<const AttributeKind *, 3> kAttributes = {&kShareAttribute, &kDistancesAttribute,
+                                                              &kMetricAttribute};
 
 Stratum lower(const Level &level) {
   Stratum stratum = gridStratum(level, kDenseSlots);
-  stratum.skip = Skip::L1;
+  stratum.skip = *fromString<Skip>(level.attribute(kMetricAttribute));
   stratum.reach = level.parameter(ParameterRole::Reach);
+  if (stratum.skip == Skip::Octant)
+    stratum.reach = std::min(stratum.reach, (1u << stratum.fieldBits()) - 1);
   return stratum;
 }
 

@@ -11,6 +11,7 @@ constexpr std::array<const LevelKind *, 6> kKinds = {&kRaw, &kDistance, &kSvo, &
 constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
 constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
 constexpr std::array<std::string_view, 2> kDistancesValues = {"beside", "in-slot"};
+constexpr std::array<std::string_view, 2> kMetricValues = {"l1", "octant"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace
@@ -26,6 +27,11 @@ const AttributeKind kShareAttribute = {
 const AttributeKind kDistancesAttribute = {
     "distances", AttributeEffect::Storage, kDistancesValues,
     "where the distance of an empty cell stands: in a word beside its slot, or in the slot itself"};
+
+const AttributeKind kMetricAttribute = {
+    "metric", AttributeEffect::Storage, kMetricValues,
+    "what the distance of an empty cell is: the L1 distance to the nearest full cell, or for each octant of "
+    "directions the side of the empty cube ahead, 15 cells at most, in a voxel's own word 7"};
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,

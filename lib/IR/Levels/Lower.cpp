@@ -30,6 +30,7 @@ Layout layoutOf(const Format &format) {
   Layout layout;
   layout.format = toString(format);
   layout.storageDigest = storageDigest(format);
+  layout.payload = *fromString<Payload>(format.attributes.value(kPayloadAttribute));
   layout.alpha = *fromString<Alpha>(format.attributes.value(kAlphaAttribute));
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];

@@ -85,14 +85,10 @@ Expected<std::uint64_t> sampleBytes(Int3 extent, SampleLayout layout) {
 }
 
 Transform mapOfSteps(const std::array<std::array<double, 3>, 3> &steps, const std::array<double, 3> &origin) {
-  Transform map;
-  for (std::size_t row = 0; row < 3; ++row) {
-    map.rows[4 * row + 3] = origin[row];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      map.rows[4 * row + axis] = steps[axis][row];
-      map.rows[4 * row + 3] -= steps[axis][row] / 2;
-    }
-  }
+  const auto vector = [](const std::array<double, 3> &v) { return glm::dvec3(v[0], v[1], v[2]); };
+  Transform map(vector(steps[0]), vector(steps[1]), vector(steps[2]), vector(origin));
+  for (int axis = 0; axis < 3; ++axis)
+    map[3] -= map[axis] / 2.0;
   return map;
 }
 

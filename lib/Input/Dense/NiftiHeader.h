@@ -3,6 +3,7 @@
 
 #include "Input/Dense/Samples.h"
 #include "voxc/Support/Geometry.h"
+#include "voxc/Support/Transform.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +21,7 @@ struct NiftiHeader {
   double slope = 1;
   double intercept = 0;
   std::uint64_t dataOffset = 0;
-  Transform sampleToModel;
+  Transform sampleToModel = kNoTransform;
 };
 
 /// Reads the header at the front of `bytes`. Errors: not a NIfTI file; samples in another file; numbers that

@@ -130,7 +130,7 @@ Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, 
 Transform mapOf(const BinvoxHeader &header) {
   const double unit = header.scale / longestAxis(header.extent);
   const auto [x, y, z] = header.translation;
-  return {{unit, 0, 0, x, 0, unit, 0, y, 0, 0, unit, z}};
+  return transformOfRows({unit, 0, 0, x, 0, unit, 0, y, 0, 0, unit, z});
 }
 
 } // namespace

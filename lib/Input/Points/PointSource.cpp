@@ -6,6 +6,9 @@
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -30,15 +33,15 @@ Int3 cellAt(const Position &position) {
   return {static_cast<int>(position[0]), static_cast<int>(position[1]), static_cast<int>(position[2])};
 }
 
-Float3 narrowed(const Position &position) {
+glm::vec3 narrowed(const Position &position) {
   return {static_cast<float>(position[0]), static_cast<float>(position[1]), static_cast<float>(position[2])};
 }
 
 /// The voxel of a position within the frame; one on its far face belongs to the last voxel.
-std::optional<Int3> voxelAt(const Double3 &position, Int3 extent) {
+std::optional<Int3> voxelAt(const glm::dvec3 &position, Int3 extent) {
   Int3 voxel;
   for (int axis = 0; axis < 3; ++axis) {
-    const double coordinate = position[static_cast<std::size_t>(axis)];
+    const double coordinate = position[axis];
     if (!(coordinate >= 0 && coordinate <= extent[axis]))
       return std::nullopt;
     voxel[axis] = std::min(static_cast<int>(coordinate), extent[axis] - 1);
@@ -80,8 +83,8 @@ public:
     BoundsBuilder bounds;
     std::optional<Error> problem;
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
-      const Float3 position = narrowed(point.position);
-      if (!std::ranges::all_of(position, [](float v) { return std::isfinite(v); })) {
+      const glm::vec3 position = narrowed(point.position);
+      if (glm::any(glm::isnan(position)) || glm::any(glm::isinf(position))) {
         problem = reader_.broken("vertex " + std::to_string(number) + " has a coordinate that is not finite");
         return false;
       }

@@ -31,7 +31,7 @@ public:
 private:
   struct Pending {
     std::size_t node;
-    Transform parent;
+    Transform parent = kNoTransform;
   };
 
   void pushRoots() {

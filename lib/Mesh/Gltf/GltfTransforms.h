@@ -8,8 +8,6 @@ namespace voxc {
 /// First `inner`, then `outer`.
 Transform compose(const Transform &outer, const Transform &inner);
 
-bool isFinite(const Transform &transform);
-
 /// A node's matrix, or its translation, rotation and scale.
 Transform readTransform(const GltfObject &node);
 

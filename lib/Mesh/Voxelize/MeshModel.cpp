@@ -30,16 +30,17 @@ Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOp
 }
 
 SnappedTriangle MeshModel::snapped(const TriangleCursor &cursor) const {
-  const std::array<Double3, 3> corners = cursor.corners();
+  const std::array<glm::dvec3, 3> corners = cursor.corners();
   return {{grid.snap(corners[0]), grid.snap(corners[1]), grid.snap(corners[2])}};
 }
 
-std::array<Double3, 3> MeshModel::inVoxels(const SnappedTriangle &triangle) const {
+std::array<glm::dvec3, 3> MeshModel::inVoxels(const SnappedTriangle &triangle) const {
   const double step = 1.0 / static_cast<double>(std::int64_t{1} << grid.bits());
-  std::array<Double3, 3> corners;
+  std::array<glm::dvec3, 3> corners;
   for (std::size_t corner = 0; corner < 3; ++corner)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      corners[corner][axis] = static_cast<double>(triangle.corners[corner][axis]) * step;
+    for (int axis = 0; axis < 3; ++axis)
+      corners[corner][axis] =
+          static_cast<double>(triangle.corners[corner][static_cast<std::size_t>(axis)]) * step;
   return corners;
 }
 

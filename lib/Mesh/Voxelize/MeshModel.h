@@ -21,7 +21,7 @@ struct MeshModel {
   SnappedTriangle snapped(const TriangleCursor &cursor) const;
 
   /// The corners of a snapped triangle in voxels, without rounding.
-  std::array<Double3, 3> inVoxels(const SnappedTriangle &triangle) const;
+  std::array<glm::dvec3, 3> inVoxels(const SnappedTriangle &triangle) const;
 };
 
 } // namespace voxc

@@ -185,7 +185,7 @@ private:
   // Of the triangle in work.
   std::vector<CellMask> masks_;
   std::vector<Place> places_;
-  std::vector<Double3> weights_;
+  std::vector<glm::dvec3> weights_;
   std::vector<std::uint32_t> words_;
   std::optional<Error> failure_;
 };

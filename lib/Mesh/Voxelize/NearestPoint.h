@@ -10,32 +10,32 @@ namespace voxc {
 
 /// A point of a triangle by its weights at the three corners, and how far away it is.
 struct NearestPoint {
-  Double3 weights;
+  glm::dvec3 weights;
   double distanceSquared;
 };
 
 /// Finds points of a closed triangle, which may be a segment or a point.
 class NearestPoints {
 public:
-  explicit NearestPoints(const std::array<Double3, 3> &triangle);
+  explicit NearestPoints(const std::array<glm::dvec3, 3> &triangle);
 
   /// The point nearest to `point`.
-  NearestPoint to(const Double3 &point) const;
+  NearestPoint to(const glm::dvec3 &point) const;
 
 private:
   /// From one corner to the next.
   struct Edge {
-    Double3 direction;
+    glm::dvec3 direction;
     double inverseSquare; ///< 1 over the square of the length; 0 without one.
   };
 
   /// The nearest point on those edges that may have it; `offsets` lead from the corners to the point.
-  NearestPoint onEdges(const std::array<Double3, 3> &offsets, const std::array<bool, 3> &candidates) const;
+  NearestPoint onEdges(const std::array<glm::dvec3, 3> &offsets, const std::array<bool, 3> &candidates) const;
 
-  std::array<Double3, 3> corners_;
+  std::array<glm::dvec3, 3> corners_;
   std::array<Edge, 3> edges_;
-  Double3 normal_{};                   ///< Of length 1, or 0 without an area.
-  std::array<Double3, 2> gradients_{}; ///< Of the weights of the second and third corner.
+  glm::dvec3 normal_{};                   ///< Of length 1, or 0 without an area.
+  std::array<glm::dvec3, 2> gradients_{}; ///< Of the weights of the second and third corner.
   bool hasArea_ = false;
 };
 

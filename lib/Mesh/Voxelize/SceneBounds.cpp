@@ -27,7 +27,7 @@ bool isOnePerVertex(const AttributeView &attribute, const MeshPart &part) {
   return !attribute || attribute.count >= part.positions.count;
 }
 
-bool isFinite(const Double3 &point) {
+bool isFinite(const glm::dvec3 &point) {
   return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
 }
 
@@ -64,7 +64,7 @@ Expected<Bounds> boundsOf(const TriangleScene &scene, const TriangleNumbers &num
     for (const std::uint32_t vertex : cursor.vertices())
       if (vertex >= cursor.part().positions.count)
         return Error::input("the mesh has a triangle with a vertex that does not exist");
-    for (const Double3 &corner : cursor.corners()) {
+    for (const glm::dvec3 &corner : cursor.corners()) {
       if (!isFinite(corner))
         return Error::input("the mesh has a vertex whose coordinates are not finite numbers");
       builder.add(corner);

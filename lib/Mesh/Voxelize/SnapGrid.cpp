@@ -19,9 +19,9 @@ std::int64_t nearestInteger(double value) {
 /// The largest distance of a coordinate from the volume's low corner.
 double reachOf(const ModelFrame &frame, const Bounds &model) {
   double reach = 0;
-  for (const Double3 &corner : {frame.toVoxels(model.low), frame.toVoxels(model.high)})
-    for (const double coordinate : corner)
-      reach = std::fmax(reach, std::abs(coordinate));
+  for (const glm::dvec3 &corner : {frame.toVoxels(model.low), frame.toVoxels(model.high)})
+    for (int axis = 0; axis < 3; ++axis)
+      reach = std::fmax(reach, std::abs(corner[axis]));
   return reach;
 }
 
@@ -41,8 +41,8 @@ Expected<SnapGrid> SnapGrid::fit(const ModelFrame &frame, const Bounds &model) {
   return grid;
 }
 
-Point64 SnapGrid::snap(const Double3 &point) const {
-  const Double3 voxel = frame_.toVoxels(point);
+Point64 SnapGrid::snap(const glm::dvec3 &point) const {
+  const glm::dvec3 voxel = frame_.toVoxels(point);
   return {nearestInteger(voxel[0] * steps_), nearestInteger(voxel[1] * steps_),
           nearestInteger(voxel[2] * steps_)};
 }

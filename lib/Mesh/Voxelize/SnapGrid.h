@@ -40,7 +40,7 @@ public:
   /// log2 of the steps a voxel.
   int bits() const { return bits_; }
   /// A point of the model.
-  Point64 snap(const Double3 &point) const;
+  Point64 snap(const glm::dvec3 &point) const;
 
 private:
   explicit SnapGrid(const ModelFrame &frame) : frame_(frame) {}

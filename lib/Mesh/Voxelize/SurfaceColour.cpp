@@ -95,7 +95,7 @@ std::uint32_t visible(Colour colour) {
 
 /// The sum of three corners' rows by their weights.
 template <std::size_t N>
-std::array<double, N> mixed(const std::array<std::array<double, N>, 3> &rows, const Double3 &weights) {
+std::array<double, N> mixed(const std::array<std::array<double, N>, 3> &rows, const glm::dvec3 &weights) {
   std::array<double, N> sum{};
   for (std::size_t corner = 0; corner < 3; ++corner)
     for (std::size_t i = 0; i < N; ++i)
@@ -134,11 +134,11 @@ void SurfaceColour::load() {
 
 /// Texels lie anywhere in memory, so all places are found before the first is looked at: then the processor
 /// waits for many at once.
-void SurfaceColour::sample(const TextureUse &use, std::span<const Double3> weights,
+void SurfaceColour::sample(const TextureUse &use, std::span<const glm::dvec3> weights,
                            std::vector<std::uint32_t> &texels) {
   const Texture &texture = scene_.textures[static_cast<std::size_t>(use.texture)];
   places_.clear();
-  for (const Double3 &point : weights)
+  for (const glm::dvec3 &point : weights)
     places_.push_back(texelAt(texture, use, mixed(uvs_, point)));
   const std::uint32_t *first = texture.texels->data();
   texels.clear();
@@ -147,7 +147,7 @@ void SurfaceColour::sample(const TextureUse &use, std::span<const Double3> weigh
 }
 
 /// Sets `words` to the opaque texels, or to 0 where the triangle is cut away.
-void SurfaceColour::sampleAll(std::span<const Double3> weights, std::vector<std::uint32_t> &words) {
+void SurfaceColour::sampleAll(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words) {
   const Material &material = scene_.materials[part_->material];
   words.assign(weights.size(), ~std::uint32_t{0});
   masks_.assign(weights.size(), ~std::uint32_t{0});
@@ -164,7 +164,7 @@ void SurfaceColour::sampleAll(std::span<const Double3> weights, std::vector<std:
   }
 }
 
-std::uint32_t SurfaceColour::shaded(std::uint32_t texel, const Double3 &weights) const {
+std::uint32_t SurfaceColour::shaded(std::uint32_t texel, const glm::dvec3 &weights) const {
   Colour colour = factorOf(scene_.materials[part_->material]);
   multiply(colour, unpack(texel));
   if (part_->colours)
@@ -172,7 +172,7 @@ std::uint32_t SurfaceColour::shaded(std::uint32_t texel, const Double3 &weights)
   return visible(colour);
 }
 
-void SurfaceColour::at(std::span<const Double3> weights, std::vector<std::uint32_t> &words) {
+void SurfaceColour::at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words) {
   if (constant_ != 0)
     return words.assign(weights.size(), constant_);
   if (!isLoaded_)

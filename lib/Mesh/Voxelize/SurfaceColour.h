@@ -25,13 +25,13 @@ public:
   /// Sets `words` to those at the points with these weights, or to 0 where texture and mask cut the triangle
   /// away. What remains has the alpha of the material and the vertices, but at least 1, so that the word is
   /// not "empty".
-  void at(std::span<const Double3> weights, std::vector<std::uint32_t> &words);
+  void at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words);
 
 private:
   void load();
-  void sample(const TextureUse &use, std::span<const Double3> weights, std::vector<std::uint32_t> &texels);
-  void sampleAll(std::span<const Double3> weights, std::vector<std::uint32_t> &words);
-  std::uint32_t shaded(std::uint32_t texel, const Double3 &weights) const;
+  void sample(const TextureUse &use, std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &texels);
+  void sampleAll(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words);
+  std::uint32_t shaded(std::uint32_t texel, const glm::dvec3 &weights) const;
 
   const TriangleScene &scene_;
   std::vector<std::uint32_t> constants_; ///< Each part's word, if it is one colour, else 0.

@@ -10,13 +10,6 @@ namespace {
 
 using Type = AttributeView::Type;
 
-Double3 transformed(const Transform &transform, const Double3 &point) {
-  const std::array<double, 12> &m = transform.rows;
-  return {m[0] * point[0] + m[1] * point[1] + m[2] * point[2] + m[3],
-          m[4] * point[0] + m[5] * point[1] + m[6] * point[2] + m[7],
-          m[8] * point[0] + m[9] * point[1] + m[10] * point[2] + m[11]};
-}
-
 template <typename Index> std::array<std::uint32_t, 3> indicesAt(const std::byte *row, std::uint32_t stride) {
   std::array<std::uint32_t, 3> indices;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -48,7 +41,7 @@ void TriangleCursor::enter(std::size_t instance) {
   end_ = numbers_.first(instance + 1);
   instance_ = &scene_.instances[instance];
   part_ = &scene_.parts[instance_->part];
-  isMoved_ = instance_->toModel != Transform();
+  isMoved_ = instance_->toModel != kNoTransform;
   const AttributeView &indices = part_->indices;
   const bool isPlain = part_->mode == PrimitiveMode::Triangles &&
                        (indices.type == Type::Uint32 || indices.type == Type::Uint16);
@@ -72,19 +65,21 @@ void TriangleCursor::moveTo(std::uint64_t triangle) {
     vertices_ = indicesAt<std::uint16_t>(row, stride);
 }
 
-Double3 TriangleCursor::corner(std::uint32_t vertex) const {
-  if (!positionRows_)
-    return readRow<3>(part_->positions, vertex);
+glm::dvec3 TriangleCursor::corner(std::uint32_t vertex) const {
+  if (!positionRows_) {
+    const std::array<double, 3> row = readRow<3>(part_->positions, vertex);
+    return {row[0], row[1], row[2]};
+  }
   std::array<float, 3> point;
   std::memcpy(point.data(), positionRows_ + std::uint64_t{vertex} * part_->positions.stride, sizeof point);
   return {point[0], point[1], point[2]};
 }
 
-std::array<Double3, 3> TriangleCursor::corners() const {
-  std::array<Double3, 3> corners{corner(vertices_[0]), corner(vertices_[1]), corner(vertices_[2])};
+std::array<glm::dvec3, 3> TriangleCursor::corners() const {
+  std::array<glm::dvec3, 3> corners{corner(vertices_[0]), corner(vertices_[1]), corner(vertices_[2])};
   if (isMoved_)
-    for (Double3 &point : corners)
-      point = transformed(instance_->toModel, point);
+    for (glm::dvec3 &point : corners)
+      point = instance_->toModel * glm::dvec4(point, 1);
   return corners;
 }
 

@@ -38,11 +38,11 @@ public:
   const MeshPart &part() const { return *part_; }
   const std::array<std::uint32_t, 3> &vertices() const { return vertices_; }
   /// The corners, at the instance's place in the model. The vertices must exist.
-  std::array<Double3, 3> corners() const;
+  std::array<glm::dvec3, 3> corners() const;
 
 private:
   void enter(std::size_t instance);
-  Double3 corner(std::uint32_t vertex) const;
+  glm::dvec3 corner(std::uint32_t vertex) const;
 
   const TriangleScene &scene_;
   const TriangleNumbers &numbers_;

@@ -5,7 +5,11 @@
 %else
 %if grid
 %if distances
-        node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL, reach);
+        node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL${octant}, reach);
+%else
+%if tells-around
+        int around = 0;
+        node = cell_level_${N}(ray, node, walk.cell >> LEVEL_${N}_LOG2_CELL, around);
 %else
 %if probes
         node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL, known);
@@ -13,7 +17,8 @@
         node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL);
 %end
 %end
-        side = LEVEL_${N}_LOG2_CELL;
+%end
+        side = LEVEL_${N}_LOG2_CELL${grid-plus-around};
 %else
         bool leaf = false;
         int below = ${LAST} - layer;

@@ -48,7 +48,7 @@ Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string 
   RaySet set = makeCameraSet(name, *size, digest);
   set.cameraText = Json{{"cameras",
                          {{"camera",
-                           {{"position", file->position},
+                           {{"position", {file->position.x, file->position.y, file->position.z}},
                             {"pitch", file->pitch},
                             {"yaw", file->yaw},
                             {"fov", file->fov}}}}}}

@@ -1,0 +1,191 @@
+// Going down a volume by the records of its strata, and copying what is met.
+#include "Extraction.h"
+
+#include "Layout/Masks.h"
+#include "Layout/Places.h"
+#include "voxc/Layout/SubVolume.h"
+
+namespace voxc {
+namespace {
+
+/// How construction writes the nodes of a stratum.
+BlockRecord::Kind nodeKind(const Stratum &stratum) {
+  return stratum.sharing == Sharing::None ? BlockRecord::Append : BlockRecord::Intern;
+}
+
+Int3 placeIn(const Stratum &stratum, Int3 cell, int layer) {
+  const auto along = [&](int axis) {
+    return cell[axis] >> stratum.log2Shape[axis] * (layer - 1) & ((1 << stratum.log2Shape[axis]) - 1);
+  };
+  return {along(0), along(1), along(2)};
+}
+
+std::uint64_t cubed(int log2Side) { return std::uint64_t{1} << 3 * log2Side; }
+
+} // namespace
+
+Fragment Extraction::cube(Int3 low, int log2Side) {
+  Fragment fragment;
+  fragment.low = low;
+  fragment.words = {0};
+  fragment.shared.assign(layout_.strata.size() + 1, 0);
+  fragment_ = &fragment;
+  placed_.clear();
+  const std::size_t index = layout_.stratumOfPart(log2Side);
+  if (const Ref root = subVolumeAround(index, low)) {
+    if (layout_.strata[index].isGrid())
+      partOfGrid(index, root, low, log2Side);
+    else
+      fragment.node = partOfTree(index, root, low, log2Side);
+  }
+  fragment_ = nullptr;
+  return fragment;
+}
+
+/// The sub-volume of strata[index] that a voxel lies in; 0 if there is none.
+Ref Extraction::subVolumeAround(std::size_t index, Int3 low) const {
+  const Int3 log2 = layout_.log2Extent();
+  if (!contains({1 << log2.x, 1 << log2.y, 1 << log2.z}, low))
+    return 0;
+  Ref at = words_[0];
+  for (std::size_t i = 0; i < index && at != 0; ++i)
+    at = lookUp(words_, layout_.strata[i], at, low >> layout_.strata[i].log2Cell).value;
+  return at;
+}
+
+construct::Node Extraction::partOfTree(std::size_t index, Ref root, Int3 low, int log2Side) {
+  const Stratum &stratum = layout_.strata[index];
+  const auto leaf = [&](std::uint32_t value, int log2Cells) {
+    const Placed below = cell(index, value);
+    fragment_->voxels = below.voxels * cubed(log2Cells);
+    return construct::Node::leaf(below.at);
+  };
+  const int partLayers = (log2Side - stratum.log2Cell) / std::max(stratum.log2Shape.x, 1);
+  Ref at = root;
+  for (int layer = stratum.depth; layer > partLayers; --layer) {
+    const Int3 place = placeIn(stratum, low >> stratum.log2Cell, layer);
+    const Child child = stratum.slots->child(words_, stratum, at, place);
+    if (!child.exists)
+      return {};
+    if (child.leaf)
+      return leaf(words_[child.at], log2Side - stratum.log2Cell);
+    at = static_cast<Ref>(child.at);
+  }
+  if (partLayers == 0)
+    return leaf(words_[at], 0);
+  const Placed placed = node(index, at, partLayers);
+  fragment_->voxels = placed.voxels;
+  construct::Node result = {construct::Node::Inner, placed.at};
+  const bool isRecord = stratum.cells == Cells::Record;
+  for (std::uint64_t i = 0; i < MaskShape(stratum).words(); ++i)
+    result.masks[i] = words_[at + (isRecord ? 1 : 0) + i];
+  return result;
+}
+
+void Extraction::partOfGrid(std::size_t index, Ref root, Int3 low, int log2Side) {
+  const Stratum &stratum = layout_.strata[index];
+  const int log2Cells = log2Side - stratum.log2Cell;
+  const Int3 first = placeIn(stratum, low >> stratum.log2Cell, 1);
+  for (std::uint64_t code = 0; code < cubed(log2Cells); ++code) {
+    const Int3 place = first + mortonCell(code);
+    if ((place.x >> stratum.log2Shape.x | place.y >> stratum.log2Shape.y | place.z >> stratum.log2Shape.z) != 0)
+      continue;
+    const std::uint32_t value = lookUp(words_, stratum, root, place).value;
+    if (value == 0)
+      continue;
+    const Placed below = cell(index, value);
+    fragment_->voxels += below.voxels;
+    fragment_->cells.push_back({{place.x, place.y, place.z}, below.at});
+  }
+}
+
+/// A cell's terminating integer: a voxel stays, and a sub-volume is copied.
+Extraction::Placed Extraction::cell(std::size_t index, std::uint32_t value) {
+  return layout_.holdsVoxels(index) ? Placed{value, 1} : subVolume(index + 1, value);
+}
+
+Extraction::Placed Extraction::subVolume(std::size_t index, Ref at) {
+  if (const auto known = placed_.find(at); known != placed_.end())
+    return known->second;
+  const Stratum &stratum = layout_.strata[index];
+  if (stratum.isGrid())
+    return grid(index, at);
+  if (stratum.sharing == Sharing::SubVolume)
+    fragment_->blocks.push_back({BlockRecord::Forget, static_cast<std::uint32_t>(index + 1), 0});
+  if (stratum.depth > 0) {
+    const Placed root = node(index, at, stratum.depth);
+    return stratum.cells == Cells::Record ? record(index, at, root) : root;
+  }
+  const Placed below = cell(index, words_[at]);
+  if (stratum.cells == Cells::Record)
+    return record(index, at, below);
+  return {block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), below.voxels};
+}
+
+Extraction::Placed Extraction::grid(std::size_t index, Ref at) {
+  const Stratum &stratum = layout_.strata[index];
+  Placed placed;
+  stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
+    placed.voxels += cell(index, stratum.cellValue(words_[child.at])).voxels;
+  });
+  placed.at = block(index, nodeKind(stratum), Block::Node, at, stratum.slots->size(words_, stratum, at));
+  return placed_[at] = placed;
+}
+
+/// A node of a tree, after all that is below it. In a layout of siblings, its children's records: a record
+/// goes where its parent's children go.
+Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
+  const Stratum &stratum = layout_.strata[index];
+  const bool isRecord = stratum.cells == Cells::Record;
+  const Ref block = isRecord ? words_[at] : at;
+  if (const auto known = placed_.find(block); known != placed_.end())
+    return known->second;
+  Placed placed;
+  std::uint64_t children = 0;
+  stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
+    ++children;
+    placed.voxels += child.leaf ? cell(index, words_[child.at]).voxels * cubed(stratum.log2Shape.x * (layer - 1))
+                                : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
+  });
+  if (!isRecord)
+    leafWords(index, at);
+  const std::uint64_t size = stratum.slots->size(words_, stratum, at);
+  placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);
+  return placed_[block] = placed;
+}
+
+/// The record of a root, which has no siblings.
+Extraction::Placed Extraction::record(std::size_t index, Ref at, const Placed &children) {
+  const Stratum &stratum = layout_.strata[index];
+  const Placed placed = {block(index, BlockRecord::Append, Block::Node, at, 1 + MaskShape(stratum).words()),
+                         children.voxels};
+  return placed_[at] = placed;
+}
+
+/// The words of a node's leaves, as construction writes them: after all that is below, right before the node.
+void Extraction::leafWords(std::size_t index, Ref node) {
+  const Stratum &stratum = layout_.strata[index];
+  stratum.slots->visit(words_, stratum, node, [&](Int3, const Child &child) {
+    const Ref at = static_cast<Ref>(child.at);
+    if (child.leaf && !placed_.contains(at))
+      placed_[at] = {block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), 0};
+  });
+}
+
+/// Copies a block whose references lead to what was copied before. Returns where it stands now.
+Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, Ref at, std::uint64_t count) {
+  std::vector<std::uint32_t> &words = fragment_->words;
+  const auto begin = static_cast<std::ptrdiff_t>(words.size());
+  for (std::uint64_t i = 0; i < count; ++i)
+    words.push_back(words_[at + i]);
+  const auto relocation = [&](Ref ref) {
+    const auto found = placed_.find(ref);
+    return found == placed_.end() ? Ref{0} : found->second.at;
+  };
+  relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), layout_.strata[index], what,
+           layout_.holdsVoxels(index), relocation);
+  fragment_->blocks.push_back({kind, static_cast<std::uint32_t>(index + 1), count});
+  return static_cast<Ref>(begin);
+}
+
+} // namespace voxc

@@ -1,0 +1,51 @@
+// Cubes of a finished volume as fragments: what building them apart would have given.
+#pragma once
+
+#include "Fragment.h"
+
+#include "voxc/Layout/SlotKind.h"
+#include "voxc/Layout/WordReader.h"
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+
+namespace voxc {
+
+/// Takes the words below one cube of a volume out of it, in the order in which construction writes them, each
+/// block once. `Splice` is the inverse.
+class Extraction {
+public:
+  /// The words must have been checked; they and `layout` outlive this.
+  Extraction(std::span<const std::uint32_t> words, const Layout &layout) : words_(words), layout_(layout) {}
+
+  /// The aligned cube of 2^log2Side voxels a side at `low`; log2Side is one of `Layout::partSide`. Its counts
+  /// of shared blocks are 0: a volume does not tell how often a block was wanted.
+  Fragment cube(Int3 low, int log2Side);
+
+private:
+  /// Where a block of the volume went, and the voxels below it.
+  struct Placed {
+    Ref at = 0;
+    std::uint64_t voxels = 0;
+  };
+
+  Ref subVolumeAround(std::size_t index, Int3 low) const;
+  construct::Node partOfTree(std::size_t index, Ref root, Int3 low, int log2Side);
+  void partOfGrid(std::size_t index, Ref root, Int3 low, int log2Side);
+
+  Placed subVolume(std::size_t index, Ref at);
+  Placed grid(std::size_t index, Ref at);
+  Placed node(std::size_t index, Ref at, int layer);
+  Placed record(std::size_t index, Ref at, const Placed &children);
+  Placed cell(std::size_t index, std::uint32_t value);
+  void leafWords(std::size_t index, Ref node);
+  Ref block(std::size_t index, BlockRecord::Kind kind, Block what, Ref at, std::uint64_t count);
+
+  WordReader words_;
+  const Layout &layout_;
+  Fragment *fragment_ = nullptr;
+  std::unordered_map<Ref, Placed> placed_; ///< By where a block stands in the volume.
+};
+
+} // namespace voxc

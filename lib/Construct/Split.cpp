@@ -1,0 +1,53 @@
+// The parts of a finished volume, one after the other.
+#include "voxc/Construct/Split.h"
+
+#include "Extraction.h"
+#include "FragmentFile.h"
+#include "PartBuilder.h"
+#include "SourceHost.h"
+
+#include "Source/CubeTools.h"
+#include "voxc/Support/Stopwatch.h"
+
+namespace voxc {
+namespace {
+
+/// Small enough for a part's words to stay in memory, large enough for the parts to be few.
+constexpr int kLog2Part = 7;
+
+bool isEmpty(const Fragment &fragment) {
+  return fragment.cells.empty() && fragment.node.kind == construct::Node::Empty;
+}
+
+} // namespace
+
+Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std::uint64_t count,
+                                  const std::string &path, const Progress &progress) {
+  const Stopwatch watch;
+  const PartGrid grid = PartGrid::of(volume.info().extent, volume.layout(), kLog2Part);
+  const auto [begin, end] = grid.range(index, count);
+  auto writer = FragmentWriter::create(path, {volume.info(), grid.log2Side, index, count});
+  if (!writer)
+    return writer.error();
+  Extraction extraction(volume.words(), volume.layout());
+  BuildReport report;
+  MortonProgress steps(volume.info().extent, progress);
+  for (std::uint64_t part = begin; part < end; ++part) {
+    const Int3 low = mortonCell(part) * (1 << grid.log2Side);
+    if (!steps.at(low, report.voxels))
+      return Error::interrupted();
+    const Fragment fragment = extraction.cube(low, grid.log2Side);
+    if (isEmpty(fragment))
+      continue;
+    if (auto added = writer->add(fragment); !added)
+      return added.error();
+    report.voxels += fragment.voxels;
+  }
+  if (auto finished = writer->finish(); !finished)
+    return finished.error();
+  report.seconds = watch.seconds();
+  report.cpuSeconds = watch.cpuSeconds();
+  return report;
+}
+
+} // namespace voxc

@@ -1,0 +1,16 @@
+// octant-distances: D levels tell empty cubes by octant in place of an L1 distance.
+//
+// Contract: sets metric=octant on every D level, whose M then is 15 at most, or 7 in the words of voxels. The
+// voxels stay as they are.
+#include "voxc/Passes/Pass.h"
+
+namespace voxc {
+
+PassResult octantDistances(Format &format, Diagnostics &) {
+  bool changed = false;
+  for (Level &level : format.levels)
+    changed |= level.setAttribute(kMetricAttribute, "octant");
+  return changed ? PassResult::Changed : PassResult::Unchanged;
+}
+
+} // namespace voxc

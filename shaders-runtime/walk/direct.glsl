@@ -1,0 +1,19 @@
+// One loop. Each turn looks at the walk's cell from the root on, through all levels.
+bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+  while (is_in_volume(walk.cell)) {
+    count_lookup(walk);
+    Gap gap = Gap(0, 1);
+    uint value = locate_level_1(ray, root, walk.cell, gap);
+    if (value != 0u) {
+      walk.voxel = value;
+      return true;
+    }
+%if any-probes
+    if (gap.count > 0) // Else the device ended a probe.
+      step_over(ray, walk, gap);
+%else
+    step_over(ray, walk, gap);
+%end
+  }
+  return false;
+}

@@ -1,0 +1,32 @@
+// The voxel around a cell, from this grid down; 0, and what is empty there, if there is none.
+uint locate_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+%if octants
+  uint reach;
+  uint value = cell_level_${N}(grid, cell >> LEVEL_${N}_LOG2_CELL, octant_of(ray), reach);
+  gap = Gap(LEVEL_${N}_LOG2_CELL, int(reach));
+%else
+%if distances
+  uint reach;
+  uint value = cell_level_${N}(grid, cell >> LEVEL_${N}_LOG2_CELL, reach);
+  gap = Gap(LEVEL_${N}_LOG2_CELL, int((reach + 2u) / 3u)); // The largest cube ahead whose cells are all nearer.
+%else
+%if tells-around
+  int around;
+  uint value = cell_level_${N}(ray, grid, cell >> LEVEL_${N}_LOG2_CELL, around);
+%else
+%if probes
+  bool known;
+  uint value = cell_level_${N}(grid, cell >> LEVEL_${N}_LOG2_CELL, known);
+%else
+  uint value = cell_level_${N}(grid, cell >> LEVEL_${N}_LOG2_CELL);
+%end
+%end
+  gap = Gap(LEVEL_${N}_LOG2_CELL${plus-around}, ${known});
+%end
+%end
+%if last
+  return value;
+%else
+  return value == 0u ? 0u : locate_${NEXT}(ray, value, cell, gap);
+%end
+}

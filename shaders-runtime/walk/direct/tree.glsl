@@ -1,0 +1,14 @@
+// The voxel around a cell, from this tree down; 0, and what is empty there, if there is none.
+uint locate_level_${N}(const Ray ray, uint root, ivec3 cell, inout Gap gap) {
+  ivec3 at = cell >> LEVEL_${N}_LOG2_CELL;
+  uint node = root;
+  bool leaf = false;
+%if wide
+  int around = 0;
+%end
+${LAYERS_DOWN}%if last
+  return node == 0u ? 0u : load_word(node);
+%else
+  return node == 0u ? 0u : locate_${NEXT}(ray, load_word(node), cell, gap);
+%end
+}
