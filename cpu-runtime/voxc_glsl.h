@@ -30,6 +30,7 @@ template <Number T> VOXC_INLINE T clamp(T value, Scalar<T> least, Scalar<T> most
   return min(max(value, least), most);
 }
 VOXC_INLINE float abs(float a) { return __builtin_fabsf(a); }
+VOXC_INLINE double abs(double a) { return __builtin_fabs(a); }
 VOXC_INLINE int abs(int a) { return a < 0 ? -a : a; }
 template <Number T> VOXC_INLINE T sign(T a) { return T(T(0) < a) - T(a < T(0)); }
 VOXC_INLINE float floor(float a) { return __builtin_floorf(a); }

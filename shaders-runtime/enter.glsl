@@ -97,7 +97,7 @@ Walk entered(const Ray ray, Walk walk, bvec3 enters, ivec3 face, out bool sure) 
 // Puts the walk into the first cell of the volume on the ray; false if there is none.
 bool enter_volume(inout Ray ray, inout Walk walk) {
   ivec3 size = VOLUME_SIZE;
-  ivec3 cell = ivec3(floor_of(ray.given_origin.x), floor_of(ray.given_origin.y), floor_of(ray.given_origin.z));
+  ivec3 cell = floor_of(ray.given_origin);
   ivec3 below = ivec3(lessThan(cell, ivec3(0)));
   ivec3 above = ivec3(greaterThanEqual(cell, size));
   ivec3 enters = (below & ray.ahead) + above * ivec3(ray.falls);
@@ -112,13 +112,23 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
     bvec3 axes = greaterThan(enters, ivec3(0));
     bool sure;
     Walk start = entered(ray, walk, axes, face, sure);
-    // A loop that turns once at most: devices of wide vectors run through both sides of an `if`, but not through the loops
-    // in one that no lane enters.
+%if exact
     bool unsure = !sure || starts_far;
-    while (unsure) {
-      start = entered_exactly(ray, walk, cell, axes, face, starts_far);
-      unsure = false;
+%else
+    bool unsure = starts_far;
+%end
+%if apart
+    if (!SETTLES && unsure) {
+      walk.open = AGAIN;
+      walk.cell = ivec3(-1);
+      return false;
     }
+    if (SETTLES && unsure)
+      start = entered_exactly(ray, walk, cell, axes, face, starts_far);
+%else
+    if (unsure)
+      start = entered_exactly(ray, walk, cell, axes, face, starts_far);
+%end
     walk = start;
   }
   return is_in_volume(walk.cell);

@@ -10,6 +10,7 @@ struct Ray {
   vec3 doubt;            // and how much more any coordinate on the way may be, in voxels.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
+  bool plain;            // As given, it has no numbers but 0 and those whose significand has all its bits.
   ivec3 heading;         // 1, -1 or 0.
   ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
 };
@@ -27,24 +28,35 @@ struct Walk {
   uint voxel; // The value of the cell that was hit: its payload tells what that means.
   uint lookups;
   int steps_left; // There are no more cells on any ray.
-%if settles-outside
-  int open; // Not -1: the step over a gap around ~cell is left to be settled; 32 times its count, and its log2_side.
+%if apart
+  int open; // The step over a gap around ~cell is left to be settled: 32 times its count, and its log2_side. Else CLOSED.
 %end
 };
+%if apart
+
+const int CLOSED = -1;
+const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+%end
 
 const int ENDLESS = -2; // The axis of a walk that would have taken more steps, which is an error of the kernel's.
 
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
+%if ieee
+// Eight roundings to nearest, of 2^-24 each. A t is a difference, an inverse and a product; the order of two t is certain
+// beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin.
+const float ROUNDINGS = 8.0f / 16777216.0f;
+%else
 // Twelve roundings of 2^-23, whichever way each goes. A t is a difference, an inverse (2.5 roundings) and a product; the
 // order of two t is certain beyond 11 roundings of the earlier, and a coordinate within 9.5 of how far it may be from the
 // origin.
 const float ROUNDINGS = 12.0f / 8388608.0f;
+%end
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell, int axis) {
-%if settles-outside
-  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, -1);
+%if apart
+  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
 %else
   return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z);
 %end
@@ -56,8 +68,8 @@ void count_step(inout Walk walk) {
   if (walk.steps_left < 0) {
     walk.cell = ivec3(-1);
     walk.axis = ENDLESS;
-%if settles-outside
-    walk.open = -1;
+%if apart
+    walk.open = CLOSED;
 %end
   }
 }

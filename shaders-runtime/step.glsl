@@ -10,7 +10,7 @@ void land_or_settle(const Ray ray, inout Walk walk, const Crossing crossing, ive
   // A step of which float32 is not sure is left open, and the cell is put outside, so that all loops end: what settles it
   // stands outside of them, where lanes that are sure need not wait for it.
   walk.cell = decided ? walk.cell : ~walk.cell;
-  walk.open = decided ? -1 : gap.count << 5 | gap.log2_side;
+  walk.open = decided ? CLOSED : gap.count << 5 | gap.log2_side;
 %else
   if (!decided)
     walk = settled(ray, walk, gap);

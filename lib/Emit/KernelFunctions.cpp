@@ -40,6 +40,7 @@ public:
       flatWalk();
     if (plan_.walk == Walk::Direct)
       file("walk/direct.glsl");
+    file("prepare.glsl");
     file("root.glsl");
     return std::move(text_);
   }

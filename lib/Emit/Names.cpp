@@ -121,10 +121,13 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["FORMAT"] = plan.layout.format;
   names.holes["VOLUME_SIZE"] = intVector({1 << log2.x, 1 << log2.y, 1 << log2.z});
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
+  names.holes["is-closed"] = plan.settling == Settling::Outside ? "walk.open == CLOSED" : "true";
+  names.conditions["apart"] = plan.settling == Settling::Outside;
   names.conditions["cut"] = cut;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
   names.conditions["settles-outside"] =
       plan.predicate == Predicate::Exact && plan.settling == Settling::Outside;
+  names.conditions["ieee"] = true;
   names.conditions["cone"] = plan.detail == Detail::Cone;
   names.conditions["segments"] = plan.addressing == Addressing::Segments;
   int layers = 0;

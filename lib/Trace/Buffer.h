@@ -16,6 +16,7 @@ struct BufferRequest {
   std::uint64_t bytes = 0;
   Placement placement = Placement::Device;
   bool addressed = false; ///< Kernels reach it by its address.
+  bool starts = false;    ///< Dispatches are started with numbers in it.
 };
 
 /// A storage and transfer buffer.

@@ -76,7 +76,10 @@ Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t 
   if (!commands)
     return commands.error();
   slot.timestamps.recordBegin(*commands);
-  pass.pipeline->recordDispatch(*commands, pass.counted, {first, count, pass.resumes ? 1u : 0u});
+  if (pass.settlesAtOnce || pass.task != Task::All)
+    pass.pipeline->recordDispatch(*commands, pass.counted, {first, count, pass.task});
+  else
+    pass.pipeline->recordDispatches(*commands, pass.counted, {first, count, pass.task});
   slot.timestamps.recordEnd(*commands);
   if (first + count == pass.rays)
     recordBarrier(*commands);

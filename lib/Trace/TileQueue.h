@@ -17,7 +17,8 @@ struct TilePass {
   const TracePipeline *pipeline = nullptr;
   Counted counted = Counted::Nothing;
   std::uint32_t rays = 0;
-  bool resumes = false; ///< Goes on with the rays that the pass before left unfinished.
+  Task task = Task::All;
+  bool settlesAtOnce = false; ///< In one dispatch a tile, whatever the task.
   /// Called when a tile of so many rays is done; false ends the pass early.
   std::function<bool(std::uint32_t rays)> tileDone = [](std::uint32_t) { return true; };
 };
@@ -26,6 +27,9 @@ struct TilePass {
 class TileQueue {
 public:
   static Expected<TileQueue> create(Device::State &device);
+
+  /// The most rays of a tile.
+  std::uint32_t tileRays() const { return tileRays_; }
 
   /// Traces the rays and waits. Errors: `Interrupted` if the pass was ended early, or the device's.
   Expected<TraceTime> run(const TilePass &pass);

@@ -1,6 +1,8 @@
 // A kernel as Vulkan pipelines.
 #include "TracePipeline.h"
 
+#include "Commands.h"
+
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -8,8 +10,8 @@
 namespace voxc {
 namespace {
 
-/// The kernel's bindings: rays, hits, and words or their table.
-constexpr std::uint32_t kBindings = 3;
+/// The kernel's bindings: rays, hits, words or their table, and the list of rays that are left over.
+constexpr std::uint32_t kBindings = 4;
 
 constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
 
@@ -18,12 +20,14 @@ struct Constants {
   VkBool32 countLookups;
   float spread;
   VkBool32 countWords;
+  VkBool32 settles;
 };
 
 constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {0, offsetof(Constants, countLookups), sizeof(Constants::countLookups)},
     {1, offsetof(Constants, spread), sizeof(Constants::spread)},
     {2, offsetof(Constants, countWords), sizeof(Constants::countWords)},
+    {3, offsetof(Constants, settles), sizeof(Constants::settles)},
 };
 
 Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
@@ -95,8 +99,10 @@ Expected<void> TracePipeline::createSet() {
   return {};
 }
 
-void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words) {
-  const Buffer *buffers[kBindings] = {&rays, &hits, &words};
+void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words,
+                                const Buffer &left) {
+  const Buffer *buffers[kBindings] = {&rays, &hits, &words, &left};
+  left_ = left.get();
   std::array<VkDescriptorBufferInfo, kBindings> infos{};
   std::array<VkWriteDescriptorSet, kBindings> writes{};
   for (std::uint32_t index = 0; index < kBindings; ++index) {
@@ -112,7 +118,18 @@ void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Bu
 }
 
 Expected<void> TracePipeline::prepare(Counted counted, float spread) {
-  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words};
+  auto leaves = createPipeline(counted, spread, false);
+  if (!leaves)
+    return leaves.error();
+  auto settles = createPipeline(counted, spread, true);
+  if (!settles)
+    return settles.error();
+  variants_[std::size_t(counted)] = {std::move(*leaves), std::move(*settles), spread};
+  return {};
+}
+
+Expected<PipelineHandle> TracePipeline::createPipeline(Counted counted, float spread, bool settles) {
+  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, settles};
   VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                       &constants};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
@@ -126,15 +143,32 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread) {
   VkResult result = vkCreateComputePipelines(device_->device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS)
     return vulkanError("compile the kernel", result);
-  variants_[std::size_t(counted)] = {PipelineHandle(device_->device, pipeline), spread};
-  return {};
+  return PipelineHandle(device_->device, pipeline);
+}
+
+void TracePipeline::bind(VkCommandBuffer commands, const PipelineHandle &pipeline, const RayTile &tile) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
+  vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
 }
 
 void TracePipeline::recordDispatch(VkCommandBuffer commands, Counted counted, const RayTile &tile) const {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, variants_[std::size_t(counted)].pipeline.get());
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
-  vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
+  bind(commands, variants_[std::size_t(counted)].settles, tile);
   vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
+}
+
+void TracePipeline::recordDispatches(VkCommandBuffer commands, Counted counted, RayTile tile) const {
+  // No group to start yet, and no ray on the list. The tile before may still be reading its own.
+  constexpr std::array<std::uint32_t, 4> kEmptyList = {0, 1, 1, 0};
+  recordBarrier(commands);
+  vkCmdUpdateBuffer(commands, left_, 0, sizeof kEmptyList, kEmptyList.data());
+  recordBarrier(commands);
+  bind(commands, variants_[std::size_t(counted)].leaves, tile);
+  vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
+  recordBarrier(commands);
+  tile.task = Task::LeftOver;
+  bind(commands, variants_[std::size_t(counted)].settles, tile);
+  vkCmdDispatchIndirect(commands, left_, 0);
 }
 
 } // namespace voxc

@@ -10,12 +10,22 @@
 
 namespace voxc {
 
+/// What a dispatch does, as the kernel knows it.
+enum class Task : std::uint32_t {
+  All = 0,      ///< All rays, from their beginning.
+  LeftOver = 1, ///< Goes on with those that the dispatch before has put on its list.
+  CutOff = 2,   ///< Goes on with those that the device has cut off.
+};
+
 /// The rays of one dispatch: the kernel's push constants.
 struct RayTile {
   std::uint32_t first = 0;
   std::uint32_t rayCount = 0;
-  std::uint32_t resumes = 0; ///< 1: go on with those that an earlier dispatch left unfinished.
+  Task task = Task::All;
 };
+
+/// The bytes of the list of rays that are left over, of a tile of so many.
+constexpr std::uint64_t leftListBytes(std::uint64_t rays) { return sizeof(std::uint32_t) * (4 + rays); }
 
 /// What a kernel counts for each ray.
 enum class Counted { Nothing, Lookups, Words };
@@ -26,17 +36,21 @@ public:
   static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel);
 
   /// Binds the buffers of the kernel's interface; nothing that uses the old ones may be running.
-  void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words);
+  /// `left` holds the list of a tile's rays that are left over.
+  void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words, const Buffer &left);
 
   /// Whether the variant that counts this is made already for this spread.
   bool isPrepared(Counted counted, float spread) const {
     const Variant &variant = variants_[std::size_t(counted)];
-    return variant.pipeline && variant.spread == spread;
+    return variant.settles && variant.spread == spread;
   }
   /// Makes a variant, in place of that for another spread; may compile for long. Nothing may be running.
   Expected<void> prepare(Counted counted, float spread);
-  /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant.
+  /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant, in one dispatch
+  /// that settles what float32 cannot tell.
   void recordDispatch(VkCommandBuffer commands, Counted counted, const RayTile &tile) const;
+  /// The same by two: one that settles nothing, and one over the rays which that leaves.
+  void recordDispatches(VkCommandBuffer commands, Counted counted, RayTile tile) const;
 
 private:
   explicit TracePipeline(Device::State &device) : device_(&device) {}
@@ -44,9 +58,13 @@ private:
   Expected<void> createSet();
 
   struct Variant {
-    PipelineHandle pipeline;
+    PipelineHandle leaves;  ///< Leaves the rays over that float32 cannot tell all of.
+    PipelineHandle settles; ///< Traces every ray to its end.
     float spread = 0;
   };
+
+  Expected<PipelineHandle> createPipeline(Counted counted, float spread, bool settles);
+  void bind(VkCommandBuffer commands, const PipelineHandle &pipeline, const RayTile &tile) const;
 
   Device::State *device_;
   ShaderModuleHandle module_;
@@ -54,6 +72,7 @@ private:
   PipelineLayoutHandle layout_;
   DescriptorPoolHandle pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE; ///< Belongs to the pool.
+  VkBuffer left_ = VK_NULL_HANDLE;       ///< The bound list.
   Variant variants_[kCountedKinds];      ///< By what they count.
 };
 

@@ -15,8 +15,10 @@
   X(vkCmdBindPipeline)                                                                                       \
   X(vkCmdCopyBuffer)                                                                                         \
   X(vkCmdDispatch)                                                                                           \
+  X(vkCmdDispatchIndirect)                                                                                   \
   X(vkCmdPipelineBarrier)                                                                                    \
   X(vkCmdPushConstants)                                                                                      \
+  X(vkCmdUpdateBuffer)                                                                                       \
   X(vkCmdResetQueryPool)                                                                                     \
   X(vkCmdWriteTimestamp)                                                                                     \
   X(vkCreateBuffer)                                                                                          \

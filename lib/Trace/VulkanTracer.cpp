@@ -106,7 +106,14 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
   auto hitsBuffer = Buffer::create(*device_, {.what = "the hits", .bytes = rays * sizeof(Hit)});
   if (!hitsBuffer)
     return hitsBuffer.error();
-  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, words_.binding());
+  auto leftBuffer = Buffer::create(
+      *device_, {.what = "the rays that are left over",
+                 .bytes = leftListBytes(std::min<std::uint64_t>(rays, tiles_.tileRays())),
+                 .starts = true});
+  if (!leftBuffer)
+    return leftBuffer.error();
+  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, words_.binding(), *leftBuffer);
+  left_.emplace(std::move(*leftBuffer));
   rays_.emplace(std::move(*raysBuffer));
   hits_.emplace(std::move(*hitsBuffer));
   return {};
@@ -153,7 +160,7 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
     auto time = tiles_.run({.pipeline = &pipeline_,
                             .counted = countedBy(work.options),
                             .rays = static_cast<std::uint32_t>(hits.size()),
-                            .resumes = true,
+                            .task = Task::CutOff,
                             .tileDone = [&work](std::uint32_t) { return !work.options.progress.stopped(); }});
     if (!time)
       return time.error();
@@ -179,10 +186,13 @@ Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
   double begin = wallSeconds();
   if (auto prepared = pipeline_.prepare(counted, spread); !prepared)
     return prepared;
-  auto time =
-      tiles_.run({.pipeline = &pipeline_, .counted = counted, .rays = std::min(rays, kWorkgroupSize)});
-  if (!time)
-    return time.error();
+  for (const bool settlesAtOnce : {true, false})
+    if (auto time = tiles_.run({.pipeline = &pipeline_,
+                                .counted = counted,
+                                .rays = std::min(rays, kWorkgroupSize),
+                                .settlesAtOnce = settlesAtOnce});
+        !time)
+      return time.error();
   work.report.firstDispatch = wallSeconds() - begin;
   return {};
 }

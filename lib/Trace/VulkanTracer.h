@@ -35,6 +35,7 @@ private:
   VolumeWords words_;
   std::optional<Buffer> rays_; ///< Of one batch; made when first needed.
   std::optional<Buffer> hits_;
+  std::optional<Buffer> left_; ///< The list of a tile's rays that are left over.
   TracePipeline pipeline_;
   TileQueue tiles_;
 };

@@ -6,7 +6,8 @@ uint locate_level_${N}(const Ray ray, uint root, ivec3 cell, inout Gap gap) {
 %if wide
   int around = 0;
 %end
-${LAYERS_DOWN}%if last
+${LAYERS_DOWN}  // A leaf, or nothing.
+%if last
   return node == 0u ? 0u : load_word(node);
 %else
   return node == 0u ? 0u : locate_${NEXT}(ray, load_word(node), cell, gap);

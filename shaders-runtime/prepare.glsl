@@ -1,0 +1,51 @@
+// A ray as given, made ready for walking.
+
+const float LEAST_COMPONENT = 1.0f / 1152921504606846976.0f; // 2^-60.
+
+// The magnitudes of a direction, divided by a power of two that leaves the largest in [1, 2), for numbers of any size.
+OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
+  ivec3 exponent;
+  int largest = -1000;
+  for (int axis = 0; axis < 3; axis++) {
+    uint significand = significand_of(size[axis]);
+    exponent[axis] = exponent_of(size[axis]) + findMSB(significand);
+    largest = significand != 0u ? max(largest, exponent[axis]) : largest;
+  }
+  vec3 scaled;
+  for (int axis = 0; axis < 3; axis++) {
+    uint significand = significand_of(size[axis]);
+    scaled[axis] = float(significand) * power_of_two(-findMSB(significand)) * power_of_two(max(exponent[axis] - largest, -60));
+  }
+  return scaled;
+}
+
+// The same, by float32 where that is exact.
+vec3 scaled(uvec3 size, bool plain) {
+  uint exponent = max(max(size.x, size.y), size.z) & INFINITY_BITS;
+  vec3 scaled = uintBitsToFloat(size) * uintBitsToFloat(0x7f000000u - exponent);
+%if apart
+  if (SETTLES && (!plain || exponent == 0x7f000000u))
+%else
+  if (!plain || exponent == 0x7f000000u)
+%end
+    scaled = scaled_exactly(size);
+  return max(scaled, LEAST_COMPONENT);
+}
+
+Ray prepare_ray(uvec3 origin, uvec3 direction) {
+  Ray ray;
+  uvec3 size = direction & ~SIGN_BIT;
+  ray.given_origin = origin;
+  ray.given_direction = direction;
+  ray.plain = are_plain(origin) && are_plain(direction);
+  ray.origin = uintBitsToFloat(origin);
+  ray.moves = notEqual(size, uvec3(0u));
+  ray.falls = greaterThan(direction, uvec3(SIGN_BIT));
+  vec3 component = scaled(size, ray.plain);
+  component = mix(component, -component, ray.falls);
+  ray.direction = mix(vec3(0.0f), component, ray.moves);
+  ray.inverse = mix(vec3(1.0f), 1.0f / component, ray.moves);
+  ray.heading = ivec3(ray.moves) - 2 * ivec3(ray.falls);
+  ray.ahead = -max(ray.heading, ivec3(0));
+  return ray;
+}
