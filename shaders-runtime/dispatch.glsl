@@ -50,7 +50,7 @@ void store(uint at, const Walk walk, bool hit, uint t) {
   hit_words[at] = uint(voxel.x);
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
-  hit_words[at + 3u] = hit ? colour_of(walk.voxel) : 0u;
+  hit_words[at + 3u] = hit ? colour_of(walk) : 0u;
   hit_words[at + 4u] = hit ? t : 0u;
   hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
 }

@@ -25,7 +25,7 @@ struct Gap {
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
-  uint voxel; // The value of the cell that was hit: its payload tells what that means.
+  uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
   uint lookups;
   int steps_left; // There are no more cells on any ray.
 %if apart

@@ -25,7 +25,6 @@ public:
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
     for (const char *path : kAfterStep)
       file(path);
-    file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
     if (plan_.walk == Walk::Nested)
       file("unit.glsl");
     if (plan_.detail == Detail::Cone)
@@ -40,6 +39,7 @@ public:
       flatWalk();
     if (plan_.walk == Walk::Direct)
       file("walk/direct.glsl");
+    file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
     file("prepare.glsl");
     file("root.glsl");
     return std::move(text_);

@@ -16,6 +16,10 @@ bool tellsAround(const Stratum &stratum) {
   return stratum.isGrid() && stratum.slots == &kPackedSlots && stratum.log2Shape == Int3{2, 2, 2};
 }
 
+/// True if a voxel's value is looked up when it is hit, not when it is found: no other stop of a walk then needs
+/// its own.
+bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full; }
+
 std::string count(int log2, std::string_view unit) {
   const std::int64_t number = std::int64_t{1} << log2;
   return std::to_string(number) + " " + std::string(unit) + (number == 1 ? "" : "s");
@@ -43,6 +47,12 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
   holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
+  const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
+  const auto leafAt = [&](const std::string &at) { return defers ? at : "load_word(" + at + ")"; };
+  holes["leaf-node"] = leafAt("node");
+  holes["leaf-leaf"] = leafAt("leaf");
+  holes["leaf-found"] = leafAt("found");
+  holes["leaf-or-0"] = defers ? "node" : "node == 0u ? 0u : load_word(node)";
   holes["known"] = stratum.slots == &kHashedSlots ? "known ? 1 : 0" : "1";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
@@ -98,6 +108,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["distances"] = stratum.skip != Skip::None;
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
+  conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
   conditions["octants"] = stratum.skip == Skip::Octant;
   conditions["tells-around"] = tellsAround(stratum);
   conditions["stops"] = plan.traversals[index].stops;
@@ -121,13 +132,17 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["FORMAT"] = plan.layout.format;
   names.holes["VOLUME_SIZE"] = intVector({1 << log2.x, 1 << log2.y, 1 << log2.z});
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
+  const Stratum &lowest = plan.layout.strata.back();
+  names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
+  names.conditions["defers-grid"] = defersVoxels(plan) && tellsAround(lowest);
+  names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid();
   names.holes["is-closed"] = plan.settling == Settling::Outside ? "walk.open == CLOSED" : "true";
   names.conditions["apart"] = plan.settling == Settling::Outside;
   names.conditions["cut"] = cut;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
   names.conditions["settles-outside"] =
       plan.predicate == Predicate::Exact && plan.settling == Settling::Outside;
-  names.conditions["ieee"] = true;
+  names.conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   names.conditions["cone"] = plan.detail == Detail::Cone;
   names.conditions["segments"] = plan.addressing == Addressing::Segments;
   int layers = 0;

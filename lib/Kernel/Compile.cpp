@@ -13,15 +13,15 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
     module = optimiseSpirv(*module);
   if (!module)
     return module.error();
-  const std::uint64_t digest = plan.layout.storageDigest;
-  SpirvWords finished = addModuleProcessed(*module, kernelFacts(digest, plan.addressing, plan.loops));
-  if (auto valid = validateSpirv(finished); !valid)
+  Kernel kernel{{}, plan.layout.storageDigest, plan.addressing, plan.loops, plan.arithmetic};
+  kernel.spirv = addModuleProcessed(*module, kernelFacts(kernel));
+  if (auto valid = validateSpirv(kernel.spirv); !valid)
     return valid.error();
-  return Kernel{std::move(finished), digest, plan.addressing, plan.loops};
+  return kernel;
 }
 
 Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options) {
-  const Plan plan = makePlan(format, {options.addressing, options.loops});
+  const Plan plan = makePlan(format, {options.addressing, options.loops, options.arithmetic});
   return compileGlsl(emitIntersect(plan), plan, options.optimise);
 }
 

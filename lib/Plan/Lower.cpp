@@ -8,6 +8,7 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.layout = layoutOf(format);
   plan.addressing = options.addressing;
   plan.loops = options.loops;
+  plan.arithmetic = options.arithmetic;
   plan.settling = options.lanes ? Settling::Outside : Settling::Inside;
   plan.predicate =
       format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;

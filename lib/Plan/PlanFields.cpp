@@ -75,7 +75,7 @@ bool parseAlpha(Plan &plan, std::string_view text) {
   return alpha.has_value();
 }
 
-constexpr std::array<Field<Plan>, 9> kPlanFields = {{
+constexpr std::array<Field<Plan>, 10> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
@@ -85,6 +85,7 @@ constexpr std::array<Field<Plan>, 9> kPlanFields = {{
     field<Plan, &Plan::detail>("detail", "full, cone"),
     field<Plan, &Plan::settling>("settling", "outside, inside"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
+    field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
 }};
 
 using S = PlannedStratum;

@@ -19,7 +19,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "modules and volumes are mapped as they are");
 
 constexpr std::string_view kFactsPrefix = "voxc kernel ";
-constexpr std::string_view kFactsVersion = "2";
+constexpr std::string_view kFactsVersion = "3";
 
 std::optional<std::uint64_t> parseDigest(std::string_view text) {
   std::uint64_t digest = 0;
@@ -54,30 +54,35 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
   std::optional<std::uint64_t> digest;
   std::optional<Addressing> addressing;
   std::optional<Loops> loops;
+  std::optional<Arithmetic> arithmetic;
   if (auto value = takeValue(rest, "storage="))
     digest = parseDigest(*value);
   if (auto value = takeValue(rest, "addressing="))
     addressing = fromString<Addressing>(*value);
   if (auto value = takeValue(rest, "loops="))
     loops = fromString<Loops>(*value);
-  if (!digest || !addressing || !loops || !rest.empty())
+  if (auto value = takeValue(rest, "arithmetic="))
+    arithmetic = fromString<Arithmetic>(*value);
+  if (!digest || !addressing || !loops || !arithmetic || !rest.empty())
     return Error::input("this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
-                        "addressing=<buffer|segments> loops=<whole|cut>\"");
+                        "addressing=<buffer|segments> loops=<whole|cut> arithmetic=<any|ieee>\"");
   kernel.storageDigest = *digest;
   kernel.addressing = *addressing;
   kernel.loops = *loops;
+  kernel.arithmetic = *arithmetic;
   return {};
 }
 
 } // namespace
 
-std::string kernelFacts(std::uint64_t storageDigest, Addressing addressing, Loops loops) {
+std::string kernelFacts(const Kernel &kernel) {
   std::array<char, 17> digits;
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(storageDigest));
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(kernel.storageDigest));
   std::string facts(kFactsPrefix);
   facts.append(kFactsVersion).append(" storage=").append(digits.data());
-  facts.append(" addressing=").append(toString(addressing));
-  return facts.append(" loops=").append(toString(loops));
+  facts.append(" addressing=").append(toString(kernel.addressing));
+  facts.append(" loops=").append(toString(kernel.loops));
+  return facts.append(" arithmetic=").append(toString(kernel.arithmetic));
 }
 
 Expected<Kernel> Kernel::fromSpirv(std::vector<std::uint32_t> spirv) {

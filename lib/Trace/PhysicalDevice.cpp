@@ -73,6 +73,9 @@ void describeVersion12(PhysicalDevice &device) {
   features.pNext = &addresses;
   vkGetPhysicalDeviceFeatures2(device.handle, &features);
   device.features = features.features;
+  // Of no other driver do we know that its inverse is rounded to nearest.
+  if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && device.features.shaderFloat64)
+    device.info.arithmetic = Arithmetic::Ieee;
   device.info.deviceAddresses = addresses.bufferDeviceAddress;
 }
 

@@ -60,6 +60,9 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
   if (kernel.loops == Loops::Whole && device.info().loops == Loops::Cut)
     return Error::input("this kernel is for devices that run every loop to its end, which " +
                         device.info().name + " does not: compile one with loops=cut");
+  if (kernel.arithmetic == Arithmetic::Ieee && device.info().arithmetic == Arithmetic::Any)
+    return Error::input("this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +
+                        device.info().name + ": compile one with arithmetic=any");
   if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
     return capable.error();
   auto transfer = Transfer::create(device);

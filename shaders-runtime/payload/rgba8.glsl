@@ -1,2 +1,10 @@
 // What a voxel is: here its value is its colour.
-uint colour_of(uint voxel) { return voxel; }
+%if defers-grid
+uint colour_of(const Walk walk) { return value_level_${LOWEST_LEVEL}(walk.voxel, walk.cell); }
+%else
+%if defers-leaf
+uint colour_of(const Walk walk) { return load_word(walk.voxel); }
+%else
+uint colour_of(const Walk walk) { return walk.voxel; }
+%end
+%end

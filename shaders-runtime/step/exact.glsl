@@ -19,18 +19,12 @@ Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
 // Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, unless float32 cannot tell to which
 // of its cells. A coordinate just below the cube, or in its last half cell, belongs to the cube's first or last cell.
 void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
-  ivec3 cell = corner;
-  if (side > 1) {
-    vec3 least = vec3(corner);
-    vec3 point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (float(side) - 0.5f));
-    vec3 whole = floor(point);
-    sure = sure && all(lessThan(point - whole, 1.0f - ray.doubt));
-    cell = ivec3(whole);
-  }
-  if (sure) {
-    walk.cell = cell;
-    walk.axis = crossing.axis;
-  }
+  vec3 least = vec3(corner);
+  vec3 point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (float(side) - 0.5f));
+  vec3 whole = floor(point);
+  sure = sure && (side == 1 || all(lessThan(point - whole, 1.0f - ray.doubt)));
+  walk.cell = sure ? ivec3(whole) : walk.cell;
+  walk.axis = sure ? crossing.axis : walk.axis;
 }
 
 // Settles the step over the gap around the walk's cell: which faces the ray passes first, of

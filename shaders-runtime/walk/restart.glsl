@@ -26,7 +26,7 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
     else if (leaf ? small >= 0 : layer == stop)
       return stop_with(walk, sample_level_${N}_node(node, leaf));
 %end
-    else if (leaf && intersect_${NEXT}(ray, walk, load_word(node)))
+    else if (leaf && intersect_${NEXT}(ray, walk, ${leaf-node}))
       return true;
   }
   return false;

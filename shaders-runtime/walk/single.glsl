@@ -5,5 +5,5 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint leaf) {
   if (small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL)
     return stop_with(walk, sample_${NEXT}(load_word(leaf)));
 %end
-  return intersect_${NEXT}(ray, walk, load_word(leaf));
+  return intersect_${NEXT}(ray, walk, ${leaf-leaf});
 }

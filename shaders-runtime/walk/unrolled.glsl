@@ -6,11 +6,11 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
     uint found = seek_level_${N}_layer_${DEPTH}(ray, walk, root, leaf);
     if (found != 0u && (!leaf || small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL))
       return stop_with(walk, sample_level_${N}_node(found, leaf));
-    if (found != 0u && intersect_${NEXT}(ray, walk, load_word(found)))
+    if (found != 0u && intersect_${NEXT}(ray, walk, ${leaf-found}))
       return true;
 %else
     uint leaf = seek_level_${N}_layer_${DEPTH}(ray, walk, root);
-    if (leaf != 0u && intersect_${NEXT}(ray, walk, load_word(leaf)))
+    if (leaf != 0u && intersect_${NEXT}(ray, walk, ${leaf-leaf}))
       return true;
 %end
   }

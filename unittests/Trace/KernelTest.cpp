@@ -38,7 +38,7 @@ std::string problemOf(std::vector<std::uint32_t> module) {
 
 TEST(KernelFacts, ComeBackAsTheyWereWritten) {
   for (Addressing addressing : {Addressing::Buffer, Addressing::Segments}) {
-    auto module = moduleWith(kernelFacts(0x00c0ffee12345678, addressing, Loops::Whole));
+    auto module = moduleWith(kernelFacts({{}, 0x00c0ffee12345678, addressing, Loops::Whole}));
     auto kernel = Kernel::fromSpirv(module);
     ASSERT_TRUE(kernel) << kernel.error().message;
     EXPECT_EQ(kernel->storageDigest, 0x00c0ffee12345678u);
@@ -49,15 +49,15 @@ TEST(KernelFacts, ComeBackAsTheyWereWritten) {
 }
 
 TEST(KernelFacts, AreTheDocumentedText) {
-  EXPECT_EQ(kernelFacts(0xab, Addressing::Buffer, Loops::Cut),
-            "voxc kernel 2 storage=00000000000000ab addressing=buffer loops=cut");
-  EXPECT_EQ(kernelFacts(~0ull, Addressing::Segments, Loops::Whole),
-            "voxc kernel 2 storage=ffffffffffffffff addressing=segments loops=whole");
+  EXPECT_EQ(kernelFacts({{}, 0xab, Addressing::Buffer, Loops::Cut}),
+            "voxc kernel 3 storage=00000000000000ab addressing=buffer loops=cut arithmetic=any");
+  EXPECT_EQ(kernelFacts({{}, ~0ull, Addressing::Segments, Loops::Whole}),
+            "voxc kernel 3 storage=ffffffffffffffff addressing=segments loops=whole arithmetic=any");
 }
 
 TEST(KernelFacts, AreFoundAmongOtherInstructions) {
   std::vector<std::uint32_t> module = moduleWith("client vulkan100");
-  std::vector<std::uint32_t> facts = moduleWith(kernelFacts(7, Addressing::Buffer, Loops::Cut));
+  std::vector<std::uint32_t> facts = moduleWith(kernelFacts({{}, 7, Addressing::Buffer, Loops::Cut}));
   module.insert(module.end(), facts.begin() + 5, facts.end());
   module.push_back(instructionWord(1, 253));
   auto kernel = Kernel::fromSpirv(module);
@@ -72,14 +72,14 @@ TEST(KernelFacts, OfOtherVersionsAreRefused) {
 
 TEST(KernelFacts, MustBeWellFormed) {
   for (const char *facts :
-       {"voxc kernel 2", "voxc kernel 2 storage=12 addressing=buffer loops=cut",
-        "voxc kernel 2 storage=000000000000000g addressing=buffer loops=cut",
-        "voxc kernel 2 storage=-000000000000001 addressing=buffer loops=cut",
-        "voxc kernel 2 storage=0000000000000000", "voxc kernel 2 addressing=buffer loops=cut",
-        "voxc kernel 2 storage=0000000000000000 addressing=texture loops=cut",
-        "voxc kernel 2 storage=0000000000000000 addressing=buffer",
-        "voxc kernel 2 storage=0000000000000000 addressing=buffer loops=some",
-        "voxc kernel 2 storage=0000000000000000 addressing=buffer loops=cut more"})
+       {"voxc kernel 3", "voxc kernel 3 storage=12 addressing=buffer loops=cut arithmetic=any",
+        "voxc kernel 3 storage=000000000000000g addressing=buffer loops=cut arithmetic=any",
+        "voxc kernel 3 storage=-000000000000001 addressing=buffer loops=cut arithmetic=any",
+        "voxc kernel 3 storage=0000000000000000", "voxc kernel 3 addressing=buffer loops=cut arithmetic=any",
+        "voxc kernel 3 storage=0000000000000000 addressing=texture loops=cut arithmetic=any",
+        "voxc kernel 3 storage=0000000000000000 addressing=buffer",
+        "voxc kernel 3 storage=0000000000000000 addressing=buffer loops=some arithmetic=any",
+        "voxc kernel 3 storage=0000000000000000 addressing=buffer loops=cut arithmetic=any more"})
     EXPECT_THAT(problemOf(moduleWith(facts)), HasSubstr("description is broken")) << facts;
 }
 
@@ -90,7 +90,7 @@ TEST(HostileModule, IsNoSpirv) {
 }
 
 TEST(HostileModule, EndsTooEarly) {
-  std::vector<std::uint32_t> whole = moduleWith(kernelFacts(1, Addressing::Buffer, Loops::Cut));
+  std::vector<std::uint32_t> whole = moduleWith(kernelFacts({{}, 1, Addressing::Buffer, Loops::Cut}));
   for (std::size_t words = 0; words < whole.size(); ++words)
     EXPECT_NE(problemOf({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(words)}), "") << words;
 }
@@ -108,7 +108,7 @@ TEST(HostileModule, HasAnInstructionBeyondTheEnd) {
 }
 
 TEST(HostileModule, HasAStringWithoutEnd) {
-  std::vector<std::uint32_t> module = moduleWith(kernelFacts(1, Addressing::Buffer, Loops::Cut));
+  std::vector<std::uint32_t> module = moduleWith(kernelFacts({{}, 1, Addressing::Buffer, Loops::Cut}));
   // Every byte of the last word is a character now, and another instruction follows.
   module.back() = 0x20202020;
   module.push_back(instructionWord(1, 253));

@@ -11,7 +11,8 @@ namespace voxc {
 
 struct KernelOptions {
   Addressing addressing = Addressing::Buffer;
-  Loops loops = Loops::Cut; ///< `Device::loops`; the safe choice, where the device is not known.
+  Loops loops = Loops::Cut; ///< `DeviceInfo::loops`; the safe choice, where the device is not known.
+  Arithmetic arithmetic = Arithmetic::Any; ///< `DeviceInfo::arithmetic`; the safe choice too.
   bool optimise = false;    ///< spirv-opt -O: may help a GPU's driver; lavapipe is slower with it.
 };
 

@@ -1,4 +1,4 @@
-// How a kernel reaches the words of a volume.
+// What a kernel has to know of the device that runs it.
 #pragma once
 
 #include "voxc/Support/EnumText.h"
@@ -25,6 +25,13 @@ enum class Loops {
        ///< resumed.
 };
 
+/// What the device's floating point is known to be.
+enum class Arithmetic {
+  Any,  ///< As Vulkan promises: rounded one way or the other, an inverse wrong by 2.5 roundings, no doubles.
+  Ieee, ///< As IEEE 754 has it: rounded to nearest, inverses too; doubles, which may be wrong by a few roundings.
+};
+
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Loops> = {"whole", "cut"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Arithmetic> = {"any", "ieee"};
 
 } // namespace voxc

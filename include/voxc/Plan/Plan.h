@@ -45,8 +45,8 @@ enum class Detail {
 
 /// Where a step is settled of which float32 is not sure.
 enum class Settling {
-  Outside, ///< Outside of all loops: where lanes run together, those that are sure do not wait for it at
-           ///< every step.
+  Outside, ///< Outside of all loops, and in a dispatch over the rays alone that need it: where lanes run
+           ///< together, those that are sure do not wait for it.
   Inside,  ///< At once, by a function out of the way: where one ray runs alone.
 };
 
@@ -75,6 +75,7 @@ struct Plan {
   Predicate predicate = Predicate::Exact;
   Detail detail = Detail::Full;
   Loops loops = Loops::Whole;
+  Arithmetic arithmetic = Arithmetic::Any;
   Settling settling = Settling::Outside;
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
 
@@ -85,11 +86,13 @@ struct Plan {
 struct PlanOptions {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
-  bool lanes = true;        ///< The device runs several rays in step with each other.
+  Arithmetic arithmetic = Arithmetic::Any;
+  bool lanes = true; ///< The device runs several rays in step with each other.
 };
 
 /// What the kernels of this processor are made for: rays one by one, loops to their end.
-inline constexpr PlanOptions kCpuPlan = {.loops = Loops::Whole, .lanes = false};
+inline constexpr PlanOptions kCpuPlan = {
+    .loops = Loops::Whole, .arithmetic = Arithmetic::Ieee, .lanes = false};
 
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
 /// that.

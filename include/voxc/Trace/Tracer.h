@@ -27,6 +27,7 @@ struct DeviceInfo {
   bool usable = false; ///< Vulkan 1.2 with a compute queue.
   bool deviceAddresses = false;
   Loops loops = Loops::Whole; ///< What its kernels must be ready for.
+  Arithmetic arithmetic = Arithmetic::Any; ///< What its kernels may rely on.
 };
 
 /// Every Vulkan device of this machine; empty if there is none or no loader.

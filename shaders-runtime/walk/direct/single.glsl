@@ -1,7 +1,7 @@
 // A tree of depth 0 is one leaf.
 uint locate_level_${N}(const Ray ray, uint leaf, ivec3 cell, inout Gap gap) {
 %if last
-  return load_word(leaf);
+  return ${leaf-leaf};
 %else
   return locate_${NEXT}(ray, load_word(leaf), cell, gap);
 %end

@@ -8,7 +8,7 @@ uint locate_level_${N}(const Ray ray, uint root, ivec3 cell, inout Gap gap) {
 %end
 ${LAYERS_DOWN}  // A leaf, or nothing.
 %if last
-  return node == 0u ? 0u : load_word(node);
+  return ${leaf-or-0};
 %else
   return node == 0u ? 0u : locate_${NEXT}(ray, load_word(node), cell, gap);
 %end

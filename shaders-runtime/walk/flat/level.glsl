@@ -1,6 +1,6 @@
       ${WHERE}{
 %if single
-        node = load_word(node);
+        node = ${leaf-node};
         side = LEVEL_${N}_LOG2_CELL;
 %else
 %if grid
@@ -38,7 +38,7 @@
           layer++;
         } else if (node != 0u) {
 %if last
-          value = load_word(node);
+          value = ${leaf-node};
           node = 0u;
 %else
           node = load_word(node);
