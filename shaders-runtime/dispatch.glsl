@@ -46,7 +46,7 @@ void leave(uint ray) {
 %end
 // A hit is its voxel. A miss is -1. One that would not have ended is told by a cell far below.
 void store(uint at, const Walk walk, bool hit, uint t) {
-  ivec3 voxel = hit ? walk.cell : ivec3(walk.axis == ENDLESS ? -0x7fffffff : -1);
+  ivec3 voxel = hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1);
   hit_words[at] = uint(voxel.x);
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);

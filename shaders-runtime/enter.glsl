@@ -112,11 +112,7 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
     bvec3 axes = greaterThan(enters, ivec3(0));
     bool sure;
     Walk start = entered(ray, walk, axes, face, sure);
-%if exact
     bool unsure = !sure || starts_far;
-%else
-    bool unsure = starts_far;
-%end
 %if apart
     if (!SETTLES && unsure) {
       walk.open = AGAIN;

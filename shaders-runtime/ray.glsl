@@ -27,7 +27,7 @@ struct Walk {
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
   uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
   uint lookups;
-  int steps_left; // There are no more cells on any ray.
+  int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
 %if apart
   int open; // The step over a gap around ~cell is left to be settled: 32 times its count, and its log2_side. Else CLOSED.
 %end
@@ -37,8 +37,6 @@ struct Walk {
 const int CLOSED = -1;
 const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
 %end
-
-const int ENDLESS = -2; // The axis of a walk that would have taken more steps, which is an error of the kernel's.
 
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
@@ -65,13 +63,10 @@ Walk walk_at(ivec3 cell, int axis) {
 // Ends a walk that takes more steps than any can.
 void count_step(inout Walk walk) {
   walk.steps_left--;
-  if (walk.steps_left < 0) {
-    walk.cell = ivec3(-1);
-    walk.axis = ENDLESS;
+  walk.cell |= walk.steps_left >> 31; // All bits: outside, whatever follows.
 %if apart
-    walk.open = CLOSED;
+  walk.open |= walk.steps_left >> 31;
 %end
-  }
 }
 
 void count_lookup(inout Walk walk) {

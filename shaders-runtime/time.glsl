@@ -124,8 +124,11 @@ uint time_by_doubles(const Ray ray, int axis, int face, out bool sure) {
   double doubt = t * double(1.0f / 562949953421312.0f); // Six roundings are 2^-50, and this is 2^-49.
   float least = float(t - doubt);
   float most = float(t + doubt);
-  sure = ray.plain && least == most && least > 1e-30f && least < 1e30f;
-  return floatBitsToUint(least);
+  // By a power of two, as along an axis or a diagonal, nothing is rounded but the result.
+  bool exact = (ray.given_direction[axis] & 0x7fffffu) == 0u && abs(uintBitsToFloat(ray.given_origin[axis])) > 1e-6f;
+  float value = exact ? float(t) : least;
+  sure = ray.plain && (exact || least == most) && value > 1e-30f && value < 1e30f;
+  return floatBitsToUint(value);
 }
 %end
 %if exact

@@ -43,7 +43,7 @@ void measure_level_${N}_row(uint32_t *const (&rows)[4], unsigned octant) {
   uint32_t ahead = LEVEL_${N}_OUTSIDE; // The least of the four cells before this one.
   for (int i = 0; i < kWidth; ++i) {
     const uint64_t at = LEVEL_${N}_SLOT * static_cast<uint64_t>((octant & 1) != 0 ? kWidth - 1 - i : i);
-    uint32_t aside = LEVEL_${N}_OUTSIDE;
+    uint32_t aside = LEVEL_${N}_REACH;
     for (int row = 1; row < 4; ++row) {
       const uint32_t side = side_level_${N}(rows[row] ? rows[row] + at : nullptr, shift);
       aside = side < aside ? side : aside;

@@ -21,7 +21,7 @@ void report(const std::string &file, const std::string &problem) {
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
   TemplateNames names = layerNames(makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
-  for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB",
+  for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "LAYERS_DOWN",
                            "symbol", "PREFIX", "DIGEST", "count-words"})
     names.holes[hole] = "";
   return names;
@@ -58,6 +58,7 @@ int main() {
   demandEach<Descent>("walk");
   demandEach<Predicate>("step");
   demandEach<Addressing>("memory");
+  demandEach<Payload>("payload");
   for (const SlotKind *kind : slotKinds()) {
     demand("shaders-runtime", shaderFiles(), "slots/" + std::string(kind->name) + ".glsl");
     demand("construct-runtime", constructFiles(), "slots/" + std::string(kind->name) + ".cpp");

@@ -156,7 +156,7 @@ Transform mapOf(const Grid &grid, const openvdb::Coord &low) {
   };
   const openvdb::Vec3d origin = at(0, 0, 0);
   const std::array<openvdb::Vec3d, 3> steps{at(1, 0, 0) - origin, at(0, 1, 0) - origin, at(0, 0, 1) - origin};
-  Transform map = kNoTransform;
+  Transform map;
   for (int row = 0; row < 3; ++row) {
     for (int axis = 0; axis < 3; ++axis)
       map[axis][row] = steps[static_cast<std::size_t>(axis)][row];

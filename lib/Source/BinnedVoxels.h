@@ -30,7 +30,7 @@ public:
   }
 
   /// The voxels as a source, once all are placed.
-  std::unique_ptr<VoxelSource> finish(const Transform &voxelToModel = kNoTransform) &&;
+  std::unique_ptr<VoxelSource> finish(const Transform &voxelToModel = {}) &&;
 
 private:
   static constexpr std::uint32_t kVoxelsBetweenReliefs = 1 << 10;

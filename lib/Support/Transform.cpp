@@ -14,7 +14,7 @@ std::array<double, 12> rowsOf(const Transform &transform) {
 }
 
 Transform transformOfRows(const std::array<double, 12> &rows) {
-  Transform transform(0.0);
+  Transform transform;
   for (int i = 0; i < 12; ++i)
     transform[i % 4][i / 4] = rows[static_cast<std::size_t>(i)];
   return transform;

@@ -73,7 +73,7 @@ protected:
   std::vector<std::string> warnings_;
   std::string provenance_;
   Int3 extent_;
-  Transform map_ = kNoTransform;
+  Transform map_;
 };
 
 constexpr std::uint32_t kBlack = 0xff000000;

@@ -210,7 +210,7 @@ TEST(MeshSource, IndicesAndModesAreFollowed) {
 }
 
 /// A quarter turn about z, twice the size, moved by (3, -1, 0.5): exact in floats.
-constexpr Transform kMove{{0, -2, 0, 3, 2, 0, 0, -1, 0, 0, 2, 0.5}};
+const Transform kMove = transformOfRows({0, -2, 0, 3, 2, 0, 0, -1, 0, 0, 2, 0.5});
 
 TEST(MeshSource, InstancesAreTheirTrianglesWrittenOut) {
   std::mt19937 random(9);

@@ -36,6 +36,9 @@ template <typename Compile> auto compiledOnce(const Format &format, Compile comp
   return known.at(key);
 }
 
+/// Lavapipe's arithmetic is that of this processor, so that all bits can be compared, of fast kernels too.
+constexpr KernelOptions kLikeTheCpu = {.arithmetic = Arithmetic::Ieee};
+
 class CpuKernels : public ::testing::Test {
 protected:
   static Expected<Volume> build(const Format &format, const test::HardScene &scene) {
@@ -70,7 +73,7 @@ protected:
     auto device = Device::open("llvmpipe");
     if (!device)
       return;
-    const auto kernel = compiledOnce(format, [&] { return compileKernel(format); });
+    const auto kernel = compiledOnce(format, [&] { return compileKernel(format, kLikeTheCpu); });
     const auto theirs = traced(createTracer(*device, kernel, volume), rays, true);
     const auto ours = cpuHits(volume, format, rays, true);
     const bool settles = format.attributes.value(kPrecisionAttribute) == "exact";
@@ -181,7 +184,7 @@ TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   EXPECT_GT(read, lookups) << "a lookup in a tree below a grid reads several words";
   EXPECT_LT(read, 10 * lookups);
   if (auto device = Device::open("llvmpipe"); device) {
-    EXPECT_EQ(std::memcmp(countedWords(createTracer(*device, *compileKernel(format), *volume), rays).data(),
+    EXPECT_EQ(std::memcmp(countedWords(createTracer(*device, *compileKernel(format, kLikeTheCpu), *volume), rays).data(),
                           words.data(), words.size() * sizeof(Hit)),
               0);
   }
@@ -195,7 +198,7 @@ TEST_F(CpuKernels, CountAWordForEachCellOfAGridAlsoWhereWalksAreCutShort) {
   const auto hits = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume), rays);
   EXPECT_EQ(hits[0].steps, 262143u - 3 + 1 + 1) << "the cells, and the root's offset once";
   if (auto device = Device::open("llvmpipe"); device) {
-    const auto theirs = countedWords(createTracer(*device, *compileKernel(format), *volume), rays);
+    const auto theirs = countedWords(createTracer(*device, *compileKernel(format, kLikeTheCpu), *volume), rays);
     EXPECT_GE(theirs[0].steps, hits[0].steps);
     EXPECT_LE(theirs[0].steps, hits[0].steps + 16) << "the root's offset and a cell again in each dispatch";
   }

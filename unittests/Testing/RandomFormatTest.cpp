@@ -21,7 +21,7 @@ std::map<std::string_view, int> countWalks(int formats) {
     if (tree == format.levels.end())
       continue;
     const std::string_view levels = format.attributes.value(kLevelsAttribute);
-    ++counts[levels == "flat" ? levels : tree->attribute(kWalkAttribute)];
+    ++counts[levels != "nested" ? levels : tree->attribute(kWalkAttribute)];
     ++found;
   }
   return counts;
@@ -30,7 +30,7 @@ std::map<std::string_view, int> countWalks(int formats) {
 TEST(RandomFormats, HaveEveryWalkEquallyOften) {
   constexpr int kFormats = 3000;
   const auto counts = countWalks(kFormats);
-  const std::size_t walks = kWalkAttribute.values.size() + 1; // And the flat one.
+  const std::size_t walks = kWalkAttribute.values.size() + 2; // And the flat one, and the direct one.
   ASSERT_EQ(counts.size(), walks);
   const int share = kFormats / static_cast<int>(walks);
   for (const auto &[walk, count] : counts)

@@ -65,7 +65,7 @@ struct MeshPart {
 /// A part at a place.
 struct MeshInstance {
   std::uint32_t part = 0;
-  Transform toModel = kNoTransform;
+  Transform toModel;
 };
 
 /// Texels in rows from the top, RGBA8 with R in the low byte. The texture coordinates (0, 0) and (1, 1) are

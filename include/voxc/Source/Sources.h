@@ -46,7 +46,7 @@ struct CodedVoxel {
 
 /// Voxels sorted by Morton code, each code once, no word 0.
 std::unique_ptr<VoxelSource> makeSortedSource(Int3 extent, std::vector<CodedVoxel> voxels,
-                                              Transform voxelToModel = kNoTransform);
+                                              Transform voxelToModel = {});
 
 /// A finished volume, to be converted. The volume must outlive the source if it is passed by reference.
 std::unique_ptr<VoxelSource> makeVolumeSource(std::shared_ptr<const Volume> volume);

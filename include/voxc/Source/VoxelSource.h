@@ -48,7 +48,7 @@ public:
   virtual double readSeconds() const { return 0; }
 
   /// Maps voxel coordinates to those of the model that the voxels were made from.
-  virtual Transform voxelToModel() const { return kNoTransform; }
+  virtual Transform voxelToModel() const { return {}; }
 
   /// Set when reading failed; a builder stops and passes it on.
   virtual std::optional<Error> failure() const { return std::nullopt; }

@@ -10,12 +10,16 @@
 
 namespace voxc {
 
-/// Three rows, and four columns of which the last is the translation. A `glm::dmat4` converts to it, and so
-/// does a `glm::mat4`.
-using Transform = glm::dmat4x3;
-
-/// The map that moves nothing.
-inline constexpr Transform kNoTransform = Transform(1.0);
+/// Three rows, and four columns of which the last is the translation. By default it moves nothing, where GLM's
+/// own matrices have no value at all.
+struct Transform : glm::dmat4x3 {
+  constexpr Transform() : glm::dmat4x3(1.0) {}
+  constexpr Transform(const glm::dmat4x3 &matrix) : glm::dmat4x3(matrix) {}
+  constexpr Transform(const glm::dvec3 &x, const glm::dvec3 &y, const glm::dvec3 &z, const glm::dvec3 &origin)
+      : glm::dmat4x3(x, y, z, origin) {}
+  /// The last row of the matrix is left out.
+  explicit constexpr Transform(const glm::dmat4 &matrix) : glm::dmat4x3(matrix) {}
+};
 
 /// The entries row by row, as files hold them.
 std::array<double, 12> rowsOf(const Transform &transform);

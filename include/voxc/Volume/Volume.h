@@ -24,7 +24,7 @@ namespace voxc {
 struct VolumeInfo {
   Format format; ///< Its storage: no walk attributes.
   Int3 extent;   ///< Of the input, in voxels; the rest of the format is padding.
-  Transform voxelToModel = kNoTransform;
+  Transform voxelToModel;
   std::uint64_t voxels = 0; ///< Non-empty ones.
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };

@@ -134,14 +134,14 @@ Transform mapOf(const Reader &reader) {
   Vector sizes;
   for (std::size_t axis = 0; axis < 3; ++axis)
     sizes[axis] = reader.number(reader.at().pixdim, axis + 1);
-  Transform map = kNoTransform;
+  Transform map;
   if (reader.code(reader.at().sformCode) > 0)
     map = mapByMatrix(reader);
   else if (reader.code(reader.at().qformCode) > 0)
     map = mapByRotation(reader, sizes);
   else if (std::ranges::all_of(sizes, [](double size) { return size > 0; }))
     map = transformOfRows({sizes[0], 0, 0, 0, 0, sizes[1], 0, 0, 0, 0, sizes[2], 0});
-  return isFinite(map) ? map : kNoTransform;
+  return isFinite(map) ? map : Transform();
 }
 
 Expected<void> readDimensions(const Reader &reader, NiftiHeader &header) {

@@ -21,7 +21,7 @@ struct NiftiHeader {
   double slope = 1;
   double intercept = 0;
   std::uint64_t dataOffset = 0;
-  Transform sampleToModel = kNoTransform;
+  Transform sampleToModel;
 };
 
 /// Reads the header at the front of `bytes`. Errors: not a NIfTI file; samples in another file; numbers that

@@ -18,7 +18,7 @@ struct NrrdHeader {
   std::string dataFile;       ///< Beside the header; empty: the data follow the header.
   std::uint64_t lineSkip = 0; ///< Lines before the data as stored,
   std::int64_t byteSkip = 0;  ///< and bytes before the samples; -1: the samples end the file.
-  Transform sampleToModel = kNoTransform;
+  Transform sampleToModel;
 };
 
 /// Reads up to and including the blank line that ends a header, and takes that off the front of `text`.

@@ -31,7 +31,7 @@ public:
 private:
   struct Pending {
     std::size_t node;
-    Transform parent = kNoTransform;
+    Transform parent;
   };
 
   void pushRoots() {

@@ -33,7 +33,7 @@ Transform readTransform(const GltfObject &node) {
   if (node.has("matrix"))
     return fromColumns(node.numbers<16>("matrix", kIdentity));
   if (!node.has("translation") && !node.has("rotation") && !node.has("scale"))
-    return kNoTransform;
+    return {};
   return fromParts(node.numbers<3>("translation", {0, 0, 0}), node.numbers<4>("rotation", {0, 0, 0, 1}),
                    node.numbers<3>("scale", {1, 1, 1}));
 }

@@ -41,7 +41,7 @@ void TriangleCursor::enter(std::size_t instance) {
   end_ = numbers_.first(instance + 1);
   instance_ = &scene_.instances[instance];
   part_ = &scene_.parts[instance_->part];
-  isMoved_ = instance_->toModel != kNoTransform;
+  isMoved_ = instance_->toModel != Transform();
   const AttributeView &indices = part_->indices;
   const bool isPlain = part_->mode == PrimitiveMode::Triangles &&
                        (indices.type == Type::Uint32 || indices.type == Type::Uint16);
