@@ -21,7 +21,8 @@ Walk left_walk(uint at) {
   Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]), int(hit_words[at + 4u]));
   walk.open = max(int(hit_words[at + 3u]), CLOSED);
   walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
-  walk.lookups = words_read = hit_words[at + 5u];
+  bool has_begun = is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell);
+  walk.lookups = words_read = has_begun ? hit_words[at + 5u] : 0u;
   return walk;
 }
 

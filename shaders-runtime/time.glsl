@@ -125,9 +125,10 @@ uint time_by_doubles(const Ray ray, int axis, int face, out bool sure) {
   float least = float(t - doubt);
   float most = float(t + doubt);
   // By a power of two, as along an axis or a diagonal, nothing is rounded but the result.
-  bool exact = (ray.given_direction[axis] & 0x7fffffu) == 0u && abs(uintBitsToFloat(ray.given_origin[axis])) > 1e-6f;
+  float origin = uintBitsToFloat(ray.given_origin[axis]);
+  bool exact = (ray.given_direction[axis] & 0x7fffffu) == 0u && (abs(origin) > 1e-6f || origin == 0.0f);
   float value = exact ? float(t) : least;
-  sure = ray.plain && (exact || least == most) && value > 1e-30f && value < 1e30f;
+  sure = ray.plain && (exact || least == most) && (value == 0.0f || (value > 1e-30f && value < 1e30f));
   return floatBitsToUint(value);
 }
 %end
