@@ -88,7 +88,8 @@ void Extraction::partOfGrid(std::size_t index, Ref root, Int3 low, int log2Side)
   const Int3 first = placeIn(stratum, low >> stratum.log2Cell, 1);
   for (std::uint64_t code = 0; code < cubed(log2Cells); ++code) {
     const Int3 place = first + mortonCell(code);
-    if ((place.x >> stratum.log2Shape.x | place.y >> stratum.log2Shape.y | place.z >> stratum.log2Shape.z) != 0)
+    if ((place.x >> stratum.log2Shape.x | place.y >> stratum.log2Shape.y | place.z >> stratum.log2Shape.z) !=
+        0)
       continue;
     const std::uint32_t value = lookUp(words_, stratum, root, place).value;
     if (value == 0)
@@ -144,8 +145,9 @@ Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
   std::uint64_t children = 0;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
     ++children;
-    placed.voxels += child.leaf ? cell(index, words_[child.at]).voxels * cubed(stratum.log2Shape.x * (layer - 1))
-                                : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
+    placed.voxels += child.leaf
+                         ? cell(index, words_[child.at]).voxels * cubed(stratum.log2Shape.x * (layer - 1))
+                         : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
   });
   if (!isRecord)
     leafWords(index, at);

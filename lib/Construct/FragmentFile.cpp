@@ -226,10 +226,7 @@ Expected<FragmentReader> FragmentReader::open(const std::string &path) {
   const Int3 extent = {header.extent[0], header.extent[1], header.extent[2]};
   if (diagnostics.hasErrors() || format != storageFormat(format) || !fits(extent, format))
     return broken("names no valid format, or one that is too small");
-  reader.info_ = {{std::move(format),
-                   extent,
-                   transformOfRows(header.voxelToModel),
-                   0,
+  reader.info_ = {{std::move(format), extent, transformOfRows(header.voxelToModel), 0,
                    std::string(text + header.irBytes, header.provenanceBytes)},
                   header.log2Side,
                   header.index,

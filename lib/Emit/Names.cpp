@@ -16,8 +16,8 @@ bool tellsAround(const Stratum &stratum) {
   return stratum.isGrid() && stratum.slots == &kPackedSlots && stratum.log2Shape == Int3{2, 2, 2};
 }
 
-/// True if a voxel's value is looked up when it is hit, not when it is found: no other stop of a walk then needs
-/// its own.
+/// True if a voxel's value is looked up when it is hit, not when it is found: no other stop of a walk then
+/// needs its own.
 bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full; }
 
 std::string count(int log2, std::string_view unit) {

@@ -25,12 +25,11 @@ const AttributeKind kDetailAttribute = {
 
 const AttributeKind kLevelsAttribute = {
     "levels", AttributeEffect::Walk, kLevelsValues,
-    "how the kernel goes from level to level: by a loop for each, by one loop through all, or by one loop that "
-    "goes down from the root in each turn"};
+    "how the kernel goes from level to level: by a loop for each, by one "
+    "loop through all, or by one that goes down from the root in each turn"};
 
-const AttributeKind kPayloadAttribute = {
-    "payload", AttributeEffect::Storage, kPayloadValues,
-    "what a voxel is: a colour of four bytes, in the word of its cell"};
+const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
+                                         "what a voxel is: a colour of four bytes, in the word of its cell"};
 
 const AttributeKind kAlphaAttribute = {
     "alpha", AttributeEffect::Storage, kAlphaValues,

@@ -49,8 +49,7 @@ void checkOctants(WordReader &words, const Stratum &stratum, std::uint64_t slot)
     return;
   }
   for (int octant = 0; octant < 8; ++octant) {
-    const std::uint32_t side =
-        fields >> octant * stratum.fieldBits() & ((1u << stratum.fieldBits()) - 1);
+    const std::uint32_t side = fields >> octant * stratum.fieldBits() & ((1u << stratum.fieldBits()) - 1);
     if (side == 0 || side > stratum.reach)
       return words.fail("an empty cell of a distance field has an empty cube outside 1.." +
                         std::to_string(stratum.reach));

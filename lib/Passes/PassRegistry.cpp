@@ -10,46 +10,40 @@ namespace {
 constexpr std::array<Pass, 12> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
-     "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, across "
-     "all "
-     "parents, so that equal nodes, roots included, are stored once. Unchanged where no level but the first "
-     "is a G.",
+     "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
+     "across all parents, so that equal nodes, roots included, are stored once. Unchanged where no level "
+     "but the first is a G.",
      wholeLevelDedup},
     {"share-grids", AttributeEffect::Storage, "store equal sub-volumes of an R or D level once",
      "Without it, each sub-volume of a grid level is written where it comes. With it, one whose words the "
-     "level "
-     "has written already is pointed to instead. Unchanged where no level but the first is an R or a D.",
+     "level has written already is pointed to instead. Unchanged where no level but the first is an R or "
+     "a D.",
      shareGrids},
     {"visible-voxels", AttributeEffect::Storage, "state that no voxel has an alpha of 0",
-     "A fact about the voxels that other passes may use, and that a build proves: it fails at a voxel with "
-     "an "
-     "alpha of 0, and names it.",
+     "A fact about the voxels that other passes may use, and that a build proves: it fails at a voxel "
+     "with an alpha of 0, and names it.",
      visibleVoxels},
     {"octant-distances", AttributeEffect::Storage,
      "let D levels tell empty cubes by octant in place of an L1 distance",
-     "Without it, an empty cell of a D level tells how far the nearest full cell is, and a ray looks up the "
-     "cells that it may pass one by one. With it, the cell tells, for each octant of directions, the side of the "
-     "largest empty cube that begins there and goes that way: a ray leaves that cube in one step. M is 15 at "
-     "most, and 7 in the words of voxels. Unchanged where no level is a D.",
+     "Without it, an empty cell of a D level tells how far the nearest full cell is, and a ray looks up "
+     "the cells that it may pass one by one. With it, the cell tells, for each octant of directions, the "
+     "side of the largest empty cube that begins there and goes that way: a ray leaves that cube in one "
+     "step. M is 15 at most, and 7 in the words of voxels. Unchanged where no level is a D.",
      octantDistances},
     {"df-packing", AttributeEffect::Storage,
      "keep the distances of D levels in the words of their empty cells",
      "Without it, a cell of a D level has two words, of which one is always without use: a value or a "
-     "distance. "
-     "With it, an empty cell's word holds its distance. References then have 31 bits, and a bit tells them "
-     "from "
-     "distances; voxels are told by their alpha, so that a D as the last level needs visible-voxels first. "
-     "Unchanged where no level is a D.",
+     "distance. With it, an empty cell's word holds its distance. References then have 31 bits, and a bit "
+     "tells them from distances; voxels are told by their alpha, so that a D as the last level needs "
+     "visible-voxels first. Unchanged where no level is a D.",
      dfPacking},
     {"merge-grids", AttributeEffect::Storage, "make one R level of neighbouring ones",
      "R(2^3) R(3^3) is R(5^3) in meaning: one lookup in place of two, and a word for each cell. Left out "
-     "where "
-     "the merged grid would not fit a volume. Unchanged where no two R levels are neighbours.",
+     "where the merged grid would not fit a volume. Unchanged where no two R levels are neighbours.",
      mergeGrids},
     {"split-grids", AttributeEffect::Storage, "make two R levels of each",
-     "R(5^3) is R(3^3) R(2^3) in meaning: empty parts of the grid then take no words. Unchanged where no R "
-     "level "
-     "has four cells on each axis.",
+     "R(5^3) is R(3^3) R(2^3) in meaning: empty parts of the grid then take no words. Unchanged where no "
+     "R level has four cells on each axis.",
      splitGrids},
     {"restart-sv", AttributeEffect::Walk,
      "walk octrees and DAGs from the root at each lookup, without a stack",
@@ -59,24 +53,20 @@ constexpr std::array<Pass, 12> kPasses = {{
      restartSv},
     {"unroll-sv", AttributeEffect::Walk, "walk octrees and DAGs by a loop for each height, without a stack",
      "The stack walk is one loop, which goes up and down. Unrolling writes out its levels: a function for "
-     "each "
-     "height of the tree, which goes over the children of a node and calls the one below. Excludes "
+     "each height of the tree, which goes over the children of a node and calls the one below. Excludes "
      "restart-sv. Unchanged where no level is a tree.",
      unrollSv},
     {"flat-walk", AttributeEffect::Walk, "walk through all levels by one loop",
      "Without it, each level has a loop, which calls that of the next. One loop through the nodes of all "
-     "levels makes "
-     "a smaller kernel, which is faster where rays of a group are on different levels, and slower where they "
-     "are "
-     "together. Formats of 8 levels and more have it without being asked. Excludes restart-sv and unroll-sv, "
-     "and "
-     "gives way to detail=cone.",
+     "levels makes a smaller kernel, which is faster where rays of a group are on different levels, and "
+     "slower where they are together. Formats of 8 levels and more have it without being asked. Excludes "
+     "restart-sv and unroll-sv, and gives way to detail=cone.",
      flatWalk},
     {"direct-walk", AttributeEffect::Walk, "walk by one loop that goes down from the root in each turn",
-     "Without it, each level has a loop, which calls that of the next. With it there is one loop, and each turn "
-     "goes down through all levels, straight and without a loop, to a voxel or to what is known to be empty "
-     "around: where a format has few layers of nodes, rays of a group then never wait for each other. Excludes "
-     "flat-walk, restart-sv and unroll-sv, and gives way to detail=cone.",
+     "Without it, each level has a loop, which calls that of the next. With it there is one loop, and "
+     "each turn goes down through all levels, straight and without a loop, to a voxel or to what is known "
+     "to be empty around: where a format has few layers of nodes, rays of a group then never wait for "
+     "each other. Excludes flat-walk, restart-sv and unroll-sv, and gives way to detail=cone.",
      directWalk},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",
      "Gives the format as volumes store it.", stripWalk},

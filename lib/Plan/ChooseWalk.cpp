@@ -1,5 +1,4 @@
-// choose-walk: one loop for all levels where there are many of them, and nested loops where only those can do
-// what is asked.
+// choose-walk: the walk that was fastest on camera rays among those that can do what is asked.
 #include "Passes.h"
 
 #include <algorithm>
@@ -9,6 +8,20 @@ namespace {
 
 /// Each nested level repeats the whole step. From here on that makes a kernel that takes long to compile.
 constexpr std::size_t kManyLevels = 8;
+/// A direct walk goes through every layer in each turn.
+constexpr int kFewLayers = 8;
+
+int layersOf(const Layout &layout) {
+  int layers = 0;
+  for (const Stratum &stratum : layout.strata)
+    layers += std::max(stratum.depth, 1);
+  return layers;
+}
+
+/// True if most turns of a direct walk end in the first level, with a long step.
+bool isBestDirect(const Layout &layout) {
+  return layout.strata.front().skip == Skip::Octant && layersOf(layout) <= kFewLayers;
+}
 
 } // namespace
 
@@ -20,8 +33,12 @@ void chooseWalk(Plan &plan) {
       plan.detail == Detail::Cone || std::ranges::any_of(plan.traversals, goesItsOwnWay);
   if (needsNesting)
     plan.walk = Walk::Nested;
+  else if (plan.walk != Walk::Nested)
+    return;
   else if (plan.layout.strata.size() >= kManyLevels)
     plan.walk = Walk::Flat;
+  else if (isBestDirect(plan.layout))
+    plan.walk = Walk::Direct;
 }
 
 } // namespace voxc

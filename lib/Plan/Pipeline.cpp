@@ -11,7 +11,8 @@ constexpr std::array<PlanPass, 3> kPasses = {{
      "what slots and layers leave no choice of: a table is probed, a tree without layers is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
     {"choose-walk",
-     "nested loops, or one flat loop: as asked, but flat from 8 levels on, and nested where restart-sv, "
+     "nested loops, one flat loop or a direct one: as asked; else flat from 8 levels on, and direct where "
+     "the first level tells octants above at most 8 layers of nodes; but nested where restart-sv, "
      "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",

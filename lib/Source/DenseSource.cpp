@@ -149,7 +149,8 @@ std::shared_ptr<const DenseRows> turnUpright(std::shared_ptr<const DenseRows> ro
 }
 
 Transform turnUpright(const Transform &voxelToModel, std::int32_t height) {
-  const auto &[x, y, z, origin] = std::array{voxelToModel[0], voxelToModel[1], voxelToModel[2], voxelToModel[3]};
+  const auto &[x, y, z, origin] =
+      std::array{voxelToModel[0], voxelToModel[1], voxelToModel[2], voxelToModel[3]};
   return {x, z, -y, origin + y * static_cast<double>(height)};
 }
 

@@ -31,8 +31,9 @@ View viewOf(glm::dvec3 direction, glm::dvec3 up) {
   glm::dvec3 spare = std::abs(view.front[2]) < 0.5 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
   glm::dvec3 right = glm::cross(view.front, normalized(up, {0, 1, 0}));
   constexpr double kParallel = 1e-9;
-  view.right = glm::dot(right, right) > kParallel * kParallel ? normalized(right, {1, 0, 0})
-                                                         : normalized(glm::cross(view.front, spare), {1, 0, 0});
+  view.right = glm::dot(right, right) > kParallel * kParallel
+                   ? normalized(right, {1, 0, 0})
+                   : normalized(glm::cross(view.front, spare), {1, 0, 0});
   view.up = glm::cross(view.right, view.front);
   return view;
 }
@@ -42,7 +43,7 @@ double framingDistance(const View &view, glm::dvec3 half, double tangentX, doubl
   double distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 point = {corner & 1 ? half[0] : -half[0], corner & 2 ? half[1] : -half[1],
-                     corner & 4 ? half[2] : -half[2]};
+                        corner & 4 ? half[2] : -half[2]};
     double depth = glm::dot(point, view.front);
     distance = std::max({distance, std::abs(glm::dot(point, view.right)) / tangentX - depth,
                          std::abs(glm::dot(point, view.up)) / tangentY - depth});

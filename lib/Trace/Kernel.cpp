@@ -77,7 +77,8 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
 
 std::string kernelFacts(const Kernel &kernel) {
   std::array<char, 17> digits;
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(kernel.storageDigest));
+  std::snprintf(digits.data(), digits.size(), "%016llx",
+                static_cast<unsigned long long>(kernel.storageDigest));
   std::string facts(kFactsPrefix);
   facts.append(kFactsVersion).append(" storage=").append(digits.data());
   facts.append(" addressing=").append(toString(kernel.addressing));

@@ -146,7 +146,8 @@ Expected<PipelineHandle> TracePipeline::createPipeline(Counted counted, float sp
   return PipelineHandle(device_->device, pipeline);
 }
 
-void TracePipeline::bind(VkCommandBuffer commands, const PipelineHandle &pipeline, const RayTile &tile) const {
+void TracePipeline::bind(VkCommandBuffer commands, const PipelineHandle &pipeline,
+                         const RayTile &tile) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
   vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);

@@ -61,8 +61,9 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
     return Error::input("this kernel is for devices that run every loop to its end, which " +
                         device.info().name + " does not: compile one with loops=cut");
   if (kernel.arithmetic == Arithmetic::Ieee && device.info().arithmetic == Arithmetic::Any)
-    return Error::input("this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +
-                        device.info().name + ": compile one with arithmetic=any");
+    return Error::input(
+        "this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +
+        device.info().name + ": compile one with arithmetic=any");
   if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
     return capable.error();
   auto transfer = Transfer::create(device);
@@ -109,10 +110,10 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
   auto hitsBuffer = Buffer::create(*device_, {.what = "the hits", .bytes = rays * sizeof(Hit)});
   if (!hitsBuffer)
     return hitsBuffer.error();
-  auto leftBuffer = Buffer::create(
-      *device_, {.what = "the rays that are left over",
-                 .bytes = leftListBytes(std::min<std::uint64_t>(rays, tiles_.tileRays())),
-                 .starts = true});
+  auto leftBuffer =
+      Buffer::create(*device_, {.what = "the rays that are left over",
+                                .bytes = leftListBytes(std::min<std::uint64_t>(rays, tiles_.tileRays())),
+                                .starts = true});
   if (!leftBuffer)
     return leftBuffer.error();
   pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, words_.binding(), *leftBuffer);

@@ -23,7 +23,8 @@ void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner,
   vec3 point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (float(side) - 0.5f));
   vec3 whole = floor(point);
   sure = sure && (side == 1 || all(lessThan(point - whole, 1.0f - ray.doubt)));
-  walk.cell = sure ? ivec3(whole) : walk.cell;
+  ivec3 cell = side == 1 ? corner : ivec3(whole); // Where the side is a constant, only one of the two is there.
+  walk.cell = sure ? cell : walk.cell;
   walk.axis = sure ? crossing.axis : walk.axis;
 }
 

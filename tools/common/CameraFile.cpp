@@ -47,7 +47,8 @@ Expected<FileCamera> parseCamera(const Json &entry, const std::string &where) {
   auto yaw = number(entry, "yaw");
   if (!position || !pitch || !yaw)
     return Error::input(where + " should have a position of 3 numbers, a pitch and a yaw in degrees");
-  FileCamera camera{.position = {(*position)[0], (*position)[1], (*position)[2]}, .pitch = *pitch, .yaw = *yaw};
+  FileCamera camera{
+      .position = {(*position)[0], (*position)[1], (*position)[2]}, .pitch = *pitch, .yaw = *yaw};
   if (entry.contains("fov")) {
     camera.fov = number(entry, "fov").value_or(0);
     if (!(camera.fov > 0 && camera.fov < 180))

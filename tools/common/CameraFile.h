@@ -16,7 +16,7 @@ inline constexpr int kMaxPictureSide = 32768;
 
 /// A camera of a file, as it stands there.
 struct FileCamera {
-  glm::dvec3 position{};                     ///< In a volume scaled to [0, 100]^3 by its longest axis.
+  glm::dvec3 position{};                  ///< In a volume scaled to [0, 100]^3 by its longest axis.
   double pitch = 0;                       ///< Degrees.
   double yaw = 0;                         ///< Degrees.
   double fov = 90;                        ///< Vertical, in degrees.

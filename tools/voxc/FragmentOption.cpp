@@ -29,7 +29,9 @@ std::string checkFragment(const std::string &text) {
 } // namespace
 
 void FragmentOption::declare(CLI::App &app, const std::string &summary) {
-  app.add_option("--fragment", text_, summary)->type_name("I/N")->check(CLI::Validator(checkFragment, "", ""));
+  app.add_option("--fragment", text_, summary)
+      ->type_name("I/N")
+      ->check(CLI::Validator(checkFragment, "", ""));
 }
 
 std::optional<FragmentChoice> FragmentOption::choice() const { return parseFragment(text_); }

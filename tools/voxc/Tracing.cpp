@@ -81,8 +81,10 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
                                                             Json &figures) {
   const Stopwatch watch;
   const Addressing addressing = device_->addressingFor(volume.words().size());
-  Expected<Kernel> kernel = compileKernel(
-      format, {.addressing = addressing, .loops = device_->info().loops, .arithmetic = device_->info().arithmetic, .optimise = optimise_});
+  Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing,
+                                                   .loops = device_->info().loops,
+                                                   .arithmetic = device_->info().arithmetic,
+                                                   .optimise = optimise_});
   if (!kernel)
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();

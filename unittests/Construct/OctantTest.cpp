@@ -26,8 +26,8 @@ bool isEmptyCube(const Volume &volume, Int3 low, Int3 extent) {
   return true;
 }
 
-/// The largest empty cube of cells from `cell` in the direction of an octant, within `least` to `most` cells; what lies
-/// outside of them is empty, or full.
+/// The largest empty cube of cells from `cell` in the direction of an octant, within `least` to `most` cells;
+/// what lies outside of them is empty, or full.
 std::uint32_t largestCube(const Volume &volume, Int3 cell, int octant, Int3 extent, bool outsideIsEmpty) {
   constexpr int kMost = 15;
   for (int side = kMost; side > 1; --side) {
@@ -58,7 +58,9 @@ void expectLargest(const Volume &volume, std::uint32_t grid, Int3 low, bool outs
         for (int octant = 0; octant < 8; ++octant) {
           const std::uint32_t told = volume.words()[slot + 1] >> 4 * octant & 15;
           const bool full = volume.words()[slot] != 0;
-          ASSERT_EQ(told, full ? 0 : largestCube(volume, low + c, octant, low + Int3{kSide, kSide, kSide}, outsideIsEmpty))
+          ASSERT_EQ(told, full ? 0
+                               : largestCube(volume, low + c, octant, low + Int3{kSide, kSide, kSide},
+                                             outsideIsEmpty))
               << c.x << "," << c.y << "," << c.z << " octant " << octant;
         }
       }

@@ -184,9 +184,11 @@ TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   EXPECT_GT(read, lookups) << "a lookup in a tree below a grid reads several words";
   EXPECT_LT(read, 10 * lookups);
   if (auto device = Device::open("llvmpipe"); device) {
-    EXPECT_EQ(std::memcmp(countedWords(createTracer(*device, *compileKernel(format, kLikeTheCpu), *volume), rays).data(),
-                          words.data(), words.size() * sizeof(Hit)),
-              0);
+    EXPECT_EQ(
+        std::memcmp(
+            countedWords(createTracer(*device, *compileKernel(format, kLikeTheCpu), *volume), rays).data(),
+            words.data(), words.size() * sizeof(Hit)),
+        0);
   }
 }
 
@@ -198,7 +200,8 @@ TEST_F(CpuKernels, CountAWordForEachCellOfAGridAlsoWhereWalksAreCutShort) {
   const auto hits = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume), rays);
   EXPECT_EQ(hits[0].steps, 262143u - 3 + 1 + 1) << "the cells, and the root's offset once";
   if (auto device = Device::open("llvmpipe"); device) {
-    const auto theirs = countedWords(createTracer(*device, *compileKernel(format, kLikeTheCpu), *volume), rays);
+    const auto theirs =
+        countedWords(createTracer(*device, *compileKernel(format, kLikeTheCpu), *volume), rays);
     EXPECT_GE(theirs[0].steps, hits[0].steps);
     EXPECT_LE(theirs[0].steps, hits[0].steps + 16) << "the root's offset and a cell again in each dispatch";
   }

@@ -1,6 +1,7 @@
 // Cameras: which way their rays go.
 #include "voxc/Trace/Camera.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,6 +82,21 @@ TEST(FrameExtent, SeesTheWholeBoxAndNotMuchMore) {
         EXPECT_FALSE(border && hit) << row << " " << column;
       }
     EXPECT_GT(seen, 0);
+  }
+}
+
+TEST(CameraFromView, IsTheCameraOfTheMatrix) {
+  const glm::dvec3 eye(3, 40, -7);
+  const glm::dvec3 look(20, 10, 30);
+  const Camera camera = cameraFromView(glm::lookAt(eye, look, glm::dvec3(0, 1, 0)), 50, 4, 3);
+  const Camera same{.eye = eye, .look = look, .verticalFov = 50, .width = 4, .height = 3};
+  const auto rays = cameraRays(camera);
+  const auto expected = cameraRays(same);
+  ASSERT_EQ(rays.size(), expected.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    expectDirection(rays[i], expected[i].direction[0], expected[i].direction[1], expected[i].direction[2]);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(rays[i].origin[axis], expected[i].origin[axis], 1e-5);
   }
 }
 

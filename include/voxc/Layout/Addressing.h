@@ -28,7 +28,8 @@ enum class Loops {
 /// What the device's floating point is known to be.
 enum class Arithmetic {
   Any,  ///< As Vulkan promises: rounded one way or the other, an inverse wrong by 2.5 roundings, no doubles.
-  Ieee, ///< As IEEE 754 has it: rounded to nearest, inverses too; doubles, which may be wrong by a few roundings.
+  Ieee, ///< As IEEE 754 has it: rounded to nearest, inverses too; doubles, which may be wrong by a few
+        ///< roundings.
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Loops> = {"whole", "cut"};

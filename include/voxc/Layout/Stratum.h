@@ -28,7 +28,7 @@ enum class Cells {
 /// What an empty cell tells of the cells around it.
 enum class Skip {
   None,
-  L1, ///< The L1 distance to the nearest cell of the sub-volume that is not empty, `reach` at most.
+  L1,     ///< The L1 distance to the nearest cell of the sub-volume that is not empty, `reach` at most.
   Octant, ///< For each octant of directions, how many cells a side the largest empty cube has that begins in
           ///< the cell and goes that way, `reach` at most: eight fields in one word, that of the octant in
           ///< which x, y and z rise as bits 0, 1 and 2 say at its number. A cube may leave the volume, and no
@@ -37,9 +37,9 @@ enum class Skip {
 
 /// Which slots are empty. Where it is not `Zero`, the rest of an empty slot holds its distance.
 enum class Empty {
-  Zero,        ///< Those of 0. A distance stands in a second word of the slot.
-  Tagged,      ///< Those with a tag, and references have fewer bits: 31, and the highest bit is the tag; beside
-               ///< octants 28, above a field of 0.
+  Zero,   ///< Those of 0. A distance stands in a second word of the slot.
+  Tagged, ///< Those with a tag, and references have fewer bits: 31, and the highest bit is the tag; beside
+          ///< octants 28, above a field of 0.
   Transparent, ///< Those whose alpha, the highest byte, is 0: no voxel of the volume is.
 };
 

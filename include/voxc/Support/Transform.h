@@ -10,8 +10,8 @@
 
 namespace voxc {
 
-/// Three rows, and four columns of which the last is the translation. By default it moves nothing, where GLM's
-/// own matrices have no value at all.
+/// Three rows, and four columns of which the last is the translation. By default it moves nothing, where
+/// GLM's own matrices have no value at all.
 struct Transform : glm::dmat4x3 {
   constexpr Transform() : glm::dmat4x3(1.0) {}
   constexpr Transform(const glm::dmat4x3 &matrix) : glm::dmat4x3(matrix) {}

@@ -29,8 +29,8 @@ Camera frameExtent(Int3 extent, int width, int height);
 Camera cameraFromAngles(Int3 extent, glm::dvec3 position, double pitch, double yaw, double verticalFov,
                         int width, int height);
 
-/// The camera of a view matrix, which takes voxel space to the camera's: x to the right, y up, looking along -z.
-/// The matrix must have an inverse.
+/// The camera of a view matrix, which takes voxel space to the camera's: x to the right, y up, looking along
+/// -z. The matrix must have an inverse.
 Camera cameraFromView(const glm::dmat4 &view, double verticalFov, int width, int height);
 
 /// The width of a pixel at the picture's centre, per unit of distance from the eye.

@@ -26,7 +26,7 @@ struct DeviceInfo {
   std::uint64_t maxAllocationBytes = 0;
   bool usable = false; ///< Vulkan 1.2 with a compute queue.
   bool deviceAddresses = false;
-  Loops loops = Loops::Whole; ///< What its kernels must be ready for.
+  Loops loops = Loops::Whole;              ///< What its kernels must be ready for.
   Arithmetic arithmetic = Arithmetic::Any; ///< What its kernels may rely on.
 };
 

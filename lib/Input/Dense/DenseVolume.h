@@ -19,7 +19,7 @@ struct DenseVolume {
   double intercept = 0;
   const std::byte *samples = nullptr;
   std::shared_ptr<const void> storage; ///< What `samples` points into.
-  Transform sampleToModel; ///< Of points in voxels: sample i fills [i, i + 1).
+  Transform sampleToModel;             ///< Of points in voxels: sample i fills [i, i + 1).
   std::vector<std::string> warnings;
 };
 

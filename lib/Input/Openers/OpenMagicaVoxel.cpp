@@ -30,7 +30,8 @@ public:
   Transform voxelToModel() const {
     const auto &[x, y, z] = scene_.low;
     const auto farY = static_cast<double>(y + scene_.size[1]);
-    return transformOfRows({1, 0, 0, static_cast<double>(x), 0, 0, -1, farY, 0, 1, 0, static_cast<double>(z)});
+    return transformOfRows(
+        {1, 0, 0, static_cast<double>(x), 0, 0, -1, farY, 0, 1, 0, static_cast<double>(z)});
   }
 
   std::uint64_t count() const {

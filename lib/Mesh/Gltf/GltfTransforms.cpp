@@ -21,7 +21,9 @@ Transform fromParts(const Three &move, const Four &rotation, const Three &scale)
 }
 
 /// glTF writes matrices column by column.
-Transform fromColumns(const std::array<double, 16> &columns) { return Transform(glm::make_mat4(columns.data())); }
+Transform fromColumns(const std::array<double, 16> &columns) {
+  return Transform(glm::make_mat4(columns.data()));
+}
 
 constexpr std::array<double, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
