@@ -7,7 +7,7 @@
 // Kernels want all functions in their loops, in registers, but for those that are seldom called.
 #define OUT_OF_LINE [[gnu::noinline, gnu::cold]]
 #ifdef __clang__
-#define VOXC_BEGIN_INLINE _Pragma("clang attribute push([[gnu::always_inline]], apply_to = function)")
+#define VOXC_BEGIN_INLINE _Pragma("clang attribute push(__attribute__((always_inline)), apply_to = function)")
 #define VOXC_END_INLINE _Pragma("clang attribute pop")
 #else
 #define VOXC_BEGIN_INLINE
@@ -77,47 +77,30 @@ VOXC_INLINE void imulExtended(int a, int b, int &high, int &low) {
 
 // Vectors, component by component; a number beside a vector stands for a vector of it.
 #define VOXC_UNARY(name)                                                                                     \
-  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> v) {                               \
-    return componentwise([](T p, T) { return name(p); }, v, v);                                              \
+  template <typename T> VOXC_INLINE Vector3<T> name(const Vector3<T> &v) {                                   \
+    return {name(v.x), name(v.y), name(v.z)};                                                                \
   }
 #define VOXC_BINARY(name)                                                                                    \
-  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> a, Vector<T, N> b) {               \
-    return componentwise([](T p, T q) { return name(p, q); }, a, b);                                         \
+  template <typename T> VOXC_INLINE Vector3<T> name(const Vector3<T> &a, const Vector3<T> &b) {              \
+    return {name(a.x, b.x), name(a.y, b.y), name(a.z, b.z)};                                                 \
   }                                                                                                          \
-  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> a, Scalar<T> b) {                  \
-    return name(a, Vector<T, N>(b));                                                                         \
+  template <typename T> VOXC_INLINE Vector3<T> name(const Vector3<T> &a, Scalar<T> b) {                      \
+    return {name(a.x, b), name(a.y, b), name(a.z, b)};                                                       \
   }
 #define VOXC_COMPARISON(name, op)                                                                            \
-  template <typename T, int N> VOXC_INLINE Vector<bool, N> name(Vector<T, N> a, Vector<T, N> b) {            \
-    return vectorOf<bool, N>(a.lanes op b.lanes);                                                            \
+  template <typename T> VOXC_INLINE bvec3 name(const Vector3<T> &a, const Vector3<T> &b) {                   \
+    return {a.x op b.x, a.y op b.y, a.z op b.z};                                                             \
   }
-
-#if __has_builtin(__builtin_elementwise_floor) // Clang: all lanes at once.
-#define VOXC_UNARY_LANES(name, builtin)                                                                      \
-  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> v) {                               \
-    return vectorOf<T, N>(builtin(v.lanes));                                                                 \
-  }
-#define VOXC_BINARY_LANES(name, builtin)                                                                     \
-  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> a, Vector<T, N> b) {               \
-    return vectorOf<T, N>(builtin(a.lanes, b.lanes));                                                        \
-  }                                                                                                          \
-  template <typename T, int N> VOXC_INLINE Vector<T, N> name(Vector<T, N> a, Scalar<T> b) {                  \
-    return name(a, Vector<T, N>(b));                                                                         \
-  }
-#else
-#define VOXC_UNARY_LANES(name, builtin) VOXC_UNARY(name)
-#define VOXC_BINARY_LANES(name, builtin) VOXC_BINARY(name)
-#endif
 
 VOXC_UNARY(sign)
 VOXC_UNARY(sqrt)
-VOXC_UNARY_LANES(abs, __builtin_elementwise_abs)
-VOXC_UNARY_LANES(floor, __builtin_elementwise_floor)
-VOXC_UNARY_LANES(ceil, __builtin_elementwise_ceil)
-VOXC_UNARY_LANES(trunc, __builtin_elementwise_trunc)
-VOXC_UNARY_LANES(roundEven, __builtin_elementwise_roundeven)
-VOXC_BINARY_LANES(min, __builtin_elementwise_min)
-VOXC_BINARY_LANES(max, __builtin_elementwise_max)
+VOXC_UNARY(abs)
+VOXC_UNARY(floor)
+VOXC_UNARY(ceil)
+VOXC_UNARY(trunc)
+VOXC_UNARY(roundEven)
+VOXC_BINARY(min)
+VOXC_BINARY(max)
 VOXC_COMPARISON(lessThan, <)
 VOXC_COMPARISON(lessThanEqual, <=)
 VOXC_COMPARISON(greaterThan, >)
@@ -125,63 +108,32 @@ VOXC_COMPARISON(greaterThanEqual, >=)
 VOXC_COMPARISON(equal, ==)
 VOXC_COMPARISON(notEqual, !=)
 
-// Two results: one returned and one through a reference, or both through references.
-#define VOXC_CARRYING(name)                                                                                  \
-  template <int N>                                                                                           \
-  VOXC_INLINE Vector<uint, N> name(Vector<uint, N> a, Vector<uint, N> b, Vector<uint, N> &second) {          \
-    Vector<uint, N> first;                                                                                   \
-    for (int i = 0; i < N; ++i)                                                                              \
-      first[i] = name(a[i], b[i], second[i]);                                                                \
-    return first;                                                                                            \
-  }
-#define VOXC_EXTENDED(name)                                                                                  \
-  template <typename T, int N>                                                                               \
-  VOXC_INLINE void name(Vector<T, N> a, Vector<T, N> b, Vector<T, N> &high, Vector<T, N> &low) {             \
-    for (int i = 0; i < N; ++i)                                                                              \
-      name(a[i], b[i], high[i], low[i]);                                                                     \
-  }
-
-VOXC_CARRYING(uaddCarry)
-VOXC_CARRYING(usubBorrow)
-VOXC_EXTENDED(umulExtended)
-VOXC_EXTENDED(imulExtended)
-
-#undef VOXC_CARRYING
-#undef VOXC_EXTENDED
 #undef VOXC_UNARY
-#undef VOXC_UNARY_LANES
 #undef VOXC_BINARY
-#undef VOXC_BINARY_LANES
 #undef VOXC_COMPARISON
 
-template <typename T, int N, typename Bound>
-VOXC_INLINE Vector<T, N> clamp(Vector<T, N> value, Bound least, Bound most) {
+template <typename T, typename Bound>
+VOXC_INLINE Vector3<T> clamp(const Vector3<T> &value, const Bound &least, const Bound &most) {
   return min(max(value, least), most);
 }
-template <typename T, int N>
-VOXC_INLINE Vector<T, N> mix(Vector<T, N> a, Vector<T, N> b, Vector<bool, N> takesB) {
-  return vectorOf<T, N>(takesB.lanes ? b.lanes : a.lanes);
+template <typename T> VOXC_INLINE Vector3<T> mix(const Vector3<T> &a, const Vector3<T> &b, const bvec3 &takesB) {
+  return {takesB.x ? b.x : a.x, takesB.y ? b.y : a.y, takesB.z ? b.z : a.z};
 }
 
-VOXC_INLINE float length(vec3 v) { return sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+VOXC_INLINE float length(const vec3 &v) { return sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-template <int N> VOXC_INLINE bool all(Vector<bool, N> v) {
-  int mask = -1;
-  for (int i = 0; i < N; ++i)
-    mask &= v.lanes[i];
-  return mask != 0;
-}
-template <int N> VOXC_INLINE bool any(Vector<bool, N> v) { return !all(!v); }
-template <typename T, int N> VOXC_INLINE bool operator==(Vector<T, N> a, Vector<T, N> b) {
+VOXC_INLINE bool all(const bvec3 &v) { return v.x & v.y & v.z; }
+VOXC_INLINE bool any(const bvec3 &v) { return v.x | v.y | v.z; }
+template <typename T> VOXC_INLINE bool operator==(const Vector3<T> &a, const Vector3<T> &b) {
   return all(equal(a, b));
 }
-template <typename T, int N> VOXC_INLINE bool operator!=(Vector<T, N> a, Vector<T, N> b) { return !(a == b); }
+template <typename T> VOXC_INLINE bool operator!=(const Vector3<T> &a, const Vector3<T> &b) { return !(a == b); }
 
-template <int N> VOXC_INLINE Vector<uint, N> floatBitsToUint(Vector<float, N> v) {
-  return vectorOf<uint, N>((Lanes<uint, N>)v.lanes);
+VOXC_INLINE uvec3 floatBitsToUint(const vec3 &v) {
+  return {floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z)};
 }
-template <int N> VOXC_INLINE Vector<float, N> uintBitsToFloat(Vector<uint, N> v) {
-  return vectorOf<float, N>((Lanes<float, N>)v.lanes);
+VOXC_INLINE vec3 uintBitsToFloat(const uvec3 &v) {
+  return {uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z)};
 }
 
 } // namespace voxc::glsl

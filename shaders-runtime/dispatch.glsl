@@ -1,6 +1,4 @@
-// One invocation a ray: from the buffers to a walk, and back.
-
-uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
+// One invocation a ray.
 
 %if cut
 // False if the device has begun to end loops early (Mesa's llvmpipe does after 65535 turns in all). No compiler knows
@@ -14,64 +12,38 @@ bool loops_are_whole() {
 }
 
 %end
-%if apart
-// The walk of a ray that an earlier dispatch has left: -2 - cell in place of a voxel, what is open in place of its colour, its
-// axis in place of t. One of -1 has not begun.
-Walk left_walk(uint at) {
-  Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]), int(hit_words[at + 4u]));
-  walk.open = max(int(hit_words[at + 3u]), CLOSED);
-  walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
-  bool has_begun = is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell);
-  walk.lookups = words_read = has_begun ? hit_words[at + 5u] : 0u;
-  return walk;
-}
-
-void store_left(uint at, const Walk walk) {
-  ivec3 voxel = -2 - (walk.open >= 0 ? ~walk.cell : walk.cell);
-  hit_words[at] = uint(voxel.x);
-  hit_words[at + 1u] = uint(voxel.y);
-  hit_words[at + 2u] = uint(voxel.z);
-  hit_words[at + 3u] = uint(walk.open);
-  hit_words[at + 4u] = uint(walk.axis);
-  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
-}
-
-// Puts a ray on the list of those that are left.
-void leave(uint ray) {
-  uint place = atomicAdd(left_count, 1u);
-  left_rays[place] = ray;
-  if ((place & 63u) == 0u)
-    atomicAdd(left_groups[0], 1u);
-}
-
+// Goes on with a walk to its end, or until it is left.
+bool walk_on(const Ray ray, inout Walk walk, uint root) {
+%if exact
+  bool hit = false;
+  bool goes_on = true;
+  while (goes_on) {
+    while (SETTLES && walk.open >= 0)
+      settle_step(ray, walk);
+    // What was settled may have been the last step inside.
+    hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
+    goes_on = SETTLES && walk.open >= 0;
+  }
+  return hit;
+%else
+  return intersect_level_1(ray, walk, root);
 %end
-// A hit is its voxel. A miss is -1. One that would not have ended is told by a cell far below.
-void store(uint at, const Walk walk, bool hit, uint t) {
-  ivec3 voxel = hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1);
-  hit_words[at] = uint(voxel.x);
-  hit_words[at + 1u] = uint(voxel.y);
-  hit_words[at + 2u] = uint(voxel.z);
-  hit_words[at + 3u] = hit ? colour_of(walk) : 0u;
-  hit_words[at + 4u] = hit ? t : 0u;
-  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
 }
 
-void main() {
-%if apart
-  uint number = gl_GlobalInvocationID.x;
-  if (number >= (task == LEFT_OVER ? left_count : ray_count))
-    return;
-  uint ray = task == LEFT_OVER ? left_rays[number] : first_ray + number;
-  uint at = 6u * ray;
+// Traces a ray, from where it was left if it `goes_on`. True if it is left, again.
+bool trace_ray(uint ray_number, bool goes_on) {
+  uint at = 6u * ray_number;
   Walk walk = walk_at(ivec3(-1), -1);
-%if cut
-  if (task == CUT_OFF && int(hit_words[at]) > -2)
-    return;
-%end
-  if (task != ALL)
+  if (goes_on)
     walk = left_walk(at);
-  uint t = 0u;
-  bool hit = trace(load_bits(at), load_bits(at + 3u), walk, t);
+  uvec3 direction = load_bits(at + 3u);
+  uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
+  Ray ray;
+  uint t;
+  bool sure;
+  bool hit = begin_walk(load_bits(at), direction, root, ray, walk) && walk_on(ray, walk, root);
+  hit = end_walk(ray, direction, walk, hit, t, sure);
+  walk.open = sure ? walk.open : AGAIN;
 %if cut
   // A walk that is still inside the volume without a hit, or whose t may not be whole, was cut off by the device.
   if (SETTLES && hit && !loops_are_whole())
@@ -84,12 +56,26 @@ void main() {
     store_left(at, walk);
   else
     store(at, walk, hit, t);
-  if (!SETTLES && is_left)
-    leave(ray);
-%else
-  Walk walk = walk_at(ivec3(-1), -1);
-  uint t = 0u;
-  bool hit = trace(load_bits(0u), load_bits(3u), walk, t);
-  store(0u, walk, hit, t);
+  return is_left;
+}
+
+// Puts a ray on the list of those that are left.
+void leave(uint ray_number) {
+  uint place = atomicAdd(left_count, 1u);
+  left_rays[place] = ray_number;
+  if ((place & 63u) == 0u)
+    atomicAdd(left_groups[0], 1u);
+}
+
+void main() {
+  uint number = gl_GlobalInvocationID.x;
+  if (number >= (task == LEFT_OVER ? left_count : ray_count))
+    return;
+  uint ray_number = task == LEFT_OVER ? left_rays[number] : first_ray + number;
+%if cut
+  if (task == CUT_OFF && int(hit_words[6u * ray_number]) > -2)
+    return;
 %end
+  if (trace_ray(ray_number, task != ALL) && !SETTLES)
+    leave(ray_number);
 }

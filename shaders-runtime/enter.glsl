@@ -113,7 +113,6 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
     bool sure;
     Walk start = entered(ray, walk, axes, face, sure);
     bool unsure = !sure || starts_far;
-%if apart
     if (!SETTLES && unsure) {
       walk.open = AGAIN;
       walk.cell = ivec3(-1);
@@ -121,10 +120,6 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
     }
     if (SETTLES && unsure)
       start = entered_exactly(ray, walk, cell, axes, face, starts_far);
-%else
-    if (unsure)
-      start = entered_exactly(ray, walk, cell, axes, face, starts_far);
-%end
     walk = start;
   }
   return is_in_volume(walk.cell);

@@ -13,12 +13,10 @@ uint words_read = 0u;
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uint ray_words[]; };
 // Six words a hit: voxel, rgba, t, lookups or words read.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uint hit_words[]; };
-%if apart
 // A dispatch that does not settle leaves the rays which exact arithmetic has to look at to one that does, over these alone:
 // what that is started with, how many they are, and their numbers.
 layout(std430, set = 0, binding = 3) restrict buffer Left { uint left_groups[3]; uint left_count; uint left_rays[]; };
 layout(constant_id = 3) const bool SETTLES = true;
-%end
 // The rays of this dispatch; a `task` other than all of them, from their beginning, goes on with rays that were left.
 layout(push_constant) uniform Tile { uint first_ray; uint ray_count; uint task; };
 const uint ALL = 0u;

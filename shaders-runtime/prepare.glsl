@@ -23,11 +23,7 @@ OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
 vec3 scaled(uvec3 size, bool plain) {
   uint exponent = max(max(size.x, size.y), size.z) & INFINITY_BITS;
   vec3 scaled = uintBitsToFloat(size) * uintBitsToFloat(0x7f000000u - exponent);
-%if apart
   if (SETTLES && (!plain || exponent == 0x7f000000u))
-%else
-  if (!plain || exponent == 0x7f000000u)
-%end
     scaled = scaled_exactly(size);
   return max(scaled, LEAST_COMPONENT);
 }

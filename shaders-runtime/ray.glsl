@@ -28,15 +28,11 @@ struct Walk {
   uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
   uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-%if apart
   int open; // The step over a gap around ~cell is left to be settled: 32 times its count, and its log2_side. Else CLOSED.
-%end
 };
-%if apart
 
 const int CLOSED = -1;
 const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
-%end
 
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
@@ -53,20 +49,14 @@ const float ROUNDINGS = 12.0f / 8388608.0f;
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell, int axis) {
-%if apart
   return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
-%else
-  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z);
-%end
 }
 
 // Ends a walk that takes more steps than any can.
 void count_step(inout Walk walk) {
   walk.steps_left--;
   walk.cell |= walk.steps_left >> 31; // All bits: outside, whatever follows.
-%if apart
   walk.open |= walk.steps_left >> 31;
-%end
 }
 
 void count_lookup(inout Walk walk) {

@@ -6,15 +6,10 @@ void land_or_settle(const Ray ray, inout Walk walk, const Crossing crossing, ive
 %if exact
   bool decided = sure;
   land(ray, walk, crossing, corner, side, decided);
-%if settles-outside
   // A step of which float32 is not sure is left open, and the cell is put outside, so that all loops end: what settles it
   // stands outside of them, where lanes that are sure need not wait for it.
   walk.cell = decided ? walk.cell : ~walk.cell;
   walk.open = decided ? CLOSED : gap.count << 5 | gap.log2_side;
-%else
-  if (!decided)
-    walk = settled(ray, walk, gap);
-%end
 %else
   land(ray, walk, crossing, corner, side);
 %end

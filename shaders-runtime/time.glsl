@@ -155,11 +155,7 @@ uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
   bits = time_by_floats(ray, axis, face, sure);
 %end
 %end
-%if apart
   if (SETTLES && !sure) {
-%else
-  if (!sure) {
-%end
     bits = time_exactly(ray, axis, face);
     sure = true;
   }

@@ -24,7 +24,7 @@ std::string emitIntersect(const Plan &plan) {
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
          (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
          file("memory/" + std::string(toString(plan.addressing)) + ".glsl") + kernelFunctions(plan) +
-         file("dispatch.glsl");
+         file("buffers.glsl") + file("dispatch.glsl");
 }
 
 } // namespace voxc

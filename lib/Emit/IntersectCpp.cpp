@@ -45,9 +45,9 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   names.holes["count-words"] = countWords ? "true" : "false";
   const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
                               glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" +
-                                        fillFile(shaderFiles(), "dispatch.glsl", names));
+                                        fillFile(shaderFiles(), "buffers.glsl", names));
   return fillFile(cpuFiles(), "begin.inc", names) + indented(members) +
-         fillFile(cpuFiles(), "entry.inc", names);
+         fillFile(cpuFiles(), "packet.inc", names) + fillFile(cpuFiles(), "entry.inc", names);
 }
 
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {

@@ -136,12 +136,8 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   names.conditions["defers-grid"] = defersVoxels(plan) && tellsAround(lowest);
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid();
-  names.holes["is-closed"] = plan.settling == Settling::Outside ? "walk.open == CLOSED" : "true";
-  names.conditions["apart"] = plan.settling == Settling::Outside;
   names.conditions["cut"] = cut;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
-  names.conditions["settles-outside"] =
-      plan.predicate == Predicate::Exact && plan.settling == Settling::Outside;
   names.conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   names.conditions["cone"] = plan.detail == Detail::Cone;
   names.conditions["segments"] = plan.addressing == Addressing::Segments;

@@ -1,6 +1,8 @@
 // Clang as a library: cc1 arguments, an in-memory file system, object code out.
 #include "ClangFrontend.h"
 
+#include "Jit/Packet/PacketPass.h"
+
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Basic/DiagnosticOptions.h>
 #include <clang/CodeGen/CodeGenAction.h>
@@ -8,10 +10,12 @@
 #include <clang/Frontend/CompilerInvocation.h>
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <llvm/ADT/SmallString.h>
+#include <llvm/Passes/PassBuilder.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/TargetParser/Host.h>
+#include <llvm/Transforms/Scalar/EarlyCSE.h>
 
 #include <mutex>
 
@@ -56,12 +60,11 @@ std::vector<std::string> arguments(const std::string &mainFile, const ClangOptio
                                    "-relaxed-aliasing",
                                    "-ffp-contract=off",
                                    "-fgnuc-version=4.2.1",
+                                   "-DVOXC_PACKETS",
                                    "-mrelocation-model",
                                    "pic",
                                    "-pic-level",
                                    "2"};
-  if (options.optimisation > 1)
-    list.insert(list.end(), {"-vectorize-loops", "-vectorize-slp"});
   for (std::string &argument : processorArguments(options.processor))
     list.push_back(std::move(argument));
   list.push_back(mainFile);
@@ -73,6 +76,14 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> fileSystem(const std::vector<Mem
   for (const MemoryFile &file : files)
     memory->addFile(file.name, 0, llvm::MemoryBuffer::getMemBufferCopy({file.text.data(), file.text.size()}));
   return memory;
+}
+
+/// Packets are made of functions that are optimised, before loops are vectorized.
+void addPackets(llvm::PassBuilder &builder) {
+  builder.registerVectorizerStartEPCallback([](llvm::FunctionPassManager &passes, llvm::OptimizationLevel) {
+    passes.addPass(PacketPass());
+    passes.addPass(llvm::EarlyCSEPass());
+  });
 }
 
 } // namespace
@@ -95,6 +106,7 @@ Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, cons
   auto invocation = std::make_shared<clang::CompilerInvocation>();
   const bool valid = clang::CompilerInvocation::CreateFromArgs(*invocation, list, *diagnostics);
 
+  invocation->getCodeGenOpts().PassBuilderCallbacks.emplace_back(addPackets);
   clang::CompilerInstance compiler;
   compiler.setVerboseOutputStream(llvm::nulls()); // Where it would say how many warnings there were.
   compiler.setInvocation(invocation);

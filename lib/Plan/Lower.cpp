@@ -9,7 +9,6 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.addressing = options.addressing;
   plan.loops = options.loops;
   plan.arithmetic = options.arithmetic;
-  plan.settling = options.lanes ? Settling::Outside : Settling::Inside;
   plan.predicate =
       format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
   plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));

@@ -75,7 +75,7 @@ bool parseAlpha(Plan &plan, std::string_view text) {
   return alpha.has_value();
 }
 
-constexpr std::array<Field<Plan>, 10> kPlanFields = {{
+constexpr std::array<Field<Plan>, 9> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
@@ -83,7 +83,6 @@ constexpr std::array<Field<Plan>, 10> kPlanFields = {{
     field<Plan, &Plan::walk>("walk", "nested, flat, direct"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
     field<Plan, &Plan::detail>("detail", "full, cone"),
-    field<Plan, &Plan::settling>("settling", "outside, inside"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
 }};

@@ -7,7 +7,7 @@
 namespace voxc {
 
 namespace {
-constexpr std::int32_t kEndless = -0x7fffffff; ///< As in shaders-runtime/dispatch.glsl.
+constexpr std::int32_t kEndless = -0x7fffffff; ///< As in shaders-runtime/buffers.glsl.
 }
 
 Expected<void> checkEnded(std::span<const Hit> hits) {

@@ -79,3 +79,11 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
   }
   return walk;
 }
+
+// Settles the step of a walk that was left open.
+void settle_step(const Ray ray, inout Walk walk) {
+  Gap gap = Gap(walk.open & 31, walk.open >> 5);
+  walk.open = CLOSED;
+  walk.cell = ~walk.cell;
+  walk = settled(ray, walk, gap);
+}

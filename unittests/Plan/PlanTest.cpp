@@ -32,8 +32,7 @@ TEST(PlanText, IsReadAsItWasPrinted) {
     const Plan plan =
         makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
                           .loops = random() % 2 ? Loops::Whole : Loops::Cut,
-                          .arithmetic = random() % 2 ? Arithmetic::Any : Arithmetic::Ieee,
-                          .lanes = random() % 2 != 0});
+                          .arithmetic = random() % 2 ? Arithmetic::Any : Arithmetic::Ieee});
     EXPECT_EQ(problemOf(plan), "") << printPlan(plan);
     Diagnostics diagnostics;
     const Plan parsed = parsePlan(printPlan(plan), diagnostics);

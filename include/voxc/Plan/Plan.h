@@ -43,19 +43,11 @@ enum class Detail {
   Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
-/// Where a step is settled of which float32 is not sure.
-enum class Settling {
-  Outside, ///< Outside of all loops, and in a dispatch over the rays alone that need it: where lanes run
-           ///< together, those that are sure do not wait for it.
-  Inside,  ///< At once, by a function out of the way: where one ray runs alone.
-};
-
 template <>
 inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe",   "single",
                                                                         "stack", "restart", "unrolled"};
 template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Walk> = {"nested", "flat", "direct"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Settling> = {"outside", "inside"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
 /// How a kernel goes through one stratum.
@@ -76,7 +68,6 @@ struct Plan {
   Detail detail = Detail::Full;
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
-  Settling settling = Settling::Outside;
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
 
   bool operator==(const Plan &) const = default;
@@ -87,12 +78,10 @@ struct PlanOptions {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
   Arithmetic arithmetic = Arithmetic::Any;
-  bool lanes = true; ///< The device runs several rays in step with each other.
 };
 
-/// What the kernels of this processor are made for: rays one by one, loops to their end.
-inline constexpr PlanOptions kCpuPlan = {
-    .loops = Loops::Whole, .arithmetic = Arithmetic::Ieee, .lanes = false};
+/// What the kernels of this processor are made for.
+inline constexpr PlanOptions kCpuPlan = {.loops = Loops::Whole, .arithmetic = Arithmetic::Ieee};
 
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
 /// that.

@@ -1,0 +1,23 @@
+// voxc_lanes.h: functions of which voxc's own compiler makes one for several rays, a lane of wide registers each. Others
+// compile them as they stand, for one.
+#pragma once
+
+namespace voxc::glsl {
+
+#if defined(VOXC_PACKETS) && defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
+constexpr unsigned int LANES = 16;
+#elif defined(VOXC_PACKETS) && defined(__AVX2__)
+constexpr unsigned int LANES = 8;
+#else
+constexpr unsigned int LANES = 1;
+#endif
+
+#ifdef VOXC_PACKETS
+// The number of a lane. A function that calls this is made one of `lanes` lanes, a constant.
+extern "C" [[gnu::const]] unsigned int voxc_lane_number(unsigned int lanes);
+inline unsigned int lane_number(unsigned int lanes) { return voxc_lane_number(lanes); }
+#else
+inline unsigned int lane_number(unsigned int) { return 0; }
+#endif
+
+} // namespace voxc::glsl

@@ -1,0 +1,210 @@
+#include "Lanes.h"
+
+#include <llvm/Analysis/VectorUtils.h>
+#include <llvm/IR/Constants.h>
+#include <llvm/IR/GetElementPtrTypeIterator.h>
+#include <llvm/IR/Operator.h>
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+constexpr const char *kLaneNumber = "voxc_lane_number";
+
+bool isDivision(const llvm::Instruction &instruction) { return instruction.isIntDivRem(); }
+
+} // namespace
+
+Lanes::Lanes(llvm::Function &function, unsigned count)
+    : function_(function), context_(function.getContext()), layout_(function.getDataLayout()), count_(count),
+      builder_(function.getContext()) {}
+
+llvm::Value *Lanes::any(llvm::Value *mask) {
+  llvm::Value *bits = builder_.CreateBitCast(mask, builder_.getIntNTy(count_));
+  return builder_.CreateICmpNE(bits, builder_.getIntN(count_, 0));
+}
+
+llvm::Value *Lanes::get(llvm::Value *value) const {
+  const auto known = values_.find(value);
+  return known == values_.end() ? value : known->second;
+}
+
+llvm::Value *Lanes::spread(llvm::Value *value) {
+  return value->getType()->isVectorTy() ? value : builder_.CreateVectorSplat(count_, value);
+}
+
+bool Lanes::isShared(const llvm::Instruction &instruction) const {
+  return std::ranges::none_of(instruction.operands(),
+                              [&](const llvm::Use &use) { return get(use)->getType()->isVectorTy(); });
+}
+
+llvm::Value *Lanes::clone(llvm::Instruction &instruction) {
+  llvm::Instruction *copy = instruction.clone();
+  for (llvm::Use &use : copy->operands())
+    use.set(get(use));
+  copy->dropUnknownNonDebugMetadata();
+  return builder_.Insert(copy);
+}
+
+llvm::Value *Lanes::arithmetic(llvm::Instruction &instruction, llvm::Value *mask) {
+  llvm::Instruction *copy = instruction.clone();
+  for (llvm::Use &use : copy->operands())
+    use.set(vector(use));
+  // A lane that is not at work may hold anything, and a division by 0 would be one of them all.
+  if (isDivision(instruction))
+    copy->setOperand(1, builder_.CreateSelect(mask, copy->getOperand(1),
+                                              spread(llvm::ConstantInt::get(instruction.getType(), 1))));
+  copy->dropUnknownNonDebugMetadata();
+  copy->mutateType(wide(instruction.getType()));
+  return builder_.Insert(copy);
+}
+
+llvm::Value *Lanes::intrinsic(llvm::IntrinsicInst &call) {
+  const llvm::Intrinsic::ID id = call.getIntrinsicID();
+  llvm::SmallVector<llvm::Value *, 4> arguments;
+  llvm::SmallVector<llvm::Type *, 2> types = {wide(call.getType())};
+  for (unsigned i = 0; i < call.arg_size(); ++i) {
+    const bool isScalar = llvm::isVectorIntrinsicWithScalarOpAtArg(id, i);
+    arguments.push_back(isScalar ? get(call.getArgOperand(i)) : vector(call.getArgOperand(i)));
+    if (llvm::isVectorIntrinsicWithOverloadTypeAtArg(id, static_cast<int>(i)))
+      types.push_back(arguments.back()->getType());
+  }
+  if (!llvm::isVectorIntrinsicWithOverloadTypeAtArg(id, -1))
+    types.erase(types.begin());
+  llvm::CallInst *wideCall = builder_.CreateIntrinsic(id, types, arguments);
+  if (llvm::isa<llvm::FPMathOperator>(call))
+    wideCall->copyFastMathFlags(&call);
+  return wideCall;
+}
+
+/// The memory of all lanes, word by word: what a lane keeps at offset o lies at o * lanes + 4 * its number.
+llvm::Value *Lanes::privateMemory(llvm::AllocaInst &memory) {
+  const std::uint64_t bytes = layout_.getTypeAllocSize(memory.getAllocatedType());
+  llvm::AllocaInst *all =
+      builder_.CreateAlloca(llvm::ArrayType::get(builder_.getInt32Ty(), bytes / 4 * count_));
+  all->setAlignment(llvm::Align(64));
+  llvm::SmallVector<llvm::Constant *, 16> offsets;
+  for (unsigned lane = 0; lane < count_; ++lane)
+    offsets.push_back(builder_.getInt64(lane));
+  private_.insert(&memory);
+  return builder_.CreateGEP(builder_.getInt32Ty(), all, llvm::ConstantVector::get(offsets));
+}
+
+llvm::Value *Lanes::privateAddress(llvm::GetElementPtrInst &address) {
+  private_.insert(&address);
+  llvm::Value *offset = llvm::Constant::getNullValue(wide(builder_.getInt64Ty()));
+  for (auto step = llvm::gep_type_begin(address); step != llvm::gep_type_end(address); ++step) {
+    std::uint64_t stride = step.getSequentialElementStride(layout_);
+    llvm::Value *index = nullptr;
+    if (llvm::StructType *type = step.getStructTypeOrNull()) {
+      const auto field = llvm::cast<llvm::ConstantInt>(step.getOperand())->getZExtValue();
+      index = builder_.getInt64(layout_.getStructLayout(type)->getElementOffset(field));
+      stride = 1;
+    } else {
+      index = get(step.getOperand());
+    }
+    llvm::Value *wideIndex = builder_.CreateSExtOrTrunc(spread(index), wide(builder_.getInt64Ty()));
+    offset =
+        builder_.CreateAdd(offset, builder_.CreateMul(wideIndex, spread(builder_.getInt64(stride * count_))));
+  }
+  return builder_.CreateGEP(builder_.getInt8Ty(), vector(address.getPointerOperand()), offset);
+}
+
+llvm::Value *Lanes::address(llvm::GetElementPtrInst &address) {
+  if (private_.contains(address.getPointerOperand()))
+    return privateAddress(address);
+  llvm::Value *base = get(address.getPointerOperand());
+  llvm::SmallVector<llvm::Value *, 4> indices;
+  for (llvm::Use &index : address.indices())
+    indices.push_back(get(index));
+  // Gathers take signed offsets of 32 bits: an unsigned one is that less 2^31, beyond a base moved on by
+  // 2^31.
+  const auto *extended = llvm::dyn_cast<llvm::ZExtInst>(address.getOperand(address.getNumOperands() - 1));
+  if (indices.size() == 1 && extended != nullptr && extended->getSrcTy()->isIntegerTy(32) &&
+      indices[0]->getType()->isVectorTy() && !base->getType()->isVectorTy()) {
+    llvm::Value *number =
+        builder_.CreateXor(vector(extended->getOperand(0)), spread(builder_.getInt32(0x80000000u)));
+    base = builder_.CreateGEP(address.getSourceElementType(), base, builder_.getInt64(std::int64_t{1} << 31));
+    indices[0] = builder_.CreateSExt(number, wide(builder_.getInt64Ty()));
+  }
+  return builder_.CreateGEP(address.getSourceElementType(), base, indices);
+}
+
+/// A word that all lanes share is read once, if there is one at work.
+llvm::Value *Lanes::loadShared(llvm::LoadInst &load, llvm::Value *mask) {
+  const auto *constant = llvm::dyn_cast<llvm::Constant>(mask);
+  if (constant != nullptr && constant->isAllOnesValue())
+    return clone(load);
+  llvm::BasicBlock *before = builder_.GetInsertBlock();
+  llvm::BasicBlock *reads = llvm::BasicBlock::Create(context_, "reads", &function_, before->getNextNode());
+  llvm::BasicBlock *next = llvm::BasicBlock::Create(context_, "read", &function_, reads->getNextNode());
+  builder_.CreateCondBr(any(mask), reads, next);
+  builder_.SetInsertPoint(reads);
+  llvm::Value *value = clone(load);
+  builder_.CreateBr(next);
+  builder_.SetInsertPoint(next);
+  llvm::PHINode *result = builder_.CreatePHI(load.getType(), 2);
+  result->addIncoming(value, reads);
+  result->addIncoming(llvm::PoisonValue::get(load.getType()), before);
+  return result;
+}
+
+llvm::Value *Lanes::load(llvm::LoadInst &load, llvm::Value *mask) {
+  llvm::Value *address = get(load.getPointerOperand());
+  if (!address->getType()->isVectorTy())
+    return loadShared(load, mask);
+  return builder_.CreateMaskedGather(wide(load.getType()), address, load.getAlign(), mask);
+}
+
+/// True if an address of memory that each lane has of its own goes where it is not known to be one.
+bool Lanes::losesPrivate(const llvm::Instruction &instruction) const {
+  const llvm::Value *address = llvm::getLoadStorePointerOperand(&instruction);
+  const auto *element = llvm::dyn_cast<llvm::GetElementPtrInst>(&instruction);
+  address = element != nullptr ? element->getPointerOperand() : address;
+  return std::ranges::any_of(instruction.operands(),
+                             [&](const llvm::Use &use) { return private_.contains(use) && use != address; });
+}
+
+bool Lanes::write(llvm::Instruction &instruction, llvm::Value *mask) {
+  llvm::Value *result = nullptr;
+  if (auto *call = llvm::dyn_cast<llvm::CallInst>(&instruction)) {
+    const llvm::Function *callee = call->getCalledFunction();
+    auto *known = llvm::dyn_cast<llvm::IntrinsicInst>(call);
+    if (known != nullptr && (known->isLifetimeStartOrEnd() || known->isAssumeLikeIntrinsic()))
+      return true;
+    if (callee != nullptr && callee->getName() == kLaneNumber) {
+      llvm::SmallVector<llvm::Constant *, 16> numbers;
+      for (unsigned lane = 0; lane < count_; ++lane)
+        numbers.push_back(builder_.getInt32(lane));
+      result = llvm::ConstantVector::get(numbers);
+    } else if (known != nullptr && llvm::isTriviallyVectorizable(known->getIntrinsicID())) {
+      result = isShared(instruction) ? clone(instruction) : intrinsic(*known);
+    }
+  } else if (losesPrivate(instruction)) {
+    return false;
+  } else if (auto *store = llvm::dyn_cast<llvm::StoreInst>(&instruction)) {
+    if (private_.contains(store->getPointerOperand()) && !isWord(store->getValueOperand()->getType()))
+      return false;
+    result = builder_.CreateMaskedScatter(vector(store->getValueOperand()),
+                                          vector(store->getPointerOperand()), store->getAlign(), mask);
+  } else if (auto *read = llvm::dyn_cast<llvm::LoadInst>(&instruction)) {
+    if (private_.contains(read->getPointerOperand()) && !isWord(read->getType()))
+      return false;
+    result = load(*read, mask);
+  } else if (auto *memory = llvm::dyn_cast<llvm::AllocaInst>(&instruction)) {
+    result = privateMemory(*memory);
+  } else if (auto *element = llvm::dyn_cast<llvm::GetElementPtrInst>(&instruction)) {
+    result = isShared(instruction) ? clone(instruction) : address(*element);
+  } else if (instruction.isBinaryOp() || instruction.isUnaryOp() || instruction.isCast() ||
+             llvm::isa<llvm::CmpInst, llvm::SelectInst, llvm::FreezeInst>(instruction)) {
+    result = isShared(instruction) && !isDivision(instruction) ? clone(instruction)
+                                                               : arithmetic(instruction, mask);
+  }
+  if (result == nullptr)
+    return false;
+  set(&instruction, result);
+  return true;
+}
+
+} // namespace voxc

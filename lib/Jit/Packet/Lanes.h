@@ -1,0 +1,61 @@
+// The values of a packet: one for all lanes where they agree, else a vector of one for each.
+#pragma once
+
+#include <llvm/ADT/DenseMap.h>
+#include <llvm/ADT/DenseSet.h>
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/IntrinsicInst.h>
+
+#include <optional>
+#include <string>
+
+namespace voxc {
+
+/// Writes the instructions of a function for one lane as instructions for all.
+class Lanes {
+public:
+  Lanes(llvm::Function &function, unsigned count);
+
+  llvm::IRBuilder<> &builder() { return builder_; }
+  llvm::Type *wide(llvm::Type *type) const { return llvm::FixedVectorType::get(type, count_); }
+  llvm::Type *maskType() const { return wide(llvm::Type::getInt1Ty(context_)); }
+  llvm::Value *allLanes() const { return llvm::Constant::getAllOnesValue(maskType()); }
+  llvm::Value *noLane() const { return llvm::Constant::getNullValue(maskType()); }
+  /// A number that is not 0 if any lane is in a mask.
+  llvm::Value *any(llvm::Value *mask);
+
+  /// What stands for a value: itself, if all lanes share it, or a vector.
+  llvm::Value *get(llvm::Value *value) const;
+  /// The same as a vector, always.
+  llvm::Value *vector(llvm::Value *value) { return spread(get(value)); }
+  llvm::Value *spread(llvm::Value *value);
+  void set(const llvm::Value *value, llvm::Value *lanes) { values_[value] = lanes; }
+
+  /// Writes an instruction that is no phi and no terminator, for the lanes of a mask. False if it is of a
+  /// kind that is not known here.
+  bool write(llvm::Instruction &instruction, llvm::Value *mask);
+
+private:
+  bool isShared(const llvm::Instruction &instruction) const;
+  bool losesPrivate(const llvm::Instruction &instruction) const;
+  llvm::Value *clone(llvm::Instruction &instruction);
+  llvm::Value *arithmetic(llvm::Instruction &instruction, llvm::Value *mask);
+  llvm::Value *intrinsic(llvm::IntrinsicInst &call);
+  llvm::Value *address(llvm::GetElementPtrInst &address);
+  llvm::Value *privateMemory(llvm::AllocaInst &memory);
+  llvm::Value *privateAddress(llvm::GetElementPtrInst &address);
+  llvm::Value *load(llvm::LoadInst &load, llvm::Value *mask);
+  llvm::Value *loadShared(llvm::LoadInst &load, llvm::Value *mask);
+  bool isWord(llvm::Type *type) const { return type->isIntegerTy(32) || type->isFloatTy(); }
+
+  llvm::Function &function_;
+  llvm::LLVMContext &context_;
+  const llvm::DataLayout &layout_;
+  unsigned count_;
+  llvm::IRBuilder<> builder_;
+  llvm::DenseMap<const llvm::Value *, llvm::Value *> values_;
+  llvm::DenseSet<const llvm::Value *> private_; ///< Addresses of memory that each lane has of its own.
+};
+
+} // namespace voxc

@@ -1,0 +1,51 @@
+#include "PacketPass.h"
+
+#include "PacketWriter.h"
+
+#include <llvm/IR/Constants.h>
+#include <llvm/IR/DiagnosticInfo.h>
+#include <llvm/IR/InstIterator.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/Transforms/Utils/LCSSA.h>
+#include <llvm/Transforms/Utils/LoopSimplify.h>
+#include <llvm/Transforms/Utils/LowerSwitch.h>
+#include <llvm/Transforms/Utils/UnifyFunctionExitNodes.h>
+
+namespace voxc {
+namespace {
+
+/// How many lanes a function asks for; 0 if it asks for none.
+unsigned lanesOf(llvm::Function &function) {
+  for (llvm::Instruction &instruction : llvm::instructions(function)) {
+    const auto *call = llvm::dyn_cast<llvm::CallInst>(&instruction);
+    const llvm::Function *callee = call == nullptr ? nullptr : call->getCalledFunction();
+    if (callee != nullptr && callee->getName() == "voxc_lane_number")
+      return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call->getArgOperand(0))->getZExtValue());
+  }
+  return 0;
+}
+
+} // namespace
+
+llvm::PreservedAnalyses PacketPass::run(llvm::Function &function, llvm::FunctionAnalysisManager &analyses) {
+  const unsigned lanes = lanesOf(function);
+  if (lanes == 0)
+    return llvm::PreservedAnalyses::all();
+  const auto prepare = [&](auto pass) { analyses.invalidate(function, pass.run(function, analyses)); };
+  // Branches of two ways, one end, loops with one way in and one way back, whose values leave them by phis.
+  prepare(llvm::LowerSwitchPass());
+  prepare(llvm::UnifyFunctionExitNodesPass());
+  prepare(llvm::LoopSimplifyPass());
+  prepare(llvm::LCSSAPass());
+  if (const llvm::Instruction *unknown = writePacket(function, lanes)) {
+    std::string text = "voxc cannot make a packet of: ";
+    llvm::raw_string_ostream(text) << *unknown;
+    function.getContext().diagnose(llvm::DiagnosticInfoUnsupported(function, text));
+  }
+  const unsigned bits = 32 * lanes;
+  function.addFnAttr("min-legal-vector-width", std::to_string(bits));
+  function.addFnAttr("prefer-vector-width", std::to_string(bits));
+  return llvm::PreservedAnalyses::none();
+}
+
+} // namespace voxc

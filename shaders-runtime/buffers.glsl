@@ -1,0 +1,35 @@
+// From the buffers to a walk, and back.
+
+uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
+
+// The walk of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in place of
+// t. One of -1 has not begun.
+Walk left_walk(uint at) {
+  Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]), int(hit_words[at + 4u]));
+  walk.open = max(int(hit_words[at + 3u]), CLOSED);
+  walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
+  bool has_begun = is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell);
+  walk.lookups = words_read = has_begun ? hit_words[at + 5u] : 0u;
+  return walk;
+}
+
+void store_left(uint at, const Walk walk) {
+  ivec3 voxel = -2 - (walk.open >= 0 ? ~walk.cell : walk.cell);
+  hit_words[at] = uint(voxel.x);
+  hit_words[at + 1u] = uint(voxel.y);
+  hit_words[at + 2u] = uint(voxel.z);
+  hit_words[at + 3u] = uint(walk.open);
+  hit_words[at + 4u] = uint(walk.axis);
+  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
+}
+
+// A hit is its voxel. A miss is -1. One that would not have ended is told by a cell far below.
+void store(uint at, const Walk walk, bool hit, uint t) {
+  ivec3 voxel = hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1);
+  hit_words[at] = uint(voxel.x);
+  hit_words[at + 1u] = uint(voxel.y);
+  hit_words[at + 2u] = uint(voxel.z);
+  hit_words[at + 3u] = hit ? colour_of(walk) : 0u;
+  hit_words[at + 4u] = hit ? t : 0u;
+  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
+}
