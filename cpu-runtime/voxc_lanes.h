@@ -15,9 +15,13 @@ constexpr unsigned int LANES = 1;
 #ifdef VOXC_PACKETS
 // The number of a lane. A function that calls this is made one of `lanes` lanes, a constant.
 extern "C" [[gnu::const]] unsigned int voxc_lane_number(unsigned int lanes);
-inline unsigned int lane_number(unsigned int lanes) { return voxc_lane_number(lanes); }
+// How many lanes are at work where this is called. What is given changes from call to call, so that each is made.
+extern "C" [[gnu::const]] unsigned int voxc_lanes_at_work(int changing);
+[[gnu::always_inline]] inline unsigned int lane_number(unsigned int lanes) { return voxc_lane_number(lanes); }
+[[gnu::always_inline]] inline unsigned int lanes_at_work(int changing) { return voxc_lanes_at_work(changing); }
 #else
 inline unsigned int lane_number(unsigned int) { return 0; }
+inline unsigned int lanes_at_work(int) { return 1; }
 #endif
 
 } // namespace voxc::glsl

@@ -3,7 +3,7 @@
 
 // A change of cell.
 struct Crossing {
-  float t;     // Approximate.
+  ${real} t;     // Approximate.
   int axis;    // One that changes,
   int face;    // and the face that it passes.
   ivec3 step;  // The change, a cell at most on each axis.
@@ -12,7 +12,7 @@ struct Crossing {
 
 // The change of cell where a ray leaves a cube through the faces ahead: `crossed` tells the axes whose coordinates pass
 // them first, about at t.
-Crossing crossing_of(const Ray ray, ivec3 face, float t, bvec3 crossed) {
+Crossing crossing_of(const Ray ray, ivec3 face, ${real} t, bvec3 crossed) {
   ivec3 changes = mix(ivec3(0), ray.heading, crossed);
   ivec3 risen = max(changes, ivec3(0));
   Crossing crossing;
@@ -112,10 +112,10 @@ OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range can
   return range.least;
 }
 
-// What float32 can tell of the cell, within a range, that the ray is in once a crossing has happened.
+// What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 Range approximate_cell(const Ray ray, const Crossing crossing, const Range range) {
-  vec3 point = ray.lowest + crossing.t * ray.direction;
-  vec3 least = vec3(range.least);
-  vec3 most = vec3(range.most);
+  ${real3} point = ray.lowest + crossing.t * ray.direction;
+  ${real3} least = ${real3}(range.least);
+  ${real3} most = ${real3}(range.most);
   return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + ray.doubt), least, most)));
 }

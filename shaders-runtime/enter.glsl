@@ -6,12 +6,12 @@ const uint TINY_BITS = 0x30800000u; // Of 2^-30.
 // Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
 // by `slack`. A coordinate that never changes stays in its cell, and passes no face.
 void bound_errors(inout Ray ray, ivec3 cell, vec3 of_origin, float slack) {
-  vec3 reach = max(abs(ray.origin), abs(vec3(VOLUME_SIZE) - ray.origin));
-  vec3 error = reach * ROUNDINGS + of_origin + slack * abs(ray.direction);
+  ${real3} reach = max(abs(ray.origin), abs(${real3}(VOLUME_SIZE) - ray.origin));
+  ${real3} error = reach * ROUNDINGS + of_origin + slack * abs(ray.direction);
   ray.slack = slack;
-  ray.lowest = mix(vec3(cell) + 0.25f, ray.origin - error, ray.moves);
-  ray.doubt = mix(vec3(0.0f), 2.0f * error, ray.moves);
-  ray.origin = mix(vec3(-NEVER), ray.origin, ray.moves);
+  ray.lowest = mix(${real3}(cell) + 0.25f, ray.origin - error, ray.moves);
+  ray.doubt = mix(${real3}(0.0f), 2.0f * error, ray.moves);
+  ray.origin = mix(${real3}(-NEVER), ray.origin, ray.moves);
 }
 
 // True where the ray moves from a coordinate so close to 0 that float32 may lose its distance from there.
@@ -54,10 +54,10 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
       ray.origin[other] = float(face);
     } else if (ray.moves[other]) {
       ray.origin[other] = coordinate_at(ray, axis, face, other);
-      error[other] = CLOSE + abs(ray.origin[other]) * ROUNDINGS;
+      error[other] = CLOSE + CLOSE * abs(float(ray.origin[other])) / 256.0f; // More than a few roundings.
     }
   }
-  vec3 slack = error * abs(ray.inverse);
+  vec3 slack = error * abs(vec3(ray.inverse));
   bound_errors(ray, cell, error, 2.0f * max(max(slack.x, slack.y), slack.z));
 }
 
@@ -78,14 +78,14 @@ OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, ivec3 cell, bvec3 ent
   return walk;
 }
 
-// The same by float32. Not sure if that cannot tell which face is the last, or which cell is behind it.
+// The same by ${real-name}. Not sure if that cannot tell which face is the last, or which cell is behind it.
 Walk entered(const Ray ray, Walk walk, bvec3 enters, ivec3 face, out bool sure) {
-  vec3 t = mix(vec3(-NEVER), times_of(ray, face), enters);
-  float latest = max(max(t.x, t.y), t.z);
-  bvec3 may_be_last = greaterThanEqual(t, vec3(latest - (latest * ROUNDINGS + ray.slack)));
+  ${real3} t = mix(${real3}(-NEVER), times_of(ray, face), enters);
+  ${real} latest = max(max(t.x, t.y), t.z);
+  bvec3 may_be_last = greaterThanEqual(t, ${real3}(latest - (latest * ROUNDINGS + ray.slack)));
   ivec3 count = ivec3(may_be_last);
-  vec3 point = ray.lowest + latest * ray.direction;
-  vec3 whole = floor(point);
+  ${real3} point = ray.lowest + latest * ray.direction;
+  ${real3} whole = floor(point);
   bvec3 certain = lessThan(point - whole, 1.0f - ray.doubt);
   sure = count.x + count.y + count.z == 1 && all(greaterThan(ivec3(certain) + count, ivec3(0)));
   ivec3 behind = face - ivec3(ray.falls);
@@ -103,8 +103,12 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
   ivec3 enters = (below & ray.ahead) + above * ivec3(ray.falls);
   if (enters != below + above)
     return false;
-  vec3 far = mix(vec3(NEVER), vec3(2 * max(max(size.x, size.y), size.z)), ray.moves);
-  bool starts_far = any(greaterThan(abs(ray.origin), far));
+%if doubles
+  float far_away = 17179869184.0f; // 2^34.
+%else
+  float far_away = float(2 * max(max(size.x, size.y), size.z));
+%end
+  bool starts_far = any(greaterThan(abs(uintBitsToFloat(ray.given_origin)), mix(vec3(NEVER), vec3(far_away), ray.moves)));
   bound_errors(ray, cell, vec3(0.0f), any(starts_tiny(ray)) ? NEVER : 0.0f);
   walk.cell = cell;
   ivec3 face = mix(ivec3(0), size, ray.falls);

@@ -34,13 +34,13 @@ Ray prepare_ray(uvec3 origin, uvec3 direction) {
   ray.given_origin = origin;
   ray.given_direction = direction;
   ray.plain = are_plain(origin) && are_plain(direction);
-  ray.origin = uintBitsToFloat(origin);
+  ray.origin = ${real3}(uintBitsToFloat(origin));
   ray.moves = notEqual(size, uvec3(0u));
   ray.falls = greaterThan(direction, uvec3(SIGN_BIT));
   vec3 component = scaled(size, ray.plain);
   component = mix(component, -component, ray.falls);
-  ray.direction = mix(vec3(0.0f), component, ray.moves);
-  ray.inverse = mix(vec3(1.0f), 1.0f / component, ray.moves);
+  ray.direction = mix(${real3}(0.0f), ${real3}(component), ray.moves);
+  ray.inverse = mix(${real3}(1.0f), 1.0f / ${real3}(component), ray.moves);
   ray.heading = ivec3(ray.moves) - 2 * ivec3(ray.falls);
   ray.ahead = -max(ray.heading, ivec3(0));
   return ray;

@@ -1,13 +1,13 @@
-// A ray, prepared for walking. Its float32 members are approximate; what must be exact is asked of the ray as given.
+// A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray as given.
 struct Ray {
   uvec3 given_origin;    // The bits of six float32 taken as exact numbers.
   uvec3 given_direction;
-  vec3 origin;           // Where walking counts from: the given origin, or where a ray from far away enters.
-  vec3 direction;        // Scaled by a power of two: the largest component is in [1, 2), and none so small that
-  vec3 inverse;          // its inverse overflows. All t are those of this direction, from this origin.
-  float slack;           // What float32 gets wrong of a t, beside a few roundings.
-  vec3 lowest;           // The least that float32 makes certain of the coordinates at the origin,
-  vec3 doubt;            // and how much more any coordinate on the way may be, in voxels.
+  ${real3-wide} origin;          // Where walking counts from: the given origin, or where a ray from far away enters.
+  ${real3-wide} direction;       // Scaled by a power of two: the largest component is in [1, 2), and none so small that
+  ${real3-wide} inverse;         // its inverse overflows. All t are those of this direction, from this origin.
+  ${real} slack;           // What is wrong of a t, beside a few roundings.
+  ${real3-wide} lowest;          // The least that is certain of the coordinates at the origin,
+  ${real3-wide} doubt;           // and how much more any coordinate on the way may be, in voxels.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
   bool plain;            // As given, it has no numbers but 0 and those whose significand has all its bits.
@@ -36,6 +36,10 @@ const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who s
 
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
+%if doubles
+// Eight roundings to nearest, of 2^-53 each: see below.
+const double ROUNDINGS = double(8.0f / 16777216.0f) / 536870912.0;
+%else
 %if ieee
 // Eight roundings to nearest, of 2^-24 each. A t is a difference, an inverse and a product; the order of two t is certain
 // beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin.
@@ -45,6 +49,7 @@ const float ROUNDINGS = 8.0f / 16777216.0f;
 // order of two t is certain beyond 11 roundings of the earlier, and a coordinate within 9.5 of how far it may be from the
 // origin.
 const float ROUNDINGS = 12.0f / 8388608.0f;
+%end
 %end
 
 // A walk that is about to begin, or to go on.
@@ -66,6 +71,15 @@ void count_lookup(inout Walk walk) {
 
 bool is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(VOLUME_SIZE))); }
 
+// Whether a walk has more to see here.
+bool goes_on(const Walk walk) {
+%if packets
+  return is_in_volume(walk.cell) && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
+%else
+  return is_in_volume(walk.cell);
+%end
+}
+
 // True if two cells lie in one aligned cube of 2^log2_side voxels a side.
 bool is_same_cube(ivec3 a, ivec3 b, int log2_side) {
   ivec3 differ = a ^ b;
@@ -80,7 +94,7 @@ int entered_face(const Ray ray, const Walk walk) {
   return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
 }
 
-float min_of(vec3 v) { return min(min(v.x, v.y), v.z); }
+${real} min_of(${real3} v) { return min(min(v.x, v.y), v.z); }
 
 // The number of the ray's octant: a bit for each coordinate that rises, that of x lowest.
 int octant_of(const Ray ray) { return (ray.ahead.x & 1) | (ray.ahead.y & 2) | (ray.ahead.z & 4); }
@@ -91,4 +105,4 @@ ivec3 corner_of(const Ray ray, ivec3 cell, const Gap gap) {
 }
 
 // About when each coordinate passes its face.
-vec3 times_of(const Ray ray, ivec3 face) { return (vec3(face) - ray.origin) * ray.inverse; }
+${real3} times_of(const Ray ray, ivec3 face) { return (${real3}(face) - ray.origin) * ray.inverse; }

@@ -43,7 +43,10 @@ double Constructor::compileSeconds() const { return state_->compileSeconds; }
 
 Expected<Constructor> Constructor::compile(const Format &format) {
   const Stopwatch watch;
-  const std::string text = emitConstruct(makePlan(format));
+  const auto plan = makePlan(format);
+  if (!plan)
+    return plan.error();
+  const std::string text = emitConstruct(*plan);
   // -O1: a third less compile time than -O2, and builds that are as fast; they wait for the source, not for
   // this code.
   auto code = JitCode::compile({{"construct.cpp", text}, {"voxc_construct.h", constructHeader()}},

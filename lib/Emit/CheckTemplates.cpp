@@ -20,7 +20,7 @@ void report(const std::string &file, const std::string &problem) {
 
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
-  TemplateNames names = layerNames(makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
+  TemplateNames names = layerNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
   for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB",
                            "LAYERS_DOWN", "symbol", "PREFIX", "DIGEST", "count-words"})
     names.holes[hole] = "";

@@ -136,7 +136,14 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   names.conditions["defers-grid"] = defersVoxels(plan) && tellsAround(lowest);
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid();
+  const bool inDoubles = plan.steps == Steps::Float64;
+  names.holes["real"] = inDoubles ? "double" : "float";
+  names.holes["real-name"] = inDoubles ? "doubles" : "float32";
+  names.holes["real3-wide"] = inDoubles ? "dvec3" : "vec3 ";
+  names.holes["real3"] = inDoubles ? "dvec3" : "vec3";
+  names.conditions["doubles"] = inDoubles;
   names.conditions["cut"] = cut;
+  names.conditions["packets"] = plan.packing == Packing::Packets;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
   names.conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   names.conditions["cone"] = plan.detail == Detail::Cone;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
 constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
-constexpr std::array<std::string_view, 3> kLevelsValues = {"nested", "flat", "direct"};
+constexpr std::array<std::string_view, 4> kLevelsValues = {"auto", "nested", "flat", "direct"};
 constexpr std::array<std::string_view, 1> kPayloadValues = {"rgba8"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 
@@ -23,10 +23,10 @@ const AttributeKind kDetailAttribute = {
     "detail", AttributeEffect::Walk, kDetailValues,
     "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"};
 
-const AttributeKind kLevelsAttribute = {
-    "levels", AttributeEffect::Walk, kLevelsValues,
-    "how the kernel goes from level to level: by a loop for each, by one "
-    "loop through all, or by one that goes down from the root in each turn"};
+const AttributeKind kLevelsAttribute = {"levels", AttributeEffect::Walk, kLevelsValues,
+                                        "how the kernel goes from level to level: by a loop for each, by one "
+                                        "loop through all, by one that goes down "
+                                        "from the root in each turn, or by what is fastest as a rule"};
 
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
                                          "what a voxel is: a colour of four bytes, in the word of its cell"};

@@ -21,8 +21,10 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
 }
 
 Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options) {
-  const Plan plan = makePlan(format, {options.addressing, options.loops, options.arithmetic});
-  return compileGlsl(emitIntersect(plan), plan, options.optimise);
+  const auto plan = makePlan(format, {options.addressing, options.loops, options.arithmetic});
+  if (!plan)
+    return plan.error();
+  return compileGlsl(emitIntersect(*plan), *plan, options.optimise);
 }
 
 Expected<std::string> disassemble(const Kernel &kernel) { return disassembleSpirv(kernel.spirv); }

@@ -33,7 +33,10 @@ bool isIdentifier(const std::string &name) {
 } // namespace
 
 Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
-  const auto object = compile(emitIntersectCpp(makePlan(format, kCpuPlan), kSymbol, countWords), "native");
+  const auto plan = makePlan(format, kCpuPlan);
+  if (!plan)
+    return plan.error();
+  const auto object = compile(emitIntersectCpp(*plan, kSymbol, countWords), "native");
   if (!object)
     return object.error();
   auto code = JitCode::link(*object);
@@ -49,7 +52,10 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {
   if (!isIdentifier(options.symbol))
     return Error::usage("'" + options.symbol + "' is no name of a C function");
-  return compile(emitIntersectCpp(makePlan(format, kCpuPlan), options.symbol), options.processor);
+  const auto plan = makePlan(format, kCpuPlan);
+  if (!plan)
+    return plan.error();
+  return compile(emitIntersectCpp(*plan, options.symbol), options.processor);
 }
 
 } // namespace voxc

@@ -33,9 +33,10 @@ void chooseWalk(Plan &plan) {
       plan.detail == Detail::Cone || std::ranges::any_of(plan.traversals, goesItsOwnWay);
   if (needsNesting)
     plan.walk = Walk::Nested;
-  else if (plan.walk != Walk::Nested)
+  if (plan.walk != Walk::Auto)
     return;
-  else if (plan.layout.strata.size() >= kManyLevels)
+  plan.walk = Walk::Nested;
+  if (plan.layout.strata.size() >= kManyLevels)
     plan.walk = Walk::Flat;
   else if (isBestDirect(plan.layout))
     plan.walk = Walk::Direct;

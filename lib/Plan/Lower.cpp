@@ -9,10 +9,13 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.addressing = options.addressing;
   plan.loops = options.loops;
   plan.arithmetic = options.arithmetic;
+  plan.packing = options.packing;
   plan.predicate =
       format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
-  plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));
   plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
+  // One loop stops at voxels alone: cones leave no choice.
+  if (plan.detail == Detail::Full)
+    plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));
   for (const Level &level : format.levels)
     plan.traversals.push_back({.descent = level.kind->isTree()
                                               ? *fromString<Descent>(level.attribute(kWalkAttribute))

@@ -7,6 +7,7 @@ namespace voxc {
 
 void chooseDescents(Plan &plan);
 void chooseWalk(Plan &plan);
+void chooseSteps(Plan &plan);
 void placeStops(Plan &plan);
 
 } // namespace voxc

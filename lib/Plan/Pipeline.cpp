@@ -6,7 +6,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<PlanPass, 3> kPasses = {{
+constexpr std::array<PlanPass, 4> kPasses = {{
     {"choose-descents",
      "what slots and layers leave no choice of: a table is probed, a tree without layers is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
@@ -15,6 +15,11 @@ constexpr std::array<PlanPass, 3> kPasses = {{
      "the first level tells octants above at most 8 layers of nodes; but nested where restart-sv, "
      "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
+    {"choose-steps",
+     "doubles for exact walks through 2^11 voxels a side and more, where the device has them and packs rays "
+     "itself; else "
+     "float32",
+     "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},
 }};
@@ -23,10 +28,16 @@ constexpr std::array<PlanPass, 3> kPasses = {{
 
 std::span<const PlanPass> planPasses() { return kPasses; }
 
-Plan makePlan(const Format &format, const PlanOptions &options) {
+Expected<Plan> makePlan(const Format &format, const PlanOptions &options) {
   Plan plan = lowerToPlan(format, options);
-  for (const PlanPass &pass : planPasses())
+  for (const PlanPass &pass : planPasses()) {
     pass.run(plan);
+    Diagnostics diagnostics;
+    verify(plan, diagnostics);
+    if (diagnostics.hasErrors())
+      return Error::environment("the pass " + std::string(pass.name) +
+                                " left a wrong plan, a defect of voxc: " + diagnostics.all().front().message);
+  }
   return plan;
 }
 

@@ -75,16 +75,18 @@ bool parseAlpha(Plan &plan, std::string_view text) {
   return alpha.has_value();
 }
 
-constexpr std::array<Field<Plan>, 9> kPlanFields = {{
+constexpr std::array<Field<Plan>, 11> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
-    field<Plan, &Plan::walk>("walk", "nested, flat, direct"),
+    field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
+    field<Plan, &Plan::steps>("steps", "float32, float64"),
     field<Plan, &Plan::detail>("detail", "full, cone"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
+    field<Plan, &Plan::packing>("packing", "device, packets"),
 }};
 
 using S = PlannedStratum;

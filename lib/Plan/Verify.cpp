@@ -8,8 +8,12 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   verify(plan.layout, diagnostics, ranges);
   if (plan.traversals.size() != plan.layout.strata.size())
     return diagnostics.error({}, "a plan says of each stratum how it is walked");
-  if (plan.walk != Walk::Nested && plan.detail == Detail::Cone)
+  const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
+  if (isOneLoop && plan.detail == Detail::Cone)
     diagnostics.error({}, "one loop for all levels stops at voxels alone");
+  if (plan.steps == Steps::Float64 &&
+      (plan.arithmetic != Arithmetic::Ieee || plan.predicate != Predicate::Exact))
+    diagnostics.error({}, "exact walks alone step in doubles, with arithmetic=ieee");
   for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
     const Stratum &stratum = plan.layout.strata[i];
     const Traversal &traversal = plan.traversals[i];
@@ -20,8 +24,7 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
         isTable != (traversal.descent == Descent::Probe))
       diagnostics.error(range,
                         number + "a table is probed, any other grid is walked by index, and nothing else is");
-    if (plan.walk != Walk::Nested &&
-        (traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled))
+    if (isOneLoop && (traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled))
       diagnostics.error(range, number + "one loop for all levels goes down trees in its own way");
     if (traversal.descent == Descent::Single && stratum.depth != 0)
       diagnostics.error(range, number + "a tree with layers is more than a single cell");

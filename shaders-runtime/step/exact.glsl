@@ -1,12 +1,12 @@
-// Steps that are exact for every ray: float32 where its error bound decides, integers elsewhere.
+// Steps that are exact for every ray: ${real-name} where its error bound decides, integers elsewhere.
 
-// How the ray leaves the cube of `side` voxels at `corner`. Not sure if float32 cannot tell which face it passes first.
+// How the ray leaves the cube of `side` voxels at `corner`. Not sure if ${real-name} cannot tell which face it passes first.
 Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
   ivec3 face = corner + (ray.ahead & side);
-  vec3 t = times_of(ray, face);
+  ${real3} t = times_of(ray, face);
   Crossing crossing;
   crossing.t = min_of(t);
-  bvec3 crossed = lessThanEqual(t, vec3(crossing.t + (crossing.t * ROUNDINGS + ray.slack)));
+  bvec3 crossed = lessThanEqual(t, ${real3}(crossing.t + (crossing.t * ROUNDINGS + ray.slack)));
   ivec3 count = ivec3(crossed);
   sure = count.x + count.y + count.z == 1;
   crossing.axis = crossed.z ? 2 : crossed.y ? 1 : 0;
@@ -19,9 +19,9 @@ Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
 // Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, unless float32 cannot tell to which
 // of its cells. A coordinate just below the cube, or in its last half cell, belongs to the cube's first or last cell.
 void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
-  vec3 least = vec3(corner);
-  vec3 point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (float(side) - 0.5f));
-  vec3 whole = floor(point);
+  ${real3} least = ${real3}(corner);
+  ${real3} point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (${real}(side) - 0.5f));
+  ${real3} whole = floor(point);
   sure = sure && (side == 1 || all(lessThan(point - whole, 1.0f - ray.doubt)));
   ivec3 cell = side == 1 ? corner : ivec3(whole); // Where the side is a constant, only one of the two is there.
   walk.cell = sure ? cell : walk.cell;
@@ -38,9 +38,9 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
   int side = gap.count << gap.log2_side;
   ivec3 corner = corner_of(ray, walk.cell, gap);
   ivec3 face = corner + (ray.ahead & side);
-  vec3 t = times_of(ray, face);
-  float earliest = min_of(t);
-  bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * ROUNDINGS + ray.slack)));
+  ${real3} t = times_of(ray, face);
+  ${real} earliest = min_of(t);
+  bvec3 may_be_first = lessThanEqual(t, ${real3}(earliest + (earliest * ROUNDINGS + ray.slack)));
   ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
   int axes = bits.x | bits.y << 1 | bits.z << 2;
   int first = findLSB(uint(axes));

@@ -1,6 +1,6 @@
 // One loop. Each turn looks at the walk's cell from the root on, through all levels.
 bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
-  while (is_in_volume(walk.cell)) {
+  while (goes_on(walk)) {
     count_lookup(walk);
     Gap gap = Gap(0, 1);
     uint value = locate_level_1(ray, root, walk.cell, gap);

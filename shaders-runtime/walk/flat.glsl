@@ -4,7 +4,7 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
   uint path[${LAYERS}];
   path[0] = root;
   int layer = 0;
-${FLAT_BEGIN}  while (is_in_volume(walk.cell)) {
+${FLAT_BEGIN}  while (goes_on(walk)) {
     // Down to a voxel, or to the empty cube of 2^side voxels a side around the cell.
     count_lookup(walk);
     uint node = path[layer];

@@ -1,6 +1,10 @@
 bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
+%if first
+  while (goes_on(walk)) {
+%else
   ivec3 begin = walk.cell;
   while (within_level_${N}(begin, walk.cell)) {
+%end
     count_lookup(walk);
 %if octants
     uint reach;

@@ -1,6 +1,10 @@
 bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
+%if first
+  while (goes_on(walk)) {
+%else
   ivec3 begin = walk.cell;
   while (within_level_${N}(begin, walk.cell)) {
+%end
     // Down from the root to the leaf, or the empty child, `layer` layers above the cells.
     count_lookup(walk);
     ivec3 cell = walk.cell >> LEVEL_${N}_LOG2_CELL;

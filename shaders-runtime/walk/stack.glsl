@@ -38,10 +38,17 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
     else if (leaf && intersect_${NEXT}(ray, walk, ${leaf-node}))
       return true;
 
+%if first
+    if (!goes_on(walk))
+      return false;
+    ivec3 changed = before ^ walk.cell;
+    int highest = findMSB(uint(changed.x | changed.y | changed.z));
+%else
     ivec3 changed = before ^ walk.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     if (highest >= LEVEL_${N}_LOG2_SIDE)
       return false;
+%end
     top = max(layer, ${highest-layer}) + 1;
   }
 }

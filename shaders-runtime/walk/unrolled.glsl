@@ -1,6 +1,10 @@
 bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
+%if first
+  while (goes_on(walk)) {
+%else
   ivec3 begin = walk.cell;
   while (within_level_${N}(begin, walk.cell)) {
+%end
 %if stops
     bool leaf;
     uint found = seek_level_${N}_layer_${DEPTH}(ray, walk, root, leaf);

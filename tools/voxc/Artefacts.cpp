@@ -17,9 +17,13 @@ namespace {
 /// What artefacts are made of; kernels are compiled when they are first asked for.
 class Generator {
 public:
-  Generator(const Format &format, const KernelChoices &choices)
-      : format_(format), plan_(makePlan(format, {.addressing = choices.addressing})),
-        cpuPlan_(makePlan(format, kCpuPlan)), choices_(choices) {}
+  static Expected<Generator> create(const Format &format, const KernelChoices &choices) {
+    auto plan = makePlan(format, {.addressing = choices.addressing});
+    auto cpuPlan = makePlan(format, kCpuPlan);
+    if (!plan || !cpuPlan)
+      return plan ? cpuPlan.error() : plan.error();
+    return Generator(format, std::move(*plan), std::move(*cpuPlan), choices);
+  }
 
   const Format &format() const { return format_; }
   const Plan &plan() const { return plan_; }
@@ -37,6 +41,9 @@ public:
   }
 
 private:
+  Generator(Format format, Plan plan, Plan cpuPlan, const KernelChoices &choices)
+      : format_(std::move(format)), plan_(std::move(plan)), cpuPlan_(std::move(cpuPlan)), choices_(choices) {}
+
   Format format_;
   Plan plan_;
   Plan cpuPlan_; ///< The same for this processor.
@@ -120,16 +127,18 @@ std::vector<std::string> artefactNames() {
 
 Expected<std::vector<Artefact>> makeArtefacts(const Format &format, const std::vector<std::string> &kinds,
                                               const KernelChoices &choices, bool alone) {
-  Generator generator(format, choices);
+  auto generator = Generator::create(format, choices);
+  if (!generator)
+    return generator.error();
   std::vector<Artefact> artefacts;
   for (const std::string &name : kinds) {
     const ArtefactKind &kind = findArtefact(name);
-    Expected<std::string> contents = kind.make(generator);
+    Expected<std::string> contents = kind.make(*generator);
     if (!contents)
       return contents.error();
     artefacts.push_back({kind.file, std::move(*contents)});
     if (!alone)
-      std::ranges::move(kind.companions(generator), std::back_inserter(artefacts));
+      std::ranges::move(kind.companions(*generator), std::back_inserter(artefacts));
   }
   return artefacts;
 }

@@ -30,9 +30,9 @@ TEST(PlanText, IsReadAsItWasPrinted) {
     format.setAttribute(kDetailAttribute, random() % 2 ? "cone" : "full");
     format.setAttribute(kPrecisionAttribute, random() % 2 ? "fast" : "exact");
     const Plan plan =
-        makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
-                          .loops = random() % 2 ? Loops::Whole : Loops::Cut,
-                          .arithmetic = random() % 2 ? Arithmetic::Any : Arithmetic::Ieee});
+        *makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
+                           .loops = random() % 2 ? Loops::Whole : Loops::Cut,
+                           .arithmetic = random() % 2 ? Arithmetic::Any : Arithmetic::Ieee});
     EXPECT_EQ(problemOf(plan), "") << printPlan(plan);
     Diagnostics diagnostics;
     const Plan parsed = parsePlan(printPlan(plan), diagnostics);
@@ -45,7 +45,7 @@ TEST(PlanText, IsReadAsItWasPrinted) {
 TEST(PlanText, IsNeverBelieved) {
   std::mt19937 random(6);
   for (int i = 0; i < test::rounds(2000); ++i) {
-    std::string text = printPlan(makePlan(test::randomFormat(random, 5)));
+    std::string text = printPlan(*makePlan(test::randomFormat(random, 5)));
     for (int changes = test::pick(random, 1, 3); changes > 0; --changes) {
       const std::size_t at = random() % text.size();
       if (random() % 2)
@@ -91,13 +91,40 @@ TEST(PlanRules, AreEachHeld) {
       {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "more than a single cell"},
       {"G(2)", [](Plan &p) { p.traversals[0].stops = true; }, "detail=cone alone"},
       {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is walked"},
+      {"G(2)", [](Plan &p) { p.steps = Steps::Float64; }, "arithmetic=ieee"},
   };
   for (const BrokenRule &rule : rules) {
-    Plan plan = makePlan(*parseFormat(rule.format));
+    Plan plan = *makePlan(*parseFormat(rule.format));
     EXPECT_EQ(problemOf(plan), "");
     rule.breakIt(plan);
     EXPECT_THAT(problemOf(plan), HasSubstr(rule.problem)) << rule.format;
   }
+}
+
+TEST(Plans, StepInDoublesWhereThatIsBest) {
+  const auto stepsOf = [](const char *format, PlanOptions options, const char *precision = "exact") {
+    Format parsed = *parseFormat(format);
+    parsed.setAttribute(kPrecisionAttribute, precision);
+    return makePlan(parsed, options)->steps;
+  };
+  const PlanOptions ieee = {.arithmetic = Arithmetic::Ieee};
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee), Steps::Float64);
+  EXPECT_EQ(stepsOf("R(7^3) G(3)", ieee), Steps::Float32) << "a short way";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", {}), Steps::Float32) << "no doubles";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", kCpuPlan), Steps::Float32) << "packets";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee, "fast"), Steps::Float32) << "fast";
+}
+
+TEST(Plans, LeaveAWalkThatIsAskedFor) {
+  const auto walkOf = [](const char *levels, const char *detail = "full") {
+    Format format = *parseFormat("D(3^3, 15) M(2^3)");
+    format.setAttribute(kLevelsAttribute, levels);
+    format.setAttribute(kDetailAttribute, detail);
+    return makePlan(format)->walk;
+  };
+  EXPECT_EQ(walkOf("nested"), Walk::Nested);
+  EXPECT_EQ(walkOf("flat"), Walk::Flat);
+  EXPECT_EQ(walkOf("flat", "cone"), Walk::Nested) << "one loop stops at voxels alone";
 }
 
 TEST(Layout, KnowsWhichCubesCanBeBuiltApart) {

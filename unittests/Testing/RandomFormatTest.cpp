@@ -21,7 +21,7 @@ std::map<std::string_view, int> countWalks(int formats) {
     if (tree == format.levels.end())
       continue;
     const std::string_view levels = format.attributes.value(kLevelsAttribute);
-    ++counts[levels != "nested" ? levels : tree->attribute(kWalkAttribute)];
+    ++counts[levels != "auto" ? levels : tree->attribute(kWalkAttribute)];
     ++found;
   }
   return counts;

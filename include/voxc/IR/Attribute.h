@@ -33,7 +33,7 @@ extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
-extern const AttributeKind kLevelsAttribute;    ///< levels: nested | flat | direct
+extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
 extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 

@@ -6,6 +6,7 @@
 #include "voxc/Layout/Addressing.h"
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/EnumText.h"
+#include "voxc/Support/Error.h"
 
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@ namespace voxc {
 
 /// How a kernel goes from level to level.
 enum class Walk {
+  Auto,   ///< Not chosen yet: the pass choose-walk does.
   Nested, ///< A loop for each level, which calls that of the next.
   Flat,   ///< One loop through the nodes of all levels: a kernel of one step, however many levels there are.
   Direct, ///< One loop whose every turn goes down from the root through all levels, without a loop in it.
@@ -37,17 +39,33 @@ enum class Predicate {
   Float32, ///< Plain float32: wrong only by rounding at a boundary.
 };
 
+/// The numbers that an exact walk steps in, until integers have to decide.
+enum class Steps {
+  Float32,
+  Float64, ///< Slower, but sure of nearly every step of a long walk.
+};
+
 /// Where a walk may stop.
 enum class Detail {
   Full, ///< At voxels.
   Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
+/// Who puts rays into the lanes of registers.
+enum class Packing {
+  Device,  ///< The device, for as long as a walk takes.
+  Packets, ///< What runs around the kernel: a walk is let go when few lanes are still at work, and goes on in
+           ///< a packet of such.
+};
+
 template <>
 inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe",   "single",
                                                                         "stack", "restart", "unrolled"};
-template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Walk> = {"nested", "flat", "direct"};
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<Walk> = {"auto", "nested", "flat", "direct"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Steps> = {"float32", "float64"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
 /// How a kernel goes through one stratum.
@@ -63,11 +81,13 @@ struct Traversal {
 struct Plan {
   Layout layout;
   Addressing addressing = Addressing::Buffer;
-  Walk walk = Walk::Nested;
+  Walk walk = Walk::Auto;
   Predicate predicate = Predicate::Exact;
+  Steps steps = Steps::Float32;
   Detail detail = Detail::Full;
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
+  Packing packing = Packing::Device;
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
 
   bool operator==(const Plan &) const = default;
@@ -78,10 +98,12 @@ struct PlanOptions {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
   Arithmetic arithmetic = Arithmetic::Any;
+  Packing packing = Packing::Device;
 };
 
 /// What the kernels of this processor are made for.
-inline constexpr PlanOptions kCpuPlan = {.loops = Loops::Whole, .arithmetic = Arithmetic::Ieee};
+inline constexpr PlanOptions kCpuPlan = {
+    .loops = Loops::Whole, .arithmetic = Arithmetic::Ieee, .packing = Packing::Packets};
 
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
 /// that.
@@ -98,8 +120,9 @@ struct PlanPass {
 /// All of them, in the order in which they run.
 std::span<const PlanPass> planPasses();
 
-/// Makes every choice for a verified format: lowers it and runs all passes.
-Plan makePlan(const Format &format, const PlanOptions &options = {});
+/// Makes every choice for a verified format: lowers it and runs all passes, each followed by the verifier. An
+/// error here is a defect of voxc and says so.
+Expected<Plan> makePlan(const Format &format, const PlanOptions &options = {});
 
 /// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each
 /// stratum stands.

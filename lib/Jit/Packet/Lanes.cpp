@@ -11,6 +11,7 @@ namespace voxc {
 namespace {
 
 constexpr const char *kLaneNumber = "voxc_lane_number";
+constexpr const char *kLanesAtWork = "voxc_lanes_at_work";
 
 bool isDivision(const llvm::Instruction &instruction) { return instruction.isIntDivRem(); }
 
@@ -178,6 +179,10 @@ bool Lanes::write(llvm::Instruction &instruction, llvm::Value *mask) {
       for (unsigned lane = 0; lane < count_; ++lane)
         numbers.push_back(builder_.getInt32(lane));
       result = llvm::ConstantVector::get(numbers);
+    } else if (callee != nullptr && callee->getName() == kLanesAtWork) {
+      llvm::Value *bits = builder_.CreateBitCast(mask, builder_.getIntNTy(count_));
+      result = builder_.CreateZExt(builder_.CreateUnaryIntrinsic(llvm::Intrinsic::ctpop, bits),
+                                   builder_.getInt32Ty());
     } else if (known != nullptr && llvm::isTriviallyVectorizable(known->getIntrinsicID())) {
       result = isShared(instruction) ? clone(instruction) : intrinsic(*known);
     }

@@ -1,0 +1,23 @@
+// choose-steps: doubles where float32 would leave most rays to be settled.
+#include "Passes.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+/// The steps of a walk, and what float32 gets wrong of each, grow with the side: from here on more than half
+/// of a camera's rays are left once or more, and what settles them takes longer than doubles for all.
+constexpr int kLog2LongSide = 11;
+
+} // namespace
+
+void chooseSteps(Plan &plan) {
+  const Int3 log2 = plan.layout.log2Extent();
+  const bool isLong = std::max({log2.x, log2.y, log2.z}) >= kLog2LongSide;
+  if (isLong && plan.predicate == Predicate::Exact && plan.arithmetic == Arithmetic::Ieee &&
+      plan.packing == Packing::Device)
+    plan.steps = Steps::Float64;
+}
+
+} // namespace voxc
