@@ -17,11 +17,13 @@
 namespace voxc::glsl {
 
 template <typename T>
-concept Number = __is_same(T, float) || __is_same(T, int) || __is_same(T, uint);
+concept Number = __is_same(T, float) || __is_same(T, double) || __is_same(T, int) || __is_same(T, uint);
 
 // Scalars. A NaN gives way to a number, as on every device that we know.
 VOXC_INLINE float min(float a, float b) { return __builtin_fminf(a, b); }
 VOXC_INLINE float max(float a, float b) { return __builtin_fmaxf(a, b); }
+VOXC_INLINE double min(double a, double b) { return __builtin_fmin(a, b); }
+VOXC_INLINE double max(double a, double b) { return __builtin_fmax(a, b); }
 VOXC_INLINE int min(int a, int b) { return b < a ? b : a; }
 VOXC_INLINE int max(int a, int b) { return a < b ? b : a; }
 VOXC_INLINE uint min(uint a, uint b) { return b < a ? b : a; }
@@ -34,6 +36,7 @@ VOXC_INLINE double abs(double a) { return __builtin_fabs(a); }
 VOXC_INLINE int abs(int a) { return a < 0 ? -a : a; }
 template <Number T> VOXC_INLINE T sign(T a) { return T(T(0) < a) - T(a < T(0)); }
 VOXC_INLINE float floor(float a) { return __builtin_floorf(a); }
+VOXC_INLINE double floor(double a) { return __builtin_floor(a); }
 VOXC_INLINE float ceil(float a) { return __builtin_ceilf(a); }
 VOXC_INLINE float trunc(float a) { return __builtin_truncf(a); }
 VOXC_INLINE float roundEven(float a) { return __builtin_roundevenf(a); }

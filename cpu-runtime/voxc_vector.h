@@ -64,6 +64,7 @@ template <typename T> struct Vector4 {
 };
 
 using vec3 = Vector3<float>;
+using dvec3 = Vector3<double>;
 using ivec3 = Vector3<int>;
 using uvec3 = Vector3<uint>;
 using bvec3 = Vector3<bool>;

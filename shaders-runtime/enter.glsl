@@ -7,7 +7,7 @@ const uint TINY_BITS = 0x30800000u; // Of 2^-30.
 // by `slack`. A coordinate that never changes stays in its cell, and passes no face.
 void bound_errors(inout Ray ray, ivec3 cell, vec3 of_origin, float slack) {
   ${real3} reach = max(abs(ray.origin), abs(${real3}(VOLUME_SIZE) - ray.origin));
-  ${real3} error = reach * ROUNDINGS + of_origin + slack * abs(ray.direction);
+  ${real3} error = reach * ROUNDINGS + ${real3}(of_origin) + slack * abs(ray.direction);
   ray.slack = slack;
   ray.lowest = mix(${real3}(cell) + 0.25f, ray.origin - error, ray.moves);
   ray.doubt = mix(${real3}(0.0f), 2.0f * error, ray.moves);

@@ -15,8 +15,7 @@ constexpr int kLog2LongSide = 11;
 void chooseSteps(Plan &plan) {
   const Int3 log2 = plan.layout.log2Extent();
   const bool isLong = std::max({log2.x, log2.y, log2.z}) >= kLog2LongSide;
-  if (isLong && plan.predicate == Predicate::Exact && plan.arithmetic == Arithmetic::Ieee &&
-      plan.packing == Packing::Device)
+  if (isLong && plan.predicate == Predicate::Exact && plan.arithmetic == Arithmetic::Ieee)
     plan.steps = Steps::Float64;
 }
 

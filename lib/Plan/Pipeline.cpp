@@ -16,9 +16,7 @@ constexpr std::array<PlanPass, 4> kPasses = {{
      "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
     {"choose-steps",
-     "doubles for exact walks through 2^11 voxels a side and more, where the device has them and packs rays "
-     "itself; else "
-     "float32",
+     "doubles for exact walks through 2^11 voxels a side and more, where the device has them; else float32",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},

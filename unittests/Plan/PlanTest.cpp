@@ -111,7 +111,7 @@ TEST(Plans, StepInDoublesWhereThatIsBest) {
   EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee), Steps::Float64);
   EXPECT_EQ(stepsOf("R(7^3) G(3)", ieee), Steps::Float32) << "a short way";
   EXPECT_EQ(stepsOf("R(8^3) G(3)", {}), Steps::Float32) << "no doubles";
-  EXPECT_EQ(stepsOf("R(8^3) G(3)", kCpuPlan), Steps::Float32) << "packets";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", kCpuPlan), Steps::Float64);
   EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee, "fast"), Steps::Float32) << "fast";
 }
 

@@ -112,24 +112,41 @@ llvm::Value *Lanes::privateAddress(llvm::GetElementPtrInst &address) {
   return builder_.CreateGEP(builder_.getInt8Ty(), vector(address.getPointerOperand()), offset);
 }
 
+/// Gathers and scatters want one base for all lanes, and offsets of 32 bits from there.
 llvm::Value *Lanes::address(llvm::GetElementPtrInst &address) {
   if (private_.contains(address.getPointerOperand()))
     return privateAddress(address);
   llvm::Value *base = get(address.getPointerOperand());
+  llvm::Type *type = address.getSourceElementType();
   llvm::SmallVector<llvm::Value *, 4> indices;
   for (llvm::Use &index : address.indices())
     indices.push_back(get(index));
-  // Gathers take signed offsets of 32 bits: an unsigned one is that less 2^31, beyond a base moved on by
-  // 2^31.
-  const auto *extended = llvm::dyn_cast<llvm::ZExtInst>(address.getOperand(address.getNumOperands() - 1));
-  if (indices.size() == 1 && extended != nullptr && extended->getSrcTy()->isIntegerTy(32) &&
-      indices[0]->getType()->isVectorTy() && !base->getType()->isVectorTy()) {
-    llvm::Value *number =
-        builder_.CreateXor(vector(extended->getOperand(0)), spread(builder_.getInt32(0x80000000u)));
-    base = builder_.CreateGEP(address.getSourceElementType(), base, builder_.getInt64(std::int64_t{1} << 31));
+  const bool isSharedOffset =
+      std::ranges::none_of(indices, [](const llvm::Value *index) { return index->getType()->isVectorTy(); });
+  // A constant beyond an offset: the base moves on.
+  if (const auto known = places_.find(address.getPointerOperand());
+      isSharedOffset && known != places_.end()) {
+    const Place &place = known->second;
+    return setPlace(address, {builder_.CreateGEP(type, place.base, indices), place.type, place.offset});
+  }
+  if (indices.size() != 1 || base->getType()->isVectorTy())
+    return builder_.CreateGEP(type, base, indices);
+  // The offsets are signed: an unsigned one is that less 2^31, from a base moved on by 2^31.
+  const auto *extended = llvm::dyn_cast<llvm::ZExtInst>(address.getOperand(1));
+  if (extended != nullptr && extended->getSrcTy()->isIntegerTy(32)) {
+    llvm::Value *number = vector(extended->getOperand(0));
+    if (!extended->hasNonNeg()) {
+      number = builder_.CreateXor(number, spread(builder_.getInt32(0x80000000u)));
+      base = builder_.CreateGEP(type, base, builder_.getInt64(std::int64_t{1} << 31));
+    }
     indices[0] = builder_.CreateSExt(number, wide(builder_.getInt64Ty()));
   }
-  return builder_.CreateGEP(address.getSourceElementType(), base, indices);
+  return setPlace(address, {base, type, indices[0]});
+}
+
+llvm::Value *Lanes::setPlace(const llvm::Value &address, const Place &place) {
+  places_[&address] = place;
+  return builder_.CreateGEP(place.type, place.base, place.offset);
 }
 
 /// A word that all lanes share is read once, if there is one at work.

@@ -37,12 +37,20 @@ public:
   bool write(llvm::Instruction &instruction, llvm::Value *mask);
 
 private:
+  /// An address that all lanes share, and how many values of a type each is beyond it.
+  struct Place {
+    llvm::Value *base;
+    llvm::Type *type;
+    llvm::Value *offset;
+  };
+
   bool isShared(const llvm::Instruction &instruction) const;
   bool losesPrivate(const llvm::Instruction &instruction) const;
   llvm::Value *clone(llvm::Instruction &instruction);
   llvm::Value *arithmetic(llvm::Instruction &instruction, llvm::Value *mask);
   llvm::Value *intrinsic(llvm::IntrinsicInst &call);
   llvm::Value *address(llvm::GetElementPtrInst &address);
+  llvm::Value *setPlace(const llvm::Value &address, const Place &place);
   llvm::Value *privateMemory(llvm::AllocaInst &memory);
   llvm::Value *privateAddress(llvm::GetElementPtrInst &address);
   llvm::Value *load(llvm::LoadInst &load, llvm::Value *mask);
@@ -55,6 +63,7 @@ private:
   unsigned count_;
   llvm::IRBuilder<> builder_;
   llvm::DenseMap<const llvm::Value *, llvm::Value *> values_;
+  llvm::DenseMap<const llvm::Value *, Place> places_;
   llvm::DenseSet<const llvm::Value *> private_; ///< Addresses of memory that each lane has of its own.
 };
 
