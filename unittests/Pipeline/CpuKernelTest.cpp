@@ -166,20 +166,6 @@ std::vector<Hit> countedWords(Expected<std::unique_ptr<Tracer>> tracer, std::spa
   return hits;
 }
 
-TEST_F(CpuKernels, EndHoweverOftenRaysAreLetGo) {
-  // In a small volume a ray has few steps; many rays make packets that are packed anew many times.
-  for (const char *text : {"D(2^3, 3)", "G(2)"}) {
-    const Format format = *parseFormat(text);
-    for (const test::HardScene &scene : test::hardScenes(format.extent())) {
-      const auto volume = build(format, scene);
-      ASSERT_TRUE(volume) << volume.error().message;
-      const auto rays = test::verifyRays(scene.extent, 40000, 7);
-      EXPECT_TRUE(compare(*Oracle::of(*volume), rays, cpuHits(*volume, format, rays)).clean())
-          << text << scene.name;
-    }
-  }
-}
-
 TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   Format format = *parseFormat("R(1^3) G(3)");
   format.setAttribute(kPrecisionAttribute, "fast"); // No step is settled, after which words are read again.

@@ -13,8 +13,6 @@ namespace {
 constexpr const char *kLaneNumber = "voxc_lane_number";
 constexpr const char *kLanesAtWork = "voxc_lanes_at_work";
 
-bool isDivision(const llvm::Instruction &instruction) { return instruction.isIntDivRem(); }
-
 } // namespace
 
 Lanes::Lanes(llvm::Function &function, unsigned count)
@@ -53,7 +51,7 @@ llvm::Value *Lanes::arithmetic(llvm::Instruction &instruction, llvm::Value *mask
   for (llvm::Use &use : copy->operands())
     use.set(vector(use));
   // A lane that is not at work may hold anything, and a division by 0 would be one of them all.
-  if (isDivision(instruction))
+  if (instruction.isIntDivRem())
     copy->setOperand(1, builder_.CreateSelect(mask, copy->getOperand(1),
                                               spread(llvm::ConstantInt::get(instruction.getType(), 1))));
   copy->dropUnknownNonDebugMetadata();
@@ -184,49 +182,57 @@ bool Lanes::losesPrivate(const llvm::Instruction &instruction) const {
                              [&](const llvm::Use &use) { return private_.contains(use) && use != address; });
 }
 
-bool Lanes::write(llvm::Instruction &instruction, llvm::Value *mask) {
-  llvm::Value *result = nullptr;
-  if (auto *call = llvm::dyn_cast<llvm::CallInst>(&instruction)) {
-    const llvm::Function *callee = call->getCalledFunction();
-    auto *known = llvm::dyn_cast<llvm::IntrinsicInst>(call);
-    if (known != nullptr && (known->isLifetimeStartOrEnd() || known->isAssumeLikeIntrinsic()))
-      return true;
-    if (callee != nullptr && callee->getName() == kLaneNumber) {
-      llvm::SmallVector<llvm::Constant *, 16> numbers;
-      for (unsigned lane = 0; lane < count_; ++lane)
-        numbers.push_back(builder_.getInt32(lane));
-      result = llvm::ConstantVector::get(numbers);
-    } else if (callee != nullptr && callee->getName() == kLanesAtWork) {
-      llvm::Value *bits = builder_.CreateBitCast(mask, builder_.getIntNTy(count_));
-      result = builder_.CreateZExt(builder_.CreateUnaryIntrinsic(llvm::Intrinsic::ctpop, bits),
-                                   builder_.getInt32Ty());
-    } else if (known != nullptr && llvm::isTriviallyVectorizable(known->getIntrinsicID())) {
-      result = isShared(instruction) ? clone(instruction) : intrinsic(*known);
-    }
-  } else if (losesPrivate(instruction)) {
-    return false;
-  } else if (auto *store = llvm::dyn_cast<llvm::StoreInst>(&instruction)) {
-    if (private_.contains(store->getPointerOperand()) && !isWord(store->getValueOperand()->getType()))
-      return false;
-    result = builder_.CreateMaskedScatter(vector(store->getValueOperand()),
-                                          vector(store->getPointerOperand()), store->getAlign(), mask);
-  } else if (auto *read = llvm::dyn_cast<llvm::LoadInst>(&instruction)) {
-    if (private_.contains(read->getPointerOperand()) && !isWord(read->getType()))
-      return false;
-    result = load(*read, mask);
-  } else if (auto *memory = llvm::dyn_cast<llvm::AllocaInst>(&instruction)) {
-    result = privateMemory(*memory);
-  } else if (auto *element = llvm::dyn_cast<llvm::GetElementPtrInst>(&instruction)) {
-    result = isShared(instruction) ? clone(instruction) : address(*element);
-  } else if (instruction.isBinaryOp() || instruction.isUnaryOp() || instruction.isCast() ||
-             llvm::isa<llvm::CmpInst, llvm::SelectInst, llvm::FreezeInst>(instruction)) {
-    result = isShared(instruction) && !isDivision(instruction) ? clone(instruction)
-                                                               : arithmetic(instruction, mask);
+llvm::Value *Lanes::call(llvm::CallInst &call, llvm::Value *mask) {
+  const llvm::Function *callee = call.getCalledFunction();
+  if (callee != nullptr && callee->getName() == kLaneNumber) {
+    llvm::SmallVector<llvm::Constant *, 16> numbers;
+    for (unsigned lane = 0; lane < count_; ++lane)
+      numbers.push_back(builder_.getInt32(lane));
+    return llvm::ConstantVector::get(numbers);
   }
-  if (result == nullptr)
-    return false;
-  set(&instruction, result);
-  return true;
+  if (callee != nullptr && callee->getName() == kLanesAtWork) {
+    llvm::Value *bits = builder_.CreateBitCast(mask, builder_.getIntNTy(count_));
+    llvm::Value *number = builder_.CreateUnaryIntrinsic(llvm::Intrinsic::ctpop, bits);
+    return builder_.CreateZExt(number, builder_.getInt32Ty());
+  }
+  auto *known = llvm::dyn_cast<llvm::IntrinsicInst>(&call);
+  if (known == nullptr || !llvm::isTriviallyVectorizable(known->getIntrinsicID()))
+    return nullptr;
+  return isShared(call) ? clone(call) : intrinsic(*known);
+}
+
+llvm::Value *Lanes::widened(llvm::Instruction &instruction, llvm::Value *mask) {
+  if (auto *called = llvm::dyn_cast<llvm::CallInst>(&instruction))
+    return call(*called, mask);
+  if (losesPrivate(instruction))
+    return nullptr;
+  if (auto *memory = llvm::dyn_cast<llvm::AllocaInst>(&instruction))
+    return privateMemory(*memory);
+  if (auto *element = llvm::dyn_cast<llvm::GetElementPtrInst>(&instruction))
+    return isShared(instruction) ? clone(instruction) : address(*element);
+  const llvm::Value *pointer = llvm::getLoadStorePointerOperand(&instruction);
+  if (private_.contains(pointer) && !isWord(llvm::getLoadStoreType(&instruction)))
+    return nullptr;
+  if (auto *read = llvm::dyn_cast<llvm::LoadInst>(&instruction))
+    return load(*read, mask);
+  if (auto *store = llvm::dyn_cast<llvm::StoreInst>(&instruction))
+    return builder_.CreateMaskedScatter(vector(store->getValueOperand()), vector(store->getPointerOperand()),
+                                        store->getAlign(), mask);
+  if (instruction.isBinaryOp() || instruction.isUnaryOp() || instruction.isCast() ||
+      llvm::isa<llvm::CmpInst, llvm::SelectInst, llvm::FreezeInst>(instruction))
+    return isShared(instruction) && !instruction.isIntDivRem() ? clone(instruction)
+                                                               : arithmetic(instruction, mask);
+  return nullptr;
+}
+
+bool Lanes::write(llvm::Instruction &instruction, llvm::Value *mask) {
+  const auto *known = llvm::dyn_cast<llvm::IntrinsicInst>(&instruction);
+  if (known != nullptr && (known->isLifetimeStartOrEnd() || known->isAssumeLikeIntrinsic()))
+    return true; // Says nothing that lanes need.
+  llvm::Value *lanes = widened(instruction, mask);
+  if (lanes != nullptr)
+    set(&instruction, lanes);
+  return lanes != nullptr;
 }
 
 } // namespace voxc

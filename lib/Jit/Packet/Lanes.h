@@ -46,6 +46,8 @@ private:
 
   bool isShared(const llvm::Instruction &instruction) const;
   bool losesPrivate(const llvm::Instruction &instruction) const;
+  llvm::Value *widened(llvm::Instruction &instruction, llvm::Value *mask);
+  llvm::Value *call(llvm::CallInst &call, llvm::Value *mask);
   llvm::Value *clone(llvm::Instruction &instruction);
   llvm::Value *arithmetic(llvm::Instruction &instruction, llvm::Value *mask);
   llvm::Value *intrinsic(llvm::IntrinsicInst &call);
