@@ -13,7 +13,7 @@ namespace voxc {
 namespace {
 
 constexpr const char *kBeforeStep[] = {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"};
-constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "time.glsl"};
+constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "time.glsl", "prepare.glsl", "root.glsl"};
 
 class FunctionEmitter {
 public:
@@ -40,8 +40,7 @@ public:
     if (plan_.walk == Walk::Direct)
       file("walk/direct.glsl");
     file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
-    file("prepare.glsl");
-    file("root.glsl");
+    text_ += "\n// ---- To here; what follows is the same in every kernel again ----\n";
     return std::move(text_);
   }
 
