@@ -1,6 +1,7 @@
 // Kernels on this processor: the hits of Vulkan's, bit for bit, and those of the oracle.
 #include "TestLength.h"
 
+#include "Jit/Jit.h"
 #include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
@@ -164,6 +165,33 @@ std::vector<Hit> countedWords(Expected<std::unique_ptr<Tracer>> tracer, std::spa
   const auto report = (*tracer)->trace(rays, hits, {.countWords = true});
   EXPECT_TRUE(report) << report.error().message;
   return hits;
+}
+
+TEST_F(CpuKernels, AreExactWithAnyNumberOfLanes) {
+  std::vector<std::string> processors = {""};
+  if (__builtin_cpu_supports("x86-64-v3"))
+    processors.emplace_back("x86-64-v3");
+  if (__builtin_cpu_supports("x86-64-v4"))
+    processors.emplace_back("x86-64-v4");
+  const Format format = *parseFormat("D(1^3, 3) S(2) M(1^3)");
+  const test::HardScene scene = test::hardScenes(format.extent())[7];
+  const auto volume = build(format, scene);
+  ASSERT_TRUE(volume) << volume.error().message;
+  const auto oracle = Oracle::of(*volume);
+  for (const std::string &processor : processors) {
+    const auto object = compileCpuObject(format, {.processor = processor});
+    ASSERT_TRUE(object) << object.error().message;
+    const auto code = JitCode::link(*object);
+    ASSERT_TRUE(code) << code.error().message;
+    const CpuKernel kernel{reinterpret_cast<CpuKernel::Function>(*code->find("voxc_intersect")),
+                           storageDigest(format)};
+    // One ray, packets that are not full, and more than a batch.
+    for (const std::size_t count : {1, 37, 5000}) {
+      const auto rays = test::verifyRays(scene.extent, count, 5);
+      EXPECT_TRUE(compare(*oracle, rays, traced(createCpuTracer(kernel, *volume, 1), rays, false)).clean())
+          << processor << ", " << count << " rays";
+    }
+  }
 }
 
 TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
