@@ -104,7 +104,8 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
   if (enters != below + above)
     return false;
 %if doubles
-  float far_away = 17179869184.0f; // 2^34.
+  // No t is above 2^18 then, and of a component that was raised to LEAST_COMPONENT that makes less than one rounding.
+  float far_away = 131072.0f;
 %else
   float far_away = float(2 * max(max(size.x, size.y), size.z));
 %end

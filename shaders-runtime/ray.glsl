@@ -37,7 +37,8 @@ const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who s
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
 %if doubles
-// Eight roundings to nearest, of 2^-53 each: see below.
+// Eight roundings to nearest, of 2^-53 each. A t is a difference, an inverse and a product; the order of two t is certain
+// beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin.
 const double ROUNDINGS = double(8.0f / 16777216.0f) / 536870912.0;
 %else
 %if ieee

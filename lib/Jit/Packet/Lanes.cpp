@@ -10,7 +10,6 @@
 namespace voxc {
 namespace {
 
-constexpr const char *kLaneNumber = "voxc_lane_number";
 constexpr const char *kLanesAtWork = "voxc_lanes_at_work";
 
 } // namespace

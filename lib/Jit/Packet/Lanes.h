@@ -7,10 +7,10 @@
 #include <llvm/IR/Instructions.h>
 #include <llvm/IR/IntrinsicInst.h>
 
-#include <optional>
-#include <string>
-
 namespace voxc {
+
+/// What a function for one lane calls to know its number; the argument says how many lanes there are.
+inline constexpr const char *kLaneNumber = "voxc_lane_number";
 
 /// Writes the instructions of a function for one lane as instructions for all.
 class Lanes {

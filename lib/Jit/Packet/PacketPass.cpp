@@ -1,5 +1,6 @@
 #include "PacketPass.h"
 
+#include "Lanes.h"
 #include "PacketWriter.h"
 
 #include <llvm/IR/Constants.h>
@@ -19,7 +20,7 @@ unsigned lanesOf(llvm::Function &function) {
   for (llvm::Instruction &instruction : llvm::instructions(function)) {
     const auto *call = llvm::dyn_cast<llvm::CallInst>(&instruction);
     const llvm::Function *callee = call == nullptr ? nullptr : call->getCalledFunction();
-    if (callee != nullptr && callee->getName() == "voxc_lane_number")
+    if (callee != nullptr && callee->getName() == kLaneNumber)
       return static_cast<unsigned>(llvm::cast<llvm::ConstantInt>(call->getArgOperand(0))->getZExtValue());
   }
   return 0;

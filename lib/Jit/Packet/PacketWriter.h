@@ -6,8 +6,8 @@
 namespace voxc {
 
 /// Replaces the body of `function`, whose branches have two ways, which has one end, and whose loops are
-/// simplified and in LCSSA form, by that of a packet of `lanes`. Gives an instruction that it cannot write,
-/// and leaves the function as it was; null if all is well.
+/// simplified and in LCSSA form, by that of a packet of `lanes`. Gives an instruction that it cannot write;
+/// the function is of no use then. Null if all is well.
 const llvm::Instruction *writePacket(llvm::Function &function, unsigned lanes);
 
 } // namespace voxc
