@@ -8,11 +8,7 @@
 #include <algorithm>
 
 namespace voxc {
-namespace {
-
-constexpr const char *kLanesAtWork = "voxc_lanes_at_work";
-
-} // namespace
+namespace {} // namespace
 
 Lanes::Lanes(llvm::Function &function, unsigned count)
     : function_(function), context_(function.getContext()), layout_(function.getDataLayout()), count_(count),

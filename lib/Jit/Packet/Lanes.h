@@ -12,6 +12,9 @@ namespace voxc {
 /// What a function for one lane calls to know its number; the argument says how many lanes there are.
 inline constexpr const char *kLaneNumber = "voxc_lane_number";
 
+/// What a function calls to know how many lanes are at work.
+inline constexpr const char *kLanesAtWork = "voxc_lanes_at_work";
+
 /// Writes the instructions of a function for one lane as instructions for all.
 class Lanes {
 public:

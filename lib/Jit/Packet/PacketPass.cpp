@@ -26,12 +26,27 @@ unsigned lanesOf(llvm::Function &function) {
   return 0;
 }
 
+/// Outside of packets there is one lane. True if the function asked.
+bool tellOneLane(llvm::Function &function) {
+  bool asked = false;
+  for (llvm::Instruction &instruction : llvm::make_early_inc_range(llvm::instructions(function))) {
+    auto *call = llvm::dyn_cast<llvm::CallInst>(&instruction);
+    const llvm::Function *callee = call == nullptr ? nullptr : call->getCalledFunction();
+    if (callee == nullptr || callee->getName() != kLanesAtWork)
+      continue;
+    call->replaceAllUsesWith(llvm::ConstantInt::get(call->getType(), 1));
+    call->eraseFromParent();
+    asked = true;
+  }
+  return asked;
+}
+
 } // namespace
 
 llvm::PreservedAnalyses PacketPass::run(llvm::Function &function, llvm::FunctionAnalysisManager &analyses) {
   const unsigned lanes = lanesOf(function);
   if (lanes == 0)
-    return llvm::PreservedAnalyses::all();
+    return tellOneLane(function) ? llvm::PreservedAnalyses::none() : llvm::PreservedAnalyses::all();
   const auto prepare = [&](auto pass) { analyses.invalidate(function, pass.run(function, analyses)); };
   // Branches of two ways, one end, loops with one way in and one way back, whose values leave them by phis.
   prepare(llvm::LowerSwitchPass());
