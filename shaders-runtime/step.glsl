@@ -6,7 +6,11 @@ void land_or_settle(const Ray ray, inout Walk walk, const Crossing crossing, ive
 %if exact
   bool decided = sure;
   land(ray, walk, crossing, corner, side, decided);
-  // A step of which float32 is not sure is left open, and the cell is put outside, so that all loops end: what settles it
+%if refines
+  if (!decided)
+    decided = step_by_doubles(ray, walk, gap);
+%end
+  // A step that is not sure is left open, and the cell is put outside, so that all loops end: what settles it
   // stands outside of them, where lanes that are sure need not wait for it.
   walk.cell = decided ? walk.cell : ~walk.cell;
   walk.open = decided ? CLOSED : gap.count << 5 | gap.log2_side;

@@ -15,11 +15,7 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
 %if distances
   measure_level_${N}(build, grid);
 %end
-%if shares
-  const uint32_t offset = build.intern(${N}, grid, words);
-%else
-  const uint32_t offset = build.append(${N}, grid, words);
-%end
+  const uint32_t offset = build.${write}(${N}, grid, words);
   build.release(${N});
   return offset;
 }

@@ -35,11 +35,7 @@ uint32_t write_level_${N}(Build &build, const uint32_t *cells, uint64_t count) {
     table[1] = fill_level_${N}(cells, count, table + 2, log2_entries);
     uint32_t offset = 0;
     if (table[1] <= LEVEL_${N}_LONGEST_PROBE)
-%if shares
-      offset = build.intern(${N}, table, words);
-%else
-      offset = build.append(${N}, table, words);
-%end
+      offset = build.${write}(${N}, table, words);
     build.release(${N});
     if (offset != 0)
       return offset;

@@ -34,11 +34,7 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
   if (!grid)
     return 0;
   const uint64_t words = pack_level_${N}(build, grid);
-%if shares
-  const uint32_t offset = build.intern(${N}, grid, words);
-%else
-  const uint32_t offset = build.append(${N}, grid, words);
-%end
+  const uint32_t offset = build.${write}(${N}, grid, words);
   build.release(${N});
   return offset;
 }

@@ -23,6 +23,8 @@ public:
     for (const char *path : kBeforeStep)
       file(path);
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
+    if (plan_.steps == Steps::Refined)
+      file("step/doubles.glsl");
     for (const char *path : kAfterStep)
       file(path);
     if (plan_.walk == Walk::Nested)

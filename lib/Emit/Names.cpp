@@ -11,14 +11,42 @@ namespace {
 /// True if a node's masks are two sets of words: it has more children than one word has room for.
 bool isWide(const Stratum &stratum) { return stratum.leaves && stratum.log2Children() > 4; }
 
-/// True if a grid's masks tell which empty cells stand together.
-bool tellsAround(const Stratum &stratum) {
-  return stratum.isGrid() && stratum.slots == &kPackedSlots && stratum.log2Shape == Int3{2, 2, 2};
-}
-
 /// True if a voxel's value is looked up when it is hit, not when it is found: no other stop of a walk then
 /// needs its own.
 bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full; }
+
+/// True if a look-up in a node is a loop, and the device may end it.
+bool lookUpMayBeCut(const Plan &plan, const Stratum &stratum) {
+  return plan.loops == Loops::Cut && stratum.slots->lookUpLoops;
+}
+
+/// How a distance field's word tells of an empty cell, in generated text.
+void addSkip(TemplateNames &names, const Stratum &stratum) {
+  const bool isTagged = stratum.empty == Empty::Tagged;
+  const bool hasOctants = stratum.skip == Skip::Octant;
+  const std::string shift = stratum.tagShift() == 0 ? "" : std::to_string(stratum.tagShift());
+  const std::string fieldBits = std::to_string(stratum.fieldBits());
+  const std::string fieldMask = std::to_string((1 << stratum.fieldBits()) - 1);
+  auto &holes = names.holes;
+  holes["field-bits"] = fieldBits;
+  holes["field-mask"] = fieldMask;
+  holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
+  holes["slot-of-value"] = shift.empty() ? "value" : "value << " + shift;
+  holes["value-of-slot"] = shift.empty() ? "word" : "word >> " + shift;
+  holes["what-skip-counts"] =
+      hasOctants ? "the cells along the largest empty cube ahead" : "its distance, in cells";
+  holes["skip-of-slot"] = hasOctants ? fieldBits + " bits for each octant" : "its distance";
+  holes["skip-in-word"] =
+      hasOctants ? "skip >> (octant_of(ray) * " + fieldBits + ") & " + fieldMask + "u" : "skip & 0x7fffffffu";
+  holes["empty-slots"] = !isTagged    ? "with an alpha of 0"
+                         : hasOctants ? "whose lowest field is not 0"
+                                      : "with its highest bit set";
+  holes["empty-tag"] = isTagged ? "0x80000000u" : "0u";
+  const std::string emptyBits = !isTagged ? " >> 24" : hasOctants ? " & " + fieldMask : " >> 31";
+  holes["word-is-empty"] = "(word" + emptyBits + (isTagged ? ") != 0" : ") == 0");
+  holes["slot-is-empty"] =
+      "(word" + emptyBits + (isTagged && hasOctants ? "u" : "") + (isTagged ? ") != 0u" : ") == 0u");
+}
 
 std::string count(int log2, std::string_view unit) {
   const std::int64_t number = std::int64_t{1} << log2;
@@ -33,45 +61,24 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["N"] = std::to_string(index + 1);
   holes["NEXT"] = plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2);
   holes["DEPTH"] = std::to_string(stratum.depth);
-  const std::string fieldBits = std::to_string(stratum.fieldBits());
-  const std::string fieldMask = std::to_string((1 << stratum.fieldBits()) - 1);
-  const std::string shift = stratum.tagShift() == 0 ? "" : std::to_string(stratum.tagShift());
-  const bool isTagged = stratum.empty == Empty::Tagged;
-  const bool hasOctants = stratum.skip == Skip::Octant;
-  holes["field-bits"] = fieldBits;
-  holes["field-mask"] = fieldMask;
-  holes["value-of-slot"] = shift.empty() ? "value" : "value >> " + shift;
-  holes["slot-of-value"] = shift.empty() ? "value" : "value << " + shift;
-  holes["octant"] = hasOctants ? ", octant_of(ray)" : "";
-  holes["octant-0"] = hasOctants ? ", 0" : "";
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
-  holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
   const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
   const auto leafAt = [&](const std::string &at) { return defers ? at : "load_word(" + at + ")"; };
   holes["leaf-node"] = leafAt("node");
   holes["leaf-leaf"] = leafAt("leaf");
   holes["leaf-found"] = leafAt("found");
   holes["leaf-or-0"] = defers ? "node" : "node == 0u ? 0u : load_word(node)";
-  holes["known"] = stratum.slots == &kHashedSlots ? "known ? 1 : 0" : "1";
+  holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
-  holes["empty-slots"] = !isTagged    ? "with an alpha of 0"
-                         : hasOctants ? "whose lowest field is not 0"
-                                      : "with its highest bit set";
-  holes["empty-tag"] = stratum.empty == Empty::Tagged ? "0x80000000u" : "0u";
-  const std::string emptyBits = !isTagged ? " >> 24" : hasOctants ? " & " + fieldMask : " >> 31";
-  holes["word-is-empty"] = "(word" + emptyBits + (isTagged ? ") != 0" : ") == 0");
-  holes["slot-is-empty"] =
-      "(value" + emptyBits + (isTagged && hasOctants ? "u" : "") + (isTagged ? ") != 0u" : ") == 0u");
   holes["times-branch"] = branch == 1 ? "" : " * " + factor;
   holes["per-branch"] = branch == 1 ? "" : " / " + factor;
   const std::string height = "highest - LEVEL_" + holes["N"] + "_LOG2_CELL";
   holes["highest-layer"] = branch == 1 ? height : "(" + height + ") / " + factor;
   holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - 1);
   holes["around"] = isWide(stratum) ? ", around" : "";
-  holes["plus-around"] = isWide(stratum) || tellsAround(stratum) ? " + around" : "";
-  holes["grid-plus-around"] = tellsAround(stratum) ? " + around" : "";
+  holes["plus-around"] = isWide(stratum) ? " + around" : "";
 }
 
 /// Where the layers of a stratum lie among those of all strata.
@@ -102,18 +109,17 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["last"] = plan.layout.holdsVoxels(index);
   conditions["single"] = !stratum.isGrid() && stratum.depth == 0;
   conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
-  conditions["probes"] = stratum.slots == &kHashedSlots;
+  conditions["look-up-may-be-cut"] = lookUpMayBeCut(plan, stratum);
   conditions["grid"] = stratum.isGrid();
   conditions["counts"] = stratum.log2Children() > 6;
   conditions["distances"] = stratum.skip != Skip::None;
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
   conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
-  conditions["octants"] = stratum.skip == Skip::Octant;
-  conditions["tells-around"] = tellsAround(stratum);
+  conditions["marches"] = stratum.skip == Skip::L1;
+  conditions["four-a-side"] = stratum.log2Shape == Int3{2, 2, 2};
   conditions["stops"] = plan.traversals[index].stops;
   conditions["sampled"] = plan.traversals[index].sampled;
-  conditions["shares"] = stratum.sharing == Sharing::Stratum;
   conditions["shares-sub-volumes-apart"] = stratum.sharing == Sharing::SubVolume;
 }
 
@@ -134,7 +140,7 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
   const Stratum &lowest = plan.layout.strata.back();
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
-  names.conditions["defers-grid"] = defersVoxels(plan) && tellsAround(lowest);
+  names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid();
   const bool inDoubles = plan.steps == Steps::Float64;
   names.holes["real"] = inDoubles ? "double" : "float";
@@ -142,6 +148,7 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["real3-wide"] = inDoubles ? "dvec3" : "vec3 ";
   names.holes["real3"] = inDoubles ? "dvec3" : "vec3";
   names.conditions["doubles"] = inDoubles;
+  names.conditions["refines"] = plan.steps == Steps::Refined;
   names.conditions["cut"] = cut;
   names.conditions["packets"] = plan.packing == Packing::Packets;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
@@ -152,10 +159,8 @@ TemplateNames planNames(const Plan &plan) {
   for (const Stratum &stratum : plan.layout.strata)
     layers += flatLayers(stratum);
   names.holes["LAYERS"] = std::to_string(layers);
-  names.conditions["any-distances"] =
-      std::ranges::any_of(plan.layout.strata, [](const Stratum &s) { return s.skip != Skip::None; });
-  names.conditions["any-probes"] =
-      std::ranges::any_of(plan.layout.strata, [](const Stratum &s) { return s.slots == &kHashedSlots; });
+  names.conditions["any-look-up-may-be-cut"] = std::ranges::any_of(
+      plan.layout.strata, [&](const Stratum &stratum) { return lookUpMayBeCut(plan, stratum); });
   names.conditions["any-wide"] = std::ranges::any_of(plan.layout.strata, isWide);
   return names;
 }
@@ -163,6 +168,7 @@ TemplateNames planNames(const Plan &plan) {
 TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   TemplateNames names = planNames(plan);
   addHoles(names, plan, index);
+  addSkip(names, plan.layout.strata[index]);
   addLayers(names, plan, index);
   addConditions(names, plan, index);
   return names;

@@ -100,7 +100,16 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 
 } // namespace
 
-const SlotKind kDenseSlots = {
-    "dense", "a slot for each child", problem, check, leastWords, size, child, visit, relocate};
+extern const SlotKind kDenseSlots = {.name = "dense",
+                                     .summary = "a slot for each child",
+                                     .keepsEmpty = true,
+                                     .findsValueLater = never,
+                                     .problem = problem,
+                                     .check = check,
+                                     .leastWords = leastWords,
+                                     .size = size,
+                                     .child = child,
+                                     .visit = visit,
+                                     .relocate = relocate};
 
 } // namespace voxc

@@ -108,10 +108,16 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels,
 
 } // namespace
 
-const SlotKind kHashedSlots = {"hashed",   "a table of the cells that are not empty, found by probing",
-                               problem,    check,
-                               leastWords, size,
-                               child,      visit,
-                               relocate};
+extern const SlotKind kHashedSlots = {.name = "hashed",
+                                      .summary = "a table of the cells that are not empty, found by probing",
+                                      .lookUpLoops = true,
+                                      .findsValueLater = never,
+                                      .problem = problem,
+                                      .check = check,
+                                      .leastWords = leastWords,
+                                      .size = size,
+                                      .child = child,
+                                      .visit = visit,
+                                      .relocate = relocate};
 
 } // namespace voxc

@@ -63,12 +63,22 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
   return true;
 }
 
+/// A grid whose mask is two words.
+bool findsValueLater(const Stratum &stratum) {
+  return stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
+}
+
 } // namespace
 
-const SlotKind kPackedSlots = {"packed",   "masks, then a slot for each child that is not empty",
-                               problem,    check,
-                               leastWords, size,
-                               child,      visit,
-                               relocate};
+extern const SlotKind kPackedSlots = {.name = "packed",
+                                      .summary = "masks, then a slot for each child that is not empty",
+                                      .findsValueLater = findsValueLater,
+                                      .problem = problem,
+                                      .check = check,
+                                      .leastWords = leastWords,
+                                      .size = size,
+                                      .child = child,
+                                      .visit = visit,
+                                      .relocate = relocate};
 
 } // namespace voxc

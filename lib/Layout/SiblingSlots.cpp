@@ -63,10 +63,16 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 
 } // namespace
 
-const SlotKind kSiblingSlots = {"siblings", "a record for each child that is not empty, next to each other",
-                                problem,    check,
-                                leastWords, size,
-                                child,      visit,
-                                relocate};
+extern const SlotKind kSiblingSlots = {.name = "siblings",
+                                       .summary =
+                                           "a record for each child that is not empty, next to each other",
+                                       .findsValueLater = never,
+                                       .problem = problem,
+                                       .check = check,
+                                       .leastWords = leastWords,
+                                       .size = size,
+                                       .child = child,
+                                       .visit = visit,
+                                       .relocate = relocate};
 
 } // namespace voxc

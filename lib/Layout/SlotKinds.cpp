@@ -5,6 +5,13 @@
 #include <array>
 
 namespace voxc {
+
+// The rows, each in the file of its name.
+extern const SlotKind kDenseSlots;
+extern const SlotKind kPackedSlots;
+extern const SlotKind kSiblingSlots;
+extern const SlotKind kHashedSlots;
+
 namespace {
 
 constexpr std::array<const SlotKind *, 4> kKinds = {&kDenseSlots, &kPackedSlots, &kSiblingSlots,

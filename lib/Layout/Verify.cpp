@@ -27,11 +27,11 @@ private:
   }
 
   void stratum(const Stratum &stratum) {
+    if (!stratum.slots)
+      return rule(false, "it has no slots");
     shape(stratum);
     cells(stratum);
     distances(stratum);
-    if (!stratum.slots)
-      return rule(false, "it has no slots");
     const std::string problem = stratum.slots->problem(stratum);
     rule(problem.empty(), problem);
   }
@@ -73,8 +73,8 @@ private:
     rule(!inSlot || stratum.skip != Skip::L1 ||
              stratum.reach < (stratum.empty == Empty::Tagged ? 1u << 31 : 1u << 24),
          "a reach of " + std::to_string(stratum.reach) + " does not fit into an empty slot");
-    rule(stratum.skip == Skip::None || (stratum.isGrid() && stratum.slots == &kDenseSlots),
-         "distances stand in dense slots");
+    rule(stratum.skip == Skip::None || (stratum.isGrid() && stratum.slots->keepsEmpty),
+         "distances stand in slots that empty cells have too");
   }
 
   const Layout &layout_;

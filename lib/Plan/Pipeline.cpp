@@ -7,8 +7,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<PlanPass, 4> kPasses = {{
-    {"choose-descents",
-     "what slots and layers leave no choice of: a table is probed, a tree without layers is one leaf",
+    {"choose-descents", "what layers leave no choice of: a tree without any is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
     {"choose-walk",
      "nested loops, one flat loop or a direct one: as asked; else flat from 8 levels on, and direct where "
@@ -16,7 +15,8 @@ constexpr std::array<PlanPass, 4> kPasses = {{
      "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
     {"choose-steps",
-     "doubles for exact walks through 2^11 voxels a side and more, where the device has them; else float32",
+     "of exact walks, where the device has doubles: in packets doubles for steps that float32 cannot tell, "
+     "else for all steps through 2^11 voxels a side and more; float32 everywhere else",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},

@@ -12,7 +12,7 @@ namespace {
 constexpr int kLog2SearchedSlots = 12;
 
 bool isSearchable(const Stratum &stratum) {
-  return stratum.slots != &kDenseSlots || stratum.log2Children() <= kLog2SearchedSlots;
+  return !stratum.slots->keepsEmpty || stratum.log2Children() <= kLog2SearchedSlots;
 }
 
 } // namespace

@@ -82,7 +82,7 @@ constexpr std::array<Field<Plan>, 11> kPlanFields = {{
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
     field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
-    field<Plan, &Plan::steps>("steps", "float32, float64"),
+    field<Plan, &Plan::steps>("steps", "float32, refined, float64"),
     field<Plan, &Plan::detail>("detail", "full, cone"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
@@ -99,7 +99,7 @@ constexpr std::array<Field<S>, 11> kStratumFields = {{
     field<S, &S::reach>("reach", "a number of cells"),
     field<S, &S::empty>("empty", "zero, tagged, transparent"),
     field<S, &S::sharing>("sharing", "none, sub-volume, stratum"),
-    field<S, &S::descent>("descent", "index, probe, single, stack, restart, unrolled"),
+    field<S, &S::descent>("descent", "index, single, stack, restart, unrolled"),
     field<S, &S::stops>("stops", "yes, no"),
     field<S, &S::sampled>("sampled", "yes, no"),
 }};

@@ -1,5 +1,4 @@
 // The rules of plans: those of the layout, and that each stratum is walked in a way that it has.
-#include "voxc/Layout/SlotKind.h"
 #include "voxc/Plan/Plan.h"
 
 namespace voxc {
@@ -11,19 +10,16 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
   if (isOneLoop && plan.detail == Detail::Cone)
     diagnostics.error({}, "one loop for all levels stops at voxels alone");
-  if (plan.steps == Steps::Float64 &&
+  if (plan.steps != Steps::Float32 &&
       (plan.arithmetic != Arithmetic::Ieee || plan.predicate != Predicate::Exact))
-    diagnostics.error({}, "exact walks alone step in doubles, with arithmetic=ieee");
+    diagnostics.error({}, "exact walks alone take doubles, with arithmetic=ieee");
   for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
     const Stratum &stratum = plan.layout.strata[i];
     const Traversal &traversal = plan.traversals[i];
     const SourceRange range = i < ranges.size() ? ranges[i] : SourceRange{};
     const std::string number = "stratum " + std::to_string(i + 1) + ": ";
-    const bool isTable = stratum.slots == &kHashedSlots;
-    if ((stratum.isGrid() && !isTable) != (traversal.descent == Descent::Index) ||
-        isTable != (traversal.descent == Descent::Probe))
-      diagnostics.error(range,
-                        number + "a table is probed, any other grid is walked by index, and nothing else is");
+    if (stratum.isGrid() != (traversal.descent == Descent::Index))
+      diagnostics.error(range, number + "a grid is walked by index, and nothing else is");
     if (isOneLoop && (traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled))
       diagnostics.error(range, number + "one loop for all levels goes down trees in its own way");
     if (traversal.descent == Descent::Single && stratum.depth != 0)

@@ -1,5 +1,5 @@
 // What a voxel is: here its value is its colour.
-%if defers-grid
+%if value-later
 uint colour_of(const Walk walk) { return value_level_${LOWEST_LEVEL}(walk.voxel, walk.cell); }
 %else
 %if defers-leaf

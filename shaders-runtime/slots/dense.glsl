@@ -12,46 +12,29 @@ uint slot_level_${N}(uint grid, ivec3 cell) {
   return grid + ${slot-words}u * uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
 }
 
-%if octants
-// The value of a cell, or 0 and, if it is empty, how many cells a side the empty cube ahead of it has for rays of an octant.
 %if distances-in-slot
-// A slot ${empty-slots} holds that, ${field-bits} bits for each octant.
+// The value in a slot, or 0 if its cell is empty: a slot ${empty-slots} holds ${skip-of-slot} instead.
+uint value_level_${N}(uint word) { return ${slot-is-empty} ? 0u : ${value-of-slot}; }
+
 %end
-uint cell_level_${N}(uint grid, ivec3 cell, int octant, out uint reach) {
-  uint slot = slot_level_${N}(grid, cell);
-  uint value = load_word(slot);
-%if distances-beside
-  reach = value == 0u ? load_word(slot + 1u) >> (octant * ${field-bits}) & ${field-mask}u : 0u;
-  return value;
-%else
-  bool is_empty = ${slot-is-empty};
-  reach = value >> (octant * ${field-bits}) & ${field-mask}u;
-  return is_empty ? 0u : ${value-of-slot};
-%end
-}
-%else
 %if distances
-%if distances-in-slot
-// The value of a cell, or 0 and its distance if it is empty: a slot ${empty-slots} holds that.
-%else
-// The value of a cell, or 0 and its distance if it is empty.
-%end
-uint cell_level_${N}(uint grid, ivec3 cell, out uint reach) {
+// The value of a cell, or 0 if it is empty; `gap` then counts ${what-skip-counts}.
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint slot = slot_level_${N}(grid, cell);
-  uint value = load_word(slot);
+  uint word = load_word(slot);
 %if distances-beside
-  reach = value == 0u ? load_word(slot + 1u) : 0u;
-  return value;
+  uint skip = word == 0u ? load_word(slot + 1u) : 0u;
+  gap.count = int(${skip-in-word});
+  return word;
 %else
-  bool is_empty = ${slot-is-empty};
-  reach = value & 0x7fffffffu;
-  return is_empty ? 0u : value;
+  uint skip = word;
+  gap.count = int(${skip-in-word});
+  return value_level_${N}(word);
 %end
 }
 %else
 // The value of a cell, or 0 if it is empty.
-uint cell_level_${N}(uint grid, ivec3 cell) { return load_word(slot_level_${N}(grid, cell)); }
-%end
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { return load_word(slot_level_${N}(grid, cell)); }
 %end
 %if sampled
 
@@ -60,18 +43,14 @@ uint cell_level_${N}(uint grid, ivec3 cell) { return load_word(slot_level_${N}(g
 uint any_value_level_${N}(uint grid) {
   int count = 1 << (LEVEL_${N}_LOG2_SIZE.x + LEVEL_${N}_LOG2_SIZE.y + LEVEL_${N}_LOG2_SIZE.z);
   uint value = 0u;
-%if distances
-  uint reach;
-%end
   for (int i = 0; i < count && value == 0u; i++) {
     // An odd factor visits every cell once; this one steps by 0.61 of 4096 cells.
     int at = i * 2481 & (count - 1);
     ivec3 cell = ivec3(at, at >> LEVEL_${N}_LOG2_SIZE.x, at >> (LEVEL_${N}_LOG2_SIZE.x + LEVEL_${N}_LOG2_SIZE.y));
     cell = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
-%if distances
-    value = cell_level_${N}(grid, cell${octant-0}, reach);
-%else
-    value = cell_level_${N}(grid, cell);
+    value = load_word(slot_level_${N}(grid, cell));
+%if distances-in-slot
+    value = value_level_${N}(value);
 %end
   }
   return value;

@@ -1,7 +1,11 @@
 // A hashed grid is [log2 of its entries, longest probe], then two words an entry: a cell's number, its value. Entries of
 // value 0 are free.
-// The value of a cell, or 0 if it is empty. Not known if the device cut the search short.
-uint cell_level_${N}(uint table, ivec3 cell, out bool known) {
+%if look-up-may-be-cut
+// The value of a cell, or 0 if it is empty. The gap has no cells if the device cut the search short.
+%else
+// The value of a cell, or 0 if it is empty.
+%end
+uint cell_level_${N}(const Ray ray, uint table, ivec3 cell, inout Gap gap) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint log2_entries = load_word(table);
@@ -16,7 +20,9 @@ uint cell_level_${N}(uint table, ivec3 cell, out bool known) {
     found = is_cell ? value : found;
     probe = is_cell || value == 0u ? probes : probe + 1u;
   }
-  known = probe == probes;
+%if look-up-may-be-cut
+  gap.count = probe == probes ? 1 : 0;
+%end
   return found;
 }
 %if sampled

@@ -3,7 +3,7 @@
 %if counts
 // Each word of the mask is followed by how many bits the words before it have.
 %end
-%if tells-around
+%if four-a-side
 // The number of a cell's bit, of which each word of the mask has 32.
 int number_level_${N}(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
 
@@ -16,14 +16,14 @@ uint value_level_${N}(uint grid, ivec3 cell) {
   return load_word(grid + 2u + uint(rank));
 }
 
-// True if a cell is full. Else the cells around it in a cube of 2^around a side may be passed: the eight of an aligned group
-// if they are all empty, and the whole grid if no cell is full that a ray may still come to.
-bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, out int around) {
+// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty, or
+// as the grid, if no cell is full that the ray may still come to.
+bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   int number = number_level_${N}(cell);
   uint low = load_word(grid);
   uint high = load_word(grid + 1u);
   uint half_mask = number < 32 ? low : high;
-  around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  int around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
   ivec3 at = cell & 3;
   ivec3 from = at & ray.ahead;
@@ -33,22 +33,24 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, out int around) {
   uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
   uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
   around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
+  gap.log2_side += around;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 %if defers
 // A voxel's value is looked up once it is hit: here the grid stands for it.
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, out int around) {
-  return is_full_level_${N}(ray, grid, cell, around) ? grid : 0u;
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  return is_full_level_${N}(ray, grid, cell, gap) ? grid : 0u;
 }
 %else
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, out int around) {
-  return is_full_level_${N}(ray, grid, cell, around) ? value_level_${N}(grid, cell) : 0u;
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  return is_full_level_${N}(ray, grid, cell, gap) ? value_level_${N}(grid, cell) : 0u;
 }
 %end
 %else
-uint cell_level_${N}(uint grid, ivec3 cell) {
+// The value of a cell, or 0 if it is empty.
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %if first
   ivec3 at = cell;
 %else

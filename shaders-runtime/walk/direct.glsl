@@ -8,8 +8,8 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
       walk.voxel = value;
       return true;
     }
-%if any-probes
-    if (gap.count > 0) // Else the device ended a probe.
+%if any-look-up-may-be-cut
+    if (gap.count > 0) // Else the device ended a look-up.
       step_over(ray, walk, gap);
 %else
     step_over(ray, walk, gap);

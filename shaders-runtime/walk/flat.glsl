@@ -5,17 +5,11 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
   path[0] = root;
   int layer = 0;
 ${FLAT_BEGIN}  while (goes_on(walk)) {
-    // Down to a voxel, or to the empty cube of 2^side voxels a side around the cell.
+    // Down to a voxel, or to the gap around the cell.
     count_lookup(walk);
     uint node = path[layer];
     uint value = 0u;
-    int side = 0;
-%if any-distances
-    uint reach = 0u;
-%end
-%if any-probes
-    bool known = true;
-%end
+    Gap gap = Gap(0, 1);
     while (node != 0u) {
       path[layer] = node;
 ${FLAT_LEVELS}      }
@@ -25,13 +19,13 @@ ${FLAT_LEVELS}      }
       return true;
     }
     ivec3 before = walk.cell;
-%if any-probes
-    bool is_empty = node == 0u && known;
+%if any-look-up-may-be-cut
+    bool is_empty = node == 0u && gap.count > 0; // Else the device ended the loop above, or one in it.
 %else
     bool is_empty = node == 0u; // Else the device ended the loop above.
 %end
 ${FLAT_STEP}    if (is_empty)
-      step_over(ray, walk, side);
+      step_over(ray, walk, gap);
     ivec3 changed = before ^ walk.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     int ancestor = 0;

@@ -6,27 +6,17 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
   while (within_level_${N}(begin, walk.cell)) {
 %end
     count_lookup(walk);
-%if octants
-    uint reach;
-    uint value = cell_level_${N}(grid, walk.cell >> LEVEL_${N}_LOG2_CELL, octant_of(ray), reach);
-    if (value == 0u)
-      step_over(ray, walk, Gap(LEVEL_${N}_LOG2_CELL, int(reach)));
-%else
-%if distances
-    uint reach;
-    uint value = cell_level_${N}(grid, walk.cell >> LEVEL_${N}_LOG2_CELL, reach);
-    if (value == 0u)
-      march_level_${N}(ray, walk, reach);
-%else
-%if tells-around
-    int around;
-    uint value = cell_level_${N}(ray, grid, walk.cell >> LEVEL_${N}_LOG2_CELL, around);
-%else
-    uint value = cell_level_${N}(grid, walk.cell >> LEVEL_${N}_LOG2_CELL);
+    Gap gap = Gap(LEVEL_${N}_LOG2_CELL, 1);
+    uint value = cell_level_${N}(ray, grid, walk.cell >> LEVEL_${N}_LOG2_CELL, gap);
+%if look-up-may-be-cut
+    if (value == 0u && gap.count == 0)
+      continue; // The device ended the look-up.
 %end
     if (value == 0u)
-      step_over(ray, walk, LEVEL_${N}_LOG2_CELL${plus-around});
-%end
+%if marches
+      march_level_${N}(ray, walk, gap.count);
+%else
+      step_over(ray, walk, gap);
 %end
 %if stops
     else if (small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL)

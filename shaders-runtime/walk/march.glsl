@@ -1,9 +1,8 @@
-// Steps from an empty cell to the first whose L1 distance is not below `reach`, or that lies outside the sub-volume; no
+// Steps from an empty cell to the first whose L1 distance is not below `left`, or that lies outside the sub-volume; no
 // lookup is needed on the way.
-void march_level_${N}(const Ray ray, inout Walk walk, uint reach) {
+void march_level_${N}(const Ray ray, inout Walk walk, int left) {
   const int side = 1 << LEVEL_${N}_LOG2_CELL;
   ivec3 corner = corner_of(walk.cell, LEVEL_${N}_LOG2_CELL);
-  int left = int(reach);
   bool sure = true;
   Crossing crossing;
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.

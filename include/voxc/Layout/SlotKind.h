@@ -36,6 +36,14 @@ using Relocation = FunctionRef<Ref(Ref)>;
 struct SlotKind {
   std::string_view name; ///< In plan text, and of its runtime files.
   std::string_view summary;
+  /// Empty children have slots too, which may tell distances; where they have none, a first value stands at
+  /// a known place.
+  bool keepsEmpty = false;
+  /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
+  bool lookUpLoops = false;
+  /// True if the accessor of kernels tells a cell from its masks alone, and gives the node in place of a
+  /// voxel's value, which `value_level_N` then looks up once, when it is hit.
+  bool (*findsValueLater)(const Stratum &stratum);
 
   /// What is wrong with such a stratum, or "". The rules of all kinds are `verify`'s.
   std::string (*problem)(const Stratum &stratum);
@@ -68,10 +76,7 @@ std::span<const SlotKind *const> slotKinds();
 /// The kind of this name, or null.
 const SlotKind *findSlotKind(std::string_view name);
 
-// The rows, each in the file of its name.
-extern const SlotKind kDenseSlots;
-extern const SlotKind kPackedSlots;
-extern const SlotKind kSiblingSlots;
-extern const SlotKind kHashedSlots;
+/// `findsValueLater` of kinds that never do.
+inline bool never(const Stratum &) { return false; }
 
 } // namespace voxc

@@ -25,8 +25,7 @@ enum class Walk {
 
 /// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
 enum class Descent {
-  Index,    ///< In the one node of a grid.
-  Probe,    ///< In the table of a hashed grid.
+  Index,    ///< In the one node of a grid, by the cell's number.
   Single,   ///< The sub-volume is one cell.
   Stack,    ///< Down a tree from the common ancestor of this cell and the last, kept in a stack.
   Restart,  ///< Down a tree from its root, each time.
@@ -42,6 +41,7 @@ enum class Predicate {
 /// The numbers that an exact walk steps in, until integers have to decide.
 enum class Steps {
   Float32,
+  Refined, ///< Float32, and at once doubles where that is not sure: best where few lanes make a branch cheap.
   Float64, ///< Slower, but sure of nearly every step of a long walk.
 };
 
@@ -59,12 +59,12 @@ enum class Packing {
 };
 
 template <>
-inline constexpr std::array<std::string_view, 6> kEnumNames<Descent> = {"index", "probe",   "single",
-                                                                        "stack", "restart", "unrolled"};
+inline constexpr std::array<std::string_view, 5> kEnumNames<Descent> = {"index", "single", "stack", "restart",
+                                                                        "unrolled"};
 template <>
 inline constexpr std::array<std::string_view, 4> kEnumNames<Walk> = {"auto", "nested", "flat", "direct"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Steps> = {"float32", "float64"};
+template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32", "refined", "float64"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 

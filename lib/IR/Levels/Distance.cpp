@@ -19,7 +19,7 @@ constexpr std::array<const AttributeKind *, 3> kAttributes = {&kShareAttribute, 
                                                               &kMetricAttribute};
 
 Stratum lower(const Level &level) {
-  Stratum stratum = gridStratum(level, kDenseSlots);
+  Stratum stratum = gridStratum(level, "dense");
   stratum.skip = *fromString<Skip>(level.attribute(kMetricAttribute));
   stratum.reach = level.parameter(ParameterRole::Reach);
   if (stratum.skip == Skip::Octant)
@@ -29,7 +29,7 @@ Stratum lower(const Level &level) {
 
 } // namespace
 
-const LevelKind kDistance = {
+extern const LevelKind kDistance = {
     'D',         "distance",
     "DF",        "a grid with the distance to the nearest full cell: long steps, twice the size",
     kParameters, kAttributes,

@@ -7,11 +7,11 @@ namespace {
 constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
 constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
 
-Stratum lower(const Level &level) { return gridStratum(level, kHashedSlots); }
+Stratum lower(const Level &level) { return gridStratum(level, "hashed"); }
 
 } // namespace
 
-const LevelKind kHash = {
+extern const LevelKind kHash = {
     'H',         "hash",
     "Hash",      "a table of the cells that are not empty: empty ones cost nothing, a lookup a few probes",
     kParameters, kAttributes,

@@ -4,6 +4,15 @@
 #include <algorithm>
 
 namespace voxc {
+
+// The rows, each in the file of its name.
+extern const LevelKind kRaw;
+extern const LevelKind kDistance;
+extern const LevelKind kSvo;
+extern const LevelKind kSvdag;
+extern const LevelKind kMasked;
+extern const LevelKind kHash;
+
 namespace {
 
 constexpr std::array<const LevelKind *, 6> kKinds = {&kRaw, &kDistance, &kSvo, &kSvdag, &kMasked, &kHash};

@@ -5,22 +5,22 @@
 
 namespace voxc {
 
-Stratum gridStratum(const Level &level, const SlotKind &slots) {
+Stratum gridStratum(const Level &level, std::string_view slots) {
   Stratum stratum;
   stratum.log2Shape = level.log2Size();
-  stratum.slots = &slots;
+  stratum.slots = findSlotKind(slots);
   if (level.attribute(kShareAttribute) == "level")
     stratum.sharing = Sharing::Stratum;
   return stratum;
 }
 
-Stratum treeStratum(const Level &level, const SlotKind &slots, Cells cells) {
+Stratum treeStratum(const Level &level, std::string_view slots, Cells cells) {
   const int side = static_cast<int>(level.parameter(ParameterRole::Side));
   const int branching = std::max(static_cast<int>(level.parameter(ParameterRole::Branching)), 1);
   Stratum stratum;
   stratum.log2Shape = {branching, branching, branching};
   stratum.depth = side / branching;
-  stratum.slots = &slots;
+  stratum.slots = findSlotKind(slots);
   stratum.leaves = true;
   stratum.cells = cells;
   return stratum;

@@ -8,11 +8,11 @@ namespace {
 constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
 constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
 
-Stratum lower(const Level &level) { return gridStratum(level, kPackedSlots); }
+Stratum lower(const Level &level) { return gridStratum(level, "packed"); }
 
 } // namespace
 
-const LevelKind kMasked = {
+extern const LevelKind kMasked = {
     'M',         "masked",
     "Masked",    "a grid with a bit a cell: empty cells cost one bit, a lookup two loads more",
     kParameters, kAttributes,

@@ -7,11 +7,11 @@ namespace {
 constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
 constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
 
-Stratum lower(const Level &level) { return gridStratum(level, kDenseSlots); }
+Stratum lower(const Level &level) { return gridStratum(level, "dense"); }
 
 } // namespace
 
-const LevelKind kRaw = {
+extern const LevelKind kRaw = {
     'R',         "raw",       "Raw", "a grid of cells: no compression, the fastest lookup",
     kParameters, kAttributes, lower};
 

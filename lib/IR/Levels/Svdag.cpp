@@ -15,14 +15,14 @@ constexpr std::array<ParameterKind, 2> kParameters = {{
 constexpr std::array<const AttributeKind *, 2> kAttributes = {&kDedupAttribute, &kWalkAttribute};
 
 Stratum lower(const Level &level) {
-  Stratum stratum = treeStratum(level, kPackedSlots, Cells::Word);
+  Stratum stratum = treeStratum(level, "packed", Cells::Word);
   stratum.sharing = level.attribute(kDedupAttribute) == "level" ? Sharing::Stratum : Sharing::SubVolume;
   return stratum;
 }
 
 } // namespace
 
-const LevelKind kSvdag = {
+extern const LevelKind kSvdag = {
     'G',         "svdag",     "SVDAG", "a sparse voxel DAG: an octree whose equal nodes share storage",
     kParameters, kAttributes, lower};
 

@@ -11,11 +11,11 @@ constexpr std::array<ParameterKind, 1> kParameters = {{
 
 constexpr std::array<const AttributeKind *, 1> kAttributes = {&kWalkAttribute};
 
-Stratum lower(const Level &level) { return treeStratum(level, kSiblingSlots, Cells::Record); }
+Stratum lower(const Level &level) { return treeStratum(level, "siblings", Cells::Record); }
 
 } // namespace
 
-const LevelKind kSvo = {
+extern const LevelKind kSvo = {
     'S',         "svo",       "SVO", "a sparse voxel octree: empty space costs nothing, two words a node",
     kParameters, kAttributes, lower};
 

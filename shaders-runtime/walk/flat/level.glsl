@@ -1,24 +1,11 @@
       ${WHERE}{
 %if single
         node = ${leaf-node};
-        side = LEVEL_${N}_LOG2_CELL;
+        gap.log2_side = LEVEL_${N}_LOG2_CELL;
 %else
 %if grid
-%if distances
-        node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL${octant}, reach);
-%else
-%if tells-around
-        int around = 0;
-        node = cell_level_${N}(ray, node, walk.cell >> LEVEL_${N}_LOG2_CELL, around);
-%else
-%if probes
-        node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL, known);
-%else
-        node = cell_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL);
-%end
-%end
-%end
-        side = LEVEL_${N}_LOG2_CELL${grid-plus-around};
+        gap = Gap(LEVEL_${N}_LOG2_CELL, 1);
+        node = cell_level_${N}(ray, node, walk.cell >> LEVEL_${N}_LOG2_CELL, gap);
 %else
         bool leaf = false;
         int below = ${LAST} - layer;
@@ -26,7 +13,7 @@
         int around = 0;
 %end
         node = child_level_${N}(node, walk.cell >> LEVEL_${N}_LOG2_CELL, below${times-branch}, leaf${around});
-        side = LEVEL_${N}_LOG2_CELL + below${times-branch}${plus-around};
+        gap = Gap(LEVEL_${N}_LOG2_CELL + below${times-branch}${plus-around}, 1);
 %if last
 %else
         lowest_${N} = layer;

@@ -1,9 +1,5 @@
-%if distances
+%if marches
     if (is_empty && layer == ${BEGIN})
-%if octants
-      step_over(ray, walk, Gap(LEVEL_${N}_LOG2_CELL, int(reach)));
-%else
-      march_level_${N}(ray, walk, reach);
-%end
+      march_level_${N}(ray, walk, gap.count);
     is_empty = is_empty && layer != ${BEGIN};
 %end
