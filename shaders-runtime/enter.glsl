@@ -11,6 +11,7 @@ void bound_errors(inout Ray ray, ivec3 cell, vec3 of_origin, float slack) {
   ray.slack = slack;
   ray.lowest = mix(${real3}(cell) + 0.25f, ray.origin - error, ray.moves);
   ray.doubt = mix(${real3}(0.0f), 2.0f * error, ray.moves);
+  ray.certain = 1.0f - max(max(ray.doubt.x, ray.doubt.y), ray.doubt.z);
   ray.origin = mix(${real3}(-NEVER), ray.origin, ray.moves);
 }
 

@@ -43,5 +43,6 @@ Ray prepare_ray(uvec3 origin, uvec3 direction) {
   ray.inverse = mix(${real3}(1.0f), 1.0f / ${real3}(component), ray.moves);
   ray.heading = ivec3(ray.moves) - 2 * ivec3(ray.falls);
   ray.ahead = -max(ray.heading, ivec3(0));
+  ray.beyond = -${real3}(ray.falls);
   return ray;
 }

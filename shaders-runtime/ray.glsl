@@ -8,10 +8,12 @@ struct Ray {
   ${real} slack;           // What is wrong of a t, beside a few roundings.
   ${real3-wide} lowest;          // The least that is certain of the coordinates at the origin,
   ${real3-wide} doubt;           // and how much more any coordinate on the way may be, in voxels.
+  ${real} certain;         // A coordinate that is at least this far below the next whole number is in its cell.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
   bool plain;            // As given, it has no numbers but 0 and those whose significand has all its bits.
   ivec3 heading;         // 1, -1 or 0.
+  ${real3-wide} beyond;          // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
   ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
 };
 
@@ -19,6 +21,13 @@ struct Ray {
 struct Gap {
   int log2_side;
   int count;
+};
+
+// How a ray leaves cells through the faces ahead.
+struct Exit {
+  ${real} t;       // About when.
+  bvec3 passed;  // The axes whose faces it passes.
+  bool sure;     // It is known to pass that one first.
 };
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
@@ -61,8 +70,7 @@ Walk walk_at(ivec3 cell, int axis) {
 // Ends a walk that takes more steps than any can.
 void count_step(inout Walk walk) {
   walk.steps_left--;
-  walk.cell |= walk.steps_left >> 31; // All bits: outside, whatever follows.
-  walk.open |= walk.steps_left >> 31;
+  walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
 }
 
 void count_lookup(inout Walk walk) {
@@ -103,6 +111,13 @@ int octant_of(const Ray ray) { return (ray.ahead.x & 1) | (ray.ahead.y & 2) | (r
 // The low corner of the cube of a gap around a cell.
 ivec3 corner_of(const Ray ray, ivec3 cell, const Gap gap) {
   return corner_of(cell, gap.log2_side) - (~ray.ahead & ((gap.count - 1) << gap.log2_side));
+}
+
+// The faces of a gap around a cell that lie ahead.
+ivec3 faces_ahead(const Ray ray, ivec3 cell, const Gap gap) {
+  int side = 1 << gap.log2_side;
+  int back = side - (gap.count << gap.log2_side); // From the cube's low face to that of the gap, where the coordinate falls.
+  return (cell & -side) + back + (ray.ahead & (side - back - back));
 }
 
 // About when each coordinate passes its face.

@@ -1,33 +1,40 @@
+
 // Steps from one cell of the ray to the next.
 
-// Ends a step from the walk's cell, over the gap there at least, in the cube of `side` voxels at `corner`, to which a crossing
-// leads.
-void land_or_settle(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, const Gap gap, bool sure) {
+// Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
+void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, const Gap gap) {
+  walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
 %if exact
-  bool decided = sure;
-  land(ray, walk, crossing, corner, side, decided);
+  bool sure = leaving.sure;
 %if refines
-  if (!decided)
-    decided = step_by_doubles(ray, walk, gap);
+  walk.cell = sure ? cell : walk.cell;
+  if (!sure)
+    sure = step_by_doubles(ray, walk, gap);
+  cell = walk.cell;
 %end
   // A step that is not sure is left open, and the cell is put outside, so that all loops end: what settles it
   // stands outside of them, where lanes that are sure need not wait for it.
-  walk.cell = decided ? walk.cell : ~walk.cell;
-  walk.open = decided ? CLOSED : gap.count << 5 | gap.log2_side;
+  walk.cell = sure ? cell : ~walk.cell;
+  walk.open = sure ? CLOSED : gap.count << 5 | gap.log2_side;
 %else
-  land(ray, walk, crossing, corner, side);
+  walk.cell = cell;
 %end
   count_step(walk);
 }
 
 // Steps over the gap around the walk's cell.
 void step_over(const Ray ray, inout Walk walk, const Gap gap) {
-  int side = gap.count << gap.log2_side;
-  ivec3 corner = corner_of(ray, walk.cell, gap);
-  bool sure;
-  Crossing crossing = leave_cube(ray, corner, side, sure);
-  land_or_settle(ray, walk, crossing, corner + crossing.step * side, side, gap, sure);
+  ${real3} face = ${real3}(faces_ahead(ray, walk.cell, gap));
+  Exit leaving = leave(ray, face);
+  ivec3 cell = cell_beyond(ray, walk.cell, face, leaving);
+  end_step(ray, walk, leaving, cell, gap);
 }
 
 // Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
 void step_over(const Ray ray, inout Walk walk, int log2_side) { step_over(ray, walk, Gap(log2_side, 1)); }
+
+// Steps from the walk's voxel, which is empty, to the next.
+void step_over_voxel(const Ray ray, inout Walk walk) {
+  Exit leaving = leave(ray, ${real3}(walk.cell - ray.ahead));
+  end_step(ray, walk, leaving, walk.cell + mix(ivec3(0), ray.heading, leaving.passed), Gap(0, 1));
+}

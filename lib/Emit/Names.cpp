@@ -116,6 +116,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
   conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
+  conditions["one-voxel-steps"] = stratum.log2Cell == 0 && !stratum.slots->tellsGap(stratum);
   conditions["marches"] = stratum.skip == Skip::L1;
   conditions["four-a-side"] = stratum.log2Shape == Int3{2, 2, 2};
   conditions["stops"] = plan.traversals[index].stops;

@@ -98,11 +98,14 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
   return true;
 }
 
+bool tellsGap(const Stratum &stratum) { return stratum.skip != Skip::None; }
+
 } // namespace
 
 extern const SlotKind kDenseSlots = {.name = "dense",
                                      .summary = "a slot for each child",
                                      .keepsEmpty = true,
+                                     .tellsGap = tellsGap,
                                      .findsValueLater = never,
                                      .problem = problem,
                                      .check = check,

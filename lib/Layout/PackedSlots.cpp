@@ -63,16 +63,15 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
   return true;
 }
 
-/// A grid whose mask is two words.
-bool findsValueLater(const Stratum &stratum) {
-  return stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
-}
+/// A grid whose mask is two words, which the accessor takes as a whole.
+bool isOfTwoMasks(const Stratum &stratum) { return stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2}; }
 
 } // namespace
 
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
-                                      .findsValueLater = findsValueLater,
+                                      .tellsGap = isOfTwoMasks,
+                                      .findsValueLater = isOfTwoMasks,
                                       .problem = problem,
                                       .check = check,
                                       .leastWords = leastWords,

@@ -66,6 +66,7 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 extern const SlotKind kSiblingSlots = {.name = "siblings",
                                        .summary =
                                            "a record for each child that is not empty, next to each other",
+                                       .tellsGap = never,
                                        .findsValueLater = never,
                                        .problem = problem,
                                        .check = check,

@@ -1,31 +1,23 @@
 // Steps that are exact for every ray: ${real-name} where its error bound decides, integers elsewhere.
 
-// How the ray leaves the cube of `side` voxels at `corner`. Not sure if ${real-name} cannot tell which face it passes first.
-Crossing leave_cube(const Ray ray, ivec3 corner, int side, out bool sure) {
-  ivec3 face = corner + (ray.ahead & side);
-  ${real3} t = times_of(ray, face);
-  Crossing crossing;
-  crossing.t = min_of(t);
-  bvec3 crossed = lessThanEqual(t, ${real3}(crossing.t + (crossing.t * ROUNDINGS + ray.slack)));
-  ivec3 count = ivec3(crossed);
-  sure = count.x + count.y + count.z == 1;
-  crossing.axis = crossed.z ? 2 : crossed.y ? 1 : 0;
-  crossing.step = mix(ivec3(0), ray.heading, crossed);
-  crossing.face = face[crossing.axis];
-  crossing.rising = !ray.falls[crossing.axis];
-  return crossing;
+// How the ray leaves cells through the first of the faces ahead. Not sure if ${real-name} cannot tell which that is.
+Exit leave(const Ray ray, ${real3} face) {
+  ${real3} t = (face - ray.origin) * ray.inverse;
+  ${real} earlier = min(t.x, t.y);
+  ${real} later = max(t.x, t.y);
+  ${real} first = min(earlier, t.z);
+  ${real} second = max(earlier, min(later, t.z));
+  return Exit(first, equal(t, ${real3}(first)), second > first + (first * ROUNDINGS + ray.slack));
 }
 
-// Puts the walk into the cube of `side` voxels at `corner` that a crossing leads to, unless float32 cannot tell to which
-// of its cells. A coordinate just below the cube, or in its last half cell, belongs to the cube's first or last cell.
-void land(const Ray ray, inout Walk walk, const Crossing crossing, ivec3 corner, int side, inout bool sure) {
-  ${real3} least = ${real3}(corner);
-  ${real3} point = clamp(ray.lowest + crossing.t * ray.direction, least, least + (${real}(side) - 0.5f));
+// The cell that a ray comes to where it leaves others, of which `cell` is one, by one of the faces ahead. Not sure if ${real-name} cannot tell on
+// which side of another face that is.
+ivec3 cell_beyond(const Ray ray, ivec3 cell, ${real3} face, inout Exit leaving) {
+  ${real3} point = mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
   ${real3} whole = floor(point);
-  sure = sure && (side == 1 || all(lessThan(point - whole, 1.0f - ray.doubt)));
-  ivec3 cell = side == 1 ? corner : ivec3(whole); // Where the side is a constant, only one of the two is there.
-  walk.cell = sure ? cell : walk.cell;
-  walk.axis = sure ? crossing.axis : walk.axis;
+  ${real3} rest = point - whole;
+  leaving.sure = leaving.sure && max(max(rest.x, rest.y), rest.z) < ray.certain;
+  return ivec3(whole);
 }
 
 // Settles the step over the gap around the walk's cell: which faces the ray passes first, of

@@ -16,7 +16,11 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
 %if marches
       march_level_${N}(ray, walk, gap.count);
 %else
+%if one-voxel-steps
+      step_over_voxel(ray, walk);
+%else
       step_over(ray, walk, gap);
+%end
 %end
 %if stops
     else if (small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL)

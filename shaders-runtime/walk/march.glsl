@@ -2,16 +2,19 @@
 // lookup is needed on the way.
 void march_level_${N}(const Ray ray, inout Walk walk, int left) {
   const int side = 1 << LEVEL_${N}_LOG2_CELL;
-  ivec3 corner = corner_of(walk.cell, LEVEL_${N}_LOG2_CELL);
-  bool sure = true;
-  Crossing crossing;
+  ivec3 face = corner_of(walk.cell, LEVEL_${N}_LOG2_CELL) + (ray.ahead & side);
+  ivec3 corner;
+  Exit leaving = Exit(0.0f, bvec3(false), true);
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
-  while (sure && left > 0) {
-    crossing = leave_cube(ray, corner, side, sure);
-    corner += crossing.step * side;
-    ivec3 moved = abs(crossing.step);
-    left = within_level_${N}(walk.cell, corner) ? left - max(moved.x + moved.y + moved.z, 1) : 0;
+  while (leaving.sure && left > 0) {
+    face += side * mix(ivec3(0), ray.heading, leaving.passed);
+    leaving = leave(ray, ${real3}(face));
+    ivec3 step = mix(ivec3(0), ray.heading, leaving.passed);
+    corner = face + side * (step - (ray.ahead & 1));
+    left = within_level_${N}(walk.cell, corner) ? left - (abs(step.x) + abs(step.y) + abs(step.z)) : 0;
   }
-  land_or_settle(ray, walk, crossing, corner, side, Gap(LEVEL_${N}_LOG2_CELL, 1), sure);
+  if (side > 1)
+    corner = cell_beyond(ray, walk.cell, ${real3}(face), leaving);
+  end_step(ray, walk, leaving, corner, Gap(LEVEL_${N}_LOG2_CELL, 1));
 }
 

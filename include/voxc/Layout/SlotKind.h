@@ -41,6 +41,8 @@ struct SlotKind {
   bool keepsEmpty = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
+  /// True if the accessor of kernels tells of an empty cell that others around it are empty too.
+  bool (*tellsGap)(const Stratum &stratum);
   /// True if the accessor of kernels tells a cell from its masks alone, and gives the node in place of a
   /// voxel's value, which `value_level_N` then looks up once, when it is hit.
   bool (*findsValueLater)(const Stratum &stratum);
@@ -76,7 +78,7 @@ std::span<const SlotKind *const> slotKinds();
 /// The kind of this name, or null.
 const SlotKind *findSlotKind(std::string_view name);
 
-/// `findsValueLater` of kinds that never do.
+/// `tellsGap` and `findsValueLater` of kinds that never do.
 inline bool never(const Stratum &) { return false; }
 
 } // namespace voxc
