@@ -69,8 +69,9 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
     pass.run(format, diagnostics);
   };
   for (const Pass &pass : passes())
-    // What visible-voxels states is a fact of a scene, not a choice.
-    if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && random() % 2 != 0)
+    // What visible-voxels states, and what occupancy leaves out, is for a scene to say.
+    if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && pass.run != occupancy &&
+        random() % 2 != 0)
       run(pass);
   if (const Pass *walk = randomWalk(random))
     run(*walk);

@@ -1,6 +1,11 @@
 %if grid
+%if implied
+// Turns a grid of words, which follows ${head-words} words of room, into a mask of the cells that are not empty. Returns how
+// many words that takes.
+%else
 // Turns a grid of words, which follows ${head-words} words of room, into a mask and the values of the cells that are not
 // empty. Returns how many words that takes.
+%end
 uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
   constexpr uint64_t kHead = ${head-words};
   uint64_t end = kHead;
@@ -16,7 +21,10 @@ uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
       if (value == 0)
         continue;
       *mask |= 1u << (cell - first);
+%if implied
+%else
       grid[end++] = value;
+%end
     }
     if (first % 32768 == 0)
       build.pause(32768);
@@ -39,7 +47,11 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
   return offset;
 }
 %else
+%if implied
+// Writes a node, unless it is written already. Its masks say which children are leaves, and that is all there is to say of them.
+%else
 // Writes a node, and before it those of its children that are leaves, each unless it is written already.
+%end
 Node write_level_${N}_node(Build &build, const Node (&children)[LEVEL_${N}_CHILDREN]) {
   constexpr int kMasks = mask_words(LEVEL_${N}_CHILDREN);
   Node node = {Node::Inner};
@@ -50,8 +62,13 @@ Node write_level_${N}_node(Build &build, const Node (&children)[LEVEL_${N}_CHILD
   for (; count < kMasks; ++count)
     words[count] = node.masks[count];
   for (const Node &child : children)
+%if implied
+    if (child.kind == Node::Inner)
+      words[count++] = child.value;
+%else
     if (child.kind != Node::Empty)
       words[count++] = child.kind == Node::Leaf ? build.intern_leaf(${N}, child.value) : child.value;
+%end
   node.value = build.intern(${N}, words, count);
   return node;
 }

@@ -80,7 +80,7 @@ Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const
   auto build = VolumeBuild::start(infoOf(source, format, options), options);
   if (!build)
     return build.error();
-  SourceHost host(source, (*build)->store(), layoutOf(format).alpha, options.progress);
+  SourceHost host(source, (*build)->store(), layoutOf(format).voxelFacts(), options.progress);
   const construct::Host interface = host.interface();
   const std::uint32_t root = code.whole(&interface);
   if (auto error = source.failure())

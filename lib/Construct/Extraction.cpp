@@ -68,7 +68,7 @@ construct::Node Extraction::partOfTree(std::size_t index, Ref root, Int3 low, in
     if (!child.exists)
       return {};
     if (child.leaf)
-      return leaf(words_[child.at], log2Side - stratum.log2Cell);
+      return leaf(cellValue(words_, stratum, child), log2Side - stratum.log2Cell);
     at = static_cast<Ref>(child.at);
   }
   if (partLayers == 0)
@@ -127,7 +127,7 @@ Extraction::Placed Extraction::grid(std::size_t index, Ref at) {
   const Stratum &stratum = layout_.strata[index];
   Placed placed;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
-    placed.voxels += cell(index, stratum.cellValue(words_[child.at])).voxels;
+    placed.voxels += cell(index, cellValue(words_, stratum, child)).voxels;
   });
   placed.at = block(index, nodeKind(stratum), Block::Node, at, stratum.slots->size(words_, stratum, at));
   return placed_[at] = placed;
@@ -145,11 +145,11 @@ Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
   std::uint64_t children = 0;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
     ++children;
-    placed.voxels += child.leaf
-                         ? cell(index, words_[child.at]).voxels * cubed(stratum.log2Shape.x * (layer - 1))
-                         : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
+    placed.voxels += child.leaf ? cell(index, cellValue(words_, stratum, child)).voxels *
+                                      cubed(stratum.log2Shape.x * (layer - 1))
+                                : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
   });
-  if (!isRecord)
+  if (!isRecord && !stratum.implied)
     leafWords(index, at);
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);

@@ -14,8 +14,9 @@ namespace {
 /// The host of a part: reads a source and keeps the result.
 class PartHost final : public SourceHost {
 public:
-  PartHost(VoxelSource &source, NodeStore &store, Alpha alpha, const Progress &progress, Fragment &fragment)
-      : SourceHost(source, store, alpha, progress), fragment_(fragment) {}
+  PartHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress,
+           Fragment &fragment)
+      : SourceHost(source, store, facts, progress), fragment_(fragment) {}
 
 protected:
   void finishNode(const construct::Node &node) override { fragment_.node = node; }
@@ -80,7 +81,7 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   if (!words)
     return words.error();
   const std::size_t levels = format.levels.size();
-  return PartBuilder(std::move(source), code, layoutOf(format).alpha,
+  return PartBuilder(std::move(source), code, layoutOf(format).voxelFacts(),
                      std::make_unique<NodeStore>(std::move(*words), levels, memory));
 }
 
@@ -89,7 +90,7 @@ Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &pr
   fragment.low = low;
   store_->clear();
   store_->logTo(&fragment.blocks);
-  PartHost host(*source_, *store_, alpha_, progress, fragment);
+  PartHost host(*source_, *store_, facts_, progress, fragment);
   const construct::Host interface = host.interface();
   code_.part(&interface, low.x, low.y, low.z, log2Side);
   if (store_->failure())

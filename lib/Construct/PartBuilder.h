@@ -62,13 +62,13 @@ public:
   Expected<Fragment> build(Int3 low, int log2Side, const Progress &progress);
 
 private:
-  PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, Alpha alpha,
+  PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, VoxelFacts facts,
               std::unique_ptr<NodeStore> store)
-      : source_(std::move(source)), code_(code), alpha_(alpha), store_(std::move(store)) {}
+      : source_(std::move(source)), code_(code), facts_(facts), store_(std::move(store)) {}
 
   std::unique_ptr<VoxelSource> source_;
   ConstructCode code_;
-  Alpha alpha_;
+  VoxelFacts facts_;
   std::unique_ptr<NodeStore> store_;
 };
 

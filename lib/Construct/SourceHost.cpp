@@ -38,8 +38,10 @@ void SourceHost::proveAlpha(Int3 low, const std::uint32_t *voxels) {
 
 void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
   source_.read({low, construct::kLog2Brick}, voxels);
-  if (alpha_ == Alpha::Positive)
+  if (facts_.alpha == Alpha::Positive)
     proveAlpha(low, voxels);
+  if (facts_.payload == Payload::Occupancy)
+    std::replace_if(voxels, voxels + 512, [](std::uint32_t word) { return word != 0; }, kOccupied);
   voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
   if (auto error = source_.failure())
     store().fail(*error);

@@ -26,9 +26,9 @@ private:
 /// Reads and counts voxels; also the host of a part, whose result it keeps.
 class SourceHost : public BuildHost {
 public:
-  /// `alpha`: what the volume's format states of its voxels.
-  SourceHost(VoxelSource &source, NodeStore &store, Alpha alpha, const Progress &progress)
-      : BuildHost(store), source_(source), alpha_(alpha), progress_(source.extent(), progress) {}
+  /// `facts`: what the volume's format states of its voxels.
+  SourceHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress)
+      : BuildHost(store), source_(source), facts_(facts), progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
 
@@ -40,7 +40,7 @@ private:
   void proveAlpha(Int3 low, const std::uint32_t *voxels);
 
   VoxelSource &source_;
-  Alpha alpha_;
+  VoxelFacts facts_;
   MortonProgress progress_;
   std::uint64_t voxels_ = 0;
 };

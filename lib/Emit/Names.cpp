@@ -64,11 +64,21 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
   const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
-  const auto leafAt = [&](const std::string &at) { return defers ? at : "load_word(" + at + ")"; };
+  const std::string occupied = holes["occupied"];
+  const auto leafAt = [&](const std::string &at) {
+    return defers ? at : stratum.implied ? occupied : "load_word(" + at + ")";
+  };
+  const std::string number = holes["N"];
+  holes["full-cell"] = defers            ? "grid"
+                       : stratum.implied ? occupied
+                                         : "value_level_" + number + "(grid, cell)";
+  holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
+  holes["without-leaves"] = stratum.implied ? " & ~load_word(node + 2u)" : "";
+  holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
   holes["leaf-node"] = leafAt("node");
   holes["leaf-leaf"] = leafAt("leaf");
   holes["leaf-found"] = leafAt("found");
-  holes["leaf-or-0"] = defers ? "node" : "node == 0u ? 0u : load_word(node)";
+  holes["leaf-or-0"] = defers ? "node" : "node == 0u ? 0u : " + leafAt("node");
   holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
@@ -76,7 +86,7 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["per-branch"] = branch == 1 ? "" : " / " + factor;
   const std::string height = "highest - LEVEL_" + holes["N"] + "_LOG2_CELL";
   holes["highest-layer"] = branch == 1 ? height : "(" + height + ") / " + factor;
-  holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - 1);
+  holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - (stratum.implied ? 0 : 1));
   holes["around"] = isWide(stratum) ? ", around" : "";
   holes["plus-around"] = isWide(stratum) ? " + around" : "";
 }
@@ -110,8 +120,9 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["single"] = !stratum.isGrid() && stratum.depth == 0;
   conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
   conditions["look-up-may-be-cut"] = lookUpMayBeCut(plan, stratum);
+  conditions["implied"] = stratum.implied;
   conditions["grid"] = stratum.isGrid();
-  conditions["counts"] = stratum.log2Children() > 6;
+  conditions["counts"] = stratum.log2Children() > 6 && !stratum.implied;
   conditions["distances"] = stratum.skip != Skip::None;
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
@@ -142,6 +153,7 @@ TemplateNames planNames(const Plan &plan) {
   const Stratum &lowest = plan.layout.strata.back();
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
+  names.holes["occupied"] = "0xffffffffu";
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid();
   const bool inDoubles = plan.steps == Steps::Float64;
   names.holes["real"] = inDoubles ? "double" : "float";

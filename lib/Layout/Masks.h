@@ -15,12 +15,14 @@ namespace voxc {
 struct MaskShape {
   explicit MaskShape(const Stratum &stratum)
       : children(std::uint64_t{1} << stratum.log2Children()), hasLeaves(stratum.leaves),
-        sharesWord(stratum.leaves && children <= 16), counts(children > 64) {}
+        sharesWord(stratum.leaves && children <= 16), impliesLeaves(stratum.implied),
+        counts(children > 64 && !stratum.implied) {}
 
   std::uint64_t children;
   bool hasLeaves;
-  bool sharesWord; ///< The leaves' bits follow those of the children in the same word.
-  bool counts;     ///< Each word is followed by a count.
+  bool sharesWord;    ///< The leaves' bits follow those of the children in the same word.
+  bool impliesLeaves; ///< Leaves, and the cells of a grid, have no slots.
+  bool counts;        ///< Each word is followed by a count.
 
   /// Words of one set.
   std::uint64_t setWords() const { return (children + 31) / 32; }
@@ -36,22 +38,24 @@ public:
 
   bool exists(std::uint64_t child) const { return word(child / 32) >> child % 32 & 1; }
   bool isLeaf(std::uint64_t child) const {
-    if (!shape_.hasLeaves)
-      return false;
-    return (shape_.sharesWord ? words_[at_] >> shape_.children
-                              : words_[at_ + shape_.setWords() + child / 32]) >>
-               child % 32 &
-           1;
+    return shape_.hasLeaves && (leaves(child / 32) >> child % 32 & 1) != 0;
   }
-  /// Children before `child` that are not empty.
+  /// Slots before that of `child`.
   std::uint64_t rank(std::uint64_t child) const {
-    return before(child / 32) + bits(word(child / 32) & ((1u << child % 32) - 1));
+    return before(child / 32) + bits(slotted(child / 32) & ((1u << child % 32) - 1));
   }
   /// Children that are not empty, as the masks' bits say.
   std::uint64_t count() const {
     std::uint64_t sum = 0;
     for (std::uint64_t i = 0; i < shape_.setWords(); ++i)
       sum += bits(word(i));
+    return sum;
+  }
+  /// Children that have a slot.
+  std::uint64_t slots() const {
+    std::uint64_t sum = 0;
+    for (std::uint64_t i = 0; i < shape_.setWords(); ++i)
+      sum += bits(slotted(i));
     return sum;
   }
   /// True if no child of the aligned group of eight around this one exists.
@@ -71,13 +75,23 @@ private:
     const std::uint32_t whole = words_[at_ + (shape_.counts ? 2 * i : i)];
     return shape_.children < 32 ? whole & ((1u << shape_.children) - 1) : whole;
   }
-  /// Children in the words before word i.
+  /// The same of the set of leaves.
+  std::uint32_t leaves(std::uint64_t i) const {
+    return shape_.sharesWord ? words_[at_] >> shape_.children : words_[at_ + shape_.setWords() + i];
+  }
+  /// Those of word i that have slots.
+  std::uint32_t slotted(std::uint64_t i) const {
+    if (!shape_.impliesLeaves)
+      return word(i);
+    return shape_.hasLeaves ? word(i) & ~leaves(i) : 0;
+  }
+  /// Slots of the words before word i.
   std::uint64_t before(std::uint64_t i) const {
     if (shape_.counts)
       return words_[at_ + 2 * i + 1];
     std::uint64_t sum = 0;
     for (std::uint64_t j = 0; j < i; ++j)
-      sum += bits(word(j));
+      sum += bits(slotted(j));
     return sum;
   }
 

@@ -13,11 +13,13 @@ std::string problem(const Stratum &stratum) {
   return {};
 }
 
-std::uint64_t leastWords(const Stratum &stratum) { return MaskShape(stratum).words() + 1; }
+std::uint64_t leastWords(const Stratum &stratum) {
+  return MaskShape(stratum).words() + (stratum.implied ? 0 : 1);
+}
 
 std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
   const MaskShape shape(stratum);
-  return shape.words() + Masks(words, shape, node).count();
+  return shape.words() + Masks(words, shape, node).slots();
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -32,10 +34,11 @@ Child found(const WordReader &words, const Stratum &stratum, const MaskShape &sh
   const Masks masks(words, shape, node);
   if (!masks.exists(index)) // In Morton order, eight children in a row are a cube.
     return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
+  const bool isLeaf = stratum.isGrid() || masks.isLeaf(index);
+  if (isLeaf && stratum.implied)
+    return {true, true, node};
   const std::uint64_t slot = node + shape.words() + masks.rank(index);
-  if (stratum.isGrid())
-    return {true, true, slot};
-  return {true, masks.isLeaf(index), words[slot]};
+  return {true, isLeaf, stratum.isGrid() ? slot : words[slot]};
 }
 
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
@@ -70,6 +73,7 @@ bool isOfTwoMasks(const Stratum &stratum) { return stratum.isGrid() && stratum.l
 
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
+                                      .tellsByMasks = true,
                                       .tellsGap = isOfTwoMasks,
                                       .findsValueLater = isOfTwoMasks,
                                       .problem = problem,

@@ -1,5 +1,6 @@
 // Going down a sub-volume by its stratum's record.
 #include "voxc/Layout/SubVolume.h"
+#include "voxc/Layout/Layout.h"
 
 #include "Masks.h"
 #include "Places.h"
@@ -47,7 +48,9 @@ private:
       if (visitor_.done())
         return;
       const Cube cube = {low + place * (1 << log2Child), log2Child};
-      if (child.leaf)
+      if (child.leaf && stratum_.implied)
+        visitor_.cells(cube, kOccupied);
+      else if (child.leaf)
         leaf(child.at, cube);
       else if (layer > 1)
         node(child.at, cube.low, layer - 1);
@@ -62,6 +65,10 @@ private:
 
 } // namespace
 
+std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf) {
+  return stratum.implied ? kOccupied : stratum.cellValue(words[leaf.at]);
+}
+
 Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell) {
   std::uint64_t node = offset;
   const Int3 shape = stratum.log2Shape;
@@ -74,7 +81,7 @@ Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t off
     if (!child.exists)
       return {0, log2Child + child.log2Around};
     if (child.leaf)
-      return {stratum.cellValue(words[child.at]), log2Child};
+      return {cellValue(words, stratum, child), log2Child};
     node = child.at;
   }
   return {words[node], 0};

@@ -57,6 +57,9 @@ private:
     rule(!stratum.isGrid() || stratum.depth == 1, "cells that lie inline are those of one layer");
     rule(stratum.isGrid() != stratum.leaves,
          "children may be leaves where cells lie outside their node, and only there");
+    rule(!stratum.implied || (layout_.holdsVoxels(index_) && layout_.payload == Payload::Occupancy &&
+                              stratum.slots->tellsByMasks && stratum.depth > 0),
+         "values are implied where cells are voxels of payload=occupancy, which masks tell");
   }
 
   void distances(const Stratum &stratum) {

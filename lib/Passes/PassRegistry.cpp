@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 12> kPasses = {{
+constexpr std::array<Pass, 13> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -23,6 +23,13 @@ constexpr std::array<Pass, 12> kPasses = {{
      "A fact about the voxels that other passes may use, and that a build proves: it fails at a voxel "
      "with an alpha of 0, and names it.",
      visibleVoxels},
+    {"occupancy", AttributeEffect::Storage, "keep of a voxel that it is there, and no colour",
+     "Without it, a voxel is a colour of four bytes. With it, all voxels are equal: G and M as the last "
+     "level "
+     "have a bit for each voxel and no word, so that equal shapes share storage whatever their colours are, "
+     "and kernels load no colour. Hits are white. Other kinds of levels keep a word for each voxel as the "
+     "last level.",
+     occupancy},
     {"octant-distances", AttributeEffect::Storage,
      "let D levels tell empty cubes by octant in place of an L1 distance",
      "Without it, an empty cell of a D level tells how far the nearest full cell is, and a ray looks up "

@@ -77,7 +77,7 @@ bool parseAlpha(Plan &plan, std::string_view text) {
 
 constexpr std::array<Field<Plan>, 11> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
-    {"payload", printPayload, parsePayload, "rgba8"},
+    {"payload", printPayload, parsePayload, "rgba8, occupancy"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
     field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
@@ -90,7 +90,7 @@ constexpr std::array<Field<Plan>, 11> kPlanFields = {{
 }};
 
 using S = PlannedStratum;
-constexpr std::array<Field<S>, 11> kStratumFields = {{
+constexpr std::array<Field<S>, 12> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
     field<S, &S::leaves>("leaves", "yes, no"),
@@ -98,6 +98,7 @@ constexpr std::array<Field<S>, 11> kStratumFields = {{
     field<S, &S::skip>("skip", "none, l1, octant"),
     field<S, &S::reach>("reach", "a number of cells"),
     field<S, &S::empty>("empty", "zero, tagged, transparent"),
+    field<S, &S::implied>("implied", "yes, no"),
     field<S, &S::sharing>("sharing", "none, sub-volume, stratum"),
     field<S, &S::descent>("descent", "index, single, stack, restart, unrolled"),
     field<S, &S::stops>("stops", "yes, no"),

@@ -2,7 +2,7 @@
 uint sample_level_${N}_node(uint node, bool leaf) {
   while (!leaf)
     node = first_child_level_${N}(node, leaf);
-  return leaf ? sample_${NEXT}(load_word(node)) : 0u;
+  return leaf ? sample_${NEXT}(${leaf-node}) : 0u;
 }
 
 uint sample_level_${N}(uint root) { return sample_level_${N}_node(root, false); }

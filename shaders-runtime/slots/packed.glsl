@@ -1,5 +1,9 @@
 %if grid
+%if implied
+// A masked grid has a bit a cell, x fastest, then y, then z: all that are set have the same value.
+%else
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty.
+%end
 %if counts
 // Each word of the mask is followed by how many bits the words before it have.
 %end
@@ -7,6 +11,8 @@
 // The number of a cell's bit, of which each word of the mask has 32.
 int number_level_${N}(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
 
+%if implied
+%else
 // The value of a cell that is not empty.
 uint value_level_${N}(uint grid, ivec3 cell) {
   int number = number_level_${N}(cell);
@@ -16,6 +22,7 @@ uint value_level_${N}(uint grid, ivec3 cell) {
   return load_word(grid + 2u + uint(rank));
 }
 
+%end
 // True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty, or
 // as the grid, if no cell is full that the ray may still come to.
 bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
@@ -40,14 +47,10 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 // The same, and the value of a cell that is full; 0 of one that is not.
 %if defers
 // A voxel's value is looked up once it is hit: here the grid stands for it.
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  return is_full_level_${N}(ray, grid, cell, gap) ? grid : 0u;
-}
-%else
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  return is_full_level_${N}(ray, grid, cell, gap) ? value_level_${N}(grid, cell) : 0u;
-}
 %end
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  return is_full_level_${N}(ray, grid, cell, gap) ? ${full-cell} : 0u;
+}
 %else
 // The value of a cell, or 0 if it is empty.
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
@@ -58,6 +61,9 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %end
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint bit = 1u << (number & 31u);
+%if implied
+  return (load_word(grid + (number >> 5)) & bit) != 0u ? ${occupied} : 0u;
+%else
 %if counts
   uint mask = load_word(grid + 2u * (number >> 5));
   if ((mask & bit) == 0u)
@@ -72,16 +78,21 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
     rank += uint(bitCount(load_word(grid)));
 %end
   return load_word(grid + ${head-words}u + rank);
+%end
 }
 %end
 %if sampled
 
 // The first value of the grid.
+%if implied
+uint any_value_level_${N}(uint grid) { return ${occupied}; }
+%else
 uint any_value_level_${N}(uint grid) { return load_word(grid + ${head-words}u); }
+%end
 %end
 %else
 %if wide
-// A node is [mask of children, mask of leaves, references to the children that are not empty...], masks of 64 bits.
+// A node is [mask of children, mask of leaves, references to the children that ${have-slots}...], masks of 64 bits.
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side. `around` is 1 if
 // so are the seven that make a cube with it.
 uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int around) {
@@ -92,13 +103,18 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int 
   leaf = (load_word(node + 2u + uint(child >> 5)) & bit) != 0u;
   if ((half_mask & bit) == 0u)
     return 0u;
+%if implied
+  if (leaf)
+    return node; // All leaves have the same value.
+  half_mask &= ~load_word(node + 2u + uint(child >> 5));
+%end
   int rank = bitCount(half_mask & (bit - 1u));
   if (child >= 32)
-    rank += bitCount(load_word(node));
+    rank += bitCount(load_word(node)${without-leaves});
   return load_word(node + 4u + uint(rank));
 }
 %else
-// A node is [masks, references to the children that are not empty...].
+// A node is [masks, references to the children that ${have-slots}...].
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
 uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
   int child = child_index(cell >> height);
@@ -106,6 +122,11 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
   leaf = (masks >> (8 + child) & 1u) != 0u;
   if ((masks >> child & 1u) == 0u)
     return 0u;
+%if implied
+  if (leaf)
+    return node; // All leaves have the same value.
+  masks &= ~(masks >> 8);
+%end
   return load_word(node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
 }
 %end
@@ -118,11 +139,11 @@ uint first_child_level_${N}(uint node, out bool leaf) {
   uint leaves = mask != 0u ? load_word(node + 2u) : load_word(node + 3u);
   mask = mask != 0u ? mask : load_word(node + 1u);
   leaf = (leaves >> findLSB(mask) & 1u) != 0u;
-  return load_word(node + 4u);
+  return ${first-slot}node + 4u);
 %else
   uint masks = load_word(node);
   leaf = (masks >> (8 + findLSB(masks & 255u)) & 1u) != 0u;
-  return load_word(node + 1u);
+  return ${first-slot}node + 1u);
 %end
 }
 %end

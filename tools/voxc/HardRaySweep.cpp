@@ -170,6 +170,17 @@ Expected<Volume> HardRaySweep::build(const RaySet &set, std::size_t format) {
   return std::move(built->volume);
 }
 
+namespace {
+
+/// Gives hits of volumes without colours those of the scene, so that all else of them is compared.
+void colourHits(std::span<Hit> hits, const Oracle &oracle) {
+  for (Hit &hit : hits)
+    if (hit.isHit() && hit.rgba == kOccupied)
+      hit.rgba = oracle.voxel({hit.voxel[0], hit.voxel[1], hit.voxel[2]});
+}
+
+} // namespace
+
 Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, std::size_t format) {
   const Expected<Volume> volume = build(set, format);
   if (!volume)
@@ -184,6 +195,8 @@ Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, s
     if (Expected<void> traced = device.tracing->trace(set.rays, hits, {.progress = quiet_}, figures); !traced)
       return traced;
     times_.trace += figures.value("cpu_seconds", 0.0);
+    if (volume->layout().payload == Payload::Occupancy)
+      colourHits(hits, oracle);
     report_.add(set, oracle, hits, formats_[format], figures.value("device", device.name));
     const double done = size_.seconds > 0
                             ? watch_.seconds() / size_.seconds

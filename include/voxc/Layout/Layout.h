@@ -15,13 +15,23 @@ namespace voxc {
 
 /// What a voxel is, as a value of the lowest stratum's cells.
 enum class Payload {
-  Rgba8, ///< A colour of four bytes, R lowest. The word 0 is no voxel.
+  Rgba8,     ///< A colour of four bytes, R lowest. The word 0 is no voxel.
+  Occupancy, ///< It is there, or not: all have the value `kOccupied`.
 };
+
+/// The value of a voxel that is there, of `Payload::Occupancy`: an opaque white.
+inline constexpr std::uint32_t kOccupied = 0xffffffff;
 
 /// What is known of the alpha of voxels.
 enum class Alpha {
   Any,
   Positive, ///< No voxel has an alpha of 0; a build of one that has fails.
+};
+
+/// What is known of all voxels.
+struct VoxelFacts {
+  Payload payload = Payload::Rgba8;
+  Alpha alpha = Alpha::Any;
 };
 
 /// Where the words of a volume lie, for all voxels of it.
@@ -34,6 +44,7 @@ struct Layout {
 
   bool operator==(const Layout &) const = default;
 
+  VoxelFacts voxelFacts() const { return {payload, alpha}; }
   /// log2 of the voxels along each axis.
   Int3 log2Extent() const;
   /// True if the cells of strata[index] are voxels.
@@ -51,7 +62,7 @@ struct Layout {
 /// up. `ranges`, where they are given, say where each stratum was written.
 void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
 
-template <> inline constexpr std::array<std::string_view, 1> kEnumNames<Payload> = {"rgba8"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Payload> = {"rgba8", "occupancy"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
 
 /// Rewrites a stratum with distances beside its slots: each moves into the slot of its empty cell, which is

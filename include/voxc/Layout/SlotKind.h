@@ -39,6 +39,8 @@ struct SlotKind {
   /// Empty children have slots too, which may tell distances; where they have none, a first value stands at
   /// a known place.
   bool keepsEmpty = false;
+  /// Masks tell which children there are, so that cells with implied values need no slots.
+  bool tellsByMasks = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
   /// True if the accessor of kernels tells of an empty cell that others around it are empty too.

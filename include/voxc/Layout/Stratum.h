@@ -69,6 +69,8 @@ struct Stratum {
   Cells cells = Cells::Inline;
   Skip skip = Skip::None;
   Empty empty = Empty::Zero;
+  /// Nothing stands for the value of a cell that is not empty: it is a voxel, and all voxels are equal.
+  bool implied = false;
   std::uint32_t reach = 0; ///< The largest distance stored; 0 without.
   Sharing sharing = Sharing::None;
 

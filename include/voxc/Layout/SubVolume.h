@@ -10,6 +10,9 @@
 
 namespace voxc {
 
+/// The value of a cell, or of all cells of a leaf, that a node tells of.
+std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf);
+
 /// The value of `cell` in the sub-volume at `offset`, and the empty or uniform cube around it. The words must
 /// have been checked.
 Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell);

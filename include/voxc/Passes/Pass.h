@@ -44,6 +44,7 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names,
 PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
 PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult visibleVoxels(Format &format, Diagnostics &diagnostics);
+PassResult occupancy(Format &format, Diagnostics &diagnostics);
 PassResult octantDistances(Format &format, Diagnostics &diagnostics);
 PassResult dfPacking(Format &format, Diagnostics &diagnostics);
 PassResult mergeGrids(Format &format, Diagnostics &diagnostics);

@@ -39,6 +39,9 @@ Layout layoutOf(const Format &format) {
     stratum.log2Cell = format.log2CellSide(i);
     if (level.attribute(kDistancesAttribute) == "in-slot")
       packDistances(stratum, i + 1 == format.levels.size());
+    const bool isLast = i + 1 == format.levels.size();
+    stratum.implied =
+        isLast && layout.payload == Payload::Occupancy && stratum.slots->tellsByMasks && stratum.depth > 0;
     layout.strata.push_back(std::move(stratum));
   }
   return layout;
