@@ -50,7 +50,11 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
 %if implied
 // Writes a node, unless it is written already. Its masks say which children are leaves, and that is all there is to say of them.
 %else
+%if leaves-in-slots
+// Writes a node, unless it is written already, with the values of the children that are leaves.
+%else
 // Writes a node, and before it those of its children that are leaves, each unless it is written already.
+%end
 %end
 Node write_level_${N}_node(Build &build, const Node (&children)[LEVEL_${N}_CHILDREN]) {
   constexpr int kMasks = mask_words(LEVEL_${N}_CHILDREN);
@@ -67,7 +71,11 @@ Node write_level_${N}_node(Build &build, const Node (&children)[LEVEL_${N}_CHILD
       words[count++] = child.value;
 %else
     if (child.kind != Node::Empty)
+%if leaves-in-slots
+      words[count++] = child.value;
+%else
       words[count++] = child.kind == Node::Leaf ? build.intern_leaf(${N}, child.value) : child.value;
+%end
 %end
   node.value = build.intern(${N}, words, count);
   return node;

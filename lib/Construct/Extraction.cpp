@@ -149,7 +149,7 @@ Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
                                       cubed(stratum.log2Shape.x * (layer - 1))
                                 : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
   });
-  if (!isRecord && !stratum.implied)
+  if (stratum.cells == Cells::Word && !stratum.implied)
     leafWords(index, at);
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);

@@ -66,7 +66,8 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
   const std::string occupied = holes["occupied"];
   const auto leafAt = [&](const std::string &at) {
-    return defers ? at : stratum.implied ? occupied : "load_word(" + at + ")";
+    const bool isValue = defers || stratum.cells == Cells::Slot;
+    return stratum.implied && !defers ? occupied : isValue ? at : "load_word(" + at + ")";
   };
   const std::string number = holes["N"];
   holes["full-cell"] = defers            ? "grid"
@@ -75,10 +76,11 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
   holes["without-leaves"] = stratum.implied ? " & ~load_word(node + 2u)" : "";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
+  holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
   holes["leaf-node"] = leafAt("node");
   holes["leaf-leaf"] = leafAt("leaf");
   holes["leaf-found"] = leafAt("found");
-  holes["leaf-or-0"] = defers ? "node" : "node == 0u ? 0u : " + leafAt("node");
+  holes["leaf-or-0"] = leafAt("node") == "node" ? "node" : "node == 0u ? 0u : " + leafAt("node");
   holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
@@ -121,6 +123,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
   conditions["look-up-may-be-cut"] = lookUpMayBeCut(plan, stratum);
   conditions["implied"] = stratum.implied;
+  conditions["leaves-in-slots"] = stratum.cells == Cells::Slot;
   conditions["grid"] = stratum.isGrid();
   conditions["counts"] = stratum.log2Children() > 6 && !stratum.implied;
   conditions["distances"] = stratum.skip != Skip::None;
@@ -154,7 +157,7 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
-  names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid();
+  names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid() && lowest.cells != Cells::Slot;
   const bool inDoubles = plan.steps == Steps::Float64;
   names.holes["real"] = inDoubles ? "double" : "float";
   names.holes["real-name"] = inDoubles ? "doubles" : "float32";

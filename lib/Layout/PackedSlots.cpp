@@ -2,6 +2,8 @@
 #include "Masks.h"
 #include "Places.h"
 
+#include <vector>
+
 namespace voxc {
 namespace {
 
@@ -38,7 +40,8 @@ Child found(const WordReader &words, const Stratum &stratum, const MaskShape &sh
   if (isLeaf && stratum.implied)
     return {true, true, node};
   const std::uint64_t slot = node + shape.words() + masks.rank(index);
-  return {true, isLeaf, stratum.isGrid() ? slot : words[slot]};
+  const bool isInSlot = stratum.isGrid() || (isLeaf && stratum.cells == Cells::Slot);
+  return {true, isLeaf, isInSlot ? slot : words[slot]};
 }
 
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
@@ -60,8 +63,17 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
     return false;
   if (stratum.isGrid() && holdsVoxels)
     return true;
-  for (std::uint32_t &slot : words.subspan(head))
-    if (!relocateRef(slot, relocation))
+  const bool voxelsStay = holdsVoxels && stratum.cells == Cells::Slot;
+  const MaskShape shape(stratum);
+  const WordReader reader(words);
+  const Masks masks(reader, shape, 0);
+  std::vector<bool> stays(words.size(), false);
+  for (std::uint64_t child = 0; voxelsStay && child < shape.children; ++child)
+    if (masks.exists(child) && masks.isLeaf(child) && !stratum.implied &&
+        head + masks.rank(child) < words.size())
+      stays[head + masks.rank(child)] = true;
+  for (std::size_t slot = head; slot < words.size(); ++slot)
+    if (!stays[slot] && !relocateRef(words[slot], relocation))
       return false;
   return true;
 }

@@ -94,7 +94,7 @@ constexpr std::array<Field<S>, 12> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
     field<S, &S::leaves>("leaves", "yes, no"),
-    field<S, &S::cells>("cells", "inline, word, record"),
+    field<S, &S::cells>("cells", "inline, word, slot, record"),
     field<S, &S::skip>("skip", "none, l1, octant"),
     field<S, &S::reach>("reach", "a number of cells"),
     field<S, &S::empty>("empty", "zero, tagged, transparent"),

@@ -92,7 +92,7 @@ uint any_value_level_${N}(uint grid) { return load_word(grid + ${head-words}u); 
 %end
 %else
 %if wide
-// A node is [mask of children, mask of leaves, references to the children that ${have-slots}...], masks of 64 bits.
+// A node is [mask of children, mask of leaves, ${slots-hold} the children that ${have-slots}...], masks of 64 bits.
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side. `around` is 1 if
 // so are the seven that make a cube with it.
 uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int around) {
@@ -114,7 +114,7 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int 
   return load_word(node + 4u + uint(rank));
 }
 %else
-// A node is [masks, references to the children that ${have-slots}...].
+// A node is [masks, ${slots-hold} the children that ${have-slots}...].
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
 uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
   int child = child_index(cell >> height);

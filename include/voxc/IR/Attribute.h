@@ -27,6 +27,7 @@ using AttributeKinds = std::span<const AttributeKind *const>;
 extern const AttributeKind kDedupAttribute;     ///< dedup: sub-volume | level
 extern const AttributeKind kShareAttribute;     ///< share: none | level
 extern const AttributeKind kWalkAttribute;      ///< walk: stack | restart | unrolled
+extern const AttributeKind kLeavesAttribute;    ///< leaves: apart | in-slot
 extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
 

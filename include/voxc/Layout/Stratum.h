@@ -21,7 +21,8 @@ inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
 /// Where the value of a cell lies.
 enum class Cells {
   Inline, ///< In the slot of the node itself: a grid.
-  Word,   ///< In a word of its own, which the slot refers to, so that equal ones are shared.
+  Word,   ///< In a word of its own, which the slot of a leaf refers to, so that equal ones are shared.
+  Slot,   ///< In the slot of a leaf.
   Record, ///< In the first word of the child's record, whose masks are 0.
 };
 
@@ -50,7 +51,8 @@ enum class Sharing {
   Stratum,   ///< Those of all sub-volumes.
 };
 
-template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Cells> = {"inline", "word", "record"};
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<Cells> = {"inline", "word", "slot", "record"};
 template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Skip> = {"none", "l1", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};

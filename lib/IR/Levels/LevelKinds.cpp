@@ -19,6 +19,7 @@ constexpr std::array<const LevelKind *, 6> kKinds = {&kRaw, &kDistance, &kSvo, &
 
 constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
 constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
+constexpr std::array<std::string_view, 2> kLeavesValues = {"apart", "in-slot"};
 constexpr std::array<std::string_view, 2> kDistancesValues = {"beside", "in-slot"};
 constexpr std::array<std::string_view, 2> kMetricValues = {"l1", "octant"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
@@ -32,6 +33,10 @@ const AttributeKind kDedupAttribute = {
 const AttributeKind kShareAttribute = {
     "share", AttributeEffect::Storage, kShareValues,
     "which equal sub-volumes of grids share storage: none, or those of the whole level"};
+
+const AttributeKind kLeavesAttribute = {
+    "leaves", AttributeEffect::Storage, kLeavesValues,
+    "where the value of a leaf stands: apart, in a word that its slot points to, or in the slot itself"};
 
 const AttributeKind kDistancesAttribute = {
     "distances", AttributeEffect::Storage, kDistancesValues,

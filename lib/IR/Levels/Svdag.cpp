@@ -12,10 +12,13 @@ constexpr std::array<ParameterKind, 2> kParameters = {{
      1},
 }};
 
-constexpr std::array<const AttributeKind *, 2> kAttributes = {&kDedupAttribute, &kWalkAttribute};
+constexpr std::array<const AttributeKind *, 3> kAttributes = {&kDedupAttribute, &kLeavesAttribute,
+                                                              &kWalkAttribute};
 
 Stratum lower(const Level &level) {
   Stratum stratum = treeStratum(level, "packed", Cells::Word);
+  if (stratum.depth > 0 && level.attribute(kLeavesAttribute) == "in-slot")
+    stratum.cells = Cells::Slot;
   stratum.sharing = level.attribute(kDedupAttribute) == "level" ? Sharing::Stratum : Sharing::SubVolume;
   return stratum;
 }

@@ -10,6 +10,6 @@ ${LAYERS_DOWN}  // A leaf, or nothing.
 %if last
   return ${leaf-or-0};
 %else
-  return node == 0u ? 0u : locate_${NEXT}(ray, load_word(node), cell, gap);
+  return node == 0u ? 0u : locate_${NEXT}(ray, ${leaf-node}, cell, gap);
 %end
 }

@@ -28,7 +28,7 @@
           value = ${leaf-node};
           node = 0u;
 %else
-          node = load_word(node);
+          node = ${leaf-node};
           layer = ${END};
 %end
         }
