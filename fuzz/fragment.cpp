@@ -33,7 +33,8 @@ void join(FragmentSet &fragments, const std::shared_ptr<WorkingMemory> &memory) 
   if (!words)
     return;
   NodeStore store(std::move(*words), format.levels.size(), memory);
-  Splice splice(format, store);
+  const Layout layout = layoutOf(format);
+  Splice splice(layout, store);
   while (fragments.next() && !store.failure()) {
     auto fragment = fragments.take();
     if (!fragment)
