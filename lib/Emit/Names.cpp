@@ -63,24 +63,6 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["DEPTH"] = std::to_string(stratum.depth);
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
-  const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
-  const std::string occupied = holes["occupied"];
-  const auto leafAt = [&](const std::string &at) {
-    const bool isValue = defers || stratum.cells == Cells::Slot;
-    return stratum.implied && !defers ? occupied : isValue ? at : "load_word(" + at + ")";
-  };
-  const std::string number = holes["N"];
-  holes["full-cell"] = defers            ? "grid"
-                       : stratum.implied ? occupied
-                                         : "value_level_" + number + "(grid, cell)";
-  holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
-  holes["without-leaves"] = stratum.implied ? " & ~load_word(node + 2u)" : "";
-  holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
-  holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
-  holes["leaf-node"] = leafAt("node");
-  holes["leaf-leaf"] = leafAt("leaf");
-  holes["leaf-found"] = leafAt("found");
-  holes["leaf-or-0"] = leafAt("node") == "node" ? "node" : "node == 0u ? 0u : " + leafAt("node");
   holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
@@ -91,6 +73,29 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - (stratum.implied ? 0 : 1));
   holes["around"] = isWide(stratum) ? ", around" : "";
   holes["plus-around"] = isWide(stratum) ? " + around" : "";
+}
+
+/// How a leaf of a stratum, or a full cell, becomes its value in generated text.
+void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  auto &holes = names.holes;
+  const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
+  const std::string occupied = holes["occupied"];
+  const auto leafAt = [&](const std::string &at) {
+    const bool isValue = defers || stratum.cells == Cells::Slot;
+    return stratum.implied && !defers ? occupied : isValue ? at : "load_word(" + at + ")";
+  };
+  holes["full-cell"] = defers            ? "grid"
+                       : stratum.implied ? occupied
+                                         : "value_level_" + holes["N"] + "(grid, cell)";
+  holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
+  holes["without-leaves"] = stratum.implied ? " & ~load_word(node + 2u)" : "";
+  holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
+  holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
+  holes["leaf-node"] = leafAt("node");
+  holes["leaf-leaf"] = leafAt("leaf");
+  holes["leaf-found"] = leafAt("found");
+  holes["leaf-or-0"] = leafAt("node") == "node" ? "node" : "node == 0u ? 0u : " + leafAt("node");
 }
 
 /// Where the layers of a stratum lie among those of all strata.
@@ -184,6 +189,7 @@ TemplateNames planNames(const Plan &plan) {
 TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   TemplateNames names = planNames(plan);
   addHoles(names, plan, index);
+  addLeaves(names, plan, index);
   addSkip(names, plan.layout.strata[index]);
   addLayers(names, plan, index);
   addConditions(names, plan, index);

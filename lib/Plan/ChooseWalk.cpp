@@ -1,6 +1,8 @@
 // choose-walk: the walk that was fastest on camera rays among those that can do what is asked.
 #include "Passes.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <algorithm>
 
 namespace voxc {
@@ -19,8 +21,17 @@ int layersOf(const Layout &layout) {
 }
 
 /// True if most turns of a direct walk end in the first level, with a long step.
-bool isBestDirect(const Layout &layout) {
+bool leapsFromTheTop(const Layout &layout) {
   return layout.strata.front().skip == Skip::Octant && layersOf(layout) <= kFewLayers;
+}
+
+/// True for a tree made of grids that tell of empty cells around one: its nodes are small, and a nested walk
+/// would soon leave each.
+bool isTreeOfGrids(const Layout &layout) {
+  const auto tellsGap = [](const Stratum &stratum) {
+    return stratum.skip == Skip::None && stratum.slots->tellsGap(stratum);
+  };
+  return layout.strata.size() > 2 && std::all_of(layout.strata.begin() + 1, layout.strata.end(), tellsGap);
 }
 
 } // namespace
@@ -38,7 +49,7 @@ void chooseWalk(Plan &plan) {
   plan.walk = Walk::Nested;
   if (plan.layout.strata.size() >= kManyLevels)
     plan.walk = Walk::Flat;
-  else if (isBestDirect(plan.layout))
+  else if (leapsFromTheTop(plan.layout) || isTreeOfGrids(plan.layout))
     plan.walk = Walk::Direct;
 }
 

@@ -11,7 +11,8 @@ constexpr std::array<PlanPass, 4> kPasses = {{
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
     {"choose-walk",
      "nested loops, one flat loop or a direct one: as asked; else flat from 8 levels on, and direct where "
-     "the first level tells octants above at most 8 layers of nodes; but nested where restart-sv, "
+     "the first level tells octants above at most 8 layers of nodes, or all others, two at least, are "
+     "masked grids of 4 cells a side; but nested where restart-sv, "
      "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
     {"choose-steps",

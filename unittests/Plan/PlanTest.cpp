@@ -115,6 +115,13 @@ TEST(Plans, StepInDoublesWhereThatIsBest) {
   EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee, "fast"), Steps::Float32) << "fast";
 }
 
+TEST(Plans, GoDirectlyThroughTreesOfGrids) {
+  const auto walkOf = [](const char *format) { return makePlan(*parseFormat(format))->walk; };
+  EXPECT_EQ(walkOf("R(1^3) M(2^3) M(2^3)"), Walk::Direct);
+  EXPECT_EQ(walkOf("M(2^3) M(2^3)"), Walk::Nested) << "but two levels";
+  EXPECT_EQ(walkOf("R(1^3) M(2^3) M(1^3)"), Walk::Nested) << "no groups in the last";
+}
+
 TEST(Plans, LeaveAWalkThatIsAskedFor) {
   const auto walkOf = [](const char *levels, const char *detail = "full") {
     Format format = *parseFormat("D(3^3, 15) M(2^3)");

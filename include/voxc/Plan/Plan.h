@@ -64,7 +64,8 @@ inline constexpr std::array<std::string_view, 5> kEnumNames<Descent> = {"index",
 template <>
 inline constexpr std::array<std::string_view, 4> kEnumNames<Walk> = {"auto", "nested", "flat", "direct"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
-template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32", "refined", "float64"};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32", "refined", "float64"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
