@@ -1,4 +1,3 @@
-
 // Steps from one cell of the ray to the next.
 
 // Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.

@@ -2,8 +2,6 @@
 #include "Masks.h"
 #include "Places.h"
 
-#include <vector>
-
 namespace voxc {
 namespace {
 
@@ -63,17 +61,21 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
     return false;
   if (stratum.isGrid() && holdsVoxels)
     return true;
-  const bool voxelsStay = holdsVoxels && stratum.cells == Cells::Slot;
-  const MaskShape shape(stratum);
+  const bool leavesStay = holdsVoxels && stratum.cells == Cells::Slot;
+  if (!leavesStay) {
+    for (std::uint32_t &slot : words.subspan(head))
+      if (!relocateRef(slot, relocation))
+        return false;
+    return true;
+  }
   const WordReader reader(words);
+  const MaskShape shape(stratum);
   const Masks masks(reader, shape, 0);
-  std::vector<bool> stays(words.size(), false);
-  for (std::uint64_t child = 0; voxelsStay && child < shape.children; ++child)
-    if (masks.exists(child) && masks.isLeaf(child) && !stratum.implied &&
-        head + masks.rank(child) < words.size())
-      stays[head + masks.rank(child)] = true;
-  for (std::size_t slot = head; slot < words.size(); ++slot)
-    if (!stays[slot] && !relocateRef(words[slot], relocation))
+  if (words.size() != head + masks.slots())
+    return false;
+  for (std::uint64_t child = 0; child < shape.children; ++child)
+    if (masks.exists(child) && !masks.isLeaf(child) &&
+        !relocateRef(words[head + masks.rank(child)], relocation))
       return false;
   return true;
 }

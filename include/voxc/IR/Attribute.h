@@ -35,7 +35,7 @@ extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
 extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
-extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8, occupancy
+extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 
 /// The attributes that a format takes.
