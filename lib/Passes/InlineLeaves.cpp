@@ -2,15 +2,12 @@
 //
 // Contract: sets leaves=in-slot on every G level. The words of a volume get fewer, and decode to the same
 // voxels.
-#include "voxc/Passes/Pass.h"
+#include "SetOnLevels.h"
 
 namespace voxc {
 
 PassResult inlineLeaves(Format &format, Diagnostics &) {
-  bool changed = false;
-  for (Level &level : format.levels)
-    changed |= level.setAttribute(kLeavesAttribute, "in-slot");
-  return changed ? PassResult::Changed : PassResult::Unchanged;
+  return setOnLevels(format, 0, kLeavesAttribute, "in-slot");
 }
 
 } // namespace voxc

@@ -2,15 +2,12 @@
 //
 // Contract: sets metric=octant on every D level, whose M then is 15 at most, or 7 in the words of voxels. The
 // voxels stay as they are.
-#include "voxc/Passes/Pass.h"
+#include "SetOnLevels.h"
 
 namespace voxc {
 
 PassResult octantDistances(Format &format, Diagnostics &) {
-  bool changed = false;
-  for (Level &level : format.levels)
-    changed |= level.setAttribute(kMetricAttribute, "octant");
-  return changed ? PassResult::Changed : PassResult::Unchanged;
+  return setOnLevels(format, 0, kMetricAttribute, "octant");
 }
 
 } // namespace voxc

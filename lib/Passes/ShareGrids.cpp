@@ -3,15 +3,12 @@
 // Contract: sets share=level on every grid level but the first, which has one sub-volume. The words of a
 // volume get fewer, never more, and decode to the same voxels. Distances follow from the cells, so that D
 // sub-volumes with equal cells are equal as a whole.
-#include "voxc/Passes/Pass.h"
+#include "SetOnLevels.h"
 
 namespace voxc {
 
 PassResult shareGrids(Format &format, Diagnostics &) {
-  bool changed = false;
-  for (std::size_t i = 1; i < format.levels.size(); ++i)
-    changed |= format.levels[i].setAttribute(kShareAttribute, "level");
-  return changed ? PassResult::Changed : PassResult::Unchanged;
+  return setOnLevels(format, 1, kShareAttribute, "level");
 }
 
 } // namespace voxc

@@ -3,15 +3,12 @@
 // Contract: sets dedup=level on every level that takes the attribute. The words of a volume get fewer, never
 // more, and decode to the same voxels. Level 1 has one sub-volume, where both values mean the same; it is
 // left alone.
-#include "voxc/Passes/Pass.h"
+#include "SetOnLevels.h"
 
 namespace voxc {
 
 PassResult wholeLevelDedup(Format &format, Diagnostics &) {
-  bool changed = false;
-  for (std::size_t i = 1; i < format.levels.size(); ++i)
-    changed |= format.levels[i].setAttribute(kDedupAttribute, "level");
-  return changed ? PassResult::Changed : PassResult::Unchanged;
+  return setOnLevels(format, 1, kDedupAttribute, "level");
 }
 
 } // namespace voxc
