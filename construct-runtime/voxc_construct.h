@@ -16,6 +16,9 @@ struct Voxel {
 /// Most words of a node's masks: two sets for 64 children.
 constexpr int kMaskWords = 4;
 
+/// The value of voxels of which no more is kept than that they are there.
+constexpr uint32_t kOccupied = 0xffffffff;
+
 /// A node of a tree that has not found its place in the volume yet.
 struct Node {
   enum Kind : uint32_t { Empty, Leaf, Inner };
@@ -24,6 +27,7 @@ struct Node {
   /// Leaf: the terminating integer. Inner: where the node is, or in a layout of siblings its first child.
   uint32_t value = 0;
   uint32_t masks[kMaskWords] = {}; ///< Inner: which children are not empty, and which of them are leaves.
+  uint32_t voxels = 0;             ///< How many it has, where their values stand apart.
 
   /// A cell's terminating integer as a node: 0 is empty.
   static Node leaf(uint32_t value) { return {value == 0 ? Empty : Leaf, value}; }
@@ -33,6 +37,7 @@ struct Node {
 struct PlacedCell {
   Voxel cell;
   uint32_t value;
+  uint32_t voxels = 0; ///< How many there are below it, where their values stand apart.
 };
 
 /// What an aligned cube became that was built apart: a node of a tree, or cells of a grid.
@@ -40,6 +45,7 @@ struct Part {
   Node node;
   const PlacedCell *cells;
   uint64_t cell_count;
+  uint64_t values; ///< How many values were put apart.
 };
 
 /// What the program that builds a volume offers to the code that arranges it.
@@ -56,6 +62,8 @@ struct Host {
   uint32_t (*intern)(void *self, unsigned level, const uint32_t *words, uint64_t count);
   /// The same for the word of a leaf.
   uint32_t (*intern_leaf)(void *self, unsigned level, uint32_t value);
+  /// Takes the value of the next voxel, of those that stand apart.
+  void (*put_value)(void *self, uint32_t value);
   /// Forgets which nodes and leaves a level has been given.
   void (*forget)(void *self, unsigned level);
   /// Zeroed memory for the one grid of a level that is being filled, and its return. Null once building has
@@ -139,6 +147,21 @@ public:
       known = {level, value, host_.intern_leaf(host_.self, level, value)};
     return known.offset;
   }
+  /// Puts the value of the next voxel apart.
+  void put_value(uint32_t value) {
+    host_.put_value(host_.self, value);
+    ++values_;
+  }
+  /// The same for a voxel that may be empty: what is left of it is that it is there.
+  Node put_voxel(uint32_t value) {
+    if (value == 0)
+      return {};
+    put_value(value);
+    return {Node::Leaf, kOccupied, {}, 1};
+  }
+  /// How many values were put apart: that of the next voxel has this rank.
+  uint32_t values() const { return values_; }
+
   void forget(unsigned level) {
     host_.forget(host_.self, level);
     for (KnownLeaf &known : leaves_)
@@ -157,6 +180,7 @@ public:
   Part take_part(Voxel low) {
     Part part = {};
     host_.take_part(host_.self, low, &part);
+    values_ += static_cast<uint32_t>(part.values);
     return part;
   }
   void finish(const Node &node) { host_.finish_node(host_.self, &node); }
@@ -173,6 +197,7 @@ private:
   Voxel low_;
   bool loaded_ = false;
   uint32_t brick_[512];
+  uint32_t values_ = 0;
   KnownLeaf leaves_[256];
 };
 
@@ -204,8 +229,8 @@ constexpr Voxel child_low(Voxel low, unsigned i, int log2_side) {
 /// What a cell of the last level holds.
 inline uint32_t construct_voxel(Build &build, Voxel at) { return *build.voxels(at); }
 
-/// Visits the voxels of a brick that are not empty, as far as they lie in the 2^height a side at `cell` of a
-/// grid of voxels.
+/// Visits the voxels of a brick that are not empty, as placed cells, as far as they lie in the 2^height a side at `cell`
+/// of a grid of voxels.
 template <GridShape kShape, typename Visit>
 void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &visit) {
   const uint32_t *voxels = build.voxels(corner);
@@ -213,12 +238,11 @@ void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &v
     const Voxel step = brick_voxel(i);
     const Voxel at = {cell.x + step.x, cell.y + step.y, cell.z + step.z};
     if (voxels[i] != 0 && !kShape.excludes(at))
-      visit(at, voxels[i]);
+      visit(PlacedCell{at, voxels[i]});
   }
 }
 
-/// Visits the cells of a grid that are not empty, with their terminating integers, in Morton order of its
-/// bounding cube: cells outside a grid that is no cube are skipped a whole aligned cube at a time, and so are
+/// Visits the cells of a grid that are not empty, as placed cells, in Morton order of its bounding cube: cells outside a grid that is no cube are skipped a whole aligned cube at a time, and so are
 /// empty ones. `low` is the corner of the grid, `cell` that, in cells, of the 2^height a side to visit, and
 /// `kNext` builds what a cell holds.
 template <GridShape kShape, uint32_t (*kNext)(Build &, Voxel), typename Visit>
@@ -232,12 +256,13 @@ void for_each_cell(Build &build, Voxel low, Voxel cell, int height, Visit &visit
   if ((height > 0 || kCellsAreVoxels) && build.is_part(height + kLog2Cell)) {
     const Part part = build.take_part(corner);
     for (uint64_t i = 0; i < part.cell_count; ++i)
-      visit(part.cells[i].cell, part.cells[i].value);
+      visit(part.cells[i]);
   } else if (kCellsAreVoxels && height <= kLog2Brick) {
     for_each_voxel<kShape>(build, corner, cell, height, visit);
   } else if (height == 0) {
+    const uint32_t before = build.values();
     if (const uint32_t value = kNext(build, corner))
-      visit(cell, value);
+      visit(PlacedCell{cell, value, build.values() - before});
   } else {
     for (unsigned i = 0; i < 8; ++i)
       for_each_cell<kShape, kNext>(build, low, child_low(cell, i, height - 1), height - 1, visit);
@@ -253,7 +278,7 @@ void finish_cells(Build &build, Voxel corner, int log2_side) {
   const Voxel cell = {(corner.x & kInside) >> kLog2Cell, (corner.y & kInside) >> kLog2Cell,
                       (corner.z & kInside) >> kLog2Cell};
   const Voxel low = {corner.x & ~kInside, corner.y & ~kInside, corner.z & ~kInside};
-  auto finish = [&](Voxel at, uint32_t value) { build.finish(PlacedCell{at, value}); };
+  auto finish = [&](const PlacedCell &cell) { build.finish(cell); };
   for_each_cell<kShape, kNext>(build, low, cell, log2_side - kLog2Cell, finish);
 }
 

@@ -62,6 +62,15 @@ std::string randomFormatText(std::mt19937 &random, int log2Side) {
   return text;
 }
 
+/// The same with values apart, if its levels can number voxels.
+Format withValuesApart(const Format &format) {
+  Format apart = format;
+  Diagnostics diagnostics;
+  valuesApart(apart, diagnostics);
+  verify(apart, diagnostics);
+  return diagnostics.hasErrors() ? format : apart;
+}
+
 Format randomFormat(std::mt19937 &random, int log2Side) {
   Format format = *parseFormat(randomFormatText(random, log2Side));
   const auto run = [&](const Pass &pass) {
@@ -71,8 +80,10 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
   for (const Pass &pass : passes())
     // What visible-voxels states, and what occupancy leaves out, is for a scene to say.
     if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && pass.run != occupancy &&
-        random() % 2 != 0)
+        pass.run != valuesApart && random() % 2 != 0)
       run(pass);
+  if (random() % 2 != 0)
+    format = withValuesApart(format);
   if (const Pass *walk = randomWalk(random))
     run(*walk);
   return format;

@@ -3,8 +3,17 @@ Node construct_level_${N}_node(Build &build, Voxel low, int layers) {
   const int log2_side = LEVEL_${N}_LOG2_CELL + layers * LEVEL_${N}_BRANCH;
   if (build.is_empty(low, log2_side))
     return {};
+%if ranked
+  if (layers == 0) {
+    const uint32_t before = build.values();
+    Node cell = Node::leaf(construct_${NEXT}(build, low));
+    cell.voxels = build.values() - before;
+    return cell;
+  }
+%else
   if (layers == 0)
     return Node::leaf(construct_${NEXT}(build, low));
+%end
   if (build.is_part(log2_side))
     return build.take_part(low).node;
   Node children[LEVEL_${N}_CHILDREN];

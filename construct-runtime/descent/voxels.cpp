@@ -1,7 +1,11 @@
 // The node, `layers` above the voxels at `voxels`, which lie in Morton order within a brick.
 Node construct_level_${N}_brick(Build &build, const uint32_t *voxels, int layers) {
   if (layers == 0)
+%if ranked
+    return build.put_voxel(*voxels);
+%else
     return Node::leaf(*voxels);
+%end
   if (!holds_any(voxels, 1 << 3 * LEVEL_${N}_BRANCH * layers))
     return {};
   Node children[LEVEL_${N}_CHILDREN];

@@ -1,11 +1,11 @@
 %if distances-beside
-// A slot is two words: a value, and the distance of an empty cell.
-constexpr uint64_t LEVEL_${N}_SLOT = 2;
+// A slot has a value, and then the distance of an empty cell.
+constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
 uint32_t distance_level_${N}(const uint32_t *slot) { return slot[1]; }
 void set_distance_level_${N}(uint32_t *slot, uint32_t distance) { slot[1] = distance; }
 %else
 // An empty cell's word holds its distance; a word of 0 is a cell whose distance is not known yet.
-constexpr uint64_t LEVEL_${N}_SLOT = 1;
+constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
 constexpr uint32_t LEVEL_${N}_EMPTY = ${empty-tag}; // Which bits tell an empty cell.
 uint32_t distance_level_${N}(const uint32_t *slot) {
   const uint32_t word = *slot;

@@ -4,11 +4,10 @@ constexpr uint32_t LEVEL_${N}_FIELD = ${field-mask};
 constexpr uint32_t LEVEL_${N}_OUTSIDE = ${outside-side};
 
 // The fields of a cell; 0 if it is not empty.
+constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
 %if distances-beside
-constexpr uint64_t LEVEL_${N}_SLOT = 2;
 uint32_t *fields_level_${N}(uint32_t *slot) { return slot[0] == 0 ? slot + 1 : nullptr; }
 %else
-constexpr uint64_t LEVEL_${N}_SLOT = 1;
 uint32_t *fields_level_${N}(uint32_t *slot) {
   const uint32_t word = *slot;
   return ${word-is-empty} ? slot : nullptr;
@@ -26,13 +25,12 @@ uint32_t side_level_${N}(uint32_t *slot, unsigned shift) {
 // A cube of one cell in all directions, to begin with.
 void clear_level_${N}_plane(uint32_t *plane) {
   constexpr uint64_t kCells = uint64_t{1} << (LEVEL_${N}_SHAPE.x + LEVEL_${N}_SHAPE.y);
-  for (uint64_t i = 0; i < kCells; ++i) {
+  for (uint32_t *slot = plane; slot < plane + LEVEL_${N}_SLOT * kCells; slot += LEVEL_${N}_SLOT)
 %if distances-beside
-    plane[2 * i + 1] = plane[2 * i] == 0 ? ${ones} : 0;
+    slot[1] = slot[0] == 0 ? ${ones} : 0;
 %else
-    plane[i] = plane[i] == 0 ? ${ones} : plane[i];
+    slot[0] = slot[0] == 0 ? ${ones} : slot[0];
 %end
-  }
 }
 
 // The cubes of one octant from the cells of a row: one more than the least of the seven neighbours that lie ahead. `rows` are

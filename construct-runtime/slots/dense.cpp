@@ -1,13 +1,18 @@
 uint32_t construct_level_${N}(Build &build, Voxel low) {
-%if distances-beside
-  const uint64_t words = 2 * LEVEL_${N}_SHAPE.cells(); // Two a cell: terminating integer, distance.
-%else
-  const uint64_t words = LEVEL_${N}_SHAPE.cells();
-%end
+  const uint64_t words = ${slot-words-times}LEVEL_${N}_SHAPE.cells(); // Of a cell: ${words-of-slot}.
   uint32_t *grid = nullptr;
-  auto place = [&](Voxel cell, uint32_t value) {
-    if (grid || (grid = build.allocate(${N}, words)))
-      grid[${slot-words-times}LEVEL_${N}_SHAPE.index(cell)] = ${slot-of-value};
+%if ranked
+  uint32_t before = 0;
+%end
+  auto place = [&](const PlacedCell &placed) {
+    if (!grid && !(grid = build.allocate(${N}, words)))
+      return;
+    uint32_t *const slot = grid + ${slot-words-times}LEVEL_${N}_SHAPE.index(placed.cell);
+    slot[0] = ${slot-of-value};
+%if ranked
+    slot[${slot-words} - 1] = before;
+    before += placed.voxels;
+%end
   };
   for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
   if (!grid)

@@ -44,8 +44,8 @@ uint32_t write_level_${N}(Build &build, const uint32_t *cells, uint64_t count) {
 }
 
 uint32_t construct_level_${N}(Build &build, Voxel low) {
-  auto place = [&](Voxel cell, uint32_t value) {
-    build.keep(${N}, static_cast<uint32_t>(LEVEL_${N}_SHAPE.index(cell)), value);
+  auto place = [&](const PlacedCell &placed) {
+    build.keep(${N}, static_cast<uint32_t>(LEVEL_${N}_SHAPE.index(placed.cell)), placed.value);
   };
   for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
   uint64_t count = 0;

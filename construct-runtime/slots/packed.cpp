@@ -2,28 +2,43 @@
 %if implied
 // Turns a grid of words, which follows ${head-words} words of room, into a mask of the cells that are not empty. Returns how
 // many words that takes.
+%if ranked
+// The values are put apart, in the order of the bits.
+%end
 %else
-// Turns a grid of words, which follows ${head-words} words of room, into a mask and the values of the cells that are not
+// Turns a grid of slots, which follows ${head-words} words of room, into a mask and the slots of the cells that are not
 // empty. Returns how many words that takes.
 %end
 uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
   constexpr uint64_t kHead = ${head-words};
   uint64_t end = kHead;
+%if counts
+  uint32_t count = 0;
+%end
   for (uint64_t first = 0; first < LEVEL_${N}_SHAPE.cells(); first += 32) {
 %if counts
     uint32_t *mask = grid + first / 32 * 2;
-    mask[1] = static_cast<uint32_t>(end - kHead);
+    mask[1] = count;
 %else
     uint32_t *mask = grid + first / 32;
 %end
     for (uint64_t cell = first; cell < LEVEL_${N}_SHAPE.cells() && cell < first + 32; ++cell) {
-      const uint32_t value = grid[kHead + cell];
-      if (value == 0)
+      const uint32_t *const slot = grid + kHead + ${slot-words-times}cell;
+      if (*slot == 0)
         continue;
       *mask |= 1u << (cell - first);
+%if counts
+      ++count;
+%end
 %if implied
+%if ranked
+      build.put_value(*slot);
+%end
 %else
-      grid[end++] = value;
+      grid[end++] = slot[0];
+%if slots-count
+      grid[end++] = slot[1];
+%end
 %end
     }
     if (first % 32768 == 0)
@@ -34,9 +49,18 @@ uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
 
 uint32_t construct_level_${N}(Build &build, Voxel low) {
   uint32_t *grid = nullptr;
-  auto place = [&](Voxel cell, uint32_t value) {
-    if (grid || (grid = build.allocate(${N}, ${head-words} + LEVEL_${N}_SHAPE.cells())))
-      grid[${head-words} + LEVEL_${N}_SHAPE.index(cell)] = value;
+%if slots-count
+  uint32_t before = 0;
+%end
+  auto place = [&](const PlacedCell &placed) {
+    if (!grid && !(grid = build.allocate(${N}, ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.cells())))
+      return;
+    uint32_t *const slot = grid + ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.index(placed.cell);
+    slot[0] = placed.value;
+%if slots-count
+    slot[1] = before;
+    before += placed.voxels;
+%end
   };
   for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
   if (!grid)
@@ -56,27 +80,37 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
 // Writes a node, and before it those of its children that are leaves, each unless it is written already.
 %end
 %end
+%if ranked
+// Behind each slot stands how many voxels the slots up to this one have.
+%end
 Node write_level_${N}_node(Build &build, const Node (&children)[LEVEL_${N}_CHILDREN]) {
   constexpr int kMasks = mask_words(LEVEL_${N}_CHILDREN);
   Node node = {Node::Inner};
   if (set_masks(children, node.masks) == 0)
     return {};
-  uint32_t words[kMasks + LEVEL_${N}_CHILDREN];
+  uint32_t words[kMasks + ${slot-words-times}LEVEL_${N}_CHILDREN];
   uint64_t count = 0;
   for (; count < kMasks; ++count)
     words[count] = node.masks[count];
-  for (const Node &child : children)
-%if implied
-    if (child.kind == Node::Inner)
-      words[count++] = child.value;
-%else
-    if (child.kind != Node::Empty)
-%if leaves-in-slots
-      words[count++] = child.value;
-%else
-      words[count++] = child.kind == Node::Leaf ? build.intern_leaf(${N}, child.value) : child.value;
+%if ranked
+  uint32_t voxels = 0;
 %end
+  for (const Node &child : children) {
+%if ranked
+    node.voxels += child.voxels;
 %end
+    if (child.kind ${has-no-slot})
+      continue;
+%if leaves-apart
+    words[count++] = child.kind == Node::Leaf ? build.intern_leaf(${N}, child.value) : child.value;
+%else
+    words[count++] = child.value;
+%end
+%if ranked
+    voxels += child.voxels;
+    words[count++] = voxels;
+%end
+  }
   node.value = build.intern(${N}, words, count);
   return node;
 }

@@ -29,6 +29,7 @@ construct::Host BuildHost::interface() {
   table.intern_leaf = [](void *self, unsigned level, std::uint32_t value) {
     return hostOf(self).store_.internLeaf(level, value);
   };
+  table.put_value = [](void *self, std::uint32_t value) { hostOf(self).putValue(value); };
   table.forget = [](void *self, unsigned level) { hostOf(self).store_.forget(level); };
   table.allocate = [](void *self, unsigned level, construct::uint64_t count) {
     return hostOf(self).store_.allocate(level, count);

@@ -29,6 +29,9 @@ protected:
   /// The 512 voxels of a brick in Morton order.
   virtual void readBrick(Int3 low, std::uint32_t *voxels) = 0;
 
+  /// The value of the next voxel, of a layout with values apart.
+  virtual void putValue(std::uint32_t) {}
+
   /// log2 of the side of cubes that were built apart; -1: none.
   virtual int log2Part() const { return -1; }
   /// What became of one; the cells live until the next call.

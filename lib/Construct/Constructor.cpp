@@ -75,12 +75,25 @@ VolumeInfo infoOf(const VoxelSource &source, const Format &format, const BuildOp
   return {format, source.extent(), source.voxelToModel(), 0, options.provenance};
 }
 
+/// The host of a volume that is built in one go.
+class WholeHost final : public SourceHost {
+public:
+  WholeHost(VoxelSource &source, VolumeBuild &build, VoxelFacts facts, const Progress &progress)
+      : SourceHost(source, build.store(), facts, progress), values_(build.values()) {}
+
+protected:
+  void putValue(std::uint32_t value) override { values_.put({&value, 1}); }
+
+private:
+  ValueStore &values_;
+};
+
 Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const Format &format,
                            const BuildOptions &options) {
   auto build = VolumeBuild::start(infoOf(source, format, options), options);
   if (!build)
     return build.error();
-  SourceHost host(source, (*build)->store(), layoutOf(format).voxelFacts(), options.progress);
+  WholeHost host(source, **build, layoutOf(format).voxelFacts(), options.progress);
   const construct::Host interface = host.interface();
   const std::uint32_t root = code.whole(&interface);
   if (auto error = source.failure())
@@ -96,7 +109,7 @@ Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, cons
   auto build = VolumeBuild::start(std::move(info), options);
   if (!build)
     return build.error();
-  MergeHost host(parts, log2Part, layout, extent, (*build)->store(), options.progress);
+  MergeHost host(parts, log2Part, layout, extent, (*build)->store(), (*build)->values(), options.progress);
   const construct::Host interface = host.interface();
   const std::uint32_t root = code.whole(&interface);
   if (!(*build)->store().failure() && parts.next())

@@ -4,6 +4,7 @@
 #include "Layout/Masks.h"
 #include "Layout/Places.h"
 #include "voxc/Layout/SubVolume.h"
+#include "voxc/Layout/ValueBlocks.h"
 
 namespace voxc {
 namespace {
@@ -32,7 +33,7 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   fragment_ = &fragment;
   placed_.clear();
   const std::size_t index = layout_.stratumOfPart(log2Side);
-  if (const Ref root = subVolumeAround(index, low)) {
+  if (const Found root = subVolumeAround(index, low); root.at != 0) {
     if (layout_.strata[index].isGrid())
       partOfGrid(index, root, low, log2Side);
     else
@@ -42,48 +43,68 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   return fragment;
 }
 
-/// The sub-volume of strata[index] that a voxel lies in; 0 if there is none.
-Ref Extraction::subVolumeAround(std::size_t index, Int3 low) const {
+/// The sub-volume of strata[index] that a voxel lies in, if there is one.
+Extraction::Found Extraction::subVolumeAround(std::size_t index, Int3 low) const {
   const Int3 log2 = layout_.log2Extent();
   if (!contains({1 << log2.x, 1 << log2.y, 1 << log2.z}, low))
-    return 0;
-  Ref at = words_[0];
-  for (std::size_t i = 0; i < index && at != 0; ++i)
-    at = lookUp(words_, layout_.strata[i], at, low >> layout_.strata[i].log2Cell).value;
-  return at;
+    return {};
+  Found found = {words_[0], 0};
+  for (std::size_t i = 0; i < index && found.at != 0; ++i) {
+    const Lookup below = lookUp(words_, layout_.strata[i], found.at, low >> layout_.strata[i].log2Cell);
+    found = {below.value, found.rank + below.rank};
+  }
+  return found;
 }
 
-construct::Node Extraction::partOfTree(std::size_t index, Ref root, Int3 low, int log2Side) {
+/// Takes the values of the part's voxels, of which `rank` is that of the first: where they stand apart, they
+/// are next to each other.
+void Extraction::values(std::uint64_t rank, std::uint64_t count) {
+  if (layout_.values == Values::Apart)
+    for (std::uint64_t i = 0; i < count; ++i)
+      fragment_->values.push_back(valueOfRank(words_, words_[1], rank + i));
+}
+
+construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, int log2Side) {
   const Stratum &stratum = layout_.strata[index];
+  const bool isApart = layout_.values == Values::Apart;
+  const Int3 lowCell = low >> stratum.log2Cell;
+  Found found = root;
+  const auto counted = [&](construct::Node result, std::uint64_t voxels) {
+    fragment_->voxels = voxels;
+    result.voxels = isApart ? static_cast<std::uint32_t>(voxels) : 0;
+    values(found.rank, voxels);
+    return result;
+  };
   const auto leaf = [&](std::uint32_t value, int log2Cells) {
     const Placed below = cell(index, value);
-    fragment_->voxels = below.voxels * cubed(log2Cells);
-    return construct::Node::leaf(below.at);
+    return counted(construct::Node::leaf(below.at), below.voxels * cubed(log2Cells));
   };
   const int partLayers = (log2Side - stratum.log2Cell) / std::max(stratum.log2Shape.x, 1);
-  Ref at = root;
   for (int layer = stratum.depth; layer > partLayers; --layer) {
-    const Int3 place = placeIn(stratum, low >> stratum.log2Cell, layer);
-    const Child child = stratum.slots->child(words_, stratum, at, place);
+    const int log2Child = stratum.log2Shape.x * (layer - 1);
+    const Child child = stratum.slots->child(words_, stratum, found.at, placeIn(stratum, lowCell, layer));
     if (!child.exists)
       return {};
-    if (child.leaf)
-      return leaf(cellValue(words_, stratum, child), log2Side - stratum.log2Cell);
-    at = static_cast<Ref>(child.at);
+    found = {static_cast<Ref>(child.at), found.rank + voxelsBefore(child, log2Child)};
+    if (!child.leaf)
+      continue;
+    found.rank += ranksInLeaf(stratum, child, log2Child, lowCell).first;
+    return leaf(cellValue(words_, stratum, child), log2Side - stratum.log2Cell);
   }
   if (partLayers == 0)
-    return leaf(words_[at], 0);
+    return leaf(words_[found.at], 0);
+  const Ref at = found.at;
   const Placed placed = node(index, at, partLayers);
-  fragment_->voxels = placed.voxels;
-  construct::Node result = {construct::Node::Inner, placed.at};
+  construct::Node result = counted({construct::Node::Inner, placed.at}, placed.voxels);
   const bool isRecord = stratum.cells == Cells::Record;
   for (std::uint64_t i = 0; i < MaskShape(stratum).words(); ++i)
     result.masks[i] = words_[at + (isRecord ? 1 : 0) + i];
   return result;
 }
 
-void Extraction::partOfGrid(std::size_t index, Ref root, Int3 low, int log2Side) {
+void Extraction::partOfGrid(std::size_t index, Found root, Int3 low, int log2Side) {
   const Stratum &stratum = layout_.strata[index];
+  const bool isApart = layout_.values == Values::Apart;
   const int log2Cells = log2Side - stratum.log2Cell;
   const Int3 first = placeIn(stratum, low >> stratum.log2Cell, 1);
   for (std::uint64_t code = 0; code < cubed(log2Cells); ++code) {
@@ -91,12 +112,19 @@ void Extraction::partOfGrid(std::size_t index, Ref root, Int3 low, int log2Side)
     if ((place.x >> stratum.log2Shape.x | place.y >> stratum.log2Shape.y | place.z >> stratum.log2Shape.z) !=
         0)
       continue;
-    const std::uint32_t value = lookUp(words_, stratum, root, place).value;
-    if (value == 0)
+    const Lookup found = lookUp(words_, stratum, root.at, place);
+    if (found.value == 0)
       continue;
-    const Placed below = cell(index, value);
+    Placed below = cell(index, found.value);
     fragment_->voxels += below.voxels;
-    fragment_->cells.push_back({{place.x, place.y, place.z}, below.at});
+    const std::uint64_t rank = root.rank + found.rank;
+    std::uint64_t apart = 0;
+    if (isApart && layout_.holdsVoxels(index))
+      below.at =
+          valueOfRank(words_, words_[1], rank); // Its place among the values is for the whole grid to say.
+    else if (isApart)
+      values(rank, apart = below.voxels);
+    fragment_->cells.push_back({{place.x, place.y, place.z}, below.at, static_cast<std::uint32_t>(apart)});
   }
 }
 

@@ -30,9 +30,16 @@ private:
     std::uint64_t voxels = 0;
   };
 
-  Ref subVolumeAround(std::size_t index, Int3 low) const;
-  construct::Node partOfTree(std::size_t index, Ref root, Int3 low, int log2Side);
-  void partOfGrid(std::size_t index, Ref root, Int3 low, int log2Side);
+  /// A sub-volume, and the rank of its first voxel.
+  struct Found {
+    Ref at = 0;
+    std::uint64_t rank = 0;
+  };
+
+  Found subVolumeAround(std::size_t index, Int3 low) const;
+  construct::Node partOfTree(std::size_t index, Found root, Int3 low, int log2Side);
+  void partOfGrid(std::size_t index, Found root, Int3 low, int log2Side);
+  void values(std::uint64_t rank, std::uint64_t count);
 
   Placed subVolume(std::size_t index, Ref at);
   Placed grid(std::size_t index, Ref at);

@@ -22,6 +22,7 @@ struct Fragment {
       blocks; ///< Together they are `words`, but for the first word, which has no meaning.
   construct::Node node;
   std::vector<construct::PlacedCell> cells;
+  std::vector<std::uint32_t> values; ///< Those of the voxels, by rank, where they stand apart.
   std::uint64_t voxels = 0;
   std::vector<std::uint64_t> shared; ///< For each level, how often its words were found written already.
 };

@@ -10,7 +10,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<char, 8> kMagic = {'\x89', 'H', 'V', 'F', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint64_t kMaxTextBytes = 1 << 20;
 
@@ -31,17 +31,19 @@ struct Header {
 };
 static_assert(sizeof(Header) == 168);
 
-/// What stands before each part; its words, blocks (a word of 8 bytes each), cells and shared counts follow.
+/// What stands before each part; its words, blocks (a word of 8 bytes each), cells, values and shared counts
+/// follow.
 struct PartHeader {
   std::array<std::int32_t, 3> low{};
-  std::array<std::uint32_t, 2 + construct::kMaskWords> node{}; ///< Kind, value, masks.
+  std::array<std::uint32_t, 3 + construct::kMaskWords> node{}; ///< Kind, value, masks, voxels.
   std::uint64_t words = 0;
   std::uint64_t blocks = 0;
   std::uint64_t cells = 0;
+  std::uint64_t values = 0;
   std::uint64_t voxels = 0;
 };
-static_assert(sizeof(PartHeader) == 72);
-static_assert(sizeof(construct::PlacedCell) == 16);
+static_assert(sizeof(PartHeader) == 80);
+static_assert(sizeof(construct::PlacedCell) == 20);
 
 constexpr int kKindBits = 2;
 constexpr int kLevelBits = 6;
@@ -99,19 +101,20 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
   const construct::Node &node = fragment.node;
   const PartHeader header = {
       {fragment.low.x, fragment.low.y, fragment.low.z},
-      {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3]},
+      {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3], node.voxels},
       fragment.words.size(),
       fragment.blocks.size(),
       fragment.cells.size(),
+      fragment.values.size(),
       fragment.voxels};
   std::vector<std::uint64_t> blocks;
   blocks.reserve(fragment.blocks.size());
   for (const BlockRecord &block : fragment.blocks)
     blocks.push_back(pack(block));
-  const std::array<std::span<const std::byte>, 5> pieces = {
-      std::as_bytes(std::span(&header, 1)), std::as_bytes(std::span(fragment.words)),
-      std::as_bytes(std::span(blocks)), std::as_bytes(std::span(fragment.cells)),
-      std::as_bytes(std::span(fragment.shared))};
+  const std::array<std::span<const std::byte>, 6> pieces = {
+      std::as_bytes(std::span(&header, 1)),      std::as_bytes(std::span(fragment.words)),
+      std::as_bytes(std::span(blocks)),          std::as_bytes(std::span(fragment.cells)),
+      std::as_bytes(std::span(fragment.values)), std::as_bytes(std::span(fragment.shared))};
   for (const auto &piece : pieces)
     if (auto written = write(piece.data(), piece.size()); !written)
       return written;
@@ -253,7 +256,7 @@ Expected<Fragment> FragmentReader::take() {
   std::vector<std::uint64_t> blocks;
   if (!reader.read(header) || !reader.read(fragment.words, header.words) ||
       !reader.read(blocks, header.blocks) || !reader.read(fragment.cells, header.cells) ||
-      !reader.read(fragment.shared, levels + 1))
+      !reader.read(fragment.values, header.values) || !reader.read(fragment.shared, levels + 1))
     return broken;
   for (const std::uint64_t block : blocks)
     fragment.blocks.push_back(unpack(block));
@@ -262,6 +265,7 @@ Expected<Fragment> FragmentReader::take() {
   fragment.low = {header.low[0], header.low[1], header.low[2]};
   fragment.node = {static_cast<construct::Node::Kind>(header.node[0]), header.node[1]};
   std::copy_n(header.node.begin() + 2, construct::kMaskWords, fragment.node.masks);
+  fragment.node.voxels = header.node.back();
   fragment.voxels = header.voxels;
   at_ = reader.at();
   --remaining_;

@@ -52,6 +52,18 @@ bool coversCells(const Fragment &fragment, const Layout &layout, int log2Side) {
   return std::ranges::all_of(fragment.cells, isInside);
 }
 
+/// True if the node or the cells say of their voxels what the values do, where those stand apart; a grid of
+/// voxels has its values in its cells.
+bool countsValues(const Fragment &fragment, const Layout &layout, int log2Side) {
+  const std::size_t index = layout.stratumOfPart(log2Side);
+  std::uint64_t voxels = fragment.node.voxels;
+  for (const construct::PlacedCell &cell : fragment.cells)
+    voxels += cell.voxels;
+  const bool hasValues =
+      layout.values == Values::Apart && !(layout.strata[index].isGrid() && layout.holdsVoxels(index));
+  return fragment.values.size() == voxels && voxels == (hasValues ? fragment.voxels : 0);
+}
+
 } // namespace
 
 Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
@@ -96,6 +108,8 @@ Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
   if (!coversCells(fragment, layoutOf(info().volume.format), info().log2Side))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
+  if (!countsValues(fragment, layoutOf(info().volume.format), info().log2Side))
+    return Error::input("'" + readers_[current_].path() + "' is broken: a part has no value for each voxel");
   return {};
 }
 

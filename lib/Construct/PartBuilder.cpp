@@ -19,6 +19,7 @@ public:
       : SourceHost(source, store, facts, progress), fragment_(fragment) {}
 
 protected:
+  void putValue(std::uint32_t value) override { fragment_.values.push_back(value); }
   void finishNode(const construct::Node &node) override { fragment_.node = node; }
   void finishCell(const construct::PlacedCell &cell) override { fragment_.cells.push_back(cell); }
 

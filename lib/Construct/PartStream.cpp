@@ -22,13 +22,14 @@ construct::Part MergeHost::takePart(Int3 low) {
   }
   fragment_ = std::move(*fragment);
   splice_.join(fragment_, log2Part_);
+  values_.put(fragment_.values);
   voxels_ += fragment_.voxels;
   for (std::size_t i = 0; i < fragment_.shared.size(); ++i)
     store().shared()[i] += fragment_.shared[i];
   store().pause(fragment_.words.size());
   if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());
-  return {fragment_.node, fragment_.cells.data(), fragment_.cells.size()};
+  return {fragment_.node, fragment_.cells.data(), fragment_.cells.size(), fragment_.values.size()};
 }
 
 } // namespace voxc

@@ -4,6 +4,7 @@
 #include "BuildHost.h"
 #include "Fragment.h"
 #include "SourceHost.h"
+#include "ValueStore.h"
 
 #include <optional>
 
@@ -25,8 +26,8 @@ public:
 class MergeHost final : public BuildHost {
 public:
   MergeHost(PartStream &parts, int log2Part, const Layout &layout, Int3 extent, NodeStore &store,
-            const Progress &progress)
-      : BuildHost(store), parts_(parts), log2Part_(log2Part), splice_(layout, store),
+            ValueStore &values, const Progress &progress)
+      : BuildHost(store), parts_(parts), log2Part_(log2Part), splice_(layout, store), values_(values),
         progress_(extent, progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
@@ -36,11 +37,13 @@ protected:
   void readBrick(Int3, std::uint32_t *) override;
   int log2Part() const override { return log2Part_; }
   construct::Part takePart(Int3 low) override;
+  void putValue(std::uint32_t value) override { values_.put({&value, 1}); }
 
 private:
   PartStream &parts_;
   int log2Part_;
   Splice splice_;
+  ValueStore &values_;
   MortonProgress progress_;
   Fragment fragment_; ///< The last one: its cells are in use until the next is taken.
   std::uint64_t voxels_ = 0;

@@ -2,6 +2,7 @@
 #include "VolumeBuild.h"
 
 #include <algorithm>
+#include <array>
 
 namespace voxc {
 
@@ -10,9 +11,15 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
   auto words = build->openWords();
   if (!words)
     return words.error();
+  const Layout layout = layoutOf(build->info_.format);
+  const std::array<std::uint32_t, 2> head = {};
+  if (auto begun = words->append(std::span(head).first(layout.headWords() - words->size())); !begun)
+    return begun.error();
   build->store_ =
       std::make_unique<NodeStore>(std::move(*words), build->info_.format.levels.size(), options.memory);
-  build->store_->limit(std::min(options.maxWords, layoutOf(build->info_.format).maxWords()));
+  build->values_ = std::make_unique<ValueStore>(*build->store_, options.memory);
+  build->maxWords_ = std::min(options.maxWords, layout.maxWords());
+  build->store_->limit(build->maxWords_);
   return build;
 }
 
@@ -39,11 +46,14 @@ Expected<WordStore> VolumeBuild::openWords() {
 }
 
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels) {
+  WordStore &words = store_->words();
+  const std::uint64_t nodeWords = words.size();
+  if (layoutOf(info_.format).values == Values::Apart)
+    values_->finish(words, maxWords_);
   if (store_->failure())
     return *store_->failure();
   options_.progress.at("write", 0);
   const Stopwatch writing;
-  WordStore &words = store_->words();
   words.setRoot(root);
   info_.voxels = voxels;
   const auto span = words.span();
@@ -51,6 +61,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels) {
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
+  report.valueWords = span.size() - nodeWords;
   std::vector<Stream> streams = {wordStream(span)};
   if (isStreamed_)
     if (auto finished = writer_->finish(info_, streams, words.settled(), *options_.memory); !finished)

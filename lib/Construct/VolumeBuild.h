@@ -3,6 +3,7 @@
 
 #include "BuildHost.h"
 #include "NodeStore.h"
+#include "ValueStore.h"
 
 #include "Volume/VolumeFileWriter.h"
 #include "voxc/Construct/Constructor.h"
@@ -26,6 +27,7 @@ public:
   VolumeBuild &operator=(const VolumeBuild &) = delete;
 
   NodeStore &store() { return *store_; }
+  ValueStore &values() { return *values_; }
 
   /// Completes the volume. `root`: the offset of the root sub-volume. Errors: the store's; a full disk.
   Expected<Built> finish(std::uint32_t root, std::uint64_t voxels);
@@ -40,6 +42,8 @@ private:
   std::optional<VolumeFileWriter> writer_;
   bool isStreamed_ = false; ///< The words lie in the file already.
   std::unique_ptr<NodeStore> store_;
+  std::unique_ptr<ValueStore> values_;
+  std::uint64_t maxWords_ = 0;
   std::uint64_t wordsReached_ = 0; ///< Once the volume has taken them; before that the store knows.
 };
 

@@ -12,7 +12,7 @@
 namespace voxc {
 
 /// Words at addresses that never change, in working memory or, but for the last ones, in a file. The first is
-/// kept for the root's offset.
+/// kept for the root's offset, and one more is where the layout has a longer head.
 class WordStore {
 public:
   /// Writes pages of the block to where they shall stay, [begin, begin + bytes), and maps them from there.
@@ -30,7 +30,8 @@ public:
   /// Appends words; the caller has seen to it that there are at most 2^32 in all. Error: `Environment`.
   Expected<void> append(std::span<const std::uint32_t> words);
   /// The first page is never settled.
-  void setRoot(std::uint32_t offset) { words()[0] = offset; }
+  void setRoot(std::uint32_t offset) { setHead(0, offset); }
+  void setHead(std::uint64_t word, std::uint32_t value) { words()[word] = value; }
   /// Forgets all words but the first; keeps the memory. Not for words that settle.
   void clear() { size_ = 1; }
 

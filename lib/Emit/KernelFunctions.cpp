@@ -34,6 +34,8 @@ public:
     text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
     if (hasLayers())
       file("walk/tree.glsl");
+    if (plan_.layout.values == Values::Apart)
+      file("rank/order.glsl");
     // A function stands before its callers: the last level first.
     for (std::size_t i = plan_.layout.strata.size(); i-- > 0;)
       level(i);
@@ -41,6 +43,8 @@ public:
       flatWalk();
     if (plan_.walk == Walk::Direct)
       file("walk/direct.glsl");
+    if (plan_.layout.values == Values::Apart)
+      ranks();
     file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
     text_ += "\n// ---- To here; what follows is the same in every kernel again ----\n";
     return std::move(text_);
@@ -121,6 +125,20 @@ private:
       names.holes["LAYERS_DOWN"] +=
           fillFile(shaderFiles(), "walk/direct/layer.glsl", layerNames(plan_, index, layer));
     text_ += fillFile(shaderFiles(), "walk/direct/tree.glsl", names);
+  }
+
+  /// From a voxel to its rank, level by level, and from there to its value.
+  void ranks() {
+    for (std::size_t i = plan_.layout.strata.size(); i-- > 0;) {
+      const Stratum &stratum = plan_.layout.strata[i];
+      const bool hasLayers = !stratum.isGrid() && stratum.depth > 0;
+      TemplateNames names = stratumNames(plan_, i);
+      for (int layer = stratum.depth; hasLayers && layer > 0; --layer)
+        names.holes["LAYERS_DOWN"] += fillFile(shaderFiles(), "rank/layer.glsl", layerNames(plan_, i, layer));
+      const char *const shape = hasLayers ? "tree" : stratum.isGrid() ? "grid" : "single";
+      text_ += "\n" + fillFile(shaderFiles(), "rank/" + std::string(shape) + ".glsl", names);
+    }
+    file("values/apart.glsl");
   }
 
   /// One loop, with what each level adds to its parts.

@@ -31,7 +31,9 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
   holes["field-bits"] = fieldBits;
   holes["field-mask"] = fieldMask;
   holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
-  holes["slot-of-value"] = shift.empty() ? "value" : "value << " + shift;
+  holes["slot-of-value"] = shift.empty() ? "placed.value" : "placed.value << " + shift;
+  holes["value-at-slot"] =
+      stratum.empty == Empty::Zero ? "load_word(slot)" : "value_level_" + holes["N"] + "(load_word(slot))";
   holes["value-of-slot"] = shift.empty() ? "word" : "word >> " + shift;
   holes["what-skip-counts"] =
       hasOctants ? "the cells along the largest empty cube ahead" : "its distance, in cells";
@@ -65,12 +67,19 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
   holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
+  holes["mask-stride"] = stratum.ranked && stratum.log2Children() > 6 ? "2u * " : "";
+  holes["slots-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + "u * ";
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
   holes["times-branch"] = branch == 1 ? "" : " * " + factor;
   holes["per-branch"] = branch == 1 ? "" : " / " + factor;
   const std::string height = "highest - LEVEL_" + holes["N"] + "_LOG2_CELL";
   holes["highest-layer"] = branch == 1 ? height : "(" + height + ") / " + factor;
-  holes["head-words"] = std::to_string(stratum.slots->leastWords(stratum) - (stratum.implied ? 0 : 1));
+  const std::uint64_t slotWords = static_cast<std::uint64_t>(stratum.slotWords());
+  holes["head-words"] =
+      std::to_string(stratum.slots->leastWords(stratum) - (stratum.implied ? 0 : slotWords));
+  holes["words-of-slot"] = std::string("terminating integer") +
+                           (stratum.skip != Skip::None && stratum.empty == Empty::Zero ? ", distance" : "") +
+                           (stratum.ranked ? ", voxels before" : "");
   holes["around"] = isWide(stratum) ? ", around" : "";
   holes["plus-around"] = isWide(stratum) ? " + around" : "";
 }
@@ -90,6 +99,7 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
                                          : "value_level_" + holes["N"] + "(grid, cell)";
   holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
   holes["without-leaves"] = stratum.implied ? " & ~load_word(node + 2u)" : "";
+  holes["has-no-slot"] = stratum.implied ? "!= Node::Inner" : "== Node::Empty";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
   holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
   holes["leaf-node"] = leafAt("node");
@@ -130,7 +140,10 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["implied"] = stratum.implied;
   conditions["leaves-in-slots"] = stratum.cells == Cells::Slot;
   conditions["grid"] = stratum.isGrid();
-  conditions["counts"] = stratum.log2Children() > 6 && !stratum.implied;
+  conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
+  conditions["ranked"] = stratum.ranked;
+  conditions["slots-count"] = stratum.ranked && !stratum.implied;
+  conditions["counts"] = stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
   conditions["distances"] = stratum.skip != Skip::None;
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
@@ -170,6 +183,7 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["real3"] = inDoubles ? "dvec3" : "vec3";
   names.conditions["doubles"] = inDoubles;
   names.conditions["refines"] = plan.steps == Steps::Refined;
+  names.conditions["values-apart"] = plan.layout.values == Values::Apart;
   names.conditions["cut"] = cut;
   names.conditions["packets"] = plan.packing == Packing::Packets;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;

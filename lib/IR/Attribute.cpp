@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
 constexpr std::array<std::string_view, 4> kLevelsValues = {"auto", "nested", "flat", "direct"};
 constexpr std::array<std::string_view, 2> kPayloadValues = {"rgba8", "occupancy"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
+constexpr std::array<std::string_view, 2> kValuesValues = {"in-place", "apart"};
 
 } // namespace
 
@@ -37,9 +38,15 @@ const AttributeKind kAlphaAttribute = {
     "alpha", AttributeEffect::Storage, kAlphaValues,
     "a fact about the voxels, which a build proves: whether one that is not empty may have an alpha of 0"};
 
+const AttributeKind kValuesAttribute = {
+    "values", AttributeEffect::Storage, kValuesValues,
+    "where the colours of voxels stand: in the words of their cells, or apart from the shape, in compressed "
+    "blocks by the rank of the voxel, so that equal shapes of other colours share storage"};
+
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 5> kAttributes = {
-      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kPayloadAttribute, &kAlphaAttribute};
+  static constexpr std::array<const AttributeKind *, 6> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute,
+      &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute};
   return kAttributes;
 }
 

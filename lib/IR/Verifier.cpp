@@ -47,6 +47,29 @@ void verifyDistances(const Format &format, Diagnostics &diagnostics) {
                     "alpha of 0; state that by alpha=positive (the pass visible-voxels)");
 }
 
+/// Values apart are found by the ranks of voxels, which masks and counts tell.
+void verifyValues(const Format &format, Diagnostics &diagnostics) {
+  if (format.attributes.value(kValuesAttribute) != "apart")
+    return;
+  if (format.attributes.value(kPayloadAttribute) != "rgba8")
+    diagnostics.error(
+        format.levels.back().range,
+        "voxels of payload=occupancy have no values that could stand apart; leave out one of both");
+  for (std::size_t i = 0; i < format.levels.size(); ++i) {
+    const Level &level = format.levels[i];
+    const Stratum stratum = level.kind->lower(level);
+    const std::string name = "level " + std::to_string(i + 1) + ", " + std::string(level.kind->name) + ", ";
+    if (!stratum.slots->ranks)
+      diagnostics.error(level.range, name +
+                                         "does not count voxels, which values=apart asks for; raw, distance, "
+                                         "masked and svdag do");
+    else if (i + 1 == format.levels.size() && (!stratum.slots->tellsByMasks || stratum.depth == 0))
+      diagnostics.error(level.range, name +
+                                         "has no masks that tell voxels, which values=apart asks of the last "
+                                         "level; svdag and masked have");
+  }
+}
+
 /// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.
 void verifyWords(const Level &level, Diagnostics &diagnostics) {
   const Stratum stratum = level.kind->lower(level);
@@ -85,6 +108,7 @@ void verify(const Format &format, Diagnostics &diagnostics) {
     verifyWords(format.levels[i], diagnostics);
   }
   verifyDistances(format, diagnostics);
+  verifyValues(format, diagnostics);
   verifyExtent(format, diagnostics);
 }
 

@@ -1,5 +1,5 @@
 // Dense slots: one for each child, x fastest, then y, then z. An empty one may tell its distance, in a word
-// beside it or in its own.
+// beside it or in its own. In ranked strata a slot ends with how many voxels come before those of its cell.
 #include "Places.h"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { 
 
 /// What a slot says of how far a ray may skip; 0 where the cell is not empty.
 std::uint32_t skipWord(const WordReader &words, const Stratum &stratum, std::uint64_t slot) {
-  if (stratum.slotWords() == 2)
-    return words[slot + 1];
+  if (stratum.empty == Empty::Zero)
+    return stratum.skip == Skip::None ? 0 : words[slot + 1];
   return stratum.isEmptySlot(words[slot]) ? words[slot] : 0;
 }
 
@@ -74,7 +74,12 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) 
 
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
   const std::uint64_t slot = slotOf(stratum, node, place);
-  return stratum.isEmptySlot(words[slot]) ? Child{} : Child{true, true, slot};
+  if (stratum.isEmptySlot(words[slot]))
+    return {};
+  Child child = {true, true, slot};
+  if (stratum.ranked)
+    child.before = words[slot + static_cast<std::uint64_t>(stratum.slotWords()) - 1];
+  return child;
 }
 
 void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
@@ -105,6 +110,7 @@ bool tellsGap(const Stratum &stratum) { return stratum.skip != Skip::None; }
 extern const SlotKind kDenseSlots = {.name = "dense",
                                      .summary = "a slot for each child",
                                      .keepsEmpty = true,
+                                     .ranks = true,
                                      .tellsGap = tellsGap,
                                      .findsValueLater = never,
                                      .problem = problem,

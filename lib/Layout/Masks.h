@@ -1,7 +1,7 @@
 // The masks at the head of a node: a bit for each child that is not empty and, where children may be leaves,
 // such another set. Up to 16 children with leaves share one word; else each set is words of its own. A node
 // of more than 64 children counts: each word of its mask is followed by how many children the words before it
-// have.
+// have; where neither slots nor ranks are to be found by it, the counts are left out.
 #pragma once
 
 #include "voxc/Layout/SlotKind.h"
@@ -16,7 +16,7 @@ struct MaskShape {
   explicit MaskShape(const Stratum &stratum)
       : children(std::uint64_t{1} << stratum.log2Children()), hasLeaves(stratum.leaves),
         sharesWord(stratum.leaves && children <= 16), impliesLeaves(stratum.implied),
-        counts(children > 64 && !stratum.implied) {}
+        counts(children > 64 && (!stratum.implied || stratum.ranked)) {}
 
   std::uint64_t children;
   bool hasLeaves;
@@ -42,8 +42,16 @@ public:
   }
   /// Slots before that of `child`.
   std::uint64_t rank(std::uint64_t child) const {
-    return before(child / 32) + bits(slotted(child / 32) & ((1u << child % 32) - 1));
+    return shape_.impliesLeaves ? shape_.hasLeaves ? sum(child, &Masks::slotted) : 0 : earlier(child);
   }
+  /// Children before `child` that are not empty.
+  std::uint64_t earlier(std::uint64_t child) const {
+    if (!shape_.counts)
+      return sum(child, &Masks::word);
+    return words_[at_ + child / 32 * 2 + 1] + bits(word(child / 32) & lower(child));
+  }
+  /// Leaves before `child` of a node that may have some.
+  std::uint64_t earlierLeaves(std::uint64_t child) const { return sum(child, &Masks::leaves); }
   /// Children that are not empty, as the masks' bits say.
   std::uint64_t count() const {
     std::uint64_t sum = 0;
@@ -69,6 +77,16 @@ public:
 
 private:
   static std::uint64_t bits(std::uint32_t word) { return static_cast<std::uint64_t>(std::popcount(word)); }
+  /// The bits of children before `child` in its word.
+  static std::uint32_t lower(std::uint64_t child) { return (1u << child % 32) - 1; }
+
+  /// The bits before that of `child` of the set whose word i a member gives.
+  std::uint64_t sum(std::uint64_t child, std::uint32_t (Masks::*set)(std::uint64_t) const) const {
+    std::uint64_t sum = bits((this->*set)(child / 32) & lower(child));
+    for (std::uint64_t i = 0; i < child / 32; ++i)
+      sum += bits((this->*set)(i));
+    return sum;
+  }
 
   /// Word i of the set of children, without what else it holds.
   std::uint32_t word(std::uint64_t i) const {
@@ -84,15 +102,6 @@ private:
     if (!shape_.impliesLeaves)
       return word(i);
     return shape_.hasLeaves ? word(i) & ~leaves(i) : 0;
-  }
-  /// Slots of the words before word i.
-  std::uint64_t before(std::uint64_t i) const {
-    if (shape_.counts)
-      return words_[at_ + 2 * i + 1];
-    std::uint64_t sum = 0;
-    for (std::uint64_t j = 0; j < i; ++j)
-      sum += bits(slotted(j));
-    return sum;
   }
 
   const WordReader &words_;

@@ -1,4 +1,6 @@
-// Packed slots: masks, then the slots of the children that are not empty, in their order.
+// Packed slots: masks, then the slots of the children that are not empty, in their order. In ranked strata
+// the reference of a slot is followed by how many voxels all slots up to this one have; in grids, which are
+// not filled in the order of their slots, by how many voxels come before the cell's.
 #include "Masks.h"
 #include "Places.h"
 
@@ -14,12 +16,12 @@ std::string problem(const Stratum &stratum) {
 }
 
 std::uint64_t leastWords(const Stratum &stratum) {
-  return MaskShape(stratum).words() + (stratum.implied ? 0 : 1);
+  return MaskShape(stratum).words() + (stratum.implied ? 0 : static_cast<std::uint64_t>(stratum.slotWords()));
 }
 
 std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
   const MaskShape shape(stratum);
-  return shape.words() + Masks(words, shape, node).slots();
+  return shape.words() + Masks(words, shape, node).slots() * static_cast<std::uint64_t>(stratum.slotWords());
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -29,17 +31,33 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool l
          words.require(node, size(words, stratum, node), "a node");
 }
 
+/// What a ranked stratum says of the voxels of a child, whose slot is at `slot` or, if it has none, would be.
+void rankChild(const WordReader &words, const Stratum &stratum, const Masks &masks, std::uint64_t index,
+               std::uint64_t slot, Child &child) {
+  const bool hasSlot = !(child.leaf && stratum.implied);
+  if (stratum.isGrid()) {
+    child.before = hasSlot ? words[slot + 1] : 0;
+    child.leavesBefore = hasSlot ? 0 : masks.earlier(index);
+    return;
+  }
+  child.before = masks.rank(index) > 0 ? words[slot - 1] : 0;
+  child.leavesBefore = stratum.implied ? masks.earlierLeaves(index) : 0;
+  child.voxels = hasSlot ? words[slot + 1] - child.before : 0;
+}
+
 Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
             std::uint64_t index) {
   const Masks masks(words, shape, node);
   if (!masks.exists(index)) // In Morton order, eight children in a row are a cube.
     return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
   const bool isLeaf = stratum.isGrid() || masks.isLeaf(index);
-  if (isLeaf && stratum.implied)
-    return {true, true, node};
-  const std::uint64_t slot = node + shape.words() + masks.rank(index);
+  const std::uint64_t slot =
+      node + shape.words() + masks.rank(index) * static_cast<std::uint64_t>(stratum.slotWords());
   const bool isInSlot = stratum.isGrid() || (isLeaf && stratum.cells == Cells::Slot);
-  return {true, isLeaf, isInSlot ? slot : words[slot]};
+  Child child = {true, isLeaf, isLeaf && stratum.implied ? node : isInSlot ? slot : words[slot]};
+  if (stratum.ranked)
+    rankChild(words, stratum, masks, index, slot, child);
+  return child;
 }
 
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
@@ -61,10 +79,11 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
     return false;
   if (stratum.isGrid() && holdsVoxels)
     return true;
-  const bool leavesStay = holdsVoxels && stratum.cells == Cells::Slot;
+  const bool leavesStay = holdsVoxels && stratum.cells == Cells::Slot && !stratum.implied;
   if (!leavesStay) {
-    for (std::uint32_t &slot : words.subspan(head))
-      if (!relocateRef(slot, relocation))
+    for (std::uint64_t slot = head; slot < words.size();
+         slot += static_cast<std::uint64_t>(stratum.slotWords()))
+      if (!relocateRef(words[slot], relocation))
         return false;
     return true;
   }
@@ -88,6 +107,7 @@ bool isOfTwoMasks(const Stratum &stratum) { return stratum.isGrid() && stratum.l
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
                                       .tellsByMasks = true,
+                                      .ranks = true,
                                       .tellsGap = isOfTwoMasks,
                                       .findsValueLater = isOfTwoMasks,
                                       .problem = problem,

@@ -16,14 +16,14 @@ public:
 
   void subVolume(std::uint64_t offset) {
     if (stratum_.depth == 0)
-      leaf(offset, {});
+      leaf(offset, {}, {});
     else
-      node(offset, {}, stratum_.depth);
+      node(offset, {}, stratum_.depth, {});
   }
 
 private:
   /// The word of a leaf, in a slot that was checked or in a block of its own.
-  void leaf(std::uint64_t at, const Cube &cube) {
+  void leaf(std::uint64_t at, const Cube &cube, Ranks ranks) {
     const std::uint64_t count = stratum_.cells == Cells::Record ? 1 + MaskShape(stratum_).words() : 1;
     if (!stratum_.isGrid() && !words_.require(at, count, "a leaf"))
       return;
@@ -33,12 +33,12 @@ private:
     if (!isLeaf)
       words_.fail("a leaf at word " + std::to_string(at) + " is empty or malformed");
     else
-      visitor_.cells(cube, stratum_.cellValue(words_[at]));
+      visitor_.cells(cube, stratum_.cellValue(words_[at]), ranks);
   }
 
-  void node(std::uint64_t at, Int3 low, int layer) {
+  void node(std::uint64_t at, Int3 low, int layer, Ranks ranks) {
     const int log2Side = longest(stratum_.log2Shape) * layer;
-    if (visitor_.done() || !visitor_.enterNode(static_cast<Ref>(at), log2Side))
+    if (visitor_.done() || !visitor_.enterNode(static_cast<Ref>(at), log2Side, ranks))
       return;
     const SlotKind &slots = *stratum_.slots;
     if (!slots.check(words_, stratum_, at, layer == 1))
@@ -48,12 +48,13 @@ private:
       if (visitor_.done())
         return;
       const Cube cube = {low + place * (1 << log2Child), log2Child};
+      const Ranks below = {ranks.first + voxelsBefore(child, log2Child), child.voxels};
       if (child.leaf && stratum_.implied)
-        visitor_.cells(cube, kOccupied);
+        visitor_.cells(cube, kOccupied, below);
       else if (child.leaf)
-        leaf(child.at, cube);
+        leaf(child.at, cube, below);
       else if (layer > 1)
-        node(child.at, cube.low, layer - 1);
+        node(child.at, cube.low, layer - 1, below);
     });
     visitor_.leaveNode();
   }
@@ -69,8 +70,19 @@ std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const C
   return stratum.implied ? kOccupied : stratum.cellValue(words[leaf.at]);
 }
 
+std::uint64_t voxelsBefore(const Child &child, int log2Child) {
+  return child.before + (child.leavesBefore << 3 * log2Child);
+}
+
+Ranks ranksInLeaf(const Stratum &stratum, const Child &leaf, int log2Child, Int3 cell) {
+  const int inside = (1 << log2Child) - 1;
+  const std::uint64_t voxels = stratum.implied ? 1 : leaf.voxels >> 3 * log2Child;
+  return {mortonCode({cell.x & inside, cell.y & inside, cell.z & inside}) * voxels, voxels};
+}
+
 Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell) {
   std::uint64_t node = offset;
+  std::uint64_t rank = 0;
   const Int3 shape = stratum.log2Shape;
   for (int layer = stratum.depth; layer > 0; --layer) {
     const Int3 place = {cell.x >> shape.x * (layer - 1) & ((1 << shape.x) - 1),
@@ -79,12 +91,15 @@ Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t off
     const Child child = stratum.slots->child(words, stratum, node, place);
     const int log2Child = longest(shape) * (layer - 1);
     if (!child.exists)
-      return {0, log2Child + child.log2Around};
-    if (child.leaf)
-      return {cellValue(words, stratum, child), log2Child};
+      return {0, log2Child + child.log2Around, rank};
+    rank += voxelsBefore(child, log2Child);
+    if (child.leaf) {
+      rank += ranksInLeaf(stratum, child, log2Child, cell).first;
+      return {cellValue(words, stratum, child), log2Child, rank};
+    }
     node = child.at;
   }
-  return {words[node], 0};
+  return {words[node], 0, rank};
 }
 
 void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t offset,

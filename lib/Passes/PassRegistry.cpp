@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 14> kPasses = {{
+constexpr std::array<Pass, 15> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -30,6 +30,14 @@ constexpr std::array<Pass, 14> kPasses = {{
      "and kernels load no colour. Hits are white. Other kinds of levels keep a word for each voxel as the "
      "last level.",
      occupancy},
+    {"values-apart", AttributeEffect::Storage,
+     "keep the colours of voxels apart from their shape, compressed",
+     "Without it, a voxel's colour stands where its shape does, and two equal shapes of other colours share "
+     "nothing. With it, levels hold the shape alone, with counts by which the walk's end finds the rank of "
+     "a voxel, how many come before it; its colour is the one of that rank, in blocks of 128, each stored by "
+     "what takes the fewest bits of runs, palettes and differences. A hit decodes one colour, of at most 64 "
+     "bytes. The last level must be a G or an M, those above R, D, M or G.",
+     valuesApart},
     {"inline-leaves", AttributeEffect::Storage, "keep the values of a G level's leaves in the slots of nodes",
      "Without it, a leaf is a word that slots point to, and equal leaves are one word. With it, the slot is "
      "the leaf's value: a word less for each that differs, and a load less on the way to it. Unchanged where "

@@ -75,10 +75,21 @@ bool parseAlpha(Plan &plan, std::string_view text) {
   return alpha.has_value();
 }
 
-constexpr std::array<Field<Plan>, 11> kPlanFields = {{
+std::string printValues(const Plan &plan) {
+  return plan.layout.values == Values::InPlace ? "" : std::string(toString(plan.layout.values));
+}
+
+bool parseValues(Plan &plan, std::string_view text) {
+  const auto values = fromString<Values>(text);
+  plan.layout.values = values.value_or(Values::InPlace);
+  return values.has_value();
+}
+
+constexpr std::array<Field<Plan>, 12> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8, occupancy"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
+    {"values", printValues, parseValues, "in-place, apart"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
     field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
@@ -90,7 +101,7 @@ constexpr std::array<Field<Plan>, 11> kPlanFields = {{
 }};
 
 using S = PlannedStratum;
-constexpr std::array<Field<S>, 12> kStratumFields = {{
+constexpr std::array<Field<S>, 13> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
     field<S, &S::leaves>("leaves", "yes, no"),
@@ -99,6 +110,7 @@ constexpr std::array<Field<S>, 12> kStratumFields = {{
     field<S, &S::reach>("reach", "a number of cells"),
     field<S, &S::empty>("empty", "zero, tagged, transparent"),
     field<S, &S::implied>("implied", "yes, no"),
+    field<S, &S::ranked>("ranked", "yes, no"),
     field<S, &S::sharing>("sharing", "none, sub-volume, stratum"),
     field<S, &S::descent>("descent", "index, single, stack, restart, unrolled"),
     field<S, &S::stops>("stops", "yes, no"),

@@ -1,5 +1,6 @@
 // Reading a volume's voxels back: one at a time, or all of them as uniform cubes.
 #include "voxc/Layout/SubVolume.h"
+#include "voxc/Layout/ValueBlocks.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -17,45 +18,55 @@ public:
         stated_(volume.info().voxels) {}
 
   Expected<void> run() {
-    subVolume(0, {}, words_[0]);
+    subVolume(0, {}, 0, words_[0]);
     if (failure_)
       return *failure_;
     return {};
   }
 
-  bool enterNode(std::uint32_t, int) override { return !done(); }
+  bool enterNode(std::uint32_t, int, Ranks) override { return !done(); }
   bool done() const override { return ended_; }
 
-  void cells(const Cube &cube, std::uint32_t value) override {
+  void cells(const Cube &cube, std::uint32_t value, Ranks ranks) override {
     const Frame frame = frame_;
     const Int3 low = frame.low + cube.low * (1 << frame.log2CellSide);
-    if (layout_.holdsVoxels(frame.level))
-      voxels({low, cube.log2Side}, value);
-    else if (cube.log2Side == 0)
-      subVolume(frame.level + 1, low, value);
+    const std::uint64_t rank = frame.rank + ranks.first;
+    if (!layout_.holdsVoxels(frame.level))
+      everyCell(cube, frame, value, rank, ranks.count >> 3 * cube.log2Side);
+    else if (layout_.values == Values::Apart)
+      valuesApart({low, cube.log2Side}, rank);
     else
-      everyCell(cube, frame, value);
+      voxels({low, cube.log2Side}, value);
   }
 
 private:
   struct Frame {
     std::size_t level = 0;
     Int3 low;
+    std::uint64_t rank = 0; ///< Of its first voxel.
     int log2CellSide = 0;
   };
 
-  void subVolume(std::size_t level, Int3 low, std::uint32_t offset) {
-    const Frame above = std::exchange(frame_, {level, low, layout_.strata[level].log2Cell});
+  void subVolume(std::size_t level, Int3 low, std::uint64_t rank, std::uint32_t offset) {
+    const Frame above = std::exchange(frame_, {level, low, rank, layout_.strata[level].log2Cell});
     visitSubVolume(words_, layout_.strata[level], offset, *this);
     frame_ = above;
   }
 
-  /// A leaf high in a tree: all cells under it have the same sub-volume.
-  void everyCell(const Cube &cube, const Frame &frame, std::uint32_t value) {
+  /// A cell, or a leaf high in a tree: all cells under it have the same sub-volume, of `voxels` each.
+  void everyCell(const Cube &cube, const Frame &frame, std::uint32_t value, std::uint64_t rank,
+                 std::uint64_t voxels) {
     const std::uint64_t cells = std::uint64_t{1} << (3 * cube.log2Side);
     for (std::uint64_t code = 0; code < cells && !ended_; ++code)
       subVolume(frame.level + 1, frame.low + (cube.low + mortonCell(code)) * (1 << frame.log2CellSide),
-                value);
+                rank + code * voxels, value);
+  }
+
+  /// Voxels of one shape and of values of their own, the first of them that of `rank`.
+  void valuesApart(const Cube &cube, std::uint64_t rank) {
+    const std::uint64_t count = std::uint64_t{1} << (3 * cube.log2Side);
+    for (std::uint64_t code = 0; code < count && !ended_; ++code)
+      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, words_[1], rank + code));
   }
 
   void voxels(const Cube &cube, std::uint32_t word) {
@@ -107,15 +118,20 @@ Lookup Volume::lookup(Int3 voxel) const {
   const Int3 log2 = format.log2Extent();
   Lookup found{value, std::min({log2.x, log2.y, log2.z})};
   Int3 low;
+  std::uint64_t rank = 0;
   for (const Stratum &stratum : layout().strata) {
     if (value == 0)
       break;
     const Int3 cell = (voxel - low) >> stratum.log2Cell;
     found = lookUp(words, stratum, value, cell);
     found.log2Side += stratum.log2Cell;
+    found.rank += rank;
+    rank = found.rank;
     value = found.value;
     low = low + cell * (1 << stratum.log2Cell);
   }
+  if (layout().values == Values::Apart && value != 0)
+    return {valueOfRank(words, words[1], rank), 0, rank};
   return found;
 }
 

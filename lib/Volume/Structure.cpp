@@ -1,5 +1,6 @@
 // Proving that a volume's words are safe and well-formed, before any kernel sees them.
 #include "voxc/Layout/SubVolume.h"
+#include "voxc/Layout/ValueBlocks.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -66,32 +67,36 @@ public:
       : layout_(layout), words_(words), known_(layout.strata.size()), gridWords_(layout.strata.size()) {}
 
   Expected<std::uint64_t> run() {
-    if (words_.size() == 0 || words_.size() > layout_.maxWords())
-      return Error::input("a volume of this format has 1 to 2^" +
+    if (words_.size() < layout_.headWords() || words_.size() > layout_.maxWords())
+      return Error::input("a volume of this format has " + std::to_string(layout_.headWords()) + " to 2^" +
                           std::to_string(std::bit_width(layout_.maxWords()) - 1) + " words, not " +
                           std::to_string(words_.size()));
     const std::uint32_t root = words_[0];
-    if (root == 0 && words_.size() == 1)
+    if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
     enterSubVolume(0, root);
+    if (layout_.values == Values::Apart && !words_.problem())
+      checkValues(words_, words_[1], voxels_);
     if (words_.problem())
       return Error::input("the volume's structure is broken: " + *words_.problem());
     return voxels_;
   }
 
-  bool enterNode(std::uint32_t offset, int height) override {
+  bool enterNode(std::uint32_t offset, int height, Ranks ranks) override {
     if (offset == 0 || offset >= words_.size()) {
       words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " +
                   std::to_string(offset) + " of " + std::to_string(words_.size()));
       return false;
     }
+    checkFirst(ranks);
     if (const std::uint64_t *voxels = known_[level_][height].find(offset)) {
       voxels_ += *voxels;
+      checkCount(ranks, *voxels);
       return false;
     }
     if (!spendGrid(offset))
       return false;
-    entered_.push_back({offset, height, voxels_});
+    entered_.push_back({offset, height, voxels_, ranks});
     return true;
   }
 
@@ -101,6 +106,7 @@ public:
     if (words_.problem())
       return;
     const std::uint64_t voxels = voxels_ - node.voxelsBefore;
+    checkCount(node.ranks, voxels);
     if (voxels == 0)
       words_.fail("what level " + std::to_string(level_ + 1) + " has at word " + std::to_string(node.offset) +
                   " holds no voxel");
@@ -108,7 +114,10 @@ public:
       known_[level_][node.height].insert(node.offset, voxels);
   }
 
-  void cells(const Cube &cube, std::uint32_t value) override {
+  void cells(const Cube &cube, std::uint32_t value, Ranks ranks) override {
+    // The cells of a grid of voxels have ranks in an order of their own, which its masks tell.
+    if (!(layout_.strata[level_].isGrid() && layout_.strata[level_].implied))
+      checkFirst(ranks);
     const std::uint64_t cells = std::uint64_t{1} << (3 * cube.log2Side);
     const std::uint64_t before = voxels_;
     if (!layout_.holdsVoxels(level_))
@@ -117,6 +126,7 @@ public:
       ++voxels_;
     // No more than the format has: 2^63 at most.
     voxels_ = before + (voxels_ - before) * cells;
+    checkCount(ranks, voxels_ - before);
   }
 
   bool done() const override { return words_.problem().has_value(); }
@@ -126,6 +136,7 @@ private:
     std::uint32_t offset;
     int height;
     std::uint64_t voxelsBefore;
+    Ranks ranks;
   };
 
   static constexpr int kLowestRemembered = 3;
@@ -145,15 +156,29 @@ private:
     return false;
   }
 
+  /// Ranks lead to values: they must be what the voxels found so far make them.
+  void checkFirst(Ranks ranks) {
+    if (layout_.values == Values::Apart && ranks.first != voxels_ - subVolumeBegin_)
+      words_.fail("level " + std::to_string(level_ + 1) + " counts " + std::to_string(ranks.first) +
+                  " voxels before a cell that has " + std::to_string(voxels_ - subVolumeBegin_));
+  }
+  void checkCount(Ranks ranks, std::uint64_t voxels) {
+    if (ranks.count != 0 && ranks.count != voxels)
+      words_.fail("level " + std::to_string(level_ + 1) + " counts " + std::to_string(ranks.count) +
+                  " voxels where there are " + std::to_string(voxels));
+  }
+
   void enterSubVolume(std::size_t level, std::uint32_t offset) {
     if (words_.problem())
       return;
     const std::size_t above = std::exchange(level_, level);
+    const std::uint64_t beginAbove = std::exchange(subVolumeBegin_, voxels_);
     if (offset == 0)
       words_.fail("level " + std::to_string(level + 1) + " has a sub-volume at word 0");
     else
       visitSubVolume(words_, layout_.strata[level], offset, *this);
     level_ = above;
+    subVolumeBegin_ = beginAbove;
   }
 
   const Layout &layout_;
@@ -162,7 +187,8 @@ private:
   std::vector<std::uint64_t> gridWords_;         ///< For each level, the words of the grids entered.
   std::vector<Node> entered_;
   std::size_t level_ = 0;
-  std::uint64_t voxels_ = 0; ///< Found so far.
+  std::uint64_t voxels_ = 0;         ///< Found so far,
+  std::uint64_t subVolumeBegin_ = 0; ///< and when the sub-volume at hand was entered.
 };
 
 } // namespace

@@ -1,4 +1,7 @@
 // What a voxel is: here its value is its colour.
+%if values-apart
+uint colour_of(const Walk walk) { return value_of_rank(rank_level_1(load_word(0u), walk.cell)); }
+%else
 %if value-later
 uint colour_of(const Walk walk) { return value_level_${LOWEST_LEVEL}(walk.voxel, walk.cell); }
 %else
@@ -6,5 +9,6 @@ uint colour_of(const Walk walk) { return value_level_${LOWEST_LEVEL}(walk.voxel,
 uint colour_of(const Walk walk) { return load_word(walk.voxel); }
 %else
 uint colour_of(const Walk walk) { return walk.voxel; }
+%end
 %end
 %end

@@ -1,8 +1,4 @@
-%if distances-beside
-// A grid has two words a cell, x fastest, then y, then z: the value, and the distance of an empty cell.
-%else
-// A grid has a word a cell, x fastest, then y, then z.
-%end
+// A grid has a slot a cell, x fastest, then y, then z: ${words-of-slot}.
 uint slot_level_${N}(uint grid, ivec3 cell) {
 %if first
   ivec3 at = cell;
@@ -12,6 +8,11 @@ uint slot_level_${N}(uint grid, ivec3 cell) {
   return grid + ${slot-words}u * uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
 }
 
+%if ranked
+// The slot of a cell that is not empty.
+uint ranked_slot_level_${N}(uint grid, ivec3 cell) { return slot_level_${N}(grid, cell); }
+
+%end
 %if distances-in-slot
 // The value in a slot, or 0 if its cell is empty: a slot ${empty-slots} holds ${skip-of-slot} instead.
 uint value_level_${N}(uint word) { return ${slot-is-empty} ? 0u : ${value-of-slot}; }

@@ -3,9 +3,35 @@
 // A masked grid has a bit a cell, x fastest, then y, then z: all that are set have the same value.
 %else
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty.
+%if ranked
+// Each value is followed by how many voxels come before those of its cell.
+%end
 %end
 %if counts
 // Each word of the mask is followed by how many bits the words before it have.
+%end
+%if ranked
+// How many cells that are not empty come before one.
+uint bits_before_level_${N}(uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+  uint lower = (1u << (number & 31u)) - 1u;
+%if counts
+  uint mask_at = grid + 2u * (number >> 5);
+  return load_word(mask_at + 1u) + uint(bitCount(load_word(mask_at) & lower));
+%else
+  uint before = number < 32u ? 0u : uint(bitCount(load_word(grid)));
+  return before + uint(bitCount(load_word(grid + (number >> 5)) & lower));
+%end
+}
+
+%end
+%if slots-count
+// The slot of a cell that is not empty.
+uint ranked_slot_level_${N}(uint grid, ivec3 cell) {
+  return grid + ${head-words}u + ${slot-words}u * bits_before_level_${N}(grid, cell);
+}
+
 %end
 %if four-a-side
 // The number of a cell's bit, of which each word of the mask has 32.
@@ -19,7 +45,7 @@ uint value_level_${N}(uint grid, ivec3 cell) {
   uint low = load_word(grid);
   uint half_mask = number < 32 ? low : load_word(grid + 1u);
   int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
-  return load_word(grid + 2u + uint(rank));
+  return load_word(grid + 2u + ${slots-times}uint(rank));
 }
 
 %end
@@ -62,7 +88,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint bit = 1u << (number & 31u);
 %if implied
-  return (load_word(grid + (number >> 5)) & bit) != 0u ? ${occupied} : 0u;
+  return (load_word(grid + ${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
 %else
 %if counts
   uint mask = load_word(grid + 2u * (number >> 5));
@@ -77,7 +103,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   if (number >= 32u)
     rank += uint(bitCount(load_word(grid)));
 %end
-  return load_word(grid + ${head-words}u + rank);
+  return load_word(grid + ${head-words}u + ${slots-times}rank);
 %end
 }
 %end
@@ -111,7 +137,7 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int 
   int rank = bitCount(half_mask & (bit - 1u));
   if (child >= 32)
     rank += bitCount(load_word(node)${without-leaves});
-  return load_word(node + 4u + uint(rank));
+  return load_word(node + 4u + ${slots-times}uint(rank));
 }
 %else
 // A node is [masks, ${slots-hold} the children that ${have-slots}...].
@@ -127,7 +153,58 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
     return node; // All leaves have the same value.
   masks &= ~(masks >> 8);
 %end
-  return load_word(node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
+  return load_word(node + 1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
+}
+%end
+%if ranked
+
+// The same, and adds to `rank` how many voxels of the node come before those of the child or, of a leaf, before the one in the
+// cell. The second word of a slot says how many the slots up to it have.
+uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank, out bool leaf) {
+%if wide
+  int child = child_index_of_64(cell >> height);
+  uint half_mask = load_word(node + uint(child >> 5));
+  uint half_leaves = load_word(node + 2u + uint(child >> 5));
+  uint bit = 1u << (child & 31);
+  uint lower = bit - 1u;
+  leaf = (half_leaves & bit) != 0u;
+  if ((half_mask & bit) == 0u)
+    return 0u;
+  int leaves = bitCount(half_leaves & lower);
+  int children = bitCount(half_mask & lower);
+  if (child >= 32) {
+    leaves += bitCount(load_word(node + 2u));
+    children += bitCount(load_word(node));
+  }
+%else
+  int child = child_index(cell >> height);
+  uint masks = load_word(node);
+  uint lower = (1u << child) - 1u;
+  leaf = (masks >> (8 + child) & 1u) != 0u;
+  if ((masks >> child & 1u) == 0u)
+    return 0u;
+  int leaves = bitCount(masks >> 8 & lower);
+  int children = bitCount(masks & lower);
+%end
+%if implied
+  rank += uint(leaves) << (3 * height);
+  int slots = children - leaves;
+%else
+  int slots = children;
+%end
+  uint slot = node + ${head-words}u + 2u * uint(slots);
+  uint before = slots > 0 ? load_word(slot - 1u) : 0u;
+  rank += before;
+%if implied
+  if (leaf) {
+    rank += place_in_cube(cell, height);
+    return node;
+  }
+%else
+  if (leaf)
+    rank += place_in_cube(cell, height) * (load_word(slot + 1u) - before >> (3 * height));
+%end
+  return load_word(slot);
 }
 %end
 %if sampled

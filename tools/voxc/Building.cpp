@@ -73,6 +73,7 @@ void addBuildFigures(Json &figures, const BuildReport &report) {
   }
   figures["unique_nodes"] = unique;
   figures["shared_nodes"] = shared;
+  figures["value_words"] = report.valueWords;
   figures["levels"] = levelFigures(report.levels);
 }
 

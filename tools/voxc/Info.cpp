@@ -21,6 +21,11 @@ void print(const Volume &volume) {
   std::printf("voxels      %" PRIu64 "\n", info.voxels);
   std::printf("bytes       %" PRIu64 " (%.2f MiB, %.2f a voxel)\n", volume.bytes(), bytes / (1 << 20),
               info.voxels ? bytes / double(info.voxels) : 0.0);
+  if (volume.layout().values == Values::Apart && info.voxels > 0) {
+    const double valueBytes = 4.0 * double(volume.words().size() - volume.words()[1]);
+    std::printf("of these    %.3f a voxel for the shape, %.3f for values apart\n",
+                (bytes - valueBytes) / double(info.voxels), valueBytes / double(info.voxels));
+  }
   for (const Stream &stream : volume.streams())
     std::printf("stream      %s: %zu bytes, %" PRIu64 " elements of %" PRIu32 "\n", stream.name.c_str(),
                 stream.bytes.size(), stream.elements(), stream.elementBytes);

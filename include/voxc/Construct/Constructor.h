@@ -45,6 +45,7 @@ struct BuildReport {
   std::uint64_t voxels = 0;
   std::uint64_t scratchBytes = 0; ///< Largest size of the scratch file.
   std::vector<LevelReport> levels;
+  std::uint64_t valueWords = 0; ///< Of values that stand apart.
 };
 
 struct Built {

@@ -37,6 +37,7 @@ extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
 extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
 extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
+extern const AttributeKind kValuesAttribute;    ///< values: in-place | apart
 
 /// The attributes that a format takes.
 AttributeKinds formatAttributes();

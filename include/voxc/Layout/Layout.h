@@ -28,6 +28,13 @@ enum class Alpha {
   Positive, ///< No voxel has an alpha of 0; a build of one that has fails.
 };
 
+/// Where the values of voxels stand.
+enum class Values {
+  InPlace, ///< In the cells of the lowest stratum.
+  Apart, ///< In blocks behind all nodes, by rank (voxc/Layout/ValueBlocks.h); cells tell no more than that a
+         ///< voxel is there.
+};
+
 /// What is known of all voxels.
 struct VoxelFacts {
   Payload payload = Payload::Rgba8;
@@ -40,11 +47,14 @@ struct Layout {
   std::uint64_t storageDigest = 0; ///< Of the level IR that it comes from: what kernels and volumes agree on.
   Payload payload = Payload::Rgba8;
   Alpha alpha = Alpha::Any;
+  Values values = Values::InPlace;
   std::vector<Stratum> strata; ///< From the highest to the lowest, one a level.
 
   bool operator==(const Layout &) const = default;
 
   VoxelFacts voxelFacts() const { return {payload, alpha}; }
+  /// Words before the first node: where the root is and, with values apart, where their blocks begin.
+  std::uint64_t headWords() const { return values == Values::Apart ? 2 : 1; }
   /// log2 of the voxels along each axis.
   Int3 log2Extent() const;
   /// True if the cells of strata[index] are voxels.
@@ -64,6 +74,7 @@ void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<So
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Payload> = {"rgba8", "occupancy"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Values> = {"in-place", "apart"};
 
 /// Rewrites a stratum with distances beside its slots: each moves into the slot of its empty cell, which is
 /// told by a tag, or, where the cells are voxels, by an alpha of 0. Half the words.

@@ -19,6 +19,10 @@ struct Child {
   std::uint64_t at = 0;
   int log2Around =
       0; ///< Of an empty child: the aligned cube of 2^log2Around children a side around it is empty too.
+  // In ranked strata:
+  std::uint64_t before = 0;       ///< Voxels of the node before those of the child, of children with slots,
+  std::uint64_t leavesBefore = 0; ///< and how many leaves without slots come before it.
+  std::uint64_t voxels = 0;       ///< Its own; 0 if its slot does not say.
 };
 
 /// Receives a child that is not empty, and its place among its siblings.
@@ -41,6 +45,8 @@ struct SlotKind {
   bool keepsEmpty = false;
   /// Masks tell which children there are, so that cells with implied values need no slots.
   bool tellsByMasks = false;
+  /// Counts of voxels may stand behind what slots lead to.
+  bool ranks = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
   /// True if the accessor of kernels tells of an empty cell that others around it are empty too.

@@ -73,6 +73,9 @@ struct Stratum {
   Empty empty = Empty::Zero;
   /// Nothing stands for the value of a cell that is not empty: it is a voxel, and all voxels are equal.
   bool implied = false;
+  /// What a slot leads to is followed by a count of voxels, from which the rank of each voxel follows: how
+  /// many of the volume come before it in the order of construction.
+  bool ranked = false;
   std::uint32_t reach = 0; ///< The largest distance stored; 0 without.
   Sharing sharing = Sharing::None;
 
@@ -82,8 +85,10 @@ struct Stratum {
   Int3 log2Size() const { return {log2Shape.x * depth, log2Shape.y * depth, log2Shape.z * depth}; }
   /// log2 of the children of a node.
   int log2Children() const { return log2Shape.x + log2Shape.y + log2Shape.z; }
-  /// Words of one slot in a grid: the distance of an empty cell may stand beside its value.
-  int slotWords() const { return skip != Skip::None && empty == Empty::Zero ? 2 : 1; }
+  /// Words of one slot: the distance of an empty cell may stand beside its value, and then a count of voxels.
+  int slotWords() const {
+    return 1 + (skip != Skip::None && empty == Empty::Zero ? 1 : 0) + (ranked ? 1 : 0);
+  }
   bool isGrid() const { return cells == Cells::Inline; }
   /// Bits of each field of `Skip::Octant`: the alpha of a voxel's word leaves room for less.
   int fieldBits() const { return empty == Empty::Transparent ? 3 : 4; }

@@ -13,6 +13,13 @@ namespace voxc {
 /// The value of a cell, or of all cells of a leaf, that a node tells of.
 std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf);
 
+/// In a ranked stratum, how many voxels of a node come before those of a child of 2^log2Child cells a side.
+std::uint64_t voxelsBefore(const Child &child, int log2Child);
+
+/// In a ranked stratum, how many voxels of a leaf of 2^log2Child cells a side come before those of `cell`,
+/// and how many each of its cells has.
+Ranks ranksInLeaf(const Stratum &stratum, const Child &leaf, int log2Child, Int3 cell);
+
 /// The value of `cell` in the sub-volume at `offset`, and the empty or uniform cube around it. The words must
 /// have been checked.
 Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell);

@@ -16,6 +16,14 @@ namespace voxc {
 struct Lookup {
   std::uint32_t value = 0;
   int log2Side = 0; ///< In cells of the level.
+  std::uint64_t rank =
+      0; ///< In ranked strata, how many voxels of the sub-volume come before those of the cell.
+};
+
+/// What the slots of a ranked stratum say of the voxels of a node or cell.
+struct Ranks {
+  std::uint64_t first = 0; ///< How many of the sub-volume come before them.
+  std::uint64_t count = 0; ///< How many they are; 0 if no slot says.
 };
 
 /// The words of a volume. Reads outside give 0 and are remembered as the first problem found.
@@ -45,11 +53,11 @@ public:
   virtual ~SubVolumeVisitor() = default;
   /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it
   /// out.
-  virtual bool enterNode(std::uint32_t offset, int height) = 0;
+  virtual bool enterNode(std::uint32_t offset, int height, Ranks ranks) = 0;
   /// All of the node that was entered last, and not left yet, has been visited.
   virtual void leaveNode() {}
   /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.
-  virtual void cells(const Cube &cube, std::uint32_t value) = 0;
+  virtual void cells(const Cube &cube, std::uint32_t value, Ranks ranks) = 0;
   /// True to end the walk early.
   virtual bool done() const { return false; }
 };

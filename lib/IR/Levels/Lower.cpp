@@ -32,6 +32,8 @@ Layout layoutOf(const Format &format) {
   layout.storageDigest = storageDigest(format);
   layout.payload = *fromString<Payload>(format.attributes.value(kPayloadAttribute));
   layout.alpha = *fromString<Alpha>(format.attributes.value(kAlphaAttribute));
+  layout.values = *fromString<Values>(format.attributes.value(kValuesAttribute));
+  const bool voxelsAreEqual = layout.payload == Payload::Occupancy || layout.values == Values::Apart;
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     Stratum stratum = level.kind->lower(level);
@@ -40,8 +42,8 @@ Layout layoutOf(const Format &format) {
     if (level.attribute(kDistancesAttribute) == "in-slot")
       packDistances(stratum, i + 1 == format.levels.size());
     const bool isLast = i + 1 == format.levels.size();
-    stratum.implied =
-        isLast && layout.payload == Payload::Occupancy && stratum.slots->tellsByMasks && stratum.depth > 0;
+    stratum.implied = isLast && voxelsAreEqual && stratum.slots->tellsByMasks && stratum.depth > 0;
+    stratum.ranked = layout.values == Values::Apart;
     layout.strata.push_back(std::move(stratum));
   }
   return layout;

@@ -1,0 +1,267 @@
+// Encoding, decoding and checking blocks of values.
+#include "voxc/Layout/ValueBlocks.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint64_t kBlock = std::uint64_t{1} << kLog2ValueBlock;
+constexpr std::uint64_t kMaskWords = kBlock / 32;
+constexpr std::uint64_t kHeadWords = 2;
+constexpr int kMostIndexBits = kLog2ValueBlock;
+
+constexpr int kDifferencesBit = 16;
+constexpr int kRunsBit = 17;
+constexpr int kIndexShift = 18;
+constexpr int kItemsShift = 24;
+
+using Channels = std::array<std::uint32_t, 4>;
+
+std::uint32_t byte(std::uint32_t value) { return value & 0xff; }
+std::uint32_t channel(std::uint32_t value, int i) { return byte(value >> 8 * i); }
+
+/// R and B as their differences from G, or back.
+Channels toDifferences(std::uint32_t value) {
+  const std::uint32_t g = channel(value, 1);
+  return {byte(channel(value, 0) - g), g, byte(channel(value, 2) - g), channel(value, 3)};
+}
+
+/// How the channels of a set of values are told.
+struct Coding {
+  bool differences = false;
+  Channels least{};
+  std::array<int, 4> bits{};
+
+  int itemBits() const { return bits[0] + bits[1] + bits[2] + bits[3]; }
+
+  std::uint32_t item(std::uint32_t value) const {
+    const Channels channels =
+        differences ? toDifferences(value)
+                    : Channels{channel(value, 0), channel(value, 1), channel(value, 2), channel(value, 3)};
+    std::uint32_t item = 0;
+    for (int i = 0, at = 0; i < 4; at += bits[i++])
+      if (bits[i] > 0)
+        item |= byte(channels[i] - least[i]) << at;
+    return item;
+  }
+};
+
+/// The least and the greatest of one channel; `signedly`: as a difference, from -255 to 255.
+void cover(std::span<const std::uint32_t> values, int i, bool signedly, Coding &coding) {
+  int least = 255;
+  int greatest = -255;
+  for (const std::uint32_t value : values) {
+    const int from = signedly ? static_cast<int>(channel(value, 1)) : 0;
+    const int told = static_cast<int>(channel(value, i)) - from;
+    least = std::min(least, told);
+    greatest = std::max(greatest, told);
+  }
+  // Modulo 256, no difference takes more than a byte.
+  coding.bits[i] = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(greatest - least))), 8);
+  coding.least[i] = static_cast<std::uint32_t>(least) & 0xff;
+}
+
+Coding codingOf(std::span<const std::uint32_t> values) {
+  std::array<Coding, 2> codings;
+  for (int differences = 0; differences < 2; ++differences) {
+    Coding &coding = codings[differences];
+    coding.differences = differences != 0;
+    for (int i = 0; i < 4; ++i)
+      cover(values, i, coding.differences && i % 2 == 0 && i < 3, coding);
+  }
+  return codings[1].itemBits() < codings[0].itemBits() ? codings[1] : codings[0];
+}
+
+/// What may be told in place of each value.
+struct Contents {
+  std::vector<std::uint32_t> runs;                ///< The value of each run,
+  std::array<std::uint32_t, kMaskWords> begins{}; ///< and where they begin.
+  std::vector<std::uint32_t> palette;             ///< Each value once, in the order in which they come.
+};
+
+Contents contentsOf(std::span<const std::uint32_t> values) {
+  Contents contents;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0 && values[i] == values[i - 1])
+      continue;
+    contents.begins[i / 32] |= 1u << i % 32;
+    contents.runs.push_back(values[i]);
+    if (std::ranges::find(contents.palette, values[i]) == contents.palette.end())
+      contents.palette.push_back(values[i]);
+  }
+  return contents;
+}
+
+/// Appends fields of few bits to words.
+class BitWriter {
+public:
+  explicit BitWriter(std::vector<std::uint32_t> &words) : words_(words) {}
+
+  void write(std::uint32_t field, int bits) {
+    pending_ |= std::uint64_t{field} << count_;
+    count_ += bits;
+    if (count_ >= 32)
+      flush();
+  }
+  /// Begins a new word.
+  void align() {
+    if (count_ > 0)
+      flush();
+    count_ = 0;
+  }
+
+private:
+  void flush() {
+    words_.push_back(static_cast<std::uint32_t>(pending_));
+    pending_ >>= 32;
+    count_ -= 32;
+  }
+
+  std::vector<std::uint32_t> &words_;
+  std::uint64_t pending_ = 0;
+  int count_ = 0;
+};
+
+std::uint64_t wordsOf(std::uint64_t fields, int bits) {
+  return (fields * static_cast<std::uint64_t>(bits) + 31) / 32;
+}
+
+/// The head of a block, read.
+struct Head {
+  Head(const WordReader &words, std::uint64_t at) : least(words[at]), word(words[at + 1]) {}
+
+  int bits(int i) const { return static_cast<int>(word >> 4 * i & 15); }
+  int itemBits() const { return bits(0) + bits(1) + bits(2) + bits(3); }
+  bool differences() const { return (word >> kDifferencesBit & 1) != 0; }
+  bool runs() const { return (word >> kRunsBit & 1) != 0; }
+  int indexBits() const { return static_cast<int>(word >> kIndexShift & 15); }
+  std::uint64_t itemsAt() const { return word >> kItemsShift; }
+  std::uint64_t indicesAt() const { return kHeadWords + (runs() ? kMaskWords : 0); }
+
+  std::uint32_t least;
+  std::uint32_t word;
+};
+
+/// Field `i` of those of `bits` bits that begin at word `at`.
+std::uint32_t field(const WordReader &words, std::uint64_t at, std::uint64_t i, int bits) {
+  const std::uint64_t bit = i * static_cast<std::uint64_t>(bits);
+  const std::uint64_t pair = words[at + bit / 32] | std::uint64_t{words[at + bit / 32 + 1]} << 32;
+  return static_cast<std::uint32_t>(pair >> bit % 32 & ((std::uint64_t{1} << bits) - 1));
+}
+
+/// How many runs begin among the first `count` values.
+std::uint64_t runsBegun(const WordReader &words, std::uint64_t at, std::uint64_t count) {
+  std::uint64_t begun = 0;
+  for (std::uint64_t i = 0; i < kMaskWords; ++i) {
+    const std::uint64_t left = std::clamp<std::uint64_t>(count, 32 * i, 32 * i + 32) - 32 * i;
+    const std::uint64_t mask = (std::uint64_t{1} << left) - 1;
+    begun += static_cast<std::uint64_t>(std::popcount(words[at + kHeadWords + i] & mask));
+  }
+  return begun;
+}
+
+std::uint32_t valueOfItem(const Head &head, std::uint32_t item) {
+  Channels channels{};
+  for (int i = 0; i < 4; ++i) {
+    channels[i] = byte(channel(head.least, i) + (item & ((1u << head.bits(i)) - 1)));
+    item >>= head.bits(i);
+  }
+  if (head.differences()) {
+    channels[0] = byte(channels[0] + channels[1]);
+    channels[2] = byte(channels[2] + channels[1]);
+  }
+  return channels[0] | channels[1] << 8 | channels[2] << 16 | channels[3] << 24;
+}
+
+/// True if a block of `count` values is whole and within the words.
+bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count) {
+  if (!words.require(at, kHeadWords, "a block of values"))
+    return false;
+  const Head head(words, at);
+  for (int i = 0; i < 4; ++i)
+    if (head.bits(i) > 8)
+      return false;
+  if (head.indexBits() > kMostIndexBits || !words.require(at, head.itemsAt() + 1, "a block of values"))
+    return false;
+  if (head.runs() && (words[at + kHeadWords] & 1) == 0)
+    return false;
+  const std::uint64_t indices = head.runs() ? runsBegun(words, at, count) : count;
+  if (head.itemsAt() != head.indicesAt() + wordsOf(indices, head.indexBits()))
+    return false;
+  std::uint64_t items = indices;
+  if (head.indexBits() > 0) {
+    items = 0;
+    for (std::uint64_t i = 0; i < indices; ++i)
+      items = std::max<std::uint64_t>(items, field(words, at + head.indicesAt(), i, head.indexBits()) + 1);
+  }
+  return words.require(at, head.itemsAt() + wordsOf(items, head.itemBits()) + 1, "a block of values");
+}
+
+} // namespace
+
+std::vector<std::uint32_t> encodeValueBlock(std::span<const std::uint32_t> values) {
+  const Contents contents = contentsOf(values);
+  const Coding coding = codingOf(contents.palette);
+  const int itemBits = coding.itemBits();
+  const int indexBits = static_cast<int>(std::bit_width(contents.palette.size() - 1));
+  const std::array<std::uint64_t, 4> costs = {
+      wordsOf(values.size(), itemBits), kMaskWords + wordsOf(contents.runs.size(), itemBits),
+      wordsOf(values.size(), indexBits) + wordsOf(contents.palette.size(), itemBits),
+      kMaskWords + wordsOf(contents.runs.size(), indexBits) + wordsOf(contents.palette.size(), itemBits)};
+  const auto best = static_cast<unsigned>(std::ranges::min_element(costs) - costs.begin());
+  const bool hasRuns = (best & 1) != 0;
+  const bool hasPalette = (best & 2) != 0;
+
+  std::vector<std::uint32_t> words = {0, 0};
+  if (hasRuns)
+    words.insert(words.end(), contents.begins.begin(), contents.begins.end());
+  const std::span<const std::uint32_t> told = hasRuns ? std::span(contents.runs) : values;
+  BitWriter writer(words);
+  if (hasPalette)
+    for (const std::uint32_t value : told)
+      writer.write(
+          static_cast<std::uint32_t>(std::ranges::find(contents.palette, value) - contents.palette.begin()),
+          indexBits);
+  writer.align();
+  const std::uint64_t itemsAt = words.size();
+  for (const std::uint32_t value : hasPalette ? std::span<const std::uint32_t>(contents.palette) : told)
+    writer.write(coding.item(value), itemBits);
+  writer.align();
+  for (int i = 0; i < 4; ++i) {
+    words[0] |= coding.least[i] << 8 * i;
+    words[1] |= static_cast<std::uint32_t>(coding.bits[i]) << 4 * i;
+  }
+  words[1] |= static_cast<std::uint32_t>(coding.differences) << kDifferencesBit |
+              static_cast<std::uint32_t>(hasRuns) << kRunsBit |
+              static_cast<std::uint32_t>(hasPalette ? indexBits : 0) << kIndexShift |
+              static_cast<std::uint32_t>(itemsAt) << kItemsShift;
+  return words;
+}
+
+std::uint32_t valueOfRank(const WordReader &words, std::uint64_t section, std::uint64_t rank) {
+  const std::uint64_t at = section + words[section + (rank >> kLog2ValueBlock)];
+  const Head head(words, at);
+  std::uint64_t i = rank & (kBlock - 1);
+  if (head.runs())
+    i = runsBegun(words, at, i + 1) - 1;
+  if (head.indexBits() > 0)
+    i = field(words, at + head.indicesAt(), i, head.indexBits());
+  return valueOfItem(head, field(words, at + head.itemsAt(), i, head.itemBits()));
+}
+
+void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels) {
+  const std::uint64_t blocks = (voxels + kBlock - 1) >> kLog2ValueBlock;
+  if (!words.require(section, blocks, "the values of the voxels"))
+    return;
+  for (std::uint64_t block = 0; block < blocks; ++block) {
+    const std::uint64_t at = section + words[section + block];
+    const std::uint64_t count = std::min(kBlock, voxels - block * kBlock);
+    if (words[section + block] < blocks || !isBlock(words, at, count))
+      return words.fail("block " + std::to_string(block) + " of the values is broken");
+  }
+}
+
+} // namespace voxc
