@@ -50,6 +50,12 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
          fillFile(cpuFiles(), "packet.inc", names) + fillFile(cpuFiles(), "entry.inc", names);
 }
 
+std::string emitDispatchCpp(std::string_view symbol) {
+  TemplateNames names;
+  names.holes["symbol"] = symbol;
+  return fillFile(cpuFiles(), "dispatch.cpp", names);
+}
+
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {
   TemplateNames names = planNames(plan);
   names.holes["symbol"] = symbol;

@@ -1,4 +1,4 @@
-// Clang as a library: cc1 arguments, an in-memory file system, object code out.
+// Clang as a library: cc1 arguments, an in-memory file system, object code or bitcode out.
 #include "ClangFrontend.h"
 
 #include "Jit/Packet/PacketPass.h"
@@ -86,9 +86,9 @@ void addPackets(llvm::PassBuilder &builder) {
   });
 }
 
-} // namespace
-
-Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+/// What Clang writes when it takes `action` on the first of the files.
+Expected<std::string> compile(clang::FrontendAction &action, const std::vector<MemoryFile> &files,
+                              const ClangOptions &options) {
   initializeTarget();
   std::string log;
   llvm::raw_string_ostream logStream(log);
@@ -114,12 +114,23 @@ Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, cons
   clang::ProcessWarningOptions(*diagnostics, invocation->getDiagnosticOpts());
   compiler.createFileManager(fileSystem(files));
   compiler.createSourceManager(compiler.getFileManager());
-  llvm::SmallString<0> object;
-  compiler.setOutputStream(std::make_unique<llvm::raw_svector_ostream>(object));
-  clang::EmitObjAction action;
+  llvm::SmallString<0> output;
+  compiler.setOutputStream(std::make_unique<llvm::raw_svector_ostream>(output));
   if (!valid || !compiler.ExecuteAction(action))
     return Error::input("clang rejects " + files.front().name + ": " + logStream.str());
-  return std::string(object);
+  return std::string(output);
+}
+
+} // namespace
+
+Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+  clang::EmitObjAction action;
+  return compile(action, files, options);
+}
+
+Expected<std::string> compileToBitcode(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+  clang::EmitBCAction action;
+  return compile(action, files, options);
 }
 
 } // namespace voxc

@@ -26,4 +26,7 @@ struct ClangOptions {
 /// of this platform. Error: the compiler's diagnostics.
 Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options);
 
+/// The same to LLVM's bitcode, optimised; each function in it knows its processor.
+Expected<std::string> compileToBitcode(const std::vector<MemoryFile> &files, const ClangOptions &options);
+
 } // namespace voxc

@@ -2,6 +2,7 @@
 #include "voxc/Kernel/CompileCpu.h"
 
 #include "Jit/Jit.h"
+#include "Jit/Variants.h"
 
 #include "voxc/Emit/Emit.h"
 #include "voxc/Support/EmbeddedFile.h"
@@ -17,11 +18,24 @@ constexpr int kOptimisation = 3;
 
 constexpr const char *kSymbol = "voxc_intersect";
 
-Expected<std::string> compile(const std::string &text, const std::string &processor) {
+/// The variants between which an object picks when it runs, as cpu-runtime/dispatch.cpp does; of a processor
+/// of another architecture there is one, for its baseline.
+#ifdef __x86_64__
+constexpr bool kPicks = true;
+#else
+constexpr bool kPicks = false;
+#endif
+constexpr const char *kVariants[] = {"x86-64-v4", "x86-64-v3", "x86-64"};
+
+std::vector<MemoryFile> kernelFiles(const std::string &text) {
   std::vector<MemoryFile> files = {{"intersect.cpp", text}};
   for (const EmbeddedFile &header : intersectHeaders())
     files.push_back({std::string(header.path), header.text});
-  return compileToObject(files, {.optimisation = kOptimisation, .processor = processor});
+  return files;
+}
+
+Expected<std::string> compile(const std::string &text, const std::string &processor) {
+  return compileToObject(kernelFiles(text), {.optimisation = kOptimisation, .processor = processor});
 }
 
 bool isIdentifier(const std::string &name) {
@@ -55,7 +69,11 @@ Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOpti
   const auto plan = makePlan(format, kCpuPlan);
   if (!plan)
     return plan.error();
-  return compile(emitIntersectCpp(*plan, options.symbol), options.processor);
+  const std::string text = emitIntersectCpp(*plan, options.symbol);
+  if (!options.processor.empty() || !kPicks)
+    return compile(text, options.processor);
+  const std::string dispatch = emitDispatchCpp(options.symbol);
+  return compileVariants(kernelFiles(text), kOptimisation, kVariants, {"dispatch.cpp", dispatch});
 }
 
 } // namespace voxc

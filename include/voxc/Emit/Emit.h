@@ -20,6 +20,10 @@ std::string emitIntersect(const Plan &plan);
 /// lookups.
 std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords = false);
 
+/// dispatch.cpp: defines the function `symbol`, which goes to one of three that are compiled of intersect.cpp
+/// for levels of x86-64. Each bears its level behind its name: `symbol`.x86_64_v4, .x86_64_v3, .x86_64.
+std::string emitDispatchCpp(std::string_view symbol);
+
 /// intersect.h: declares that function in C, with the format and its storage digest.
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol);
 

@@ -16,8 +16,9 @@ struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels
   /// gives each a name of its own. A C identifier.
   std::string symbol = "voxc_intersect";
-  /// The processor to compile for, as Clang names it ("x86-64-v3", "znver4"); "native" is this very one, ""
-  /// any of this architecture.
+  /// The processor to compile for, as Clang names it ("x86-64-v3", "znver4"); "native" is this very one. ""
+  /// is any of this architecture: on x86-64 the object has a variant for each of x86-64-v4 (16 rays at once),
+  /// x86-64-v3 (8) and the baseline (ray by ray), and picks when it is first called.
   std::string processor;
 };
 
