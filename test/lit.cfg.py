@@ -1,5 +1,6 @@
 # Tests of the tools: each file says in its RUN lines what is run and what must come out.
 import os
+import platform
 import shutil
 import sys
 
@@ -44,5 +45,7 @@ config.environment["VK_ICD_FILENAMES"] = lavapipe
 config.environment["VK_INSTANCE_LAYERS"] = "VK_LAYER_KHRONOS_validation"
 if os.path.exists(lavapipe):
     config.available_features.add("vulkan")
+if platform.machine() == "x86_64":
+    config.available_features.add("x86-64")
 if shutil.which("readelf"):
     config.available_features.add("readelf")
