@@ -21,6 +21,7 @@ constexpr int kLevel = 1;
 #endif
 inline int calls = 0;
 template <typename T> [[gnu::noinline]] T level(T factor) { asm volatile(""); return factor * kLevel; }
+template int level(int);
 [[gnu::noinline]] inline int count() { asm volatile(""); return ++calls; }
 extern "C" int answer() { return 10 * level(1) + count(); }
 )";
