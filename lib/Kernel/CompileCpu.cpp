@@ -18,14 +18,15 @@ constexpr int kOptimisation = 3;
 
 constexpr const char *kSymbol = "voxc_intersect";
 
-/// The variants between which an object picks when it runs, as cpu-runtime/dispatch.cpp does; of a processor
-/// of another architecture there is one, for its baseline.
-#ifdef __x86_64__
-constexpr bool kPicks = true;
-#else
-constexpr bool kPicks = false;
-#endif
+/// The processors between which an object picks when it runs; cpu-runtime/dispatch.cpp calls them by name.
 constexpr const char *kVariants[] = {"x86-64-v4", "x86-64-v3", "x86-64"};
+
+/// Other architectures have their baseline alone.
+#ifdef __x86_64__
+constexpr bool kHasVariants = true;
+#else
+constexpr bool kHasVariants = false;
+#endif
 
 std::vector<MemoryFile> kernelFiles(const std::string &text) {
   std::vector<MemoryFile> files = {{"intersect.cpp", text}};
@@ -70,7 +71,7 @@ Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOpti
   if (!plan)
     return plan.error();
   const std::string text = emitIntersectCpp(*plan, options.symbol);
-  if (!options.processor.empty() || !kPicks)
+  if (!kHasVariants || !options.processor.empty())
     return compile(text, options.processor);
   const std::string dispatch = emitDispatchCpp(options.symbol);
   return compileVariants(kernelFiles(text), kOptimisation, kVariants, {"dispatch.cpp", dispatch});

@@ -66,7 +66,7 @@ void CompileCommand::declare(CLI::App &app) {
   app.add_option(
          "--processor", cpu_.processor,
          "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
-         "architecture")
+         "architecture, as fast as each can")
       ->type_name("NAME");
   attributes_.declare(app);
   passes_.declare(app, PassChoice::All);

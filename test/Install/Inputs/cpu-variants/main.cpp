@@ -1,21 +1,17 @@
-// Traces rays with the variant that the kernel picks on this processor, or on one of a lower level:
-// variants LEVEL VOLUME RAYS HITS
+// Traces rays with the kernel, or with one of its variants, if the processor can execute it:
+// variants VOLUME RAYS HITS [VARIANT]
 #include "intersect.h"
 
 #include <voxc/Trace/CpuKernel.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <string_view>
 #include <vector>
 
-// What the kernel asks about the processor; libgcc's, whose bits 97 and 98 from the first of another word on are levels 3
-// and 4 of x86-64.
-extern "C" std::uint32_t __cpu_features2[];
-
-// The variants and the one that is picked, which are not to be seen in the object as it is written.
+// The variants and the one that was picked: in the object as voxc writes it, nobody sees them.
 extern "C" {
 using Kernel = void(const std::uint32_t *, const float *, std::uint32_t *, unsigned long long, int, float);
 Kernel baseline asm("voxc_intersect.x86_64");
@@ -26,16 +22,17 @@ extern Kernel *picked asm("_ZN4voxc12_GLOBAL__N_16kernelE");
 
 namespace {
 
-std::string_view nameOf(const Kernel *kernel) {
-  return kernel == level4 ? "x86-64-v4" : kernel == level3 ? "x86-64-v3" : kernel == baseline ? "x86-64" : "none";
-}
+struct Variant {
+  std::string_view name;
+  Kernel *kernel;
+  bool runs; ///< In the words of this program's compiler.
+};
 
-/// What is to be picked: asked of the compiler of this program, and in its words.
-std::string_view expected(int level) {
-  if (level >= 4 && __builtin_cpu_supports("x86-64-v4"))
-    return "x86-64-v4";
-  return level >= 3 && __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "x86-64";
-}
+const Variant kVariants[] = {
+    {"x86-64-v4", level4, __builtin_cpu_supports("x86-64-v4") != 0},
+    {"x86-64-v3", level3, __builtin_cpu_supports("x86-64-v3") != 0},
+    {"x86-64", baseline, true},
+};
 
 std::vector<voxc::Ray> readRays(const char *file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
@@ -44,23 +41,29 @@ std::vector<voxc::Ray> readRays(const char *file) {
   return rays;
 }
 
-} // namespace
-
-int main(int, char **arguments) {
-  const int level = std::atoi(arguments[1]);
-  const auto volume = voxc::Volume::load(arguments[2]);
-  const std::vector<voxc::Ray> rays = readRays(arguments[3]);
-  const std::string_view best = expected(level);
-  const bool isFirst = nameOf(picked) == "none";
-  __cpu_features2[2] &= level == 4 ? ~0u : level == 3 ? ~4u : ~6u;
-
-  const voxc::CpuKernel kernel{voxc_intersect, VOXC_INTERSECT_STORAGE_DIGEST, nullptr};
-  const auto tracer = createCpuTracer(kernel, *volume);
+bool trace(Kernel *function, char **files) {
+  const auto volume = voxc::Volume::load(files[0]);
+  const std::vector<voxc::Ray> rays = readRays(files[1]);
+  const auto tracer = createCpuTracer({function, VOXC_INTERSECT_STORAGE_DIGEST, nullptr}, *volume);
   std::vector<voxc::Hit> hits(rays.size());
   if (!tracer || !(*tracer)->trace(rays, hits, {}))
-    return 1;
-  std::ofstream(arguments[4], std::ios::binary)
+    return false;
+  std::ofstream(files[2], std::ios::binary)
       .write(reinterpret_cast<const char *>(hits.data()), std::streamsize(hits.size() * sizeof(voxc::Hit)));
-  std::printf("%s, of %s\n", nameOf(picked).data(), best.data());
-  return isFirst && nameOf(picked) == best ? 0 : 1;
+  return true;
+}
+
+} // namespace
+
+int main(int count, char **arguments) {
+  if (count == 4) { // The kernel, which is to pick the first that runs.
+    const Kernel *const before = picked;
+    const Variant &best = *std::ranges::find_if(kVariants, &Variant::runs);
+    if (!trace(voxc_intersect, arguments + 1) || before == best.kernel || picked != best.kernel)
+      return 1;
+    std::printf("picked %s\n", best.name.data());
+    return 0;
+  }
+  const Variant &variant = *std::ranges::find(kVariants, std::string_view(arguments[4]), &Variant::name);
+  return trace(variant.runs ? variant.kernel : baseline, arguments + 1) ? 0 : 1;
 }
