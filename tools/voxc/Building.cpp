@@ -12,10 +12,7 @@ void Building::declare(CLI::App &app) {
   app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
       ->required()
       ->type_name("");
-  app.add_option("INPUT", input_,
-                 "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]")
-      ->required()
-      ->type_name("");
+  app.add_option("INPUT", input_, kInputHelp)->required()->type_name("");
   addInputArguments(app, inputArguments_);
   addMemoryArguments(app, buildArguments_);
   passes_.declare(app, PassChoice::All);
@@ -39,7 +36,11 @@ Expected<Format> Building::readFormat() const {
   return format;
 }
 
-namespace {
+void tellWarnings(const Input &input, const CommonOptions &common) {
+  if (!common.quiet)
+    for (const std::string &warning : input.warnings)
+      printNote("warning: " + warning);
+}
 
 void addInputFigures(Json &figures, const Input &input) {
   figures["load_seconds"] = input.loadSeconds;
@@ -48,6 +49,8 @@ void addInputFigures(Json &figures, const Input &input) {
   figures["loader_peak_bytes"] = input.loaderPeakBytes;
   figures["warnings"] = input.warnings.size();
 }
+
+namespace {
 
 Json levelFigures(const std::vector<LevelReport> &levels) {
   Json rows = Json::array();
@@ -97,9 +100,7 @@ Expected<Building::Prepared> Building::prepare(const Format &format, const Commo
   Expected<Input> input = openInput(input_, inputOptions);
   if (!input)
     return input.error();
-  if (!common.quiet)
-    for (const std::string &warning : input->warnings)
-      printNote("warning: " + warning);
+  tellWarnings(*input, common);
   options.provenance = input->provenance;
   figures["passes"] = passes_.names();
   figures["threads"] = threads;

@@ -55,6 +55,12 @@ private:
   BuildArguments buildArguments_;
 };
 
+/// Tells the warnings about an input, unless told to be quiet.
+void tellWarnings(const Input &input, const CommonOptions &common);
+
+/// Adds the figures of opening an input.
+void addInputFigures(Json &figures, const Input &input);
+
 /// Adds the figures of a build.
 void addBuildFigures(Json &figures, const BuildReport &report);
 

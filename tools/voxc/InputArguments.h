@@ -23,6 +23,10 @@ struct InputArguments {
   std::vector<double> window; ///< Empty, or two numbers.
 };
 
+/// What INPUT is, for the help texts of commands.
+inline constexpr const char *kInputHelp =
+    "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]";
+
 /// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map and --window to a command.
 void addInputArguments(CLI::App &app, InputArguments &arguments);
 

@@ -32,6 +32,7 @@ constexpr CommandKind kCommands[] = {
     {"accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
     {"bench", "Measure size, speed and error of many formats", makeBenchCommand},
     {"export", "Decode a volume to a dense grid, points or MagicaVoxel", makeExportCommand},
+    {"facts", "Measure what an input is like, to choose a format by", makeFactsCommand},
     {"info", "Describe a volume", makeInfoCommand},
     {"devices", "List the devices that can trace", makeDevicesCommand},
 };

@@ -1,0 +1,21 @@
+// What follows from facts for the choice of a format, in plain sentences.
+#pragma once
+
+#include "voxc/Facts/Facts.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxc {
+
+/// One sentence, and the name of the rule that it follows.
+struct Conclusion {
+  std::string_view rule; ///< "voxels", "alpha", "colours", "interior" or "repetition".
+  std::string text;
+};
+
+/// The sentences of all rules that have something to say, one a rule. docs/facts.md states the rules.
+std::vector<Conclusion> conclude(const Facts &facts);
+
+} // namespace voxc

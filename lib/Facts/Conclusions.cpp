@@ -1,0 +1,118 @@
+// The rules, as a table of functions from facts to a sentence.
+#include "voxc/Facts/Conclusions.h"
+
+#include <array>
+#include <cstdio>
+
+namespace voxc {
+
+namespace {
+
+constexpr double kSolid = 0.25;           // Interior voxels from here up are worth a word,
+constexpr double kSurface = 0.05;         // and below here are none to speak of.
+constexpr double kRepeats = 0.25;         // Blocks that repeat another, from here up: sharing pays.
+constexpr double kSmallPalette = 16;      // Colours of a block that an index of 4 bits tells apart.
+constexpr int kLargestIndex = 16;         // Bits of an index into a palette of the whole scene.
+constexpr std::uint64_t kFewBlocks = 64;  // Too few to say how often blocks repeat.
+constexpr std::size_t kRepeatHeight = 3;  // Of the blocks that are compared.
+constexpr std::size_t kUniformHeight = 2; // Of the cubes whose merging is looked at.
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
+  return text;
+}
+
+std::string tenths(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", number);
+  return text;
+}
+
+std::string colourCount(const DistinctCount &words) {
+  return (words.exact ? "" : "about ") + std::to_string(words.count) + " colours";
+}
+
+std::string ruleOfVoxels(const Facts &facts) {
+  return facts.voxels > 0 ? "" : "there are no voxels: any format will do";
+}
+
+std::string ruleOfAlpha(const Facts &facts) {
+  const ColourFacts &colours = facts.colours;
+  if (facts.voxels == 0)
+    return "";
+  if (colours.transparent > 0)
+    return std::to_string(colours.transparent) +
+           " voxels have an alpha of 0: a build with --visible-voxels would fail";
+  if (colours.opaque == facts.voxels)
+    return "all voxels are opaque: --visible-voxels holds, and alpha tells nothing";
+  return "no voxel has an alpha of 0: --visible-voxels holds";
+}
+
+std::string ruleOfColours(const Facts &facts) {
+  const ColourFacts &colours = facts.colours;
+  if (facts.voxels == 0)
+    return "";
+  if (colours.words.count == 1)
+    return "all voxels have one colour: --occupancy loses that colour and nothing else";
+  std::string text = colourCount(colours.words) + ": ";
+  if (colours.indexBits() <= kLargestIndex)
+    return text + "an index of " + std::to_string(colours.indexBits()) +
+           " bits into one palette says what a word of 32 bits does";
+  text += "too many for one palette";
+  if (colours.perBlock8 <= kSmallPalette)
+    text += ", but a block of 8^3 has " + tenths(colours.perBlock8) +
+            " of them in the mean, which a small palette of its own holds";
+  return text;
+}
+
+std::string ruleOfInterior(const Facts &facts) {
+  if (facts.voxels == 0)
+    return "";
+  if (facts.interiorShare() < kSurface)
+    return percent(facts.interiorShare()) + " of the voxels are interior: this is a surface";
+  if (facts.interiorShare() < kSolid || facts.heights.size() <= kUniformHeight)
+    return "";
+  const double cells = double(facts.heights[kUniformHeight].uniform) * double(1 << 3 * kUniformHeight);
+  return percent(facts.interiorShare()) + " of the voxels are interior, and " +
+         percent(cells / double(facts.voxels)) +
+         " lie in full cubes of 4^3 of one colour, which trees (S, G) keep as single leaves";
+}
+
+std::string ruleOfRepetition(const Facts &facts) {
+  if (facts.repetition.size() < kRepeatHeight || facts.repetition[kRepeatHeight - 1].blocks < kFewBlocks)
+    return "";
+  const RepetitionFacts &blocks = facts.repetition[kRepeatHeight - 1];
+  const double shapes = 1 - double(blocks.shapes.count) / double(blocks.blocks);
+  const double coloured = 1 - double(blocks.coloured.count) / double(blocks.blocks);
+  if (shapes < kRepeats)
+    return percent(shapes) +
+           " of the blocks of 8^3 repeat another's shape: a DAG (G) shares little above them";
+  if (coloured < kRepeats)
+    return percent(shapes) + " of the blocks of 8^3 repeat another's shape, but " + percent(coloured) +
+           " its colours too: a DAG (G) shares them with --occupancy alone";
+  return percent(coloured) + " of the blocks of 8^3 repeat another with its colours: a DAG (G) shares them";
+}
+
+struct Rule {
+  std::string_view name;
+  std::string (*apply)(const Facts &); ///< A sentence, or "".
+};
+
+constexpr std::array<Rule, 5> kRules{{{"voxels", ruleOfVoxels},
+                                      {"alpha", ruleOfAlpha},
+                                      {"colours", ruleOfColours},
+                                      {"interior", ruleOfInterior},
+                                      {"repetition", ruleOfRepetition}}};
+
+} // namespace
+
+std::vector<Conclusion> conclude(const Facts &facts) {
+  std::vector<Conclusion> conclusions;
+  for (const Rule &rule : kRules)
+    if (std::string text = rule.apply(facts); !text.empty())
+      conclusions.push_back({rule.name, std::move(text)});
+  return conclusions;
+}
+
+} // namespace voxc

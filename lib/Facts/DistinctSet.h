@@ -1,0 +1,35 @@
+// Counting different values in bounded memory.
+#pragma once
+
+#include "voxc/Facts/Facts.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace voxc {
+
+/// A set of values that forgets, when it has too many, all whose hash ends in a one, then those in 10, and so
+/// on: what is left is a random sample of known share (adaptive sampling, see `DistinctCount`).
+class DistinctSet {
+public:
+  /// Keeps `most` values at most (1 or more).
+  explicit DistinctSet(std::size_t most);
+
+  /// Adds a value that is not 0.
+  void insert(std::uint64_t value);
+  DistinctCount count() const { return {std::uint64_t{used_} << level_, level_ == 0}; }
+
+private:
+  void place(std::uint64_t hash);
+  void rebuild(int log2Slots);
+  bool isSampled(std::uint64_t hash) const { return (hash & ((std::uint64_t{1} << level_) - 1)) == 0; }
+
+  std::size_t most_;
+  std::vector<std::uint64_t> slots_; ///< Hashes, probed linearly; 0 is free. Half full at most.
+  int log2Slots_ = 0;
+  int level_ = 0; ///< Zeros that the hash of a kept value ends in.
+  std::size_t used_ = 0;
+};
+
+} // namespace voxc

@@ -1,0 +1,81 @@
+// voxc facts: what an input is like, to choose a format by.
+#include "BuildArguments.h"
+#include "Building.h"
+#include "FactsFigures.h"
+#include "Figures.h"
+#include "InputArguments.h"
+#include "Subcommand.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+
+#include <cstdio>
+
+namespace voxc::tool {
+
+namespace {
+
+/// Voxels on the longest axis of a model, where no format says how many it holds.
+constexpr int kDefaultResolution = 512;
+
+class FactsCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override {
+    app.add_option("INPUT", input_, kInputHelp)->required()->type_name("");
+    addInputArguments(app, inputArguments_);
+    app.get_option("--resolution")
+        ->description("Voxels on the longest axis; default: " + std::to_string(kDefaultResolution));
+    addMemoryArguments(app, buildArguments_);
+    app.get_option("--memory")
+        ->description("Bound on the memory, such as 512MiB; default: a quarter of the machine's");
+    addCommonOptions(app, common_);
+  }
+
+  Expected<void> run() override {
+    ProgressBar bar(common_.quiet);
+    Json figures;
+    Expected<Facts> facts = measure(bar.progress(), figures);
+    if (!facts)
+      return facts.error();
+    bar.clear();
+    if (tellsOnStdout(common_))
+      std::fputs(factsReport(*facts).c_str(), stdout);
+    return writeStatistics(common_.stats, figures);
+  }
+
+private:
+  Expected<Facts> measure(const Progress &progress, Json &figures) const {
+    InputArguments arguments = inputArguments_;
+    if (arguments.resolution == 0)
+      arguments.resolution = kDefaultResolution;
+    constexpr int kMost = 1 << kMaxLog2Extent;
+    InputOptions options = makeInputOptions(arguments, {kMost, kMost, kMost});
+    options.memory = makeWorkingMemory(buildArguments_);
+    options.progress = progress;
+    Expected<Input> input = openInput(input_, options);
+    if (!input)
+      return input.error();
+    tellWarnings(*input, common_);
+    const Stopwatch watch;
+    Expected<Facts> facts = measureFacts(*input->source, {.memory = options.memory}, progress);
+    if (!facts)
+      return facts;
+    figures = factsFigures(*facts);
+    addInputFigures(figures, *input);
+    figures["voxelize_seconds"] = input->source->readSeconds();
+    figures["facts_seconds"] = watch.seconds();
+    figures["scratch_bytes"] = options.memory->scratchPeak();
+    return facts;
+  }
+
+  std::string input_;
+  InputArguments inputArguments_;
+  BuildArguments buildArguments_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeFactsCommand() { return std::make_unique<FactsCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,83 @@
+// Which sentences follow from which facts.
+#include "voxc/Facts/Conclusions.h"
+
+#include <gtest/gtest.h>
+
+namespace voxc::test {
+namespace {
+
+/// The sentence of a rule, or "".
+std::string sentence(const Facts &facts, std::string_view rule) {
+  for (const Conclusion &conclusion : conclude(facts))
+    if (conclusion.rule == rule)
+      return conclusion.text;
+  return "";
+}
+
+/// Facts of 1000 voxels that say nothing more of themselves.
+Facts plainFacts() {
+  Facts facts;
+  facts.voxels = 1000;
+  facts.heights.resize(4);
+  facts.colours.opaque = 1000;
+  facts.colours.words = {12, true};
+  return facts;
+}
+
+TEST(Conclusions, NoVoxelsAreAllThatIsSaid) {
+  const std::vector<Conclusion> conclusions = conclude({});
+  ASSERT_EQ(conclusions.size(), 1u);
+  EXPECT_EQ(conclusions[0].rule, "voxels");
+}
+
+TEST(Conclusions, Alpha) {
+  Facts facts = plainFacts();
+  EXPECT_TRUE(sentence(facts, "alpha").starts_with("all voxels are opaque"));
+  facts.colours.opaque = 999;
+  EXPECT_EQ(sentence(facts, "alpha"), "no voxel has an alpha of 0: --visible-voxels holds");
+  facts.colours.transparent = 1;
+  EXPECT_TRUE(
+      sentence(facts, "alpha").starts_with("1 voxels have an alpha of 0: a build with --visible-voxels"));
+}
+
+TEST(Conclusions, Colours) {
+  Facts facts = plainFacts();
+  EXPECT_TRUE(sentence(facts, "colours").starts_with("12 colours: an index of 4 bits"));
+  facts.colours.words = {1, true};
+  EXPECT_TRUE(sentence(facts, "colours").starts_with("all voxels have one colour: --occupancy"));
+  facts.colours.words = {65537, false};
+  facts.colours.perBlock8 = 17;
+  EXPECT_EQ(sentence(facts, "colours"), "about 65537 colours: too many for one palette");
+  facts.colours.perBlock8 = 9.5;
+  EXPECT_NE(sentence(facts, "colours").find("a block of 8^3 has 9.5 of them in the mean"), std::string::npos);
+}
+
+TEST(Conclusions, Interior) {
+  Facts facts = plainFacts();
+  facts.interior = 49;
+  EXPECT_EQ(sentence(facts, "interior"), "4.9 % of the voxels are interior: this is a surface");
+  facts.interior = 100;
+  EXPECT_EQ(sentence(facts, "interior"), "");
+  facts.interior = 250;
+  facts.heights[2].uniform = 5;
+  EXPECT_TRUE(
+      sentence(facts, "interior").starts_with("25.0 % of the voxels are interior, and 32.0 % lie in full"));
+}
+
+TEST(Conclusions, Repetition) {
+  Facts facts = plainFacts();
+  EXPECT_EQ(sentence(facts, "repetition"), "");
+  facts.repetition = {{1, 0, {}, {}, {}}, {2, 0, {}, {}, {}}, {3, 100, {90, true}, {90, true}, {100, true}}};
+  EXPECT_TRUE(
+      sentence(facts, "repetition").starts_with("10.0 % of the blocks of 8^3 repeat another's shape: a DAG"));
+  facts.repetition[2].shapes.count = 40;
+  EXPECT_NE(sentence(facts, "repetition").find("but 0.0 % its colours too"), std::string::npos);
+  facts.repetition[2].coloured.count = 60;
+  EXPECT_TRUE(sentence(facts, "repetition")
+                  .starts_with("40.0 % of the blocks of 8^3 repeat another with its colours"));
+  facts.repetition[2].blocks = 63;
+  EXPECT_EQ(sentence(facts, "repetition"), "");
+}
+
+} // namespace
+} // namespace voxc::test
