@@ -16,7 +16,7 @@ namespace voxc {
 /// The mean number of different words in blocks of at most `kWords` words.
 template <unsigned kWords> class LocalColours {
 public:
-  /// Begins another block.
+  /// Begins a block; needed before the first word.
   void start() { ++blocks_; }
 
   void add(std::uint32_t word) {

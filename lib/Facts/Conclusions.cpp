@@ -30,11 +30,11 @@ std::string tenths(double number) {
 }
 
 std::string colourCount(const DistinctCount &words) {
-  return (words.exact ? "" : "about ") + std::to_string(words.count) + " colours";
+  return (words.exact ? "" : "About ") + std::to_string(words.count) + " colours";
 }
 
 std::string ruleOfVoxels(const Facts &facts) {
-  return facts.voxels > 0 ? "" : "there are no voxels: any format will do";
+  return facts.voxels > 0 ? "" : "There are no voxels: any format will do.";
 }
 
 std::string ruleOfAlpha(const Facts &facts) {
@@ -42,11 +42,11 @@ std::string ruleOfAlpha(const Facts &facts) {
   if (facts.voxels == 0)
     return "";
   if (colours.transparent > 0)
-    return std::to_string(colours.transparent) +
-           " voxels have an alpha of 0: a build with --visible-voxels would fail";
+    return "Voxels with an alpha of 0: " + std::to_string(colours.transparent) +
+           "; a build with --visible-voxels would fail.";
   if (colours.opaque == facts.voxels)
-    return "all voxels are opaque: --visible-voxels holds, and alpha tells nothing";
-  return "no voxel has an alpha of 0: --visible-voxels holds";
+    return "All voxels are opaque: --visible-voxels holds, and alpha tells nothing.";
+  return "No voxel has an alpha of 0: --visible-voxels holds.";
 }
 
 std::string ruleOfColours(const Facts &facts) {
@@ -54,29 +54,29 @@ std::string ruleOfColours(const Facts &facts) {
   if (facts.voxels == 0)
     return "";
   if (colours.words.count == 1)
-    return "all voxels have one colour: --occupancy loses that colour and nothing else";
+    return "All voxels have one colour: --occupancy loses that colour and nothing else.";
   std::string text = colourCount(colours.words) + ": ";
   if (colours.indexBits() <= kLargestIndex)
-    return text + "an index of " + std::to_string(colours.indexBits()) +
-           " bits into one palette says what a word of 32 bits does";
+    return text + "an index into one palette takes " + std::to_string(colours.indexBits()) +
+           (colours.indexBits() == 1 ? " bit" : " bits") + " in place of the 32 of a word.";
   text += "too many for one palette";
   if (colours.perBlock8 <= kSmallPalette)
     text += ", but a block of 8^3 has " + tenths(colours.perBlock8) +
             " of them in the mean, which a small palette of its own holds";
-  return text;
+  return text + ".";
 }
 
 std::string ruleOfInterior(const Facts &facts) {
   if (facts.voxels == 0)
     return "";
   if (facts.interiorShare() < kSurface)
-    return percent(facts.interiorShare()) + " of the voxels are interior: this is a surface";
+    return percent(facts.interiorShare()) + " of the voxels are interior: nearly all touch an empty cell.";
   if (facts.interiorShare() < kSolid || facts.heights.size() <= kUniformHeight)
     return "";
   const double cells = double(facts.heights[kUniformHeight].uniform) * double(1 << 3 * kUniformHeight);
   return percent(facts.interiorShare()) + " of the voxels are interior, and " +
          percent(cells / double(facts.voxels)) +
-         " lie in full cubes of 4^3 of one colour, which trees (S, G) keep as single leaves";
+         " lie in full cubes of 4^3 of one colour, which trees (S, G) keep as single leaves.";
 }
 
 std::string ruleOfRepetition(const Facts &facts) {
@@ -86,12 +86,11 @@ std::string ruleOfRepetition(const Facts &facts) {
   const double shapes = 1 - double(blocks.shapes.count) / double(blocks.blocks);
   const double coloured = 1 - double(blocks.coloured.count) / double(blocks.blocks);
   if (shapes < kRepeats)
-    return percent(shapes) +
-           " of the blocks of 8^3 repeat another's shape: a DAG (G) shares little above them";
+    return percent(shapes) + " of the blocks of 8^3 repeat another's shape: a DAG (G) has little to share.";
   if (coloured < kRepeats)
     return percent(shapes) + " of the blocks of 8^3 repeat another's shape, but " + percent(coloured) +
-           " its colours too: a DAG (G) shares them with --occupancy alone";
-  return percent(coloured) + " of the blocks of 8^3 repeat another with its colours: a DAG (G) shares them";
+           " its colours too: a DAG (G) shares them with --occupancy alone.";
+  return percent(coloured) + " of the blocks of 8^3 repeat another with its colours: a DAG (G) shares them.";
 }
 
 struct Rule {

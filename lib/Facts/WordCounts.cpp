@@ -3,6 +3,7 @@
 
 #include "Mix.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -23,7 +24,8 @@ struct EntropySum {
     all += n;
     weighted += count > 0 ? n * std::log2(n) : 0;
   }
-  double entropy() const { return all > 0 ? std::log2(all) - weighted / all : 0; }
+  /// Rounding alone could make it less than 0.
+  double entropy() const { return all > 0 ? std::max(0.0, std::log2(all) - weighted / all) : 0; }
 };
 
 } // namespace

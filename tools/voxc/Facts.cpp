@@ -64,6 +64,8 @@ private:
     addInputFigures(figures, *input);
     figures["voxelize_seconds"] = input->source->readSeconds();
     figures["facts_seconds"] = watch.seconds();
+    figures["facts_cpu_seconds"] = watch.cpuSeconds();
+    figures["memory_bound_bytes"] = options.memory->bound();
     figures["scratch_bytes"] = options.memory->scratchPeak();
     return facts;
   }

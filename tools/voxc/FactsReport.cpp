@@ -66,7 +66,7 @@ void printRegions(Report &report, const Facts &facts) {
 
 void printColours(Report &report, const Facts &facts) {
   const ColourFacts &colours = facts.colours;
-  report.print("colours     %s, %s without alpha; entropy %s%.2f bits a voxel, index %d bits\n",
+  report.print("colours     %s, %s without alpha; bits a voxel: entropy %s%.2f, index %d\n",
                textOf(colours.words).c_str(), textOf(colours.rgb).c_str(),
                colours.entropyExact ? "" : "at least ", colours.entropy, colours.indexBits());
   report.print(
@@ -79,7 +79,8 @@ void printColours(Report &report, const Facts &facts) {
     report.print(" %s %d to %d (mean %.1f)%s", std::array{"R", "G", "B", "A"}[i], channel.least,
                  channel.greatest, channel.mean, i < 3 ? "," : "\n");
   }
-  report.print("alpha       %d values; %.1f %% of the voxels are opaque, %" PRIu64 " have an alpha of 0\n",
+  report.print("alpha       different values: %d; %.1f %% of the voxels are opaque, %" PRIu64
+               " have an alpha of 0\n",
                colours.alphas, percentOf(colours.opaque, facts.voxels), colours.transparent);
 }
 
@@ -89,11 +90,15 @@ void printHeights(Report &report, const Facts &facts) {
                "1 colour %", "both %", "shapes", "mirrored", "coloured");
   for (std::size_t height = facts.heights.size(); height-- > 0;) {
     const HeightFacts &cubes = facts.heights[height];
-    report.print("%6s %12" PRIu64 " %8.2f %8.2f %10.2f %8.2f", ("2^" + std::to_string(height)).c_str(),
-                 cubes.occupied, facts.branching(static_cast<int>(height)),
+    report.print("%6s %12" PRIu64, ("2^" + std::to_string(height)).c_str(), cubes.occupied);
+    if (height == 0) {
+      report.print("\n");
+      continue;
+    }
+    report.print(" %8.2f %8.2f %10.2f %8.2f", facts.branching(static_cast<int>(height)),
                  percentOf(cubes.full, cubes.occupied), percentOf(cubes.oneColour, cubes.occupied),
                  percentOf(cubes.uniform, cubes.occupied));
-    if (height >= 1 && height <= facts.repetition.size()) {
+    if (height <= facts.repetition.size()) {
       const RepetitionFacts &blocks = facts.repetition[height - 1];
       report.print(" %12s %12s %12s", textOf(blocks.shapes).c_str(), textOf(blocks.mirrored).c_str(),
                    textOf(blocks.coloured).c_str());
@@ -114,7 +119,7 @@ std::string factsReport(const Facts &facts) {
   }
   report.print("\nWhat follows\n");
   for (const Conclusion &conclusion : conclude(facts))
-    report.print("  - %s.\n", conclusion.text.c_str());
+    report.print("  - %s\n", conclusion.text.c_str());
   return report.take();
 }
 

@@ -32,22 +32,21 @@ TEST(Conclusions, NoVoxelsAreAllThatIsSaid) {
 
 TEST(Conclusions, Alpha) {
   Facts facts = plainFacts();
-  EXPECT_TRUE(sentence(facts, "alpha").starts_with("all voxels are opaque"));
+  EXPECT_TRUE(sentence(facts, "alpha").starts_with("All voxels are opaque"));
   facts.colours.opaque = 999;
-  EXPECT_EQ(sentence(facts, "alpha"), "no voxel has an alpha of 0: --visible-voxels holds");
+  EXPECT_EQ(sentence(facts, "alpha"), "No voxel has an alpha of 0: --visible-voxels holds.");
   facts.colours.transparent = 1;
-  EXPECT_TRUE(
-      sentence(facts, "alpha").starts_with("1 voxels have an alpha of 0: a build with --visible-voxels"));
+  EXPECT_TRUE(sentence(facts, "alpha").starts_with("Voxels with an alpha of 0: 1; a build"));
 }
 
 TEST(Conclusions, Colours) {
   Facts facts = plainFacts();
-  EXPECT_TRUE(sentence(facts, "colours").starts_with("12 colours: an index of 4 bits"));
+  EXPECT_TRUE(sentence(facts, "colours").starts_with("12 colours: an index into one palette takes 4 bits "));
   facts.colours.words = {1, true};
-  EXPECT_TRUE(sentence(facts, "colours").starts_with("all voxels have one colour: --occupancy"));
+  EXPECT_TRUE(sentence(facts, "colours").starts_with("All voxels have one colour: --occupancy"));
   facts.colours.words = {65537, false};
   facts.colours.perBlock8 = 17;
-  EXPECT_EQ(sentence(facts, "colours"), "about 65537 colours: too many for one palette");
+  EXPECT_EQ(sentence(facts, "colours"), "About 65537 colours: too many for one palette.");
   facts.colours.perBlock8 = 9.5;
   EXPECT_NE(sentence(facts, "colours").find("a block of 8^3 has 9.5 of them in the mean"), std::string::npos);
 }
@@ -55,7 +54,7 @@ TEST(Conclusions, Colours) {
 TEST(Conclusions, Interior) {
   Facts facts = plainFacts();
   facts.interior = 49;
-  EXPECT_EQ(sentence(facts, "interior"), "4.9 % of the voxels are interior: this is a surface");
+  EXPECT_EQ(sentence(facts, "interior"), "4.9 % of the voxels are interior: nearly all touch an empty cell.");
   facts.interior = 100;
   EXPECT_EQ(sentence(facts, "interior"), "");
   facts.interior = 250;
