@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kSolid = 0.25;           // Interior voxels from here up are worth a word,
 constexpr double kSurface = 0.05;         // and below here are none to speak of.
+constexpr double kMerged = 0.25;          // Voxels in uniform cubes, from here up: trees gain by merging.
 constexpr double kRepeats = 0.25;         // Blocks that repeat another, from here up: sharing pays.
 constexpr double kSmallPalette = 16;      // Colours of a block that an index of 4 bits tells apart.
 constexpr int kLargestIndex = 16;         // Bits of an index into a palette of the whole scene.
@@ -73,10 +74,12 @@ std::string ruleOfInterior(const Facts &facts) {
     return percent(facts.interiorShare()) + " of the voxels are interior: nearly all touch an empty cell.";
   if (facts.interiorShare() < kSolid || facts.heights.size() <= kUniformHeight)
     return "";
-  const double cells = double(facts.heights[kUniformHeight].uniform) * double(1 << 3 * kUniformHeight);
-  return percent(facts.interiorShare()) + " of the voxels are interior, and " +
-         percent(cells / double(facts.voxels)) +
-         " lie in full cubes of 4^3 of one colour, which trees (S, G) keep as single leaves.";
+  const double merged =
+      double(facts.heights[kUniformHeight].uniform) * double(1 << 3 * kUniformHeight) / double(facts.voxels);
+  return percent(facts.interiorShare()) + " of the voxels are interior, " +
+         (merged < kMerged ? "but only " : "and ") + percent(merged) +
+         " lie in full cubes of 4^3 of one colour: trees (S, G) " +
+         (merged < kMerged ? "merge little." : "keep each as one leaf.");
 }
 
 std::string ruleOfRepetition(const Facts &facts) {

@@ -59,8 +59,11 @@ TEST(Conclusions, Interior) {
   EXPECT_EQ(sentence(facts, "interior"), "");
   facts.interior = 250;
   facts.heights[2].uniform = 5;
-  EXPECT_TRUE(
-      sentence(facts, "interior").starts_with("25.0 % of the voxels are interior, and 32.0 % lie in full"));
+  EXPECT_EQ(sentence(facts, "interior"),
+            "25.0 % of the voxels are interior, and 32.0 % lie in full cubes of 4^3 of "
+            "one colour: trees (S, G) keep each as one leaf.");
+  facts.heights[2].uniform = 1;
+  EXPECT_NE(sentence(facts, "interior").find("but only 6.4 % lie"), std::string::npos);
 }
 
 TEST(Conclusions, Repetition) {
