@@ -84,6 +84,7 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
       run(pass);
   if (random() % 2 != 0)
     format = withValuesApart(format);
+  run(*findPass("short-pointers"));
   if (const Pass *walk = randomWalk(random))
     run(*walk);
   return format;

@@ -47,13 +47,34 @@ uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
   return end;
 }
 
+%if indexed
+// Shortens the slots of a packed grid of so many words: first the numbers of all sub-volumes, ${index-bits} bits each, then
+// what stood behind them. Returns how many words that takes.
+uint64_t shorten_level_${N}(const uint32_t *grid, uint64_t words, uint32_t *shortened) {
+  constexpr uint64_t kHead = ${head-words};
+  const uint64_t slots = (words - kHead) / ${slot-words};
+  const uint64_t numbers = words_of_fields(slots, ${index-bits});
+  for (uint64_t i = 0; i < kHead; ++i)
+    shortened[i] = grid[i];
+  for (uint64_t i = 0; i < slots; ++i) {
+    const uint32_t *const slot = grid + kHead + ${slot-words-times}i;
+    put_field(shortened + kHead, i, ${index-bits}, slot[0]);
+%if ranked
+    put_field(shortened + kHead + numbers, i, ${count-bits}, slot[1]);
+%end
+  }
+  return kHead + numbers + words_of_fields(slots, ${count-bits});
+}
+
+%end
 uint32_t construct_level_${N}(Build &build, Voxel low) {
+  constexpr uint64_t kRoom = ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.cells();
   uint32_t *grid = nullptr;
 %if slots-count
   uint32_t before = 0;
 %end
   auto place = [&](const PlacedCell &placed) {
-    if (!grid && !(grid = build.allocate(${N}, ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.cells())))
+    if (!grid && !(grid = build.allocate(${N}, ${room})))
       return;
     uint32_t *const slot = grid + ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.index(placed.cell);
     slot[0] = placed.value;
@@ -65,8 +86,13 @@ uint32_t construct_level_${N}(Build &build, Voxel low) {
   for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
   if (!grid)
     return 0;
+%if indexed
+  const uint64_t words = shorten_level_${N}(grid, pack_level_${N}(build, grid), grid + kRoom);
+  const uint32_t offset = build.${write}(${N}, grid + kRoom, words);
+%else
   const uint64_t words = pack_level_${N}(build, grid);
   const uint32_t offset = build.${write}(${N}, grid, words);
+%end
   build.release(${N});
   return offset;
 }

@@ -29,6 +29,8 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   Fragment fragment;
   fragment.low = low;
   fragment.words = {0};
+  if (std::ranges::any_of(layout_.strata, &Stratum::isIndexed))
+    fragment.array.assign(kIndexedWords, 0);
   fragment.shared.assign(layout_.strata.size() + 1, 0);
   fragment_ = &fragment;
   placed_.clear();
@@ -204,18 +206,23 @@ void Extraction::leafWords(std::size_t index, Ref node) {
 
 /// Copies a block whose references lead to what was copied before. Returns where it stands now.
 Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, Ref at, std::uint64_t count) {
-  std::vector<std::uint32_t> &words = fragment_->words;
+  const Stratum &stratum = layout_.strata[index];
+  const bool isIndexed = layout_.isIndexed(index);
+  std::vector<std::uint32_t> &words = isIndexed ? fragment_->array : fragment_->words;
   const auto begin = static_cast<std::ptrdiff_t>(words.size());
   for (std::uint64_t i = 0; i < count; ++i)
     words.push_back(words_[at + i]);
   const auto relocation = [&](Ref ref) {
-    const auto found = placed_.find(ref);
+    const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
+    const auto found =
+        placed_.find(stratum.isIndexed() ? static_cast<Ref>(array + kIndexedWords * ref) : ref);
     return found == placed_.end() ? Ref{0} : found->second.at;
   };
-  relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), layout_.strata[index], what,
+  relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), stratum, what,
            layout_.holdsVoxels(index), relocation);
   fragment_->blocks.push_back({kind, static_cast<std::uint32_t>(index + 1), count});
-  return static_cast<Ref>(begin);
+  return static_cast<Ref>(isIndexed ? static_cast<std::uint64_t>(begin) / kIndexedWords
+                                    : static_cast<std::uint64_t>(begin));
 }
 
 } // namespace voxc

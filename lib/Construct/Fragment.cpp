@@ -13,22 +13,31 @@ Error contradiction() { return Error::input("a fragment is broken: it has a poin
 
 } // namespace
 
-void Splice::write(std::span<std::uint32_t> words, std::uint64_t at, const BlockRecord &block) {
+bool Splice::isIndexed(const BlockRecord &block) const { return layout_.isIndexed(block.level - 1); }
+
+/// Returns where the block is now.
+std::uint32_t Splice::write(std::span<std::uint32_t> words, const BlockRecord &block) {
   const std::size_t index = block.level - 1;
   const bool isLeaf = block.kind == BlockRecord::InternLeaf;
   // A block points only to what was written before it: the offsets from here on are still 0.
-  const auto relocation = [&](Ref ref) { return ref < newOffsets_.size() ? newOffsets_[ref] : 0; };
-  if (!relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index),
-                relocation))
-    return store_.fail(contradiction());
-  newOffsets_[at] = isLeaf                              ? store_.internLeaf(block.level, words[0])
-                    : block.kind == BlockRecord::Intern ? store_.intern(block.level, words)
-                                                        : store_.append(block.level, words);
+  const auto &moved = layout_.strata[index].isIndexed() ? newNumbers_ : newOffsets_;
+  const auto relocation = [&](Ref ref) { return ref < moved.size() ? moved[ref] : 0; };
+  if ((isIndexed(block) && words.size() != kIndexedWords) ||
+      !relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index),
+                relocation)) {
+    store_.fail(contradiction());
+    return 0;
+  }
+  return isLeaf                              ? store_.internLeaf(block.level, words[0])
+         : block.kind == BlockRecord::Intern ? store_.intern(block.level, words)
+                                             : store_.append(block.level, words);
 }
 
-void Splice::relocateResult(Fragment &fragment, bool holdsVoxels) {
+void Splice::relocateResult(Fragment &fragment, std::size_t index) {
+  const bool holdsVoxels = layout_.holdsVoxels(index);
+  const auto &moved = layout_.strata[index].isIndexed() ? newNumbers_ : newOffsets_;
   const auto relocate = [&](std::uint32_t &value) {
-    value = value < newOffsets_.size() ? newOffsets_[value] : 0;
+    value = value < moved.size() ? moved[value] : 0;
     if (value == 0)
       store_.fail(contradiction());
   };
@@ -42,15 +51,20 @@ void Splice::relocateResult(Fragment &fragment, bool holdsVoxels) {
 
 void Splice::join(Fragment &fragment, int log2Side) {
   newOffsets_.assign(fragment.words.size(), 0);
+  newNumbers_ = {0};
   std::uint64_t at = 1;
   for (const BlockRecord &block : fragment.blocks) {
-    if (block.kind == BlockRecord::Forget)
+    if (block.kind == BlockRecord::Forget) {
       store_.forget(block.level);
-    else
-      write(std::span(fragment.words).subspan(at, block.words), at, block);
-    at += block.words;
+    } else if (isIndexed(block)) {
+      const std::uint64_t inArray = newNumbers_.size() * kIndexedWords;
+      newNumbers_.push_back(write(std::span(fragment.array).subspan(inArray, block.words), block));
+    } else {
+      newOffsets_[at] = write(std::span(fragment.words).subspan(at, block.words), block);
+      at += block.words;
+    }
   }
-  relocateResult(fragment, layout_.holdsVoxels(layout_.stratumOfPart(log2Side)));
+  relocateResult(fragment, layout_.stratumOfPart(log2Side));
 }
 
 } // namespace voxc

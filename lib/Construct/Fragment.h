@@ -20,6 +20,8 @@ struct Fragment {
   std::vector<std::uint32_t> words;
   std::vector<BlockRecord>
       blocks; ///< Together they are `words`, but for the first word, which has no meaning.
+  std::vector<std::uint32_t>
+      array; ///< Of indexed sub-volumes, from number 0 on, whose blocks are not in `words`.
   construct::Node node;
   std::vector<construct::PlacedCell> cells;
   std::vector<std::uint32_t> values; ///< Those of the voxels, by rank, where they stand apart.
@@ -37,12 +39,14 @@ public:
   void join(Fragment &fragment, int log2Side);
 
 private:
-  void write(std::span<std::uint32_t> words, std::uint64_t at, const BlockRecord &block);
-  void relocateResult(Fragment &fragment, bool holdsVoxels);
+  std::uint32_t write(std::span<std::uint32_t> words, const BlockRecord &block);
+  bool isIndexed(const BlockRecord &block) const;
+  void relocateResult(Fragment &fragment, std::size_t index);
 
   const Layout &layout_;
   NodeStore &store_;
   std::vector<std::uint32_t> newOffsets_;
+  std::vector<std::uint32_t> newNumbers_; ///< Of indexed sub-volumes.
 };
 
 } // namespace voxc

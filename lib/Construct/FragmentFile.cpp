@@ -31,18 +31,19 @@ struct Header {
 };
 static_assert(sizeof(Header) == 168);
 
-/// What stands before each part; its words, blocks (a word of 8 bytes each), cells, values and shared counts
-/// follow.
+/// What stands before each part; its words, array, blocks (a word of 8 bytes each), cells, values and shared
+/// counts follow.
 struct PartHeader {
   std::array<std::int32_t, 3> low{};
   std::array<std::uint32_t, 3 + construct::kMaskWords> node{}; ///< Kind, value, masks, voxels.
   std::uint64_t words = 0;
+  std::uint64_t array = 0;
   std::uint64_t blocks = 0;
   std::uint64_t cells = 0;
   std::uint64_t values = 0;
   std::uint64_t voxels = 0;
 };
-static_assert(sizeof(PartHeader) == 80);
+static_assert(sizeof(PartHeader) == 88);
 static_assert(sizeof(construct::PlacedCell) == 20);
 
 constexpr int kKindBits = 2;
@@ -103,6 +104,7 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
       {fragment.low.x, fragment.low.y, fragment.low.z},
       {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3], node.voxels},
       fragment.words.size(),
+      fragment.array.size(),
       fragment.blocks.size(),
       fragment.cells.size(),
       fragment.values.size(),
@@ -111,10 +113,11 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
   blocks.reserve(fragment.blocks.size());
   for (const BlockRecord &block : fragment.blocks)
     blocks.push_back(pack(block));
-  const std::array<std::span<const std::byte>, 6> pieces = {
-      std::as_bytes(std::span(&header, 1)),      std::as_bytes(std::span(fragment.words)),
-      std::as_bytes(std::span(blocks)),          std::as_bytes(std::span(fragment.cells)),
-      std::as_bytes(std::span(fragment.values)), std::as_bytes(std::span(fragment.shared))};
+  const std::array<std::span<const std::byte>, 7> pieces = {
+      std::as_bytes(std::span(&header, 1)),     std::as_bytes(std::span(fragment.words)),
+      std::as_bytes(std::span(fragment.array)), std::as_bytes(std::span(blocks)),
+      std::as_bytes(std::span(fragment.cells)), std::as_bytes(std::span(fragment.values)),
+      std::as_bytes(std::span(fragment.shared))};
   for (const auto &piece : pieces)
     if (auto written = write(piece.data(), piece.size()); !written)
       return written;
@@ -191,19 +194,25 @@ private:
   std::uint64_t at_;
 };
 
-/// True if the blocks are all of the words but the first.
-bool covers(const std::vector<BlockRecord> &blocks, std::uint64_t words, std::size_t levels) {
-  std::uint64_t left = words;
-  if (left-- == 0)
+/// True if the blocks are all of the words but the first, and all of the array but number 0.
+bool covers(const Fragment &fragment, const Layout &layout) {
+  std::uint64_t words = fragment.words.size();
+  std::uint64_t array = fragment.array.size();
+  const bool hasArray = std::ranges::any_of(layout.strata, &Stratum::isIndexed);
+  if (words-- == 0 || array < (hasArray ? kIndexedWords : 0))
     return false;
-  for (const BlockRecord &block : blocks) {
+  array -= hasArray ? kIndexedWords : 0;
+  for (const BlockRecord &block : fragment.blocks) {
     const bool isForget = block.kind == BlockRecord::Forget;
-    if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > levels ||
-        block.words > left || isForget != (block.words == 0))
+    if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > layout.strata.size() ||
+        isForget != (block.words == 0))
+      return false;
+    std::uint64_t &left = layout.isIndexed(block.level - 1) ? array : words;
+    if (block.words > left || (&left == &array && !isForget && block.words != kIndexedWords))
       return false;
     left -= block.words;
   }
-  return left == 0;
+  return words == 0 && array == 0;
 }
 
 } // namespace
@@ -255,12 +264,13 @@ Expected<Fragment> FragmentReader::take() {
   Fragment fragment;
   std::vector<std::uint64_t> blocks;
   if (!reader.read(header) || !reader.read(fragment.words, header.words) ||
-      !reader.read(blocks, header.blocks) || !reader.read(fragment.cells, header.cells) ||
-      !reader.read(fragment.values, header.values) || !reader.read(fragment.shared, levels + 1))
+      !reader.read(fragment.array, header.array) || !reader.read(blocks, header.blocks) ||
+      !reader.read(fragment.cells, header.cells) || !reader.read(fragment.values, header.values) ||
+      !reader.read(fragment.shared, levels + 1))
     return broken;
   for (const std::uint64_t block : blocks)
     fragment.blocks.push_back(unpack(block));
-  if (!covers(fragment.blocks, header.words, levels) || header.node[0] > construct::Node::Inner)
+  if (!covers(fragment, layoutOf(info_.volume.format)) || header.node[0] > construct::Node::Inner)
     return broken;
   fragment.low = {header.low[0], header.low[1], header.low[2]};
   fragment.node = {static_cast<construct::Node::Kind>(header.node[0]), header.node[1]};

@@ -15,10 +15,32 @@ constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
 } // namespace
 
 NodeStore::NodeStore(WordStore words, std::size_t levels, std::shared_ptr<WorkingMemory> memory)
-    : memory_(std::move(memory)), words_(std::move(words)), shared_(levels + 1) {
+    : memory_(std::move(memory)), words_(std::move(words)), array_(memory_), shared_(levels + 1) {
   levels_.reserve(levels);
   for (std::size_t i = 0; i < levels; ++i)
     levels_.emplace_back(memory_);
+}
+
+void NodeStore::indexLevel(unsigned level, int bits) {
+  indexedLevel_ = level;
+  indexBits_ = bits;
+  if (auto begun = array_.resize(kIndexedWords); !begun) // Number 0 is none.
+    fail(begun.error());
+}
+
+std::uint32_t NodeStore::appendToArray(unsigned level, std::span<const std::uint32_t> words) {
+  const std::uint64_t number = array_.size() / kIndexedWords;
+  if (number >> indexBits_ != 0) {
+    fail(Error::input("level " + std::to_string(level) + " has more than " + std::to_string(number - 1) +
+                      " different sub-volumes, the most that pointers=" + std::to_string(indexBits_) +
+                      " can tell; more bits, or a build without short-pointers, would fit"));
+    return 1;
+  }
+  if (auto appended = array_.append(words); !appended) {
+    fail(appended.error());
+    return 1;
+  }
+  return static_cast<std::uint32_t>(number);
 }
 
 void NodeStore::fail(Error error) {
@@ -44,14 +66,19 @@ std::uint32_t NodeStore::append(unsigned level, std::span<const std::uint32_t> w
                       " adds more; a lower resolution or a format that shares more would fit"));
     return 1;
   }
-  if (auto appended = words_.append(words); !appended) {
+  std::uint64_t place = offset;
+  if (level == indexedLevel_) {
+    place = appendToArray(level, words);
+    if (failure_)
+      return 1;
+  } else if (auto appended = words_.append(words); !appended) {
     fail(appended.error());
     return 1;
   }
   ++at(level).report.uniqueNodes;
   at(level).report.words += words.size();
   note(BlockRecord::Append, level, words.size());
-  return static_cast<std::uint32_t>(offset);
+  return static_cast<std::uint32_t>(place);
 }
 
 void NodeStore::relieve() {
@@ -71,7 +98,10 @@ std::uint32_t NodeStore::remember(BlockRecord::Kind kind, NodeMap &map, std::uin
     return 1;
   if (log_)
     log_->back().kind = kind;
-  if (auto inserted = map.insert(hash, offset); !inserted)
+  const auto wordOf = [&](std::uint32_t at) {
+    return level == indexedLevel_ ? at * static_cast<std::uint32_t>(kIndexedWords) : at;
+  };
+  if (auto inserted = map.insert(hash, wordOf(offset)); !inserted)
     fail(inserted.error());
   return offset;
 }
@@ -82,8 +112,10 @@ std::uint32_t NodeStore::intern(unsigned level, std::span<const std::uint32_t> w
   relieve();
   NodeMap &map = at(level).nodes;
   const std::uint32_t hash = NodeMap::hashOf(words);
-  if (const auto known = map.find(hash, words, words_.span()))
-    return found(level, *known);
+  const bool isIndexed = level == indexedLevel_;
+  if (const auto known =
+          map.find(hash, words, isIndexed ? std::span(std::as_const(array_).span()) : words_.span()))
+    return found(level, isIndexed ? *known / static_cast<std::uint32_t>(kIndexedWords) : *known);
   return remember(BlockRecord::Intern, map, hash, level, words);
 }
 
@@ -147,6 +179,8 @@ void NodeStore::drop(unsigned level) {
 
 void NodeStore::clear() {
   words_.clear();
+  if (indexedLevel_ != 0)
+    indexLevel(indexedLevel_, indexBits_);
   shared_.assign(shared_.size(), 0);
   for (Level &level : levels_) {
     level.leaves.clear();

@@ -42,6 +42,12 @@ public:
   /// Fails at more words than this, in place of the most that offsets can reach.
   void limit(std::uint64_t maxWords) { maxWords_ = std::min(maxWords, kMaxWords); }
 
+  /// Lets the blocks of a level, `kIndexedWords` each, stand in an array: append and intern give their
+  /// numbers, from 1 on and of at most so many bits.
+  void indexLevel(unsigned level, int bits);
+  /// That array, from number 0 on; empty without.
+  std::span<const std::uint32_t> array() const { return array_.span(); }
+
   /// Notes in `log` what is really written, from now on; null ends that.
   void logTo(std::vector<BlockRecord> *log) { log_ = log; }
 
@@ -93,12 +99,16 @@ private:
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
   void relieve();
   std::uint32_t found(unsigned level, std::uint32_t offset);
+  std::uint32_t appendToArray(unsigned level, std::span<const std::uint32_t> words);
   std::uint32_t remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
                          std::span<const std::uint32_t> words);
 
   std::shared_ptr<WorkingMemory> memory_;
   WordStore words_;
   std::uint64_t maxWords_ = kMaxWords;
+  unsigned indexedLevel_ = 0; ///< 0: none.
+  int indexBits_ = 0;
+  ScratchArray<std::uint32_t> array_;
   std::vector<Level> levels_;
   std::vector<std::uint64_t> shared_;
   std::vector<BlockRecord> *log_ = nullptr;

@@ -81,9 +81,12 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  const std::size_t levels = format.levels.size();
-  return PartBuilder(std::move(source), code, layoutOf(format).voxelFacts(),
-                     std::make_unique<NodeStore>(std::move(*words), levels, memory));
+  const Layout layout = layoutOf(format);
+  auto store = std::make_unique<NodeStore>(std::move(*words), layout.strata.size(), memory);
+  for (std::size_t i = 0; i < layout.strata.size(); ++i)
+    if (layout.isIndexed(i))
+      store->indexLevel(static_cast<unsigned>(i + 1), layout.strata[i - 1].indexBits);
+  return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }
 
 Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &progress) {
@@ -98,6 +101,7 @@ Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &pr
     return *store_->failure();
   const auto words = store_->words().span();
   fragment.words.assign(words.begin(), words.end());
+  fragment.array.assign(store_->array().begin(), store_->array().end());
   fragment.voxels = host.voxels();
   fragment.shared = store_->shared();
   return fragment;

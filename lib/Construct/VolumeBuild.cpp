@@ -12,11 +12,14 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
   if (!words)
     return words.error();
   const Layout layout = layoutOf(build->info_.format);
-  const std::array<std::uint32_t, 2> head = {};
+  const std::array<std::uint32_t, 3> head = {};
   if (auto begun = words->append(std::span(head).first(layout.headWords() - words->size())); !begun)
     return begun.error();
   build->store_ =
       std::make_unique<NodeStore>(std::move(*words), build->info_.format.levels.size(), options.memory);
+  for (std::size_t i = 0; i < layout.strata.size(); ++i)
+    if (layout.isIndexed(i))
+      build->store_->indexLevel(static_cast<unsigned>(i + 1), layout.strata[i - 1].indexBits);
   build->values_ = std::make_unique<ValueStore>(*build->store_, options.memory);
   build->maxWords_ = std::min(options.maxWords, layout.maxWords());
   build->store_->limit(build->maxWords_);
@@ -45,8 +48,22 @@ Expected<WordStore> VolumeBuild::openWords() {
                            });
 }
 
+/// The array of indexed sub-volumes stands behind all nodes.
+void VolumeBuild::appendArray(WordStore &words) {
+  const auto array = store_->array();
+  if (array.empty() || store_->failure())
+    return;
+  if (words.size() + array.size() > maxWords_)
+    return store_->fail(Error::input("the volume needs more than " + std::to_string(maxWords_) +
+                                     " words, the most that it may have"));
+  words.setHead(layoutOf(info_.format).headWords() - 1, static_cast<std::uint32_t>(words.size()));
+  if (auto appended = words.append(array); !appended)
+    store_->fail(appended.error());
+}
+
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels) {
   WordStore &words = store_->words();
+  appendArray(words);
   const std::uint64_t nodeWords = words.size();
   if (layoutOf(info_.format).values == Values::Apart)
     values_->finish(words, maxWords_);

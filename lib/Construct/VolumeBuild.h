@@ -35,6 +35,7 @@ public:
 private:
   VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}
   Expected<WordStore> openWords();
+  void appendArray(WordStore &words);
 
   Stopwatch watch_;
   VolumeInfo info_;

@@ -34,7 +34,10 @@ public:
     text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
     if (hasLayers())
       file("walk/tree.glsl");
-    if (plan_.layout.values == Values::Apart)
+    const bool isApart = plan_.layout.values == Values::Apart;
+    if (isApart || std::ranges::any_of(plan_.layout.strata, &Stratum::isIndexed))
+      file("field.glsl");
+    if (isApart)
       file("rank/order.glsl");
     // A function stands before its callers: the last level first.
     for (std::size_t i = plan_.layout.strata.size(); i-- > 0;)
@@ -43,7 +46,7 @@ public:
       flatWalk();
     if (plan_.walk == Walk::Direct)
       file("walk/direct.glsl");
-    if (plan_.layout.values == Values::Apart)
+    if (isApart)
       ranks();
     file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
     text_ += "\n// ---- To here; what follows is the same in every kernel again ----\n";

@@ -68,6 +68,11 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["mask-stride"] = stratum.ranked && stratum.log2Children() > 6 ? "2u * " : "";
+  holes["room"] = stratum.isIndexed() ? "2 * kRoom" : "kRoom";
+  holes["index-bits"] = std::to_string(stratum.indexBits);
+  holes["count-bits"] = std::to_string(stratum.countBits());
+  holes["array-head"] = std::to_string(stratum.arrayHead);
+  holes["second-mask"] = stratum.log2Children() == 6 ? " + uint(bitCount(load_word(grid + 1u)))" : "";
   holes["slots-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + "u * ";
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
   holes["times-branch"] = branch == 1 ? "" : " * " + factor;
@@ -142,6 +147,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["grid"] = stratum.isGrid();
   conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
+  conditions["indexed"] = stratum.isIndexed();
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
   conditions["counts"] = stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
   conditions["distances"] = stratum.skip != Skip::None;

@@ -70,6 +70,24 @@ void verifyValues(const Format &format, Diagnostics &diagnostics) {
   }
 }
 
+/// Numbers in place of offsets: of which levels, and in which.
+void verifyPointers(const Format &format, Diagnostics &diagnostics) {
+  for (std::size_t i = 0; i < format.levels.size(); ++i) {
+    const Level &level = format.levels[i];
+    if (level.attribute(kPointersAttribute) == "word")
+      continue;
+    const bool isLast = i + 1 == format.levels.size();
+    const bool isMasks = format.attributes.value(kPayloadAttribute) == "occupancy" ||
+                         format.attributes.value(kValuesAttribute) == "apart";
+    if (!isLast || !isMasks || level.log2Size() != Int3{2, 2, 2} || i == 0 ||
+        format.levels[i - 1].kind != level.kind)
+      diagnostics.error(level.range, "level " + std::to_string(i + 1) +
+                                         " has short pointers, which lead to the last level alone: masked(2, "
+                                         "2, 2) below another masked level, with payload=occupancy or "
+                                         "values=apart");
+  }
+}
+
 /// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.
 void verifyWords(const Level &level, Diagnostics &diagnostics) {
   const Stratum stratum = level.kind->lower(level);
@@ -109,6 +127,7 @@ void verify(const Format &format, Diagnostics &diagnostics) {
   }
   verifyDistances(format, diagnostics);
   verifyValues(format, diagnostics);
+  verifyPointers(format, diagnostics);
   verifyExtent(format, diagnostics);
 }
 

@@ -15,6 +15,11 @@ void packDistances(Stratum &stratum, bool holdsVoxels) {
   stratum.reach = std::min(stratum.reach, farthest);
 }
 
+std::uint64_t Layout::headWords() const {
+  const bool isIndexed = std::ranges::any_of(strata, &Stratum::isIndexed);
+  return 1 + (values == Values::Apart ? 1 : 0) + (isIndexed ? 1 : 0);
+}
+
 Int3 Layout::log2Extent() const {
   const Stratum &top = strata.front();
   const Int3 size = top.log2Size();

@@ -1,6 +1,9 @@
 // Packed slots: masks, then the slots of the children that are not empty, in their order. In ranked strata
 // the reference of a slot is followed by how many voxels all slots up to this one have; in grids, which are
-// not filled in the order of their slots, by how many voxels come before the cell's.
+// not filled in the order of their slots, by how many voxels come before the cell's. In indexed strata there
+// are two runs of fields in place of slots: the numbers of the children's sub-volumes, then the counts of
+// voxels.
+#include "Fields.h"
 #include "Masks.h"
 #include "Places.h"
 
@@ -21,7 +24,11 @@ std::uint64_t leastWords(const Stratum &stratum) {
 
 std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
   const MaskShape shape(stratum);
-  return shape.words() + Masks(words, shape, node).slots() * static_cast<std::uint64_t>(stratum.slotWords());
+  const std::uint64_t slots = Masks(words, shape, node).slots();
+  if (stratum.isIndexed())
+    return shape.words() + wordsOfFields(slots, stratum.indexBits) +
+           wordsOfFields(slots, stratum.countBits());
+  return shape.words() + slots * static_cast<std::uint64_t>(stratum.slotWords());
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -45,12 +52,30 @@ void rankChild(const WordReader &words, const Stratum &stratum, const Masks &mas
   child.voxels = hasSlot ? words[slot + 1] - child.before : 0;
 }
 
+/// The child of an indexed stratum, which is a grid, that has so many slots before its own.
+Child indexedChild(const WordReader &words, const Stratum &stratum, const MaskShape &shape,
+                   const Masks &masks, std::uint64_t node, std::uint64_t rank) {
+  const std::uint64_t numbers = node + shape.words();
+  const std::uint64_t counts = numbers + wordsOfFields(masks.slots(), stratum.indexBits);
+  const std::uint64_t number = readField(words, numbers, rank, stratum.indexBits);
+  const std::uint64_t begin = words[static_cast<std::uint64_t>(stratum.arrayHead)];
+  Child child = {.exists = true, .leaf = true, .at = node};
+  // Beyond what offsets reach lies nothing.
+  const std::uint64_t at = begin + kIndexedWords * number;
+  child.value = number == 0 || at >= kMaxWords ? 0 : static_cast<Ref>(at);
+  if (stratum.ranked)
+    child.before = readField(words, counts, rank, stratum.countBits());
+  return child;
+}
+
 Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
             std::uint64_t index) {
   const Masks masks(words, shape, node);
   if (!masks.exists(index)) // In Morton order, eight children in a row are a cube.
     return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
   const bool isLeaf = stratum.isGrid() || masks.isLeaf(index);
+  if (stratum.isIndexed())
+    return indexedChild(words, stratum, shape, masks, node, masks.rank(index));
   const std::uint64_t slot =
       node + shape.words() + masks.rank(index) * static_cast<std::uint64_t>(stratum.slotWords());
   const bool isInSlot = stratum.isGrid() || (isLeaf && stratum.cells == Cells::Slot);
@@ -72,6 +97,21 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   });
 }
 
+bool relocateNumbers(std::span<std::uint32_t> words, const Stratum &stratum, Relocation relocation) {
+  const WordReader reader(words);
+  const MaskShape shape(stratum);
+  const std::uint64_t slots = Masks(reader, shape, 0).slots();
+  if (words.size() != size(reader, stratum, 0))
+    return false;
+  for (std::uint64_t i = 0; i < slots; ++i) {
+    std::uint32_t number = readField(reader, shape.words(), i, stratum.indexBits);
+    if (!relocateRef(number, relocation))
+      return false;
+    writeField(words.subspan(shape.words()), i, stratum.indexBits, number);
+  }
+  return true;
+}
+
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
               Relocation relocation) {
   const std::uint64_t head = MaskShape(stratum).words();
@@ -79,6 +119,8 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
     return false;
   if (stratum.isGrid() && holdsVoxels)
     return true;
+  if (stratum.isIndexed())
+    return relocateNumbers(words, stratum, relocation);
   const bool leavesStay = holdsVoxels && stratum.cells == Cells::Slot && !stratum.implied;
   if (!leavesStay) {
     for (std::uint64_t slot = head; slot < words.size();
@@ -108,6 +150,7 @@ extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
                                       .tellsByMasks = true,
                                       .ranks = true,
+                                      .indexes = true,
                                       .tellsGap = isOfTwoMasks,
                                       .findsValueLater = isOfTwoMasks,
                                       .problem = problem,

@@ -22,6 +22,14 @@ public:
   }
 
 private:
+  /// The sub-volume in a cell of an indexed stratum.
+  void indexed(std::uint32_t value, const Cube &cube, Ranks ranks) {
+    if (value == 0)
+      words_.fail("an indexed sub-volume has no number");
+    else
+      visitor_.cells(cube, value, ranks);
+  }
+
   /// The word of a leaf, in a slot that was checked or in a block of its own.
   void leaf(std::uint64_t at, const Cube &cube, Ranks ranks) {
     const std::uint64_t count = stratum_.cells == Cells::Record ? 1 + MaskShape(stratum_).words() : 1;
@@ -51,6 +59,8 @@ private:
       const Ranks below = {ranks.first + voxelsBefore(child, log2Child), child.voxels};
       if (child.leaf && stratum_.implied)
         visitor_.cells(cube, kOccupied, below);
+      else if (stratum_.isIndexed())
+        indexed(child.value, cube, below);
       else if (child.leaf)
         leaf(child.at, cube, below);
       else if (layer > 1)
@@ -67,7 +77,7 @@ private:
 } // namespace
 
 std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf) {
-  return stratum.implied ? kOccupied : stratum.cellValue(words[leaf.at]);
+  return stratum.implied ? kOccupied : stratum.isIndexed() ? leaf.value : stratum.cellValue(words[leaf.at]);
 }
 
 std::uint64_t voxelsBefore(const Child &child, int log2Child) {

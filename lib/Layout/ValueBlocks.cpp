@@ -1,6 +1,8 @@
 // Encoding, decoding and checking blocks of values.
 #include "voxc/Layout/ValueBlocks.h"
 
+#include "Fields.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -125,10 +127,6 @@ private:
   int count_ = 0;
 };
 
-std::uint64_t wordsOf(std::uint64_t fields, int bits) {
-  return (fields * static_cast<std::uint64_t>(bits) + 31) / 32;
-}
-
 /// The head of a block, read.
 struct Head {
   Head(const WordReader &words, std::uint64_t at) : least(words[at]), word(words[at + 1]) {}
@@ -144,13 +142,6 @@ struct Head {
   std::uint32_t least;
   std::uint32_t word;
 };
-
-/// Field `i` of those of `bits` bits that begin at word `at`.
-std::uint32_t field(const WordReader &words, std::uint64_t at, std::uint64_t i, int bits) {
-  const std::uint64_t bit = i * static_cast<std::uint64_t>(bits);
-  const std::uint64_t pair = words[at + bit / 32] | std::uint64_t{words[at + bit / 32 + 1]} << 32;
-  return static_cast<std::uint32_t>(pair >> bit % 32 & ((std::uint64_t{1} << bits) - 1));
-}
 
 /// How many runs begin among the first `count` values.
 std::uint64_t runsBegun(const WordReader &words, std::uint64_t at, std::uint64_t count) {
@@ -189,15 +180,16 @@ bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count) {
   if (head.runs() && (words[at + kHeadWords] & 1) == 0)
     return false;
   const std::uint64_t indices = head.runs() ? runsBegun(words, at, count) : count;
-  if (head.itemsAt() != head.indicesAt() + wordsOf(indices, head.indexBits()))
+  if (head.itemsAt() != head.indicesAt() + wordsOfFields(indices, head.indexBits()))
     return false;
   std::uint64_t items = indices;
   if (head.indexBits() > 0) {
     items = 0;
     for (std::uint64_t i = 0; i < indices; ++i)
-      items = std::max<std::uint64_t>(items, field(words, at + head.indicesAt(), i, head.indexBits()) + 1);
+      items =
+          std::max<std::uint64_t>(items, readField(words, at + head.indicesAt(), i, head.indexBits()) + 1);
   }
-  return words.require(at, head.itemsAt() + wordsOf(items, head.itemBits()) + 1, "a block of values");
+  return words.require(at, head.itemsAt() + wordsOfFields(items, head.itemBits()) + 1, "a block of values");
 }
 
 } // namespace
@@ -208,9 +200,10 @@ std::vector<std::uint32_t> encodeValueBlock(std::span<const std::uint32_t> value
   const int itemBits = coding.itemBits();
   const int indexBits = static_cast<int>(std::bit_width(contents.palette.size() - 1));
   const std::array<std::uint64_t, 4> costs = {
-      wordsOf(values.size(), itemBits), kMaskWords + wordsOf(contents.runs.size(), itemBits),
-      wordsOf(values.size(), indexBits) + wordsOf(contents.palette.size(), itemBits),
-      kMaskWords + wordsOf(contents.runs.size(), indexBits) + wordsOf(contents.palette.size(), itemBits)};
+      wordsOfFields(values.size(), itemBits), kMaskWords + wordsOfFields(contents.runs.size(), itemBits),
+      wordsOfFields(values.size(), indexBits) + wordsOfFields(contents.palette.size(), itemBits),
+      kMaskWords + wordsOfFields(contents.runs.size(), indexBits) +
+          wordsOfFields(contents.palette.size(), itemBits)};
   const auto best = static_cast<unsigned>(std::ranges::min_element(costs) - costs.begin());
   const bool hasRuns = (best & 1) != 0;
   const bool hasPalette = (best & 2) != 0;
@@ -248,8 +241,8 @@ std::uint32_t valueOfRank(const WordReader &words, std::uint64_t section, std::u
   if (head.runs())
     i = runsBegun(words, at, i + 1) - 1;
   if (head.indexBits() > 0)
-    i = field(words, at + head.indicesAt(), i, head.indexBits());
-  return valueOfItem(head, field(words, at + head.itemsAt(), i, head.itemBits()));
+    i = readField(words, at + head.indicesAt(), i, head.indexBits());
+  return valueOfItem(head, readField(words, at + head.itemsAt(), i, head.itemBits()));
 }
 
 void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels) {

@@ -35,6 +35,7 @@ private:
     shape(stratum);
     cells(stratum);
     distances(stratum);
+    indices(stratum);
     const std::string problem = stratum.slots->problem(stratum);
     rule(problem.empty(), problem);
   }
@@ -70,6 +71,18 @@ private:
     rule(stratum.ranked == isApart, "voxels have ranks where their values stand apart, and only there");
     rule(!stratum.ranked || stratum.slots->ranks,
          std::string(stratum.slots->name) + " slots do not count voxels, which values apart ask for");
+  }
+
+  void indices(const Stratum &stratum) {
+    if (!stratum.isIndexed())
+      return;
+    const Stratum *const below = layout_.holdsVoxels(index_) ? nullptr : &layout_.strata[index_ + 1];
+    rule(stratum.indexBits >= 1 && stratum.indexBits <= 31 && stratum.isGrid() && stratum.slots->indexes,
+         "numbers of 1 to 31 bits stand in the slots of masked grids");
+    rule(below && below->isGrid() && below->implied && below->slots && below->log2Shape == Int3{2, 2, 2},
+         "numbers lead to grids of 4 x 4 x 4 voxels that are masks alone");
+    rule(stratum.arrayHead + 1 == static_cast<int>(layout_.headWords()),
+         "the array that numbers lead to is told by the last word of the head");
   }
 
   void distances(const Stratum &stratum) {

@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 15> kPasses = {{
+constexpr std::array<Pass, 16> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -38,6 +38,15 @@ constexpr std::array<Pass, 15> kPasses = {{
      "what takes the fewest bits of runs, palettes and differences. A hit decodes one colour, of at most 64 "
      "bytes. The last level must be a G or an M, those above R, D, M or G.",
      valuesApart},
+    {"short-pointers", AttributeEffect::Storage, "lead to the last level's sub-volumes by numbers of 20 bits",
+     "Without it, a pointer to a grid of 4 x 4 x 4 voxels is a word, half as long as the grid itself. With "
+     "it, "
+     "these grids stand in an array, and their parents have their numbers there: 20 bits each, or as many as "
+     "the attribute pointers says. A build that finds more different ones than there are numbers fails. "
+     "Unchanged where the last level is no M(2^3) below another M whose voxels are masks alone (occupancy, "
+     "or "
+     "values-apart before it).",
+     shortPointers},
     {"inline-leaves", AttributeEffect::Storage, "keep the values of a G level's leaves in the slots of nodes",
      "Without it, a leaf is a word that slots point to, and equal leaves are one word. With it, the slot is "
      "the leaf's value: a word less for each that differs, and a load less on the way to it. Unchanged where "

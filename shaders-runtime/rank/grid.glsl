@@ -1,9 +1,18 @@
 // How many voxels of the grid come before one.
 uint rank_level_${N}(uint grid, ivec3 voxel) {
 %if last
-  return bits_before_level_${N}(grid, voxel);
+%if cone
+  return is_there_level_${N}(grid, voxel) ? bits_before_level_${N}(grid, voxel) : 0u;
 %else
-  uint slot = ranked_slot_level_${N}(grid, voxel >> LEVEL_${N}_LOG2_CELL);
-  return load_word(slot + ${slot-words}u - 1u) + rank_${NEXT}(${value-at-slot}, voxel);
+  return bits_before_level_${N}(grid, voxel);
+%end
+%else
+  uint rank = 0u;
+  uint value = ranked_value_level_${N}(grid, voxel >> LEVEL_${N}_LOG2_CELL, rank);
+%if cone
+  return value == 0u ? 0u : rank + rank_${NEXT}(value, voxel);
+%else
+  return rank + rank_${NEXT}(value, voxel);
+%end
 %end
 }

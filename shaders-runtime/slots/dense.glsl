@@ -8,11 +8,6 @@ uint slot_level_${N}(uint grid, ivec3 cell) {
   return grid + ${slot-words}u * uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
 }
 
-%if ranked
-// The slot of a cell that is not empty.
-uint ranked_slot_level_${N}(uint grid, ivec3 cell) { return slot_level_${N}(grid, cell); }
-
-%end
 %if distances-in-slot
 // The value in a slot, or 0 if its cell is empty: a slot ${empty-slots} holds ${skip-of-slot} instead.
 uint value_level_${N}(uint word) { return ${slot-is-empty} ? 0u : ${value-of-slot}; }
@@ -36,6 +31,15 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %else
 // The value of a cell, or 0 if it is empty.
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { return load_word(slot_level_${N}(grid, cell)); }
+%end
+%if ranked
+
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
+  uint slot = slot_level_${N}(grid, cell);
+  rank += load_word(slot + ${slot-words}u - 1u);
+  return ${value-at-slot};
+}
 %end
 %if sampled
 

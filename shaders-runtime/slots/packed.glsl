@@ -3,8 +3,15 @@
 // A masked grid has a bit a cell, x fastest, then y, then z: all that are set have the same value.
 %else
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty.
+%if indexed
+// A value is the number of a sub-volume, in ${index-bits} bits.
+%end
 %if ranked
+%if indexed
+// Behind them all, in ${count-bits} bits each, stands how many voxels come before those of each cell.
+%else
 // Each value is followed by how many voxels come before those of its cell.
+%end
 %end
 %end
 %if counts
@@ -26,10 +33,52 @@ uint bits_before_level_${N}(uint grid, ivec3 cell) {
 }
 
 %end
+%if ranked
+%if cone
+// False of an empty cell, where a walk may stop that takes what is around for one.
+bool is_there_level_${N}(uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+%if counts
+  return (load_word(grid + 2u * (number >> 5)) >> (number & 31u) & 1u) != 0u;
+%else
+  return (load_word(grid + (number >> 5)) >> (number & 31u) & 1u) != 0u;
+%end
+}
+
+%end
+%end
+%if implied
+%else
+// The value of the cell that is not empty after so many others.
+uint value_of_slot_level_${N}(uint grid, uint slot) {
+%if indexed
+  return load_word(${array-head}u) + 2u * load_field(grid + ${head-words}u, slot, ${index-bits}u);
+%else
+  return load_word(grid + ${head-words}u + ${slots-times}slot);
+%end
+}
+
+%end
 %if slots-count
-// The slot of a cell that is not empty.
-uint ranked_slot_level_${N}(uint grid, ivec3 cell) {
-  return grid + ${head-words}u + ${slot-words}u * bits_before_level_${N}(grid, cell);
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
+%if cone
+  if (!is_there_level_${N}(grid, cell))
+    return 0u;
+%end
+  uint slot = bits_before_level_${N}(grid, cell);
+%if indexed
+%if counts
+  uint slots = load_word(grid + ${head-words}u - 1u) + uint(bitCount(load_word(grid + ${head-words}u - 2u)));
+%else
+  uint slots = uint(bitCount(load_word(grid)))${second-mask};
+%end
+  rank += load_field(grid + ${head-words}u + (slots * ${index-bits}u + 31u >> 5), slot, ${count-bits}u);
+%else
+  rank += load_word(grid + ${head-words}u + ${slots-times}slot + 1u);
+%end
+  return value_of_slot_level_${N}(grid, slot);
 }
 
 %end
@@ -45,7 +94,7 @@ uint value_level_${N}(uint grid, ivec3 cell) {
   uint low = load_word(grid);
   uint half_mask = number < 32 ? low : load_word(grid + 1u);
   int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
-  return load_word(grid + 2u + ${slots-times}uint(rank));
+  return value_of_slot_level_${N}(grid, uint(rank));
 }
 
 %end
@@ -103,7 +152,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   if (number >= 32u)
     rank += uint(bitCount(load_word(grid)));
 %end
-  return load_word(grid + ${head-words}u + ${slots-times}rank);
+  return value_of_slot_level_${N}(grid, rank);
 %end
 }
 %end
@@ -113,7 +162,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %if implied
 uint any_value_level_${N}(uint grid) { return ${occupied}; }
 %else
-uint any_value_level_${N}(uint grid) { return load_word(grid + ${head-words}u); }
+uint any_value_level_${N}(uint grid) { return value_of_slot_level_${N}(grid, 0u); }
 %end
 %end
 %else

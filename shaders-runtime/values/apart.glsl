@@ -12,15 +12,6 @@ const uint ITEMS_SHIFT = 24u;
 const uint HEAD_WORDS = 2u;
 const uint RUN_WORDS = 4u;
 
-// Field i of those of so many bits that begin at a word.
-uint load_field(uint at, uint i, uint bits) {
-  uint first = i * bits;
-  uint low = load_word(at + (first >> 5));
-  uint high = load_word(at + (first >> 5) + 1u);
-  uint word = low >> (first & 31u) | (high << 1) << (31u - (first & 31u));
-  return bits == 32u ? word : word & ((1u << bits) - 1u);
-}
-
 // How many of the bits at a word are set, up to bit i of the four words.
 uint runs_until(uint at, uint i) {
   uint last = i >> 5;

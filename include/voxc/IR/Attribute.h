@@ -30,6 +30,7 @@ extern const AttributeKind kWalkAttribute;      ///< walk: stack | restart | unr
 extern const AttributeKind kLeavesAttribute;    ///< leaves: apart | in-slot
 extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
+extern const AttributeKind kPointersAttribute;  ///< pointers: word | 16 | 17 | ... | 24
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast

@@ -53,8 +53,11 @@ struct Layout {
   bool operator==(const Layout &) const = default;
 
   VoxelFacts voxelFacts() const { return {payload, alpha}; }
-  /// Words before the first node: where the root is and, with values apart, where their blocks begin.
-  std::uint64_t headWords() const { return values == Values::Apart ? 2 : 1; }
+  /// Words before the first node: where the root is; with values apart, where their blocks begin; where the
+  /// array of indexed sub-volumes does, if there is one.
+  std::uint64_t headWords() const;
+  /// True if the sub-volumes of strata[index] stand in an array.
+  bool isIndexed(std::size_t index) const { return index > 0 && strata[index - 1].isIndexed(); }
   /// log2 of the voxels along each axis.
   Int3 log2Extent() const;
   /// True if the cells of strata[index] are voxels.

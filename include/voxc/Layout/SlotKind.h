@@ -17,6 +17,7 @@ struct Child {
   bool exists = false; ///< Else it is empty.
   bool leaf = false;   ///< All its cells have the value in the word `at`; else its node begins there.
   std::uint64_t at = 0;
+  Ref value = 0; ///< Of a cell of an indexed stratum: where its sub-volume is.
   int log2Around =
       0; ///< Of an empty child: the aligned cube of 2^log2Around children a side around it is empty too.
   // In ranked strata:
@@ -47,6 +48,8 @@ struct SlotKind {
   bool tellsByMasks = false;
   /// Counts of voxels may stand behind what slots lead to.
   bool ranks = false;
+  /// Slots may have numbers in place of offsets.
+  bool indexes = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
   /// True if the accessor of kernels tells of an empty cell that others around it are empty too.

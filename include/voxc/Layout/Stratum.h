@@ -15,6 +15,9 @@ struct SlotKind;
 /// An offset into the words of a volume, in words. 0 leads nowhere.
 using Ref = std::uint32_t;
 
+/// Words of a sub-volume that stands in an array: the masks of a grid of 4 x 4 x 4 voxels.
+inline constexpr std::uint64_t kIndexedWords = 2;
+
 /// The most words that references can reach.
 inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
 
@@ -76,6 +79,11 @@ struct Stratum {
   /// What a slot leads to is followed by a count of voxels, from which the rank of each voxel follows: how
   /// many of the volume come before it in the order of construction.
   bool ranked = false;
+  /// Slots have no offsets, but numbers of so many bits: those of the sub-volumes of the next stratum, which
+  /// stand in an array, `kIndexedWords` each, from where head word `arrayHead` of the volume says. Number 0
+  /// is none.
+  int indexBits = 0;
+  int arrayHead = 0;
   std::uint32_t reach = 0; ///< The largest distance stored; 0 without.
   Sharing sharing = Sharing::None;
 
@@ -90,6 +98,12 @@ struct Stratum {
     return 1 + (skip != Skip::None && empty == Empty::Zero ? 1 : 0) + (ranked ? 1 : 0);
   }
   bool isGrid() const { return cells == Cells::Inline; }
+  bool isIndexed() const { return indexBits > 0; }
+  /// Bits of the count of voxels behind a number.
+  int countBits() const {
+    const int log2Voxels = log2Children() * depth + 3 * log2Cell;
+    return !ranked ? 0 : log2Voxels < 32 ? log2Voxels : 32;
+  }
   /// Bits of each field of `Skip::Octant`: the alpha of a voxel's word leaves room for less.
   int fieldBits() const { return empty == Empty::Transparent ? 3 : 4; }
   /// Bits of a slot below a reference.

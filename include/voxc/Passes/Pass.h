@@ -46,6 +46,7 @@ PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult visibleVoxels(Format &format, Diagnostics &diagnostics);
 PassResult occupancy(Format &format, Diagnostics &diagnostics);
 PassResult valuesApart(Format &format, Diagnostics &diagnostics);
+PassResult shortPointers(Format &format, Diagnostics &diagnostics);
 PassResult inlineLeaves(Format &format, Diagnostics &diagnostics);
 PassResult octantDistances(Format &format, Diagnostics &diagnostics);
 PassResult dfPacking(Format &format, Diagnostics &diagnostics);

@@ -22,6 +22,8 @@ constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
 constexpr std::array<std::string_view, 2> kLeavesValues = {"apart", "in-slot"};
 constexpr std::array<std::string_view, 2> kDistancesValues = {"beside", "in-slot"};
 constexpr std::array<std::string_view, 2> kMetricValues = {"l1", "octant"};
+constexpr std::array<std::string_view, 10> kPointersValues = {"word", "16", "17", "18", "19",
+                                                              "20",   "21", "22", "23", "24"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace
@@ -46,6 +48,11 @@ const AttributeKind kMetricAttribute = {
     "metric", AttributeEffect::Storage, kMetricValues,
     "what the distance of an empty cell is: the L1 distance to the nearest full cell, or for each octant of "
     "directions the side of the empty cube ahead, 15 cells at most, in a voxel's own word 7"};
+
+const AttributeKind kPointersAttribute = {
+    "pointers", AttributeEffect::Storage, kPointersValues,
+    "what leads to a sub-volume: its offset, a word, or its number in an array of all of the level's, of so "
+    "many bits; of grids of 4 x 4 x 4 voxels that are masks alone, below a masked level"};
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,

@@ -45,6 +45,10 @@ Layout layoutOf(const Format &format) {
     stratum.implied = isLast && voxelsAreEqual && stratum.slots->tellsByMasks && stratum.depth > 0;
     stratum.ranked = layout.values == Values::Apart;
     layout.strata.push_back(std::move(stratum));
+    if (const std::string_view bits = level.attribute(kPointersAttribute); bits != "word" && i > 0) {
+      layout.strata[i - 1].indexBits = (bits[0] - '0') * 10 + (bits[1] - '0');
+      layout.strata[i - 1].arrayHead = static_cast<int>(layout.headWords()) - 1;
+    }
   }
   return layout;
 }

@@ -6,7 +6,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
-constexpr std::array<const AttributeKind *, 1> kAttributes = {&kShareAttribute};
+constexpr std::array<const AttributeKind *, 2> kAttributes = {&kShareAttribute, &kPointersAttribute};
 
 Stratum lower(const Level &level) { return gridStratum(level, "packed"); }
 
