@@ -32,8 +32,8 @@ void join(FragmentSet &fragments, const std::shared_ptr<WorkingMemory> &memory) 
   auto words = WordStore::create(memory);
   if (!words)
     return;
-  NodeStore store(std::move(*words), format.levels.size(), memory);
   const Layout layout = layoutOf(format);
+  NodeStore store(std::move(*words), layout, memory);
   Splice splice(layout, store);
   while (fragments.next() && !store.failure()) {
     auto fragment = fragments.take();

@@ -14,17 +14,23 @@ constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
 
 } // namespace
 
-NodeStore::NodeStore(WordStore words, std::size_t levels, std::shared_ptr<WorkingMemory> memory)
-    : memory_(std::move(memory)), words_(std::move(words)), array_(memory_), shared_(levels + 1) {
-  levels_.reserve(levels);
-  for (std::size_t i = 0; i < levels; ++i)
+NodeStore::NodeStore(WordStore words, const Layout &layout, std::shared_ptr<WorkingMemory> memory)
+    : memory_(std::move(memory)), words_(std::move(words)), array_(memory_),
+      shared_(layout.strata.size() + 1) {
+  levels_.reserve(layout.strata.size());
+  for (std::size_t i = 0; i < layout.strata.size(); ++i) {
     levels_.emplace_back(memory_);
+    if (layout.isIndexed(i)) {
+      indexedLevel_ = static_cast<unsigned>(i + 1);
+      indexBits_ = layout.strata[i - 1].indexBits;
+      beginArray();
+    }
+  }
 }
 
-void NodeStore::indexLevel(unsigned level, int bits) {
-  indexedLevel_ = level;
-  indexBits_ = bits;
-  if (auto begun = array_.resize(kIndexedWords); !begun) // Number 0 is none.
+/// Number 0 is none.
+void NodeStore::beginArray() {
+  if (auto begun = array_.resize(kIndexedWords); !begun)
     fail(begun.error());
 }
 
@@ -180,7 +186,7 @@ void NodeStore::drop(unsigned level) {
 void NodeStore::clear() {
   words_.clear();
   if (indexedLevel_ != 0)
-    indexLevel(indexedLevel_, indexBits_);
+    beginArray();
   shared_.assign(shared_.size(), 0);
   for (Level &level : levels_) {
     level.leaves.clear();

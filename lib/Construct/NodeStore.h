@@ -5,7 +5,7 @@
 #include "WordStore.h"
 
 #include "voxc/Construct/Constructor.h"
-#include "voxc/Layout/Stratum.h"
+#include "voxc/Layout/Layout.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -36,16 +36,14 @@ struct KeptCell {
 /// The words of a volume or of a part of one. The first failure is kept, and nothing is done after it.
 class NodeStore {
 public:
-  /// `levels`: how many there are; they are numbered from 1.
-  NodeStore(WordStore words, std::size_t levels, std::shared_ptr<WorkingMemory> memory);
+  /// Levels are numbered from 1. The blocks of an indexed one stand in an array: append and intern give their
+  /// numbers, from 1 on.
+  NodeStore(WordStore words, const Layout &layout, std::shared_ptr<WorkingMemory> memory);
 
   /// Fails at more words than this, in place of the most that offsets can reach.
   void limit(std::uint64_t maxWords) { maxWords_ = std::min(maxWords, kMaxWords); }
 
-  /// Lets the blocks of a level, `kIndexedWords` each, stand in an array: append and intern give their
-  /// numbers, from 1 on and of at most so many bits.
-  void indexLevel(unsigned level, int bits);
-  /// That array, from number 0 on; empty without.
+  /// The array of indexed blocks, from number 0 on, which is none; empty without.
   std::span<const std::uint32_t> array() const { return array_.span(); }
 
   /// Notes in `log` what is really written, from now on; null ends that.
@@ -99,6 +97,7 @@ private:
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
   void relieve();
   std::uint32_t found(unsigned level, std::uint32_t offset);
+  void beginArray();
   std::uint32_t appendToArray(unsigned level, std::span<const std::uint32_t> words);
   std::uint32_t remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
                          std::span<const std::uint32_t> words);

@@ -82,10 +82,7 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   if (!words)
     return words.error();
   const Layout layout = layoutOf(format);
-  auto store = std::make_unique<NodeStore>(std::move(*words), layout.strata.size(), memory);
-  for (std::size_t i = 0; i < layout.strata.size(); ++i)
-    if (layout.isIndexed(i))
-      store->indexLevel(static_cast<unsigned>(i + 1), layout.strata[i - 1].indexBits);
+  auto store = std::make_unique<NodeStore>(std::move(*words), layout, memory);
   return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }
 

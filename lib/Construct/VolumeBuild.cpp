@@ -15,11 +15,7 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
   const std::array<std::uint32_t, 3> head = {};
   if (auto begun = words->append(std::span(head).first(layout.headWords() - words->size())); !begun)
     return begun.error();
-  build->store_ =
-      std::make_unique<NodeStore>(std::move(*words), build->info_.format.levels.size(), options.memory);
-  for (std::size_t i = 0; i < layout.strata.size(); ++i)
-    if (layout.isIndexed(i))
-      build->store_->indexLevel(static_cast<unsigned>(i + 1), layout.strata[i - 1].indexBits);
+  build->store_ = std::make_unique<NodeStore>(std::move(*words), layout, options.memory);
   build->values_ = std::make_unique<ValueStore>(*build->store_, options.memory);
   build->maxWords_ = std::min(options.maxWords, layout.maxWords());
   build->store_->limit(build->maxWords_);
