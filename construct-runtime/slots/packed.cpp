@@ -2,8 +2,12 @@
 %if implied
 // Turns a grid of words, which follows ${head-words} words of room, into a mask of the cells that are not empty. Returns how
 // many words that takes.
+%if voxels-in-morton-order
+// The values are put apart, in Morton order.
+%else
 %if ranked
 // The values are put apart, in the order of the bits.
+%end
 %end
 %else
 // Turns a grid of slots, which follows ${head-words} words of room, into a mask and the slots of the cells that are not
@@ -11,6 +15,11 @@
 %end
 uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
   constexpr uint64_t kHead = ${head-words};
+%if voxels-in-morton-order
+  for (unsigned i = 0; i < LEVEL_${N}_SHAPE.cells(); ++i)
+    if (const uint32_t value = grid[kHead + ${slot-words-times}LEVEL_${N}_SHAPE.index(brick_voxel(i))])
+      build.put_value(value);
+%end
   uint64_t end = kHead;
 %if counts
   uint32_t count = 0;
@@ -31,8 +40,11 @@ uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
       ++count;
 %end
 %if implied
+%if voxels-in-morton-order
+%else
 %if ranked
       build.put_value(*slot);
+%end
 %end
 %else
       grid[end++] = slot[0];

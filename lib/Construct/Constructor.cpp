@@ -98,7 +98,7 @@ Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const
   const std::uint32_t root = code.whole(&interface);
   if (auto error = source.failure())
     return *error;
-  return (*build)->finish(root, host.voxels());
+  return (*build)->finish(root, host.voxels(), host.colour());
 }
 
 /// Joins the parts of a stream to a volume.
@@ -114,7 +114,7 @@ Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, cons
   const std::uint32_t root = code.whole(&interface);
   if (!(*build)->store().failure() && parts.next())
     return Error::input("a part lies where the format has no voxels");
-  return (*build)->finish(root, host.voxels());
+  return (*build)->finish(root, host.voxels(), host.colour());
 }
 
 } // namespace

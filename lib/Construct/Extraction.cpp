@@ -32,6 +32,7 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   if (std::ranges::any_of(layout_.strata, &Stratum::isIndexed))
     fragment.array.assign(kIndexedWords, 0);
   fragment.shared.assign(layout_.strata.size() + 1, 0);
+  fragment.colour = layout_.payload == Payload::Constant ? words_[1] : 0;
   fragment_ = &fragment;
   placed_.clear();
   const std::size_t index = layout_.stratumOfPart(log2Side);

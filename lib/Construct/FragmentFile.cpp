@@ -36,6 +36,8 @@ static_assert(sizeof(Header) == 168);
 struct PartHeader {
   std::array<std::int32_t, 3> low{};
   std::array<std::uint32_t, 3 + construct::kMaskWords> node{}; ///< Kind, value, masks, voxels.
+  std::uint32_t colour = 0;                                    ///< Of all voxels, of payload=constant.
+  std::uint32_t reserved = 0;
   std::uint64_t words = 0;
   std::uint64_t array = 0;
   std::uint64_t blocks = 0;
@@ -43,7 +45,7 @@ struct PartHeader {
   std::uint64_t values = 0;
   std::uint64_t voxels = 0;
 };
-static_assert(sizeof(PartHeader) == 88);
+static_assert(sizeof(PartHeader) == 96);
 static_assert(sizeof(construct::PlacedCell) == 20);
 
 constexpr int kKindBits = 2;
@@ -103,6 +105,8 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
   const PartHeader header = {
       {fragment.low.x, fragment.low.y, fragment.low.z},
       {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3], node.voxels},
+      fragment.colour,
+      0,
       fragment.words.size(),
       fragment.array.size(),
       fragment.blocks.size(),
@@ -277,6 +281,7 @@ Expected<Fragment> FragmentReader::take() {
   std::copy_n(header.node.begin() + 2, construct::kMaskWords, fragment.node.masks);
   fragment.node.voxels = header.node.back();
   fragment.voxels = header.voxels;
+  fragment.colour = header.colour;
   at_ = reader.at();
   --remaining_;
   return fragment;

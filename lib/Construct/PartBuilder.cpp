@@ -100,6 +100,7 @@ Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &pr
   fragment.words.assign(words.begin(), words.end());
   fragment.array.assign(store_->array().begin(), store_->array().end());
   fragment.voxels = host.voxels();
+  fragment.colour = host.colour();
   fragment.shared = store_->shared();
   return fragment;
 }

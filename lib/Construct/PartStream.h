@@ -31,6 +31,8 @@ public:
         progress_(extent, progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
+  /// The one colour of all voxels, of `Payload::Constant`.
+  std::uint32_t colour() const { return colour_; }
 
 protected:
   bool isEmpty(const Cube &cube) override;
@@ -47,6 +49,7 @@ private:
   MortonProgress progress_;
   Fragment fragment_; ///< The last one: its cells are in use until the next is taken.
   std::uint64_t voxels_ = 0;
+  std::uint32_t colour_ = 0;
 };
 
 } // namespace voxc

@@ -2,7 +2,9 @@
 #include "SourceHost.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdio>
 
 namespace voxc {
 namespace {
@@ -10,6 +12,13 @@ namespace {
 constexpr unsigned kCallsBetweenReports = 256;
 
 } // namespace
+
+std::string colourText(std::uint32_t word) {
+  std::array<char, 12> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x%02x", word & 255, word >> 8 & 255, word >> 16 & 255,
+                word >> 24);
+  return text.data();
+}
 
 MortonProgress::MortonProgress(Int3 extent, const Progress &progress) : progress_(progress) {
   const auto longest = static_cast<std::uint32_t>(std::max({extent.x, extent.y, extent.z, 1}));
@@ -36,11 +45,28 @@ void SourceHost::proveAlpha(Int3 low, const std::uint32_t *voxels) {
   }
 }
 
+void SourceHost::proveColour(Int3 low, const std::uint32_t *voxels) {
+  for (unsigned i = 0; i < 512; ++i) {
+    if (voxels[i] == 0 || voxels[i] == colour_)
+      continue;
+    if (colour_ != 0) {
+      const Int3 voxel = low + mortonCell(i);
+      return store().fail(Error::input(
+          "voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
+          std::to_string(voxel.z) + ") is " + colourText(voxels[i]) + ", others are " + colourText(colour_) +
+          ", but the format states payload=constant; build it without constant-colour"));
+    }
+    colour_ = voxels[i];
+  }
+}
+
 void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
   source_.read({low, construct::kLog2Brick}, voxels);
   if (facts_.alpha == Alpha::Positive)
     proveAlpha(low, voxels);
-  if (facts_.payload == Payload::Occupancy)
+  if (facts_.payload == Payload::Constant)
+    proveColour(low, voxels);
+  if (facts_.payload != Payload::Rgba8)
     std::replace_if(voxels, voxels + 512, [](std::uint32_t word) { return word != 0; }, kOccupied);
   voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
   if (auto error = source_.failure())

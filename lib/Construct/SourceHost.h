@@ -9,6 +9,9 @@
 
 namespace voxc {
 
+/// "#rrggbbaa".
+std::string colourText(std::uint32_t word);
+
 /// Tells how far work in Morton order is, and hears whether it shall stop.
 class MortonProgress {
 public:
@@ -31,18 +34,22 @@ public:
       : BuildHost(store), source_(source), facts_(facts), progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
+  /// The one colour of all voxels so far, of `Payload::Constant`; 0: none yet.
+  std::uint32_t colour() const { return colour_; }
 
 protected:
   bool isEmpty(const Cube &cube) override { return source_.empty(cube); }
   void readBrick(Int3 low, std::uint32_t *voxels) override;
 
 private:
+  void proveColour(Int3 low, const std::uint32_t *voxels);
   void proveAlpha(Int3 low, const std::uint32_t *voxels);
 
   VoxelSource &source_;
   VoxelFacts facts_;
   MortonProgress progress_;
   std::uint64_t voxels_ = 0;
+  std::uint32_t colour_ = 0;
 };
 
 } // namespace voxc

@@ -57,12 +57,15 @@ void VolumeBuild::appendArray(WordStore &words) {
     store_->fail(appended.error());
 }
 
-Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels) {
+Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour) {
   WordStore &words = store_->words();
   appendArray(words);
   const std::uint64_t nodeWords = words.size();
-  if (layoutOf(info_.format).values == Values::Apart)
+  const Layout layout = layoutOf(info_.format);
+  if (layout.values == Values::Apart)
     values_->finish(words, maxWords_);
+  if (layout.payload == Payload::Constant)
+    words.setHead(1, colour);
   if (store_->failure())
     return *store_->failure();
   options_.progress.at("write", 0);

@@ -30,7 +30,8 @@ public:
   ValueStore &values() { return *values_; }
 
   /// Completes the volume. `root`: the offset of the root sub-volume. Errors: the store's; a full disk.
-  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels);
+  /// `colour`: that of all voxels, of `Payload::Constant`.
+  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour);
 
 private:
   VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}

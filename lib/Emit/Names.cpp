@@ -147,6 +147,8 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["grid"] = stratum.isGrid();
   conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
+  conditions["voxels-in-morton-order"] =
+      stratum.ranked && stratum.implied && stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
   conditions["indexed"] = stratum.isIndexed();
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
   conditions["counts"] = stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);

@@ -55,7 +55,7 @@ std::string ruleOfColours(const Facts &facts) {
   if (facts.voxels == 0)
     return "";
   if (colours.words.count == 1)
-    return "All voxels have one colour: --occupancy loses that colour and nothing else.";
+    return "All voxels have one colour: --constant-colour keeps it once, and shapes alone besides.";
   std::string text = colourCount(colours.words) + ": ";
   if (colours.indexBits() <= kLargestIndex)
     return text + "an index into one palette takes " + std::to_string(colours.indexBits()) +
@@ -92,7 +92,7 @@ std::string ruleOfRepetition(const Facts &facts) {
     return percent(shapes) + " of the blocks of 8^3 repeat another's shape: a DAG (G) has little to share.";
   if (coloured < kRepeats)
     return percent(shapes) + " of the blocks of 8^3 repeat another's shape, but " + percent(coloured) +
-           " its colours too: a DAG (G) shares them with --occupancy alone.";
+           " its colours too: a DAG (G) shares them with --values-apart.";
   return percent(coloured) + " of the blocks of 8^3 repeat another with its colours: a DAG (G) shares them.";
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
 constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
 constexpr std::array<std::string_view, 4> kLevelsValues = {"auto", "nested", "flat", "direct"};
-constexpr std::array<std::string_view, 2> kPayloadValues = {"rgba8", "occupancy"};
+constexpr std::array<std::string_view, 3> kPayloadValues = {"rgba8", "occupancy", "constant"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 constexpr std::array<std::string_view, 2> kValuesValues = {"in-place", "apart"};
 
@@ -29,10 +29,10 @@ const AttributeKind kLevelsAttribute = {"levels", AttributeEffect::Walk, kLevels
                                         "loop through all, by one that goes down "
                                         "from the root in each turn, or by what is fastest as a rule"};
 
-const AttributeKind kPayloadAttribute = {
-    "payload", AttributeEffect::Storage, kPayloadValues,
-    "what a voxel is: a colour of four bytes, in the word of its cell, or "
-    "nothing but that it is there"};
+const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
+                                         "what a voxel is: a colour of four bytes, in the word of its cell, "
+                                         "or nothing but that it is there, white "
+                                         "or of the one colour of all voxels, which a build proves"};
 
 const AttributeKind kAlphaAttribute = {
     "alpha", AttributeEffect::Storage, kAlphaValues,

@@ -51,10 +51,10 @@ void verifyDistances(const Format &format, Diagnostics &diagnostics) {
 void verifyValues(const Format &format, Diagnostics &diagnostics) {
   if (format.attributes.value(kValuesAttribute) != "apart")
     return;
-  if (format.attributes.value(kPayloadAttribute) != "rgba8")
-    diagnostics.error(
-        format.levels.back().range,
-        "voxels of payload=occupancy have no values that could stand apart; leave out one of both");
+  if (const std::string payload(format.attributes.value(kPayloadAttribute)); payload != "rgba8")
+    diagnostics.error(format.levels.back().range,
+                      "voxels of payload=" + payload +
+                          " have no values that could stand apart; leave out one of both");
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     const Stratum stratum = level.kind->lower(level);
@@ -77,14 +77,14 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
     if (level.attribute(kPointersAttribute) == "word")
       continue;
     const bool isLast = i + 1 == format.levels.size();
-    const bool isMasks = format.attributes.value(kPayloadAttribute) == "occupancy" ||
+    const bool isMasks = format.attributes.value(kPayloadAttribute) != "rgba8" ||
                          format.attributes.value(kValuesAttribute) == "apart";
     if (!isLast || !isMasks || level.log2Size() != Int3{2, 2, 2} || i == 0 ||
         format.levels[i - 1].kind != level.kind)
       diagnostics.error(level.range, "level " + std::to_string(i + 1) +
                                          " has short pointers, which lead to the last level alone: masked(2, "
-                                         "2, 2) below another masked level, with payload=occupancy or "
-                                         "values=apart");
+                                         "2, 2) below another masked level, with payload=occupancy, "
+                                         "payload=constant or values=apart");
   }
 }
 

@@ -17,7 +17,8 @@ void packDistances(Stratum &stratum, bool holdsVoxels) {
 
 std::uint64_t Layout::headWords() const {
   const bool isIndexed = std::ranges::any_of(strata, &Stratum::isIndexed);
-  return 1 + (values == Values::Apart ? 1 : 0) + (isIndexed ? 1 : 0);
+  const bool hasSecond = values == Values::Apart || payload == Payload::Constant;
+  return 1 + (hasSecond ? 1 : 0) + (isIndexed ? 1 : 0);
 }
 
 Int3 Layout::log2Extent() const {

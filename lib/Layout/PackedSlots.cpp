@@ -10,6 +10,9 @@
 namespace voxc {
 namespace {
 
+/// A grid whose mask is two words, which the accessor takes as a whole.
+bool isOfTwoMasks(const Stratum &stratum) { return stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2}; }
+
 std::string problem(const Stratum &stratum) {
   if (stratum.cells == Cells::Record)
     return "packed slots are words; records stand with their siblings";
@@ -38,13 +41,27 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool l
          words.require(node, size(words, stratum, node), "a node");
 }
 
+/// How many voxels of a grid of voxels come before that of a bit: in Morton order in one of 4 x 4 x 4, whose
+/// colours are then like those next to them, and in the order of the bits in others.
+std::uint64_t voxelsBefore(const Masks &masks, const Stratum &stratum, std::uint64_t index) {
+  if (!isOfTwoMasks(stratum))
+    return masks.earlier(index);
+  const auto place = [](std::uint64_t i) {
+    return Int3{static_cast<int>(i & 3), static_cast<int>(i >> 2 & 3), static_cast<int>(i >> 4)};
+  };
+  std::uint64_t before = 0;
+  for (std::uint64_t code = 0; code < mortonCode(place(index)); ++code)
+    before += masks.exists(gridIndex(stratum.log2Shape, mortonCell(code))) ? 1 : 0;
+  return before;
+}
+
 /// What a ranked stratum says of the voxels of a child, whose slot is at `slot` or, if it has none, would be.
 void rankChild(const WordReader &words, const Stratum &stratum, const Masks &masks, std::uint64_t index,
                std::uint64_t slot, Child &child) {
   const bool hasSlot = !(child.leaf && stratum.implied);
   if (stratum.isGrid()) {
     child.before = hasSlot ? words[slot + 1] : 0;
-    child.leavesBefore = hasSlot ? 0 : masks.earlier(index);
+    child.leavesBefore = hasSlot ? 0 : voxelsBefore(masks, stratum, index);
     return;
   }
   child.before = masks.rank(index) > 0 ? words[slot - 1] : 0;
@@ -140,9 +157,6 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
       return false;
   return true;
 }
-
-/// A grid whose mask is two words, which the accessor takes as a whole.
-bool isOfTwoMasks(const Stratum &stratum) { return stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2}; }
 
 } // namespace
 

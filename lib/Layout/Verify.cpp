@@ -17,8 +17,8 @@ public:
     for (index_ = 0; index_ < layout_.strata.size(); ++index_)
       stratum(layout_.strata[index_]);
     index_ = layout_.strata.size() - 1;
-    rule(layout_.values == Values::InPlace || layout_.payload != Payload::Occupancy,
-         "voxels of payload=occupancy have no values that could stand apart");
+    rule(layout_.values == Values::InPlace || layout_.payload == Payload::Rgba8,
+         "voxels without a colour each have no values that could stand apart");
   }
 
 private:
@@ -62,10 +62,11 @@ private:
     rule(stratum.isGrid() != stratum.leaves,
          "children may be leaves where cells lie outside their node, and only there");
     const bool isApart = layout_.values == Values::Apart;
-    rule(!stratum.implied ||
-             (layout_.holdsVoxels(index_) && (layout_.payload == Payload::Occupancy || isApart) &&
-              stratum.slots->tellsByMasks && stratum.depth > 0),
-         "values are implied where cells are voxels of payload=occupancy or values=apart, which masks tell");
+    rule(!stratum.implied || (layout_.holdsVoxels(index_) && (layout_.payload != Payload::Rgba8 || isApart) &&
+                              stratum.slots->tellsByMasks && stratum.depth > 0),
+         "values are implied where cells are voxels of payload=occupancy, payload=constant or values=apart, "
+         "which "
+         "masks tell");
     rule(!isApart || stratum.implied || !layout_.holdsVoxels(index_),
          "values stand apart where masks tell the voxels, as those of svdag and masked do");
     rule(stratum.ranked == isApart, "voxels have ranks where their values stand apart, and only there");

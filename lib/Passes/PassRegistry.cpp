@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 16> kPasses = {{
+constexpr std::array<Pass, 17> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -30,6 +30,11 @@ constexpr std::array<Pass, 16> kPasses = {{
      "and kernels load no colour. Hits are white. Other kinds of levels keep a word for each voxel as the "
      "last level.",
      occupancy},
+    {"constant-colour", AttributeEffect::Storage, "state that all voxels have one colour, and keep it once",
+     "A fact about the voxels, which a build proves: it fails at a voxel of a second colour, and names it. "
+     "The "
+     "volume is that of occupancy, and hits have the colour.",
+     constantColour},
     {"values-apart", AttributeEffect::Storage,
      "keep the colours of voxels apart from their shape, compressed",
      "Without it, a voxel's colour stands where its shape does, and two equal shapes of other colours share "

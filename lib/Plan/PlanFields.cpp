@@ -87,7 +87,7 @@ bool parseValues(Plan &plan, std::string_view text) {
 
 constexpr std::array<Field<Plan>, 12> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
-    {"payload", printPayload, parsePayload, "rgba8, occupancy"},
+    {"payload", printPayload, parsePayload, "rgba8, occupancy, constant"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     {"values", printValues, parseValues, "in-place, apart"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),

@@ -36,7 +36,7 @@ public:
     else if (layout_.values == Values::Apart)
       valuesApart({low, cube.log2Side}, rank);
     else
-      voxels({low, cube.log2Side}, value);
+      voxels({low, cube.log2Side}, layout_.payload == Payload::Constant ? words_[1] : value);
   }
 
 private:
@@ -132,6 +132,8 @@ Lookup Volume::lookup(Int3 voxel) const {
   }
   if (layout().values == Values::Apart && value != 0)
     return {valueOfRank(words, words[1], rank), 0, rank};
+  if (layout().payload == Payload::Constant && value != 0)
+    found.value = words[1];
   return found;
 }
 

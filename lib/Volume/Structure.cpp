@@ -75,6 +75,8 @@ public:
     if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
     enterSubVolume(0, root);
+    if (layout_.payload == Payload::Constant && words_[1] == 0)
+      words_.fail("the colour of all voxels is the word 0, which is no voxel");
     if (layout_.values == Values::Apart && !words_.problem())
       checkValues(words_, words_[1], voxels_);
     if (words_.problem())

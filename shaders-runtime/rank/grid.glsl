@@ -2,9 +2,9 @@
 uint rank_level_${N}(uint grid, ivec3 voxel) {
 %if last
 %if cone
-  return is_there_level_${N}(grid, voxel) ? bits_before_level_${N}(grid, voxel) : 0u;
+  return is_there_level_${N}(grid, voxel) ? voxels_before_level_${N}(grid, voxel) : 0u;
 %else
-  return bits_before_level_${N}(grid, voxel);
+  return voxels_before_level_${N}(grid, voxel);
 %end
 %else
   uint rank = 0u;

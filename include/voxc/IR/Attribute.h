@@ -36,7 +36,7 @@ extern const AttributeKind kPointersAttribute;  ///< pointers: word | 16 | 17 | 
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
 extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
-extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy
+extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy | constant
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 extern const AttributeKind kValuesAttribute;    ///< values: in-place | apart
 

@@ -17,9 +17,12 @@ namespace voxc {
 enum class Payload {
   Rgba8,     ///< A colour of four bytes, R lowest. The word 0 is no voxel.
   Occupancy, ///< It is there, or not: all have the value `kOccupied`.
+  Constant,  ///< It is there, or not: all have the colour in word 1 of the volume, and `kOccupied` in its
+             ///< place.
 };
 
-/// The value of a voxel that is there, of `Payload::Occupancy`: an opaque white.
+/// The value of a voxel of which no more is kept than that it is there; of `Payload::Occupancy` an opaque
+/// white.
 inline constexpr std::uint32_t kOccupied = 0xffffffff;
 
 /// What is known of the alpha of voxels.
@@ -53,8 +56,8 @@ struct Layout {
   bool operator==(const Layout &) const = default;
 
   VoxelFacts voxelFacts() const { return {payload, alpha}; }
-  /// Words before the first node: where the root is; with values apart, where their blocks begin; where the
-  /// array of indexed sub-volumes does, if there is one.
+  /// Words before the first node: where the root is; with values apart, where their blocks begin, or the one
+  /// colour of all voxels; where the array of indexed sub-volumes begins, if there is one.
   std::uint64_t headWords() const;
   /// True if the sub-volumes of strata[index] stand in an array.
   bool isIndexed(std::size_t index) const { return index > 0 && strata[index - 1].isIndexed(); }
@@ -75,7 +78,8 @@ struct Layout {
 /// up. `ranges`, where they are given, say where each stratum was written.
 void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
 
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Payload> = {"rgba8", "occupancy"};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<Payload> = {"rgba8", "occupancy", "constant"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Values> = {"in-place", "apart"};
 

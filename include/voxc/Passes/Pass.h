@@ -45,6 +45,7 @@ PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
 PassResult shareGrids(Format &format, Diagnostics &diagnostics);
 PassResult visibleVoxels(Format &format, Diagnostics &diagnostics);
 PassResult occupancy(Format &format, Diagnostics &diagnostics);
+PassResult constantColour(Format &format, Diagnostics &diagnostics);
 PassResult valuesApart(Format &format, Diagnostics &diagnostics);
 PassResult shortPointers(Format &format, Diagnostics &diagnostics);
 PassResult inlineLeaves(Format &format, Diagnostics &diagnostics);
