@@ -23,13 +23,29 @@ void store_left(uint at, const Walk walk) {
   hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
 }
 
-// A hit is its voxel. A miss is -1. One that would not have ended is told by a cell far below.
-void store(uint at, const Walk walk, bool hit, uint t) {
+// A hit is its voxel, if that is asked. A miss is -1. One that would not have ended is told by a cell far below.
+void store(uint at, const Walk walk, bool hit${and-an-arrival}) {
+%if voxel
   ivec3 voxel = hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1);
+%else
+  ivec3 voxel = ivec3(hit ? 0 : walk.steps_left < 0 ? -0x7fffffff : -1);
+%end
   hit_words[at] = uint(voxel.x);
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
+%if colour
   hit_words[at + 3u] = hit ? colour_of(walk) : 0u;
-  hit_words[at + 4u] = hit ? t : 0u;
+%else
+  hit_words[at + 3u] = 0u;
+%end
+%if t
+  hit_words[at + 4u] = hit ? arrival.t : 0u;
+%else
+  hit_words[at + 4u] = 0u;
+%end
   hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
+%if face
+  if (!COUNT_WORDS && !COUNT_LOOKUPS)
+    hit_words[at + 5u] = hit ? arrival.face : 0u;
+%end
 }

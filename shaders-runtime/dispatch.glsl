@@ -39,13 +39,15 @@ bool trace_ray(uint ray_number, bool goes_on) {
   uvec3 direction = load_bits(at + 3u);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
-  uint t;
-  bool sure;
   bool hit = begin_walk(load_bits(at), direction, root, ray, walk) && walk_on(ray, walk, root);
-  hit = end_walk(ray, direction, walk, hit, t, sure);
+  hit = end_walk(direction, walk, hit);
+%if arrival
+  bool sure;
+  Arrival arrival = arrival_at(ray, walk, hit, sure);
   walk.open = sure ? walk.open : AGAIN;
+%end
 %if cut
-  // A walk that is still inside the volume without a hit, or whose t may not be whole, was cut off by the device.
+  // A walk that is still inside the volume without a hit, or whose arrival may not be whole, was cut off by the device.
   if (SETTLES && hit && !loops_are_whole())
     hit = false;
   bool is_left = walk.open != CLOSED || (!hit && is_in_volume(walk.cell));
@@ -55,7 +57,7 @@ bool trace_ray(uint ray_number, bool goes_on) {
   if (is_left)
     store_left(at, walk);
   else
-    store(at, walk, hit, t);
+    store(at, walk, hit${and-arrival});
   return is_left;
 }
 

@@ -11,7 +11,7 @@ uint words_read = 0u;
 
 // Six words a ray, the bits of float32: origin, direction.
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uint ray_words[]; };
-// Six words a hit: voxel, rgba, t, lookups or words read.
+// Six words a hit: voxel, rgba, t, ${sixth-word}.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uint hit_words[]; };
 // A dispatch that does not settle leaves the rays which exact arithmetic has to look at to one that does, over these alone:
 // what that is started with, how many they are, and their numbers.

@@ -34,7 +34,9 @@ struct Exit {
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
+%if colour
   uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
+%end
   uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
   int open; // The step over a gap around ~cell is left to be settled: 32 times its count, and its log2_side. Else CLOSED.
@@ -64,7 +66,7 @@ const float ROUNDINGS = 12.0f / 8388608.0f;
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell, int axis) {
-  return Walk(cell, axis, 0u, 0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
+  return Walk(cell, axis, ${no-voxel}0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
 }
 
 // Ends a walk that takes more steps than any can.

@@ -1,4 +1,4 @@
-// From a ray to its walk, and from the end of the walk to its t.
+// From a ray to its walk, and the end of the walk.
 
 // A ray that goes nowhere can hit its own cell alone: it is let go anywhere, and takes no later hit.
 bool goes_nowhere(uvec3 direction) { return ((direction.x | direction.y | direction.z) & ~SIGN_BIT) == 0u; }
@@ -19,18 +19,11 @@ bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Wal
   return enters;
 }
 
-// The t of a hit, not sure where float32 or doubles cannot tell. A ray that goes nowhere loses what is not in its own cell.
-bool end_walk(const Ray ray, uvec3 direction, inout Walk walk, bool hit, out uint t, out bool sure) {
-  t = 0u;
-  sure = true;
-  if (walk.axis < 0)
+// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell.
+bool end_walk(uvec3 direction, inout Walk walk, bool hit) {
+  if (walk.axis < 0 || !goes_nowhere(direction))
     return hit;
-  if (goes_nowhere(direction)) {
-    walk.cell = ivec3(-1);
-    walk.open = CLOSED;
-    return false;
-  }
-  if (hit)
-    t = crossing_time(ray, walk.axis, entered_face(ray, walk), sure);
-  return hit;
+  walk.cell = ivec3(-1);
+  walk.open = CLOSED;
+  return false;
 }

@@ -8,8 +8,8 @@ namespace voxc {
 namespace {
 
 std::string preamble(const Plan &plan) {
-  std::string text = "#version 460\n// intersect.glsl: first hits of rays with volumes of the format " +
-                     plan.layout.format + ".\n";
+  std::string text = "#version 460\n// intersect.glsl: " + planNames(plan).holes["answers"] +
+                     " volumes of the format " + plan.layout.format + ".\n";
   if (plan.addressing == Addressing::Segments)
     text += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
             "require\n";
@@ -24,7 +24,8 @@ std::string emitIntersect(const Plan &plan) {
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
          (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
          file("memory/" + std::string(toString(plan.addressing)) + ".glsl") + kernelFunctions(plan) +
-         file("buffers.glsl") + file("dispatch.glsl");
+         (plan.query == Query::Occupancy ? file("point/answer.glsl") + file("point/dispatch.glsl")
+                                         : file("buffers.glsl") + file("dispatch.glsl"));
 }
 
 } // namespace voxc

@@ -6,11 +6,17 @@
 #include "voxc/Emit/Emit.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdio>
+#include <span>
 
 namespace voxc {
 namespace {
+
+/// What stands behind the kernel: how many rays, or points, are put to work.
+constexpr std::array kRayFiles = {"work.inc", "packet.inc", "batch.inc", "entry.inc"};
+constexpr std::array kPointFiles = {"work.inc", "points.inc", "entry.inc"};
 
 /// Every line but empty ones moved right by two columns.
 std::string indented(std::string_view text) {
@@ -43,11 +49,14 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   TemplateNames names = planNames(plan);
   names.holes["symbol"] = symbol;
   names.holes["count-words"] = countWords ? "true" : "false";
+  const bool isPoint = plan.query == Query::Occupancy;
+  const std::string buffers = fillFile(shaderFiles(), isPoint ? "point/answer.glsl" : "buffers.glsl", names);
   const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
-                              glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" +
-                                        fillFile(shaderFiles(), "buffers.glsl", names));
-  return fillFile(cpuFiles(), "begin.inc", names) + indented(members) +
-         fillFile(cpuFiles(), "packet.inc", names) + fillFile(cpuFiles(), "entry.inc", names);
+                              glslToCpp(volumeSize(plan) + kernelFunctions(plan) + "\n" + buffers);
+  std::string text = fillFile(cpuFiles(), "begin.inc", names) + indented(members);
+  for (const char *path : isPoint ? std::span<const char *const>(kPointFiles) : kRayFiles)
+    text += fillFile(cpuFiles(), path, names);
+  return text;
 }
 
 std::string emitDispatchCpp(std::string_view symbol) {

@@ -13,13 +13,24 @@ namespace voxc {
 namespace {
 
 constexpr const char *kBeforeStep[] = {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"};
-constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "time.glsl", "prepare.glsl", "root.glsl"};
+constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "prepare.glsl", "root.glsl"};
 
 class FunctionEmitter {
 public:
   explicit FunctionEmitter(const Plan &plan) : plan_(plan), names_(planNames(plan)) {}
 
   std::string emit() {
+    if (plan_.query == Query::Occupancy)
+      pointFunctions();
+    else
+      walkFunctions();
+    text_ += "\n// ---- To here; what follows is the same in every kernel again ----\n";
+    return std::move(text_);
+  }
+
+private:
+  /// A walk along a ray, and what is asked of its hit.
+  void walkFunctions() {
     for (const char *path : kBeforeStep)
       file(path);
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
@@ -27,33 +38,51 @@ public:
       file("step/doubles.glsl");
     for (const char *path : kAfterStep)
       file(path);
+    if (plan_.outputs.t)
+      file("time.glsl");
+    if (plan_.outputs.t || plan_.outputs.face)
+      file("arrival.glsl");
     if (plan_.walk == Walk::Nested)
       file("unit.glsl");
     if (plan_.detail == Detail::Cone)
       file("detail/cone.glsl");
-    text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
-    if (hasLayers())
-      file("walk/tree.glsl");
-    const bool isApart = plan_.layout.values == Values::Apart;
-    if (isApart || std::ranges::any_of(plan_.layout.strata, &Stratum::isIndexed))
-      file("field.glsl");
-    if (isApart)
+    beginFormat();
+    const bool looksUpValues = plan_.layout.values == Values::Apart && plan_.outputs.colour;
+    if (looksUpValues)
       file("rank/order.glsl");
-    // A function stands before its callers: the last level first.
-    for (std::size_t i = plan_.layout.strata.size(); i-- > 0;)
-      level(i);
+    levels(&FunctionEmitter::level);
     if (plan_.walk == Walk::Flat)
       flatWalk();
     if (plan_.walk == Walk::Direct)
       file("walk/direct.glsl");
-    if (isApart)
+    if (looksUpValues)
       ranks();
-    file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
-    text_ += "\n// ---- To here; what follows is the same in every kernel again ----\n";
-    return std::move(text_);
+    if (plan_.outputs.colour)
+      file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
   }
 
-private:
+  /// One way down from the root.
+  void pointFunctions() {
+    file("number.glsl");
+    beginFormat();
+    levels(&FunctionEmitter::pointLevel);
+  }
+
+  void beginFormat() {
+    text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
+    if (hasLayers())
+      file("walk/tree.glsl");
+    const bool hasFields = plan_.layout.values == Values::Apart && plan_.outputs.colour;
+    if (hasFields || std::ranges::any_of(plan_.layout.strata, &Stratum::isIndexed))
+      file("field.glsl");
+  }
+
+  /// A function stands before its callers: the last level first.
+  void levels(void (FunctionEmitter::*write)(std::size_t)) {
+    for (std::size_t i = plan_.layout.strata.size(); i-- > 0;)
+      (this->*write)(i);
+  }
+
   bool hasLayers() const {
     return std::ranges::any_of(plan_.layout.strata,
                                [](const Stratum &s) { return !s.isGrid() && s.depth > 0; });
@@ -90,16 +119,22 @@ private:
     text_ += "\n";
   }
 
+  /// What a level's functions speak of: its size, and how a node keeps its children, if there are nodes.
+  void beginLevel(std::size_t index) {
+    const Stratum &stratum = plan_.layout.strata[index];
+    text_ += levelComment(plan_, index);
+    constants(index);
+    if (plan_.traversals[index].descent == Descent::Single)
+      return;
+    leaf(index, "slots/" + std::string(stratum.slots->name) + ".glsl");
+    text_ += "\n";
+  }
+
   void level(std::size_t index) {
     const Stratum &stratum = plan_.layout.strata[index];
     const Traversal &traversal = plan_.traversals[index];
     const bool isSingle = traversal.descent == Descent::Single;
-    text_ += levelComment(plan_, index);
-    constants(index);
-    if (!isSingle) {
-      leaf(index, "slots/" + std::string(stratum.slots->name) + ".glsl");
-      text_ += "\n";
-    }
+    beginLevel(index);
     if (traversal.sampled)
       leaf(index, isSingle           ? "detail/single.glsl"
                   : stratum.isGrid() ? "detail/grid.glsl"
@@ -118,30 +153,33 @@ private:
     leaf(index, "walk/" + std::string(toString(traversal.descent)) + ".glsl");
   }
 
-  /// The level as a function from a cell to what is there.
-  void locate(std::size_t index) {
-    const Stratum &stratum = plan_.layout.strata[index];
-    if (stratum.isGrid() || stratum.depth == 0)
-      return leaf(index, stratum.isGrid() ? "walk/direct/grid.glsl" : "walk/direct/single.glsl");
-    TemplateNames names = stratumNames(plan_, index);
-    for (int layer = stratum.depth; layer > 0; --layer)
-      names.holes["LAYERS_DOWN"] +=
-          fillFile(shaderFiles(), "walk/direct/layer.glsl", layerNames(plan_, index, layer));
-    text_ += fillFile(shaderFiles(), "walk/direct/tree.glsl", names);
+  void pointLevel(std::size_t index) {
+    beginLevel(index);
+    down(index, "point");
   }
+
+  /// The level as a function from a cell to what is there.
+  void locate(std::size_t index) { down(index, "walk/direct"); }
 
   /// From a voxel to its rank, level by level, and from there to its value.
   void ranks() {
     for (std::size_t i = plan_.layout.strata.size(); i-- > 0;) {
-      const Stratum &stratum = plan_.layout.strata[i];
-      const bool hasLayers = !stratum.isGrid() && stratum.depth > 0;
-      TemplateNames names = stratumNames(plan_, i);
-      for (int layer = stratum.depth; hasLayers && layer > 0; --layer)
-        names.holes["LAYERS_DOWN"] += fillFile(shaderFiles(), "rank/layer.glsl", layerNames(plan_, i, layer));
-      const char *const shape = hasLayers ? "tree" : stratum.isGrid() ? "grid" : "single";
-      text_ += "\n" + fillFile(shaderFiles(), "rank/" + std::string(shape) + ".glsl", names);
+      text_ += "\n";
+      down(i, "rank");
     }
     file("values/apart.glsl");
+  }
+
+  /// A function that goes straight down through the level, layer by layer, from the files of a folder.
+  void down(std::size_t index, const std::string &folder) {
+    const Stratum &stratum = plan_.layout.strata[index];
+    const bool isTree = !stratum.isGrid() && stratum.depth > 0;
+    TemplateNames names = stratumNames(plan_, index);
+    for (int layer = stratum.depth; isTree && layer > 0; --layer)
+      names.holes["LAYERS_DOWN"] +=
+          fillFile(shaderFiles(), folder + "/layer.glsl", layerNames(plan_, index, layer));
+    const char *const shape = isTree ? "/tree.glsl" : stratum.isGrid() ? "/grid.glsl" : "/single.glsl";
+    text_ += fillFile(shaderFiles(), folder + shape, names);
   }
 
   /// One loop, with what each level adds to its parts.

@@ -4,6 +4,7 @@
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
+#include <array>
 
 namespace voxc {
 namespace {
@@ -11,13 +12,24 @@ namespace {
 /// True if a node's masks are two sets of words: it has more children than one word has room for.
 bool isWide(const Stratum &stratum) { return stratum.leaves && stratum.log2Children() > 4; }
 
-/// True if a voxel's value is looked up when it is hit, not when it is found: no other stop of a walk then
-/// needs its own.
-bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full; }
+/// True if a voxel's value is looked up when it is hit, if at all, not when it is found: no other stop of a
+/// walk then needs its own.
+bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full || !plan.outputs.colour; }
 
-/// True if a look-up in a node is a loop, and the device may end it.
+/// True if a kernel needs no more of a stratum's full cells than that they are there.
+bool areCellsAlike(const Plan &plan, std::size_t index) {
+  return plan.layout.strata[index].implied || (plan.layout.holdsVoxels(index) && !plan.outputs.colour);
+}
+
+/// True if masks have counts beside them.
+bool hasCounts(const Stratum &stratum) {
+  return stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
+}
+
+/// True if a look-up in a node is a loop, and the device may end it: it has so many turns for all of a walk,
+/// which are enough for a single point.
 bool lookUpMayBeCut(const Plan &plan, const Stratum &stratum) {
-  return plan.loops == Loops::Cut && stratum.slots->lookUpLoops;
+  return plan.loops == Loops::Cut && stratum.slots->lookUpLoops && plan.query != Query::Occupancy;
 }
 
 /// How a distance field's word tells of an empty cell, in generated text.
@@ -67,7 +79,7 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
   holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
-  holes["mask-stride"] = stratum.ranked && stratum.log2Children() > 6 ? "2u * " : "";
+  holes["mask-stride"] = hasCounts(stratum) ? "2u * " : "";
   holes["room"] = stratum.isIndexed() ? "2 * kRoom" : "kRoom";
   holes["index-bits"] = std::to_string(stratum.indexBits);
   holes["count-bits"] = std::to_string(stratum.countBits());
@@ -107,6 +119,8 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["has-no-slot"] = stratum.implied ? "!= Node::Inner" : "== Node::Empty";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
   holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
+  holes["why-alike"] =
+      stratum.implied ? "All leaves have the same value." : "Of a leaf, nothing more is asked.";
   holes["leaf-node"] = leafAt("node");
   holes["leaf-leaf"] = leafAt("leaf");
   holes["leaf-found"] = leafAt("found");
@@ -147,21 +161,50 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["grid"] = stratum.isGrid();
   conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
+  conditions["ranks"] = stratum.ranked && plan.outputs.colour;
   conditions["voxels-in-morton-order"] =
       stratum.ranked && stratum.implied && stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
   conditions["indexed"] = stratum.isIndexed();
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
-  conditions["counts"] = stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
+  conditions["slots-rank"] = stratum.ranked && !stratum.implied && plan.outputs.colour;
+  conditions["counts"] = hasCounts(stratum);
+  conditions["alike"] = areCellsAlike(plan, index);
   conditions["distances"] = stratum.skip != Skip::None;
   conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
   conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
   conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
   conditions["one-voxel-steps"] = stratum.log2Cell == 0 && !stratum.slots->tellsGap(stratum);
   conditions["marches"] = stratum.skip == Skip::L1;
-  conditions["four-a-side"] = stratum.log2Shape == Int3{2, 2, 2};
+  conditions["tells-gap"] = stratum.log2Shape == Int3{2, 2, 2} && plan.query != Query::Occupancy;
   conditions["stops"] = plan.traversals[index].stops;
   conditions["sampled"] = plan.traversals[index].sampled;
   conditions["shares-sub-volumes-apart"] = stratum.sharing == Sharing::SubVolume;
+}
+
+/// What each query is about, as the head of a kernel says it.
+constexpr std::array<std::string_view, 4> kAnswers = {"first hits of rays with", "whether rays hit",
+                                                      "whether points are in",
+                                                      "the t of first hits of rays with"};
+
+/// What is asked of a kernel, and how its functions hand on no more than that.
+void addQuestion(TemplateNames &names, const Plan &plan) {
+  const Outputs &outputs = plan.outputs;
+  const bool isPoint = plan.query == Query::Occupancy;
+  const bool hasArrival = outputs.t || outputs.face;
+  names.holes["answers"] = kAnswers[static_cast<std::size_t>(plan.query)];
+  names.holes["ray-and"] = isPoint ? "" : "const Ray ray, ";
+  names.holes["and-gap"] = isPoint ? "" : ", inout Gap gap";
+  names.holes["and-an-arrival"] = hasArrival ? ", const Arrival arrival" : "";
+  names.holes["and-arrival"] = hasArrival ? ", arrival" : "";
+  names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
+  names.holes["no-voxel"] = outputs.colour ? "0u, " : "";
+  names.holes["sixth-word"] = outputs.face ? "lookups or words read, else a face" : "lookups or words read";
+  names.conditions["point"] = isPoint;
+  names.conditions["arrival"] = hasArrival;
+  names.conditions["voxel"] = outputs.voxel;
+  names.conditions["t"] = outputs.t;
+  names.conditions["face"] = outputs.face;
+  names.conditions["colour"] = outputs.colour;
 }
 
 } // namespace
@@ -181,6 +224,7 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
   const Stratum &lowest = plan.layout.strata.back();
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
+  addQuestion(names, plan);
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid() && lowest.cells != Cells::Slot;

@@ -1,5 +1,6 @@
 // Attributes: the table of a format's, and sets of them.
 #include "voxc/IR/Attribute.h"
+#include "voxc/IR/Query.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +11,15 @@ namespace {
 constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
 constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
 constexpr std::array<std::string_view, 4> kLevelsValues = {"auto", "nested", "flat", "direct"};
+constexpr std::array<std::string_view, 2> kYesValues = {"yes", "no"};
+constexpr std::array<std::string_view, 2> kNoValues = {"no", "yes"};
 constexpr std::array<std::string_view, 3> kPayloadValues = {"rgba8", "occupancy", "constant"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 constexpr std::array<std::string_view, 2> kValuesValues = {"in-place", "apart"};
+
+constexpr AttributeList kOutputs = {"outputs",
+                                    "what the kernel stores of a closest hit; the rest is 0, and no "
+                                    "work is done for it"};
 
 } // namespace
 
@@ -29,6 +36,24 @@ const AttributeKind kLevelsAttribute = {"levels", AttributeEffect::Walk, kLevels
                                         "loop through all, by one that goes down "
                                         "from the root in each turn, or by what is fastest as a rule"};
 
+const AttributeKind kQueryAttribute = {
+    "query", AttributeEffect::Walk, kEnumNames<Query>,
+    "what the kernel answers: the closest hit, whether there is any, whether there is a voxel where the ray "
+    "begins, or the t of the closest hit alone"};
+
+const AttributeKind kVoxelAttribute = {"voxel", AttributeEffect::Walk, kYesValues,
+                                       "whether the kernel stores which voxel a closest hit is", &kOutputs};
+
+const AttributeKind kTAttribute = {"t", AttributeEffect::Walk, kYesValues,
+                                   "whether the kernel stores the t of a closest hit", &kOutputs};
+
+const AttributeKind kFaceAttribute = {
+    "face", AttributeEffect::Walk, kNoValues,
+    "whether the kernel stores by which face of its voxel the ray enters at a closest hit", &kOutputs};
+
+const AttributeKind kColourAttribute = {"colour", AttributeEffect::Walk, kYesValues,
+                                        "whether the kernel stores the colour of a closest hit", &kOutputs};
+
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
                                          "what a voxel is: a colour of four bytes, in the word of its cell, "
                                          "or nothing but that it is there, white "
@@ -44,8 +69,9 @@ const AttributeKind kValuesAttribute = {
     "blocks by the rank of the voxel, so that equal shapes of other colours share storage"};
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 6> kAttributes = {
-      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute,
+  static constexpr std::array<const AttributeKind *, 11> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute,
+      &kVoxelAttribute,     &kTAttribute,      &kFaceAttribute,   &kColourAttribute,
       &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute};
   return kAttributes;
 }

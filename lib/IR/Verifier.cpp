@@ -1,5 +1,6 @@
 // The rules that every format keeps, whatever made it (docs/formats.md).
 #include "voxc/IR/Format.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -88,6 +89,13 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
   }
 }
 
+/// What is stored is chosen for the closest hit alone.
+void verifyQuestion(const Format &format, Diagnostics &diagnostics) {
+  if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
+    diagnostics.error({format.levels.front().range.begin, format.levels.back().range.end},
+                      "the format " + std::string(problem));
+}
+
 /// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.
 void verifyWords(const Level &level, Diagnostics &diagnostics) {
   const Stratum stratum = level.kind->lower(level);
@@ -128,6 +136,7 @@ void verify(const Format &format, Diagnostics &diagnostics) {
   verifyDistances(format, diagnostics);
   verifyValues(format, diagnostics);
   verifyPointers(format, diagnostics);
+  verifyQuestion(format, diagnostics);
   verifyExtent(format, diagnostics);
 }
 

@@ -88,11 +88,12 @@ bool isExplained(const Oracle &oracle, const Ray &ray, const Hit &exact, const H
 /// Adds up figures, ray by ray.
 class Comparison {
 public:
-  explicit Comparison(const Oracle &oracle) : oracle_(oracle) {}
+  Comparison(const Oracle &oracle, const Question &question) : oracle_(oracle), question_(question) {}
 
-  void add(const Ray &ray, const Hit &exact, const Hit &hit) {
-    const bool same = exact.isHit() == hit.isHit() && (!exact.isHit() || voxelOf(exact) == voxelOf(hit));
-    if (!same)
+  void add(const Ray &ray, const Hit &closest, const Hit &hit) {
+    const bool isOfPoint = question_.query == Query::Occupancy;
+    const Hit exact = isOfPoint ? oracle_.answer(ray, question_) : closest;
+    if (exact.isHit() != hit.isHit() || (exact.isHit() && !isSameVoxel(ray, exact, hit)))
       addDifference(ray, exact, hit);
     else if (exact.isHit())
       addTimes(ray, exact, hit);
@@ -106,9 +107,17 @@ public:
   }
 
 private:
+  /// As far as that is asked, and by which of its faces it is entered.
+  bool isSameVoxel(const Ray &ray, const Hit &exact, const Hit &hit) const {
+    const Outputs &asked = question_.outputs;
+    return (!asked.voxel || voxelOf(exact) == voxelOf(hit)) &&
+           (!asked.face || oracle_.answer(ray, question_).steps == hit.steps);
+  }
+
   void addDifference(const Ray &ray, const Hit &exact, const Hit &hit) {
     ++(!hit.isHit() ? figures_.missed : !exact.isHit() ? figures_.ghost : figures_.wrong);
-    figures_.boundary += isExplained(oracle_, ray, exact, hit);
+    const bool isKnown = question_.outputs.voxel || !hit.isHit();
+    figures_.boundary += isKnown && isExplained(oracle_, ray, exact, hit);
     addExample();
   }
 
@@ -117,6 +126,15 @@ private:
     // Most hits of a good kernel agree to the last bit: nothing is left to measure.
     if (std::memcmp(&exact, &hit, offsetof(Hit, steps)) == 0)
       return;
+    if (question_.outputs.t)
+      addDifferenceOfTimes(ray, exact, hit);
+    if (question_.outputs.colour && exact.rgba != hit.rgba) {
+      ++figures_.colour;
+      addExample();
+    }
+  }
+
+  void addDifferenceOfTimes(const Ray &ray, const Hit &exact, const Hit &hit) {
     const double difference = std::abs(timeOf(hit) - timeOf(exact));
     const double distance = difference * length(ray.direction);
     const double ulps = difference / unitInLastPlace(exact);
@@ -125,10 +143,6 @@ private:
     figures_.maxDt = std::max(figures_.maxDt, distance);
     figures_.maxUlpDt = std::max(figures_.maxUlpDt, ulps);
     sumOfSquares_ += distance * distance;
-    if (exact.rgba != hit.rgba) {
-      ++figures_.colour;
-      addExample();
-    }
   }
 
   void addExample() {
@@ -137,6 +151,7 @@ private:
   }
 
   const Oracle &oracle_;
+  const Question &question_;
   ErrorFigures figures_;
   double sumOfSquares_ = 0;
 };
@@ -166,10 +181,10 @@ void ErrorFigures::append(const ErrorFigures &further) {
 }
 
 ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> exact,
-                     std::span<const Hit> hits) {
+                     std::span<const Hit> hits, const Question &question) {
   std::vector<ErrorFigures> parts(rangeCount(rays.size()));
   forEachRange(rays.size(), 0, {}, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    Comparison comparison(oracle);
+    Comparison comparison(oracle, question);
     for (std::size_t i = begin; i < end; ++i)
       comparison.add(rays[i], exact[i], hits[i]);
     parts[part] = std::move(comparison).figures();
@@ -180,9 +195,10 @@ ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<
   return figures;
 }
 
-ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits) {
+ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits,
+                     const Question &question) {
   // Nothing asks this to stop, so there are hits.
-  return compare(oracle, rays, *oracle.trace(rays), hits);
+  return compare(oracle, rays, *oracle.trace(rays), hits, question);
 }
 
 } // namespace voxc

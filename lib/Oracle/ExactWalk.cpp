@@ -131,6 +131,18 @@ Hit traceExactly(const VoxelRuns &voxels, const Ray &ray) {
   return arrival ? hitOf(voxels, exact, *arrival) : kMiss;
 }
 
+Hit hitAtOrigin(const VoxelRuns &voxels, const Ray &ray) {
+  Int3 cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double origin = ray.origin[axis];
+    if (!(origin >= 0 && origin < voxels.extent()[axis]))
+      return kMiss;
+    cell[axis] = static_cast<int>(origin);
+  }
+  const std::uint32_t word = voxels.word(cell);
+  return word == 0 ? kMiss : Hit{{cell.x, cell.y, cell.z}, word, 0, 0};
+}
+
 Explanation explainExactly(const VoxelRuns &voxels, const Ray &ray, std::size_t maxCells) {
   Explanation explanation{kMiss, {}, {}, true};
   if (!isFinite(ray))

@@ -13,7 +13,11 @@ namespace voxc {
 /// The first cell of the ray that is not empty; `voxels` is finished. Any six float32 are a ray.
 Hit traceExactly(const VoxelRuns &voxels, const Ray &ray);
 
-/// The same with the face by which the cell is entered, and the first `maxCells` cells up to it, one by one.
+/// The voxel in which a ray begins, at t = 0, or a miss; wherever the ray goes.
+Hit hitAtOrigin(const VoxelRuns &voxels, const Ray &ray);
+
+/// The hit of `traceExactly` with the face by which the cell is entered, and the first `maxCells` cells up to
+/// it, one by one.
 Explanation explainExactly(const VoxelRuns &voxels, const Ray &ray, std::size_t maxCells);
 
 } // namespace voxc

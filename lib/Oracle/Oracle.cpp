@@ -98,6 +98,23 @@ Oracle::Oracle(Oracle &&) noexcept = default;
 
 Hit Oracle::trace(const Ray &ray) const { return traceExactly(state_->voxels, ray); }
 
+std::uint32_t faceNumber(const Face &face) {
+  return face.axis < 0 ? 6 : static_cast<std::uint32_t>(2 * face.axis + (face.side > 0 ? 1 : 0));
+}
+
+Hit Oracle::answer(const Ray &ray, const Question &question) const {
+  const Outputs &outputs = question.outputs;
+  Hit hit = question.query == Query::Occupancy ? hitAtOrigin(state_->voxels, ray) : trace(ray);
+  if (!hit.isHit())
+    return hit;
+  if (!outputs.voxel)
+    std::ranges::fill(hit.voxel, 0);
+  hit.rgba = outputs.colour ? hit.rgba : 0;
+  hit.t = outputs.t ? hit.t : 0;
+  hit.steps = outputs.face ? faceNumber(explain(ray, 0).face) : 0;
+  return hit;
+}
+
 Expected<std::vector<Hit>> Oracle::trace(std::span<const Ray> rays, unsigned threads,
                                          const Progress &progress) const {
   std::vector<Hit> hits(rays.size());

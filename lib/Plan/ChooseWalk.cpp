@@ -37,6 +37,8 @@ bool isTreeOfGrids(const Layout &layout) {
 } // namespace
 
 void chooseWalk(Plan &plan) {
+  if (plan.query == Query::Occupancy)
+    return;
   const auto goesItsOwnWay = [](const Traversal &traversal) {
     return traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled;
   };

@@ -10,16 +10,21 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.loops = options.loops;
   plan.arithmetic = options.arithmetic;
   plan.packing = options.packing;
+  const Question question = questionOf(format);
+  plan.query = question.query;
+  plan.outputs = question.outputs;
+  for (const Level &level : format.levels)
+    plan.traversals.push_back({.descent = level.kind->isTree()
+                                              ? *fromString<Descent>(level.attribute(kWalkAttribute))
+                                              : Descent::Index});
+  if (plan.query == Query::Occupancy) // There is no walk to choose.
+    return plan;
   plan.predicate =
       format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
   plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
   // One loop stops at voxels alone: cones leave no choice.
   if (plan.detail == Detail::Full)
     plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));
-  for (const Level &level : format.levels)
-    plan.traversals.push_back({.descent = level.kind->isTree()
-                                              ? *fromString<Descent>(level.attribute(kWalkAttribute))
-                                              : Descent::Index});
   return plan;
 }
 

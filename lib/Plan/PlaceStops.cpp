@@ -1,5 +1,5 @@
 // place-stops: where the walk of a kernel of detail=cone may stop. It stops only above what can be searched
-// for a colour.
+// for a colour, so that it stops at the same places where no colour is asked for.
 #include "Passes.h"
 
 #include "voxc/Layout/SlotKind.h"
@@ -27,7 +27,8 @@ void placeStops(Plan &plan) {
     const bool hasInnerNodes = !stratum.isGrid() && stratum.depth > 0;
     traversal.stops = searchableBelow && (!plan.layout.holdsVoxels(i) || hasInnerNodes);
     searchableBelow = searchableBelow && isSearchable(stratum);
-    traversal.sampled = (hasInnerNodes && traversal.stops) || (i > 0 && searchableBelow);
+    traversal.sampled =
+        plan.outputs.colour && ((hasInnerNodes && traversal.stops) || (i > 0 && searchableBelow));
   }
 }
 

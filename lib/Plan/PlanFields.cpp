@@ -46,6 +46,21 @@ constexpr Field<Owner> field(std::string_view name, std::string_view values) {
   return {name, printMember<Owner, Member>, parseMember<Owner, Member>, values};
 }
 
+/// An output, printed if it is not as usual.
+template <bool Outputs::*Output> std::string printOutput(const Plan &plan) {
+  const bool isUsual = plan.outputs.*Output == Outputs{}.*Output;
+  return isUsual ? "" : plan.outputs.*Output ? "yes" : "no";
+}
+
+template <bool Outputs::*Output> bool parseOutput(Plan &plan, std::string_view text) {
+  plan.outputs.*Output = text == "yes";
+  return text == "yes" || text == "no";
+}
+
+template <bool Outputs::*Output> constexpr Field<Plan> output(std::string_view name) {
+  return {name, printOutput<Output>, parseOutput<Output>, "yes, no"};
+}
+
 std::string printStorage(const Plan &plan) {
   std::array<char, 17> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx",
@@ -85,7 +100,7 @@ bool parseValues(Plan &plan, std::string_view text) {
   return values.has_value();
 }
 
-constexpr std::array<Field<Plan>, 12> kPlanFields = {{
+constexpr std::array<Field<Plan>, 17> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8, occupancy, constant"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
@@ -95,6 +110,11 @@ constexpr std::array<Field<Plan>, 12> kPlanFields = {{
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
     field<Plan, &Plan::steps>("steps", "float32, refined, float64"),
     field<Plan, &Plan::detail>("detail", "full, cone"),
+    field<Plan, &Plan::query>("query", "closest, any, occupancy, distance"),
+    output<&Outputs::voxel>("voxel"),
+    output<&Outputs::t>("t"),
+    output<&Outputs::face>("face"),
+    output<&Outputs::colour>("colour"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
     field<Plan, &Plan::packing>("packing", "device, packets"),

@@ -7,6 +7,11 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   verify(plan.layout, diagnostics, ranges);
   if (plan.traversals.size() != plan.layout.strata.size())
     return diagnostics.error({}, "a plan says of each stratum how it is walked");
+  if (const std::string_view problem = problemOf({plan.query, plan.outputs}); !problem.empty())
+    diagnostics.error({}, "the plan " + std::string(problem));
+  if (plan.query == Query::Occupancy &&
+      (plan.walk != Walk::Auto || plan.steps != Steps::Float32 || plan.detail != Detail::Full))
+    diagnostics.error({}, "a point is looked up without a walk, its steps and its detail");
   const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
   if (isOneLoop && plan.detail == Detail::Cone)
     diagnostics.error({}, "one loop for all levels stops at voxels alone");

@@ -13,6 +13,13 @@ uint slot_level_${N}(uint grid, ivec3 cell) {
 uint value_level_${N}(uint word) { return ${slot-is-empty} ? 0u : ${value-of-slot}; }
 
 %end
+%if point
+// The value of a cell, or 0 if it is empty.
+uint cell_level_${N}(uint grid, ivec3 cell) {
+  uint slot = slot_level_${N}(grid, cell);
+  return ${value-at-slot};
+}
+%else
 %if distances
 // The value of a cell, or 0 if it is empty; `gap` then counts ${what-skip-counts}.
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
@@ -32,7 +39,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 // The value of a cell, or 0 if it is empty.
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { return load_word(slot_level_${N}(grid, cell)); }
 %end
-%if ranked
+%if ranks
 
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
 uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {

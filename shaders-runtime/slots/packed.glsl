@@ -17,7 +17,7 @@
 %if counts
 // Each word of the mask is followed by how many bits the words before it have.
 %end
-%if ranked
+%if ranks
 %if voxels-in-morton-order
 // How many voxels come before one, in Morton order: those of the octants of eight before its own, and those before it there.
 uint voxels_before_level_${N}(uint grid, ivec3 cell) {
@@ -55,7 +55,7 @@ uint bits_before_level_${N}(uint grid, ivec3 cell) {
 %end
 
 %end
-%if ranked
+%if ranks
 %if cone
 // False of an empty cell, where a walk may stop that takes what is around for one.
 bool is_there_level_${N}(uint grid, ivec3 cell) {
@@ -70,7 +70,7 @@ bool is_there_level_${N}(uint grid, ivec3 cell) {
 
 %end
 %end
-%if implied
+%if alike
 %else
 // The value of the cell that is not empty after so many others.
 uint value_of_slot_level_${N}(uint grid, uint slot) {
@@ -82,7 +82,7 @@ uint value_of_slot_level_${N}(uint grid, uint slot) {
 }
 
 %end
-%if slots-count
+%if slots-rank
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
 uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
 %if cone
@@ -104,11 +104,11 @@ uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
 }
 
 %end
-%if four-a-side
+%if tells-gap
 // The number of a cell's bit, of which each word of the mask has 32.
 int number_level_${N}(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
 
-%if implied
+%if alike
 %else
 // The value of a cell that is not empty.
 uint value_level_${N}(uint grid, ivec3 cell) {
@@ -143,14 +143,18 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 %if defers
+%if colour
 // A voxel's value is looked up once it is hit: here the grid stands for it.
+%else
+// What a voxel's value is nobody asks: the grid stands for it.
+%end
 %end
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   return is_full_level_${N}(ray, grid, cell, gap) ? ${full-cell} : 0u;
 }
 %else
 // The value of a cell, or 0 if it is empty.
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+uint cell_level_${N}(${ray-and}uint grid, ivec3 cell${and-gap}) {
 %if first
   ivec3 at = cell;
 %else
@@ -158,7 +162,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %end
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint bit = 1u << (number & 31u);
-%if implied
+%if alike
   return (load_word(grid + ${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
 %else
 %if counts
@@ -200,9 +204,11 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int 
   leaf = (load_word(node + 2u + uint(child >> 5)) & bit) != 0u;
   if ((half_mask & bit) == 0u)
     return 0u;
-%if implied
+%if alike
   if (leaf)
-    return node; // All leaves have the same value.
+    return node; // ${why-alike}
+%end
+%if implied
   half_mask &= ~load_word(node + 2u + uint(child >> 5));
 %end
   int rank = bitCount(half_mask & (bit - 1u));
@@ -219,15 +225,17 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
   leaf = (masks >> (8 + child) & 1u) != 0u;
   if ((masks >> child & 1u) == 0u)
     return 0u;
-%if implied
+%if alike
   if (leaf)
-    return node; // All leaves have the same value.
+    return node; // ${why-alike}
+%end
+%if implied
   masks &= ~(masks >> 8);
 %end
   return load_word(node + 1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
 }
 %end
-%if ranked
+%if ranks
 
 // The same, and adds to `rank` how many voxels of the node come before those of the child or, of a leaf, before the one in the
 // cell. The second word of a slot says how many the slots up to it have.

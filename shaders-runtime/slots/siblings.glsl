@@ -6,6 +6,10 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
   leaf = (masks >> (8 + child) & 1u) != 0u;
   if ((masks >> child & 1u) == 0u)
     return 0u;
+%if alike
+  if (leaf)
+    return node; // ${why-alike}
+%end
   return load_word(node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 %if sampled

@@ -4,10 +4,15 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
     count_lookup(walk);
     Gap gap = Gap(0, 1);
     uint value = locate_level_1(ray, root, walk.cell, gap);
+%if colour
     if (value != 0u) {
       walk.voxel = value;
       return true;
     }
+%else
+    if (value != 0u)
+      return true;
+%end
 %if any-look-up-may-be-cut
     if (gap.count > 0) // Else the device ended a look-up.
       step_over(ray, walk, gap);

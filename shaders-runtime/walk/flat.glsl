@@ -14,10 +14,15 @@ ${FLAT_BEGIN}  while (goes_on(walk)) {
       path[layer] = node;
 ${FLAT_LEVELS}      }
     }
+%if colour
     if (value != 0u) {
       walk.voxel = value;
       return true;
     }
+%else
+    if (value != 0u)
+      return true;
+%end
     ivec3 before = walk.cell;
 %if any-look-up-may-be-cut
     bool is_empty = node == 0u && gap.count > 0; // Else the device ended the loop above, or one in it.

@@ -24,7 +24,11 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
 %end
 %if stops
     else if (small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL)
+%if colour
       return stop_with(walk, sample_${NEXT}(value));
+%else
+      return true;
+%end
 %end
     else if (intersect_${NEXT}(ray, walk, value))
       return true;

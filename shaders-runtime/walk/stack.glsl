@@ -33,7 +33,11 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
       step_over(ray, walk, LEVEL_${N}_LOG2_CELL + layer${times-branch}${plus-around});
 %if stops
     else if (leaf ? small >= 0 : layer == stop)
+%if colour
       return stop_with(walk, sample_level_${N}_node(node, leaf));
+%else
+      return true;
+%end
 %end
     else if (leaf && intersect_${NEXT}(ray, walk, ${leaf-node}))
       return true;

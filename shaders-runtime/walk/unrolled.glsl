@@ -9,7 +9,11 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
     bool leaf;
     uint found = seek_level_${N}_layer_${DEPTH}(ray, walk, root, leaf);
     if (found != 0u && (!leaf || small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL))
+%if colour
       return stop_with(walk, sample_level_${N}_node(found, leaf));
+%else
+      return true;
+%end
     if (found != 0u && intersect_${NEXT}(ray, walk, ${leaf-found}))
       return true;
 %else

@@ -1,17 +1,28 @@
 // Attribute options, generated from the table of attributes.
 #include "frontend/AttributeOptions.h"
 
-#include <vector>
+#include "voxc/IR/Query.h"
+
+#include <algorithm>
 
 namespace voxc::tool {
 
 namespace {
 
-std::string joined(std::span<const std::string_view> values) {
+template <typename Texts> std::string joined(const Texts &texts, std::string_view separator) {
   std::string text;
-  for (const std::string_view value : values)
-    text += (text.empty() ? "" : "|") + std::string(value);
+  for (const std::string_view one : texts)
+    text += (text.empty() ? "" : std::string(separator)) + std::string(one);
   return text;
+}
+
+/// The attributes of a list; only those that are usually listed, if it `isUsual`.
+std::vector<std::string> namesOf(const AttributeList &list, bool isUsual) {
+  std::vector<std::string> names;
+  for (const AttributeKind *kind : formatAttributes())
+    if (kind->list == &list && (!isUsual || kind->values.front() == "yes"))
+      names.emplace_back(kind->name);
+  return names;
 }
 
 } // namespace
@@ -20,17 +31,40 @@ void AttributeOptions::declare(CLI::App &app) {
   for (const AttributeKind *kind : formatAttributes()) {
     if (kind->effect == AttributeEffect::Storage) // Passes set those.
       continue;
+    if (kind->list) {
+      if (!listed_.contains(kind->list))
+        declareList(app, *kind->list);
+      continue;
+    }
     const std::vector<std::string> values(kind->values.begin(), kind->values.end());
     app.add_option("--" + std::string(kind->name), values_[kind], std::string(kind->summary))
-        ->type_name(joined(kind->values) + "=" + values.front())
+        ->type_name(joined(values, "|") + "=" + values.front())
         ->check(CLI::IsMember(values).description(""));
   }
 }
 
-void AttributeOptions::apply(Format &format) const {
+void AttributeOptions::declareList(CLI::App &app, const AttributeList &list) {
+  const std::vector<std::string> names = namesOf(list, false);
+  app.add_option("--" + std::string(list.name), listed_[&list],
+                 std::string(list.summary) + "; of " + joined(names, ", "))
+      ->type_name("A,B=" + joined(namesOf(list, true), ","))
+      ->delimiter(',')
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(CLI::IsMember(names).description(""));
+}
+
+Expected<void> AttributeOptions::apply(Format &format) const {
   for (const auto &[kind, value] : values_)
     if (!value.empty())
       format.setAttribute(*kind, value);
+  for (const auto &[list, names] : listed_)
+    for (const AttributeKind *kind : formatAttributes())
+      if (kind->list == list && !names.empty())
+        format.setAttribute(*kind, std::ranges::find(names, kind->name) != names.end() ? "yes" : "no");
+  if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
+    return Error::usage("the format " + std::string(problem));
+  return {};
 }
 
 } // namespace voxc::tool

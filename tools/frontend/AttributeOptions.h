@@ -1,4 +1,5 @@
-// Options that set the attributes of a format as a whole: --precision and its kin, one for each.
+// Options that set the attributes of a format as a whole: --precision and its kin, one for each, and
+// --outputs for those that are chosen together.
 #pragma once
 
 #include "voxc/IR/Format.h"
@@ -7,19 +8,23 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace voxc::tool {
 
 class AttributeOptions {
 public:
-  /// Adds an option for each attribute of `formatAttributes()`.
+  /// Adds an option for each walk attribute of `formatAttributes()`, or for each list of such.
   void declare(CLI::App &app);
 
-  /// Sets what was given; the rest stays as `format` says.
-  void apply(Format &format) const;
+  /// Sets what was given; the rest stays as `format` says. Error: what was given does not go together.
+  Expected<void> apply(Format &format) const;
 
 private:
-  std::map<const AttributeKind *, std::string> values_; // Empty: not given.
+  void declareList(CLI::App &app, const AttributeList &list);
+
+  std::map<const AttributeKind *, std::string> values_;              // Empty: not given.
+  std::map<const AttributeList *, std::vector<std::string>> listed_; // The same.
 };
 
 } // namespace voxc::tool

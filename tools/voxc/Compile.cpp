@@ -103,7 +103,8 @@ Expected<void> CompileCommand::run() {
     return format.error();
   if (Expected<void> passed = passes_.apply(*format); !passed)
     return passed;
-  attributes_.apply(*format);
+  if (Expected<void> applied = attributes_.apply(*format); !applied)
+    return applied;
 
   const Stopwatch watch;
   Expected<std::vector<Artefact>> artefacts = generate(*format);

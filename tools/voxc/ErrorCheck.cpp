@@ -19,7 +19,7 @@ void ErrorCheck::declare(CLI::App &app) {
 }
 
 Expected<void> ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
-                               const Progress &progress, Json &figures) const {
+                               const Question &question, const Progress &progress, Json &figures) const {
   const std::size_t count = std::min(sample_, rays.size());
   if (count == 0)
     return {};
@@ -33,7 +33,7 @@ Expected<void> ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, 
     sampledRays[i] = rays[at];
     sampledHits[i] = hits[at];
   }
-  figures["error"] = errorJson(compare(*oracle, sampledRays, sampledHits));
+  figures["error"] = errorJson(compare(*oracle, sampledRays, sampledHits, question));
   return {};
 }
 

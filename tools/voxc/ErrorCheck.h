@@ -21,10 +21,10 @@ public:
   /// Adds --check to a command.
   void declare(CLI::App &app);
 
-  /// Checks the sample, evenly spread over the rays, and adds `error`; with --check 0 nothing. Errors: as
-  /// `Oracle::of`.
+  /// Checks the sample, evenly spread over the rays, for what was asked, and adds `error`; with --check 0
+  /// nothing. Errors: as `Oracle::of`.
   Expected<void> run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
-                     const Progress &progress, Json &figures) const;
+                     const Question &question, const Progress &progress, Json &figures) const;
 
 private:
   std::size_t sample_ = 1000;

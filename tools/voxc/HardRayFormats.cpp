@@ -68,7 +68,8 @@ Expected<std::vector<Format>> HardRayFormats::read(std::uint64_t seed) const {
     formats.push_back(test::randomFormat(random, log2Side));
   }
   for (Format &format : formats)
-    attributes_.apply(format);
+    if (Expected<void> applied = attributes_.apply(format); !applied)
+      return applied.error();
   return formats;
 }
 

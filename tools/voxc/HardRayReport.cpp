@@ -53,9 +53,9 @@ void HardRayReport::keep(const RaySet &set, std::size_t index, const Hit &hit, c
 void HardRayReport::add(const RaySet &set, const Oracle &oracle, std::span<const Hit> hits,
                         const Format &format, const std::string &device) {
   for (const RaySet::Part &part : set.parts) {
-    const ErrorFigures error =
-        compare(oracle, std::span(set.rays).subspan(part.begin, part.count),
-                std::span(set.exact).subspan(part.begin, part.count), hits.subspan(part.begin, part.count));
+    const ErrorFigures error = compare(oracle, std::span(set.rays).subspan(part.begin, part.count),
+                                       std::span(set.exact).subspan(part.begin, part.count),
+                                       hits.subspan(part.begin, part.count), questionOf(format));
     entry(classes_, part.name).append(error);
     entry(devices_, device).append(error);
     total_.append(error);

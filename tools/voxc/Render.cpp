@@ -43,7 +43,8 @@ private:
     Expected<Format> format = volume_.kernelFormat(*volume);
     if (!format)
       return format.error();
-    rendering_.applyLod(*format);
+    if (Expected<void> applied = rendering_.applyTo(*format); !applied)
+      return applied;
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)

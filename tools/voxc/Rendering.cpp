@@ -4,6 +4,7 @@
 #include "Outputs.h"
 
 #include "common/Png.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Trace/Picture.h"
 
 #include <vector>
@@ -31,9 +32,15 @@ Expected<void> Rendering::check(const CommonOptions &common) const {
   return camera ? Expected<void>() : camera.error();
 }
 
-void Rendering::applyLod(Format &format) const {
+Expected<void> Rendering::applyTo(Format &format) const {
+  const Outputs outputs = questionOf(format).outputs;
+  if (!heatmap_ && !(outputs.voxel && outputs.t && outputs.colour))
+    return Error::usage(
+        "a picture is made of the voxel, t and colour of hits; leave out --query and --outputs, or ask "
+        "for a --heatmap");
   if (lod_ > 0)
     format.setAttribute(kDetailAttribute, "cone");
+  return {};
 }
 
 Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const Progress &progress,
@@ -48,7 +55,8 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const P
           rays, hits, {.countSteps = heatmap_, .spread = spread, .progress = progress}, figures);
       !traced)
     return traced;
-  if (Expected<void> checked = check_.run(volume, rays, hits, progress, figures); !checked)
+  // No picture needs faces, and a heatmap has counts in their place.
+  if (Expected<void> checked = check_.run(volume, rays, hits, {}, progress, figures); !checked)
     return checked;
   figures["width"] = camera->width;
   figures["height"] = camera->height;

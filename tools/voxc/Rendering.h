@@ -19,8 +19,8 @@ public:
 
   /// Looks at the output's path and the camera's options, before any work.
   Expected<void> check(const CommonOptions &common) const;
-  /// Lets the kernel stop early if --lod says so.
-  void applyLod(Format &format) const;
+  /// Lets the kernel stop early if --lod says so. Error: the format asks for less than a picture needs.
+  Expected<void> applyTo(Format &format) const;
   /// Traces the camera's rays and writes the picture. Its figures are added.
   Expected<void> render(const Volume &volume, Tracing &tracing, const Progress &progress,
                         Json &figures) const;

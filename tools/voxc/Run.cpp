@@ -43,8 +43,10 @@ private:
     Expected<Format> format = building_.readFormat();
     if (!format)
       return format.error();
-    attributes_.apply(*format);
-    rendering_.applyLod(*format);
+    if (Expected<void> applied = attributes_.apply(*format); !applied)
+      return applied;
+    if (Expected<void> applied = rendering_.applyTo(*format); !applied)
+      return applied;
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     building_.useThreads(tracing_.threads());

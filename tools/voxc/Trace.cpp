@@ -59,6 +59,13 @@ public:
   }
 
 private:
+  /// What the hits say; where lookups are counted they stand in place of faces.
+  Question questionOfHits(const Format &format) const {
+    Question question = questionOf(format);
+    question.outputs.face = question.outputs.face && !options_.countSteps;
+    return question;
+  }
+
   Expected<void> trace(Json &figures) {
     const Stopwatch watch;
     Expected<Volume> volume = volume_.load();
@@ -82,7 +89,9 @@ private:
     std::vector<Hit> hits(rays->size());
     if (Expected<void> traced = tracing_.trace(*rays, hits, options_, figures); !traced)
       return traced;
-    if (Expected<void> checked = check_.run(*volume, *rays, hits, options_.progress, figures); !checked)
+    if (Expected<void> checked =
+            check_.run(*volume, *rays, hits, questionOfHits(*format), options_.progress, figures);
+        !checked)
       return checked;
     return writeHits(output_, hits);
   }

@@ -140,7 +140,7 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
   const Expected<Oracle> oracle = Oracle::of(volume, progress);
   if (!oracle)
     return oracle.error();
-  const ErrorFigures error = compare(*oracle, rays, hits);
+  const ErrorFigures error = compare(*oracle, rays, hits, questionOf(*format));
   figures_["error"] = errorJson(error);
   if (tellsOnStdout(common_)) {
     printErrors(error);

@@ -19,7 +19,8 @@ Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
   Format format = volume.format();
   if (Expected<void> passed = walkPasses_.apply(format); !passed)
     return passed.error();
-  attributes_.apply(format);
+  if (Expected<void> applied = attributes_.apply(format); !applied)
+    return applied.error();
   return format;
 }
 

@@ -21,7 +21,7 @@ public:
   Expected<Volume> load() const;
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
-  /// The format that a kernel of `volume` shall walk.
+  /// The format that a kernel of `volume` shall walk. Error: options that do not go together.
   Expected<Format> kernelFormat(const Volume &volume) const;
 
 private:

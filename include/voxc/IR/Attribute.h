@@ -12,12 +12,19 @@ namespace voxc {
 /// Whether an attribute changes the volume's words, and is kept with them, or the kernel alone.
 enum class AttributeEffect { Storage, Walk };
 
+/// Attributes that are chosen together, by one option that lists those which shall be `yes`.
+struct AttributeList {
+  std::string_view name;
+  std::string_view summary;
+};
+
 /// A choice that may be set. The first value is the default and is not printed.
 struct AttributeKind {
   std::string_view name;
   AttributeEffect effect;
   std::span<const std::string_view> values;
   std::string_view summary;
+  const AttributeList *list = nullptr; ///< Its values are then yes and no.
 };
 
 /// The kinds that a level or a format takes, in the order in which they are printed.
@@ -36,6 +43,11 @@ extern const AttributeKind kPointersAttribute;  ///< pointers: word | 16 | 17 | 
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
 extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
+extern const AttributeKind kQueryAttribute;     ///< query: closest | any | occupancy | distance
+extern const AttributeKind kVoxelAttribute;     ///< voxel: yes | no
+extern const AttributeKind kTAttribute;         ///< t: yes | no
+extern const AttributeKind kFaceAttribute;      ///< face: no | yes
+extern const AttributeKind kColourAttribute;    ///< colour: yes | no
 extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy | constant
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 extern const AttributeKind kValuesAttribute;    ///< values: in-place | apart

@@ -1,6 +1,7 @@
 // The exact hit, by its definition in docs/ir.md: slow, simple, and sharing no code with the kernels.
 #pragma once
 
+#include "voxc/IR/Query.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Trace/Ray.h"
 #include "voxc/Volume/Volume.h"
@@ -21,6 +22,9 @@ struct Face {
 
   bool operator==(const Face &) const = default;
 };
+
+/// A face as hits have it: twice its axis, and 1 more for the high one; 6 for none.
+std::uint32_t faceNumber(const Face &face);
 
 /// A ray's hit with its reasons.
 struct Explanation {
@@ -50,6 +54,10 @@ public:
   /// The hit of `ray`; t is the exact value rounded to float32 (`steps` is 0).
   Hit trace(const Ray &ray) const;
 
+  /// What a kernel that is asked `question` stores of `ray`, to the bit: the hit, with 0 where it is asked
+  /// less.
+  Hit answer(const Ray &ray, const Question &question) const;
+
   /// The hits of many rays, hits[i] that of rays[i], on so many threads (0: as many as the machine has).
   /// Error: interrupted.
   Expected<std::vector<Hit>> trace(std::span<const Ray> rays, unsigned threads = 0,
@@ -75,7 +83,7 @@ struct ErrorFigures {
   std::uint64_t rays = 0;
   std::uint64_t missed = 0; ///< The oracle hits, the kernel does not.
   std::uint64_t ghost = 0;  ///< The kernel hits, the oracle does not.
-  std::uint64_t wrong = 0;  ///< Another voxel.
+  std::uint64_t wrong = 0;  ///< Another voxel, or another of its faces.
   std::uint64_t colour = 0; ///< The right voxel with another word.
   /// Of missed, ghost and wrong: those that rounding at a cell's boundary explains. Let e be 2^-20 times the
   /// largest of 1, the origin's coordinates and those of the voxels at stake (16 half-ulps of float32 there).
@@ -84,6 +92,7 @@ struct ErrorFigures {
   /// - the kernel's voxel, if it hits, is not empty, and the ray meets its cell grown by e on every side;
   /// - the oracle's voxel, if it hits, is met no sooner than the kernel's, both grown by e; or else its cell
   ///   shrunk by e on every side is not met at all: the kernel may have passed it by.
+  /// Nothing explains the hit of a kernel that does not tell its voxel.
   std::uint64_t boundary = 0;
   std::uint64_t sameVoxel = 0; ///< Rays on which both hit the same voxel: those that have a dt.
   double maxDt = 0;            ///< In voxels: t times the direction's length, where both hit the same voxel.
@@ -99,12 +108,14 @@ struct ErrorFigures {
   void append(const ErrorFigures &further);
 };
 
-/// Compares hits with the oracle's: hits[i] is that of rays[i], and there are as many. On all threads.
-ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits);
+/// Compares hits with the oracle's, in what is asked of them: hits[i] is that of rays[i], and there are as
+/// many. On all threads.
+ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits,
+                     const Question &question = {});
 
-/// The same with the oracle's hits at hand: exact[i] is that of rays[i]. They depend on nothing but voxels
-/// and rays, so that one `Oracle::trace` serves every format, walk and device.
+/// The same with the oracle's hits at hand: exact[i] is that of rays[i], whatever is asked. They depend on
+/// nothing but voxels and rays, so that one `Oracle::trace` serves every format, walk and device.
 ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> exact,
-                     std::span<const Hit> hits);
+                     std::span<const Hit> hits, const Question &question = {});
 
 } // namespace voxc

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Layout/Addressing.h"
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/EnumText.h"
@@ -69,7 +70,7 @@ inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32",
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
-/// How a kernel goes through one stratum.
+/// How a kernel goes through one stratum; one that looks at points alone goes down from the root.
 struct Traversal {
   Descent descent = Descent::Index;
   bool stops = false; ///< `Detail::Cone`: the walk may stop at nodes and cells of this stratum.
@@ -86,6 +87,8 @@ struct Plan {
   Predicate predicate = Predicate::Exact;
   Steps steps = Steps::Float32;
   Detail detail = Detail::Full;
+  Query query = Query::Closest;
+  Outputs outputs; ///< Those of the query.
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;

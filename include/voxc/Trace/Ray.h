@@ -18,12 +18,16 @@ inline Ray makeRay(const glm::vec3 &origin, const glm::vec3 &direction) {
   return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
 }
 
-/// The first voxel that is hit; a miss is -1, -1, -1, 0, 0. 24 bytes, little-endian.
+/// The first voxel that is hit; a miss is -1, -1, -1, 0, 0. A kernel that is asked for less (`Question`) has
+/// 0 in place of what is not asked. 24 bytes, little-endian.
 struct Hit {
   std::int32_t voxel[3];
   std::uint32_t rgba;
-  float t;             ///< Smallest t with the point in the voxel; 0 if the origin lies in it.
-  std::uint32_t steps; ///< Lookups made, or words read, if they were counted; else 0.
+  float t; ///< Smallest t with the point in the voxel; 0 if the origin lies in it.
+  /// Lookups made, or words read, if they were counted. Else the face by which the ray enters the voxel, if
+  /// that is asked: twice its axis, and 1 more if it is the high one; 6 if the ray begins in the voxel. Else
+  /// 0.
+  std::uint32_t steps;
 
   bool isHit() const { return voxel[0] >= 0; }
 };

@@ -1,0 +1,60 @@
+// What a kernel answers of a ray, as the attributes of a format ask for it.
+#pragma once
+
+#include "voxc/IR/Format.h"
+#include "voxc/Support/EnumText.h"
+
+namespace voxc {
+
+/// What is asked of a ray.
+enum class Query {
+  Closest,   ///< Its hit: the first voxel on it.
+  Any,       ///< Whether there is a voxel on it.
+  Occupancy, ///< Whether there is a voxel where it begins. Its direction does not count.
+  Distance,  ///< The t of its hit.
+};
+
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<Query> = {"closest", "any", "occupancy",
+                                                                      "distance"};
+
+/// What is stored of a hit; what is not is 0 in its record. That of a miss is the same in each case.
+struct Outputs {
+  bool voxel = true;
+  bool t = true;
+  bool face = false; ///< By which the ray enters the voxel: `Hit::steps`.
+  bool colour = true;
+
+  bool operator==(const Outputs &) const = default;
+};
+
+struct Question {
+  Query query = Query::Closest;
+  Outputs outputs;
+
+  bool operator==(const Question &) const = default;
+};
+
+/// The outputs that a query other than the closest has: none is left to choose. Those of the closest are the
+/// usual ones.
+constexpr Outputs outputsOf(Query query) {
+  switch (query) {
+  case Query::Closest:
+    break;
+  case Query::Any:
+    return {.voxel = false, .t = false, .colour = false};
+  case Query::Occupancy:
+    return {.t = false, .colour = false};
+  case Query::Distance:
+    return {.voxel = false, .colour = false};
+  }
+  return {};
+}
+
+/// What the attributes of a verified format ask.
+Question questionOf(const Format &format);
+
+/// What is wrong with a question, to follow the words "the format" or "the plan"; empty if it is right.
+std::string_view problemOf(const Question &question);
+
+} // namespace voxc

@@ -1,0 +1,38 @@
+// From attributes to what a kernel answers.
+#include "voxc/IR/Query.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+namespace {
+
+/// The attribute that chooses each output.
+constexpr std::pair<const AttributeKind *, bool Outputs::*> kOutputs[] = {
+    {&kVoxelAttribute, &Outputs::voxel},
+    {&kTAttribute, &Outputs::t},
+    {&kFaceAttribute, &Outputs::face},
+    {&kColourAttribute, &Outputs::colour}};
+
+} // namespace
+
+Question questionOf(const Format &format) {
+  Question question{*fromString<Query>(format.attributes.value(kQueryAttribute)), {}};
+  question.outputs = outputsOf(question.query);
+  for (const auto &[kind, output] : kOutputs)
+    if (const std::string_view value = format.attributes.value(*kind); value != kind->values.front())
+      question.outputs.*output = value == "yes";
+  return question;
+}
+
+std::string_view problemOf(const Question &question) {
+  const bool isClosest = question.query == Query::Closest;
+  if (!isClosest && question.outputs != outputsOf(question.query))
+    return "chooses outputs, which query=closest alone has; leave them out, or the query";
+  const bool storesNone =
+      std::ranges::none_of(kOutputs, [&](const auto &output) { return question.outputs.*output.second; });
+  return isClosest && storesNone ? "has no output; query=any asks whether there is a hit at all"
+                                 : std::string_view();
+}
+
+} // namespace voxc
