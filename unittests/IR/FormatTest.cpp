@@ -1,6 +1,7 @@
 // Parsing, printing and verifying of formats.
 #include "voxc/IR/Format.h"
 #include "testing/RandomFormat.h"
+#include "voxc/IR/Query.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,6 +78,18 @@ TEST(Ir, AFormatHasAttributesOfItsOwn) {
   EXPECT_TRUE(format.setAttribute(kPrecisionAttribute, "exact"));
   EXPECT_EQ(format, *parseFormat("R(2^3)"));
   EXPECT_FALSE(format.setAttribute(kWalkAttribute, "restart")) << "an attribute of levels";
+}
+
+TEST(Ir, SaysWhatIsAskedOfAKernel) {
+  EXPECT_EQ(questionOf(*parseFormat("R(2^3)")), Question{});
+  const auto asked = parseFormat("format query=distance { level 1: raw(2, 2, 2) }");
+  EXPECT_EQ(questionOf(*asked), (Question{Query::Distance, {.voxel = false, .colour = false}}));
+  const auto chosen = parseFormat("format voxel=no face=yes { level 1: raw(2, 2, 2) }");
+  EXPECT_EQ(questionOf(*chosen), (Question{Query::Closest, {.voxel = false, .face = true}}));
+  EXPECT_EQ(storageDigest(*chosen), storageDigest(*parseFormat("R(2^3)")));
+  EXPECT_TRUE(parseFormat("format query=distance voxel=no { level 1: raw(2, 2, 2) }")) << "as it is anyway";
+  EXPECT_FALSE(parseFormat("format query=any face=yes { level 1: raw(2, 2, 2) }"));
+  EXPECT_FALSE(parseFormat("format voxel=no t=no colour=no { level 1: raw(2, 2, 2) }"));
 }
 
 TEST(Ir, RefusesValuesThatAnAttributeLacks) {

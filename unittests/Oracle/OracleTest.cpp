@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -121,6 +122,34 @@ TEST_F(OracleFigures, CountsEachKindOfDifference) {
   EXPECT_EQ(figures.colour, 1u);
   EXPECT_EQ(figures.boundary, 0u);
   EXPECT_EQ(figures.examples, (std::vector<std::uint64_t>{1, 2, 3, 5}));
+}
+
+TEST_F(OracleFigures, AnswersWhatIsAsked) {
+  const Hit closest = oracle_.trace(kDown);
+  const auto expectAnswer = [&](const Question &question, const Hit &hit) {
+    const Hit answer = oracle_.answer(kDown, question);
+    EXPECT_EQ(std::memcmp(&answer, &hit, sizeof hit), 0) << toString(question.query);
+    EXPECT_TRUE(compare(oracle_, std::span(&kDown, 1), std::span(&hit, 1), question).clean());
+  };
+  expectAnswer({}, closest);
+  expectAnswer({Query::Any, outputsOf(Query::Any)}, {{0, 0, 0}, 0, 0, 0});
+  expectAnswer({Query::Distance, outputsOf(Query::Distance)}, {{0, 0, 0}, 0, closest.t, 0});
+  expectAnswer({Query::Occupancy, outputsOf(Query::Occupancy)}, kMiss);
+  Hit faced = closest;
+  faced.steps = 3; // It falls on y.
+  expectAnswer({Query::Closest, {.face = true}}, faced);
+}
+
+TEST_F(OracleFigures, ComparesWhatIsAsked) {
+  const auto figuresOfDown = [&](const Question &question, const Hit &hit) {
+    return compare(oracle_, std::span(&kDown, 1), std::span(&hit, 1), question);
+  };
+  const Hit nothing = {{0, 0, 0}, 0, 0, 0};
+  EXPECT_TRUE(figuresOfDown({Query::Any, outputsOf(Query::Any)}, nothing).clean());
+  EXPECT_EQ(figuresOfDown({Query::Any, outputsOf(Query::Any)}, kMiss).missed, 1u);
+  EXPECT_EQ(figuresOfDown({Query::Occupancy, outputsOf(Query::Occupancy)}, hitAt({1, 1, 1}, 3)).ghost, 1u);
+  EXPECT_GT(figuresOfDown({Query::Distance, outputsOf(Query::Distance)}, nothing).maxUlpDt, 0);
+  EXPECT_EQ(figuresOfDown({Query::Closest, {.face = true}}, oracle_.trace(kDown)).wrong, 1u);
 }
 
 TEST_F(OracleFigures, KeepsSixteenExamples) {

@@ -29,6 +29,13 @@ TEST(PlanText, IsReadAsItWasPrinted) {
     Format format = test::randomFormat(random, test::pick(random, 2, 8));
     format.setAttribute(kDetailAttribute, random() % 2 ? "cone" : "full");
     format.setAttribute(kPrecisionAttribute, random() % 2 ? "fast" : "exact");
+    if (const auto query = static_cast<Query>(random() % 4); query != Query::Closest) {
+      format.setAttribute(kQueryAttribute, toString(query));
+    } else {
+      format.setAttribute(kFaceAttribute, random() % 2 ? "yes" : "no");
+      format.setAttribute(kColourAttribute, random() % 2 ? "yes" : "no");
+      format.setAttribute(kTAttribute, random() % 2 ? "yes" : "no");
+    }
     const Plan plan =
         *makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
                            .loops = random() % 2 ? Loops::Whole : Loops::Cut,
@@ -92,6 +99,9 @@ TEST(PlanRules, AreEachHeld) {
       {"G(2)", [](Plan &p) { p.traversals[0].stops = true; }, "detail=cone alone"},
       {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is walked"},
       {"G(2)", [](Plan &p) { p.steps = Steps::Float64; }, "arithmetic=ieee"},
+      {"G(2)", [](Plan &p) { p.query = Query::Any; }, "query=closest alone has"},
+      {"G(2)", [](Plan &p) { p.outputs = {.voxel = false, .t = false, .colour = false}; }, "no output"},
+      {"G(2)", [](Plan &p) { p.query = Query::Occupancy, p.outputs = outputsOf(p.query); }, "without a walk"},
   };
   for (const BrokenRule &rule : rules) {
     Plan plan = *makePlan(*parseFormat(rule.format));
@@ -132,6 +142,16 @@ TEST(Plans, LeaveAWalkThatIsAskedFor) {
   EXPECT_EQ(walkOf("nested"), Walk::Nested);
   EXPECT_EQ(walkOf("flat"), Walk::Flat);
   EXPECT_EQ(walkOf("flat", "cone"), Walk::Nested) << "one loop stops at voxels alone";
+}
+
+TEST(Plans, LookPointsUpWithoutAWalk) {
+  const Format format =
+      *parseFormat("format precision=fast detail=cone levels=flat query=occupancy { level 1: svdag(2) }");
+  const Plan plan = *makePlan(format, kCpuPlan);
+  EXPECT_EQ(plan.walk, Walk::Auto);
+  EXPECT_EQ(plan.steps, Steps::Float32);
+  EXPECT_EQ(plan.detail, Detail::Full);
+  EXPECT_EQ(plan.outputs, outputsOf(Query::Occupancy));
 }
 
 TEST(Layout, KnowsWhichCubesCanBeBuiltApart) {
