@@ -45,6 +45,13 @@ int first_axis(const Ray ray, const Walk walk, out bool sure) {
 %end
 %end
 
+%if t
+// The face through which the ray entered its cell.
+int entered_face(const Ray ray, const Walk walk) {
+  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
+}
+
+%end
 // How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
 Arrival arrival_at(const Ray ray, const Walk walk, bool hit, out bool sure) {
   Arrival arrival;

@@ -2,10 +2,18 @@
 
 uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
 
+%if arrival
 // The walk of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in place of
 // t. One of -1 has not begun.
+%else
+// The walk of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour. One of -1 has not
+// begun.
+%end
 Walk left_walk(uint at) {
-  Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]), int(hit_words[at + 4u]));
+  Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]));
+%if arrival
+  walk.axis = int(hit_words[at + 4u]);
+%end
   walk.open = max(int(hit_words[at + 3u]), CLOSED);
   walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
   bool has_begun = is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell);
@@ -19,7 +27,9 @@ void store_left(uint at, const Walk walk) {
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
   hit_words[at + 3u] = uint(walk.open);
+%if arrival
   hit_words[at + 4u] = uint(walk.axis);
+%end
   hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
 }
 

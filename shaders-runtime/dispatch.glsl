@@ -33,14 +33,14 @@ bool walk_on(const Ray ray, inout Walk walk, uint root) {
 // Traces a ray, from where it was left if it `goes_on`. True if it is left, again.
 bool trace_ray(uint ray_number, bool goes_on) {
   uint at = 6u * ray_number;
-  Walk walk = walk_at(ivec3(-1), -1);
+  Walk walk = walk_at(ivec3(-1));
   if (goes_on)
     walk = left_walk(at);
   uvec3 direction = load_bits(at + 3u);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
   bool hit = begin_walk(load_bits(at), direction, root, ray, walk) && walk_on(ray, walk, root);
-  hit = end_walk(direction, walk, hit);
+  hit = end_walk(load_bits(at), direction, walk, hit);
 %if arrival
   bool sure;
   Arrival arrival = arrival_at(ray, walk, hit, sure);

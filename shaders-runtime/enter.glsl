@@ -75,7 +75,9 @@ OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, ivec3 cell, bvec3 ent
   Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
   range.least[axis] = range.most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
   walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
+%if arrival
   walk.axis = axis;
+%end
   return walk;
 }
 
@@ -91,7 +93,9 @@ Walk entered(const Ray ray, Walk walk, bvec3 enters, ivec3 face, out bool sure) 
   sure = count.x + count.y + count.z == 1 && all(greaterThan(ivec3(certain) + count, ivec3(0)));
   ivec3 behind = face - ivec3(ray.falls);
   walk.cell = mix(ivec3(clamp(whole, -1.0f, 4194304.0f)), behind, may_be_last);
+%if arrival
   walk.axis = may_be_last.x ? 0 : may_be_last.y ? 1 : 2;
+%end
   return walk;
 }
 

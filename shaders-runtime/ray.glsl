@@ -33,7 +33,9 @@ struct Exit {
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
+%if arrival
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
+%end
 %if colour
   uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
 %end
@@ -65,8 +67,8 @@ const float ROUNDINGS = 12.0f / 8388608.0f;
 %end
 
 // A walk that is about to begin, or to go on.
-Walk walk_at(ivec3 cell, int axis) {
-  return Walk(cell, axis, ${no-voxel}0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
+Walk walk_at(ivec3 cell) {
+  return Walk(cell, ${no-axis}${no-voxel}0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
 }
 
 // Ends a walk that takes more steps than any can.
@@ -99,11 +101,6 @@ bool is_same_cube(ivec3 a, ivec3 b, int log2_side) {
 
 // The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
 ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
-
-// The face through which the ray entered its cell.
-int entered_face(const Ray ray, const Walk walk) {
-  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
-}
 
 ${real} min_of(${real3} v) { return min(min(v.x, v.y), v.z); }
 

@@ -19,9 +19,9 @@ bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Wal
   return enters;
 }
 
-// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell.
-bool end_walk(uvec3 direction, inout Walk walk, bool hit) {
-  if (walk.axis < 0 || !goes_nowhere(direction))
+// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
+bool end_walk(uvec3 origin, uvec3 direction, inout Walk walk, bool hit) {
+  if (!goes_nowhere(direction) || walk.open == AGAIN || walk.cell == floor_of(origin))
     return hit;
   walk.cell = ivec3(-1);
   walk.open = CLOSED;

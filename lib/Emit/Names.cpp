@@ -197,6 +197,7 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.holes["and-an-arrival"] = hasArrival ? ", const Arrival arrival" : "";
   names.holes["and-arrival"] = hasArrival ? ", arrival" : "";
   names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
+  names.holes["no-axis"] = hasArrival ? "-1, " : "";
   names.holes["no-voxel"] = outputs.colour ? "0u, " : "";
   names.holes["sixth-word"] = outputs.face ? "lookups or words read, else a face" : "lookups or words read";
   names.conditions["point"] = isPoint;

@@ -62,6 +62,10 @@ Expected<void> AttributeOptions::apply(Format &format) const {
     for (const AttributeKind *kind : formatAttributes())
       if (kind->list == list && !names.empty())
         format.setAttribute(*kind, std::ranges::find(names, kind->name) != names.end() ? "yes" : "no");
+  // What is usual can be listed too, and leaves no trace in the format.
+  const bool lists = std::ranges::any_of(listed_, [](const auto &entry) { return !entry.second.empty(); });
+  if (lists && questionOf(format).query != Query::Closest)
+    return Error::usage("--outputs chooses what --query closest stores; another query leaves no choice");
   if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
     return Error::usage("the format " + std::string(problem));
   return {};
