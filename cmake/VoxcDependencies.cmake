@@ -2,6 +2,7 @@
 find_package(Vulkan 1.3 REQUIRED)
 find_package(Threads REQUIRED)
 find_path(VOXC_XXHASH_INCLUDE xxhash.h REQUIRED)
+find_path(VOXC_ZSTD_INCLUDE zstd.h REQUIRED)
 find_package(glm REQUIRED CONFIG)
 
 # The compiler.

@@ -27,20 +27,32 @@ VolumeBuild::~VolumeBuild() {
     *options_.wordsReached = wordsReached_ ? wordsReached_ : store_->words().size();
 }
 
-Expected<WordStore> VolumeBuild::openWords() {
-  if (!options_.path.empty()) {
-    auto writer = VolumeFileWriter::create(options_.path, info_);
+Expected<void> VolumeBuild::openFile() {
+  if (options_.path.empty())
+    return {};
+  if (options_.compress) {
+    auto writer = PagedFileWriter::create(options_.path);
     if (!writer)
       return writer.error();
-    isStreamed_ = writer->canSettle();
-    if (isStreamed_)
-      writer_.emplace(std::move(*writer));
+    pagedWriter_.emplace(std::move(*writer));
+    return {};
   }
-  if (!isStreamed_)
+  auto writer = VolumeFileWriter::create(options_.path, info_);
+  if (!writer)
+    return writer.error();
+  if (writer->canSettle())
+    streamWriter_.emplace(std::move(*writer));
+  return {};
+}
+
+Expected<WordStore> VolumeBuild::openWords() {
+  if (auto opened = openFile(); !opened)
+    return opened.error();
+  if (!isStreamed())
     return WordStore::create(options_.memory);
   return WordStore::create(options_.memory,
                            [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
-                             return writer_->settle(block, begin, bytes, *options_.memory);
+                             return streamWriter_->settle(block, begin, bytes, *options_.memory);
                            });
 }
 
@@ -55,6 +67,14 @@ void VolumeBuild::appendArray(WordStore &words) {
   words.setHead(layoutOf(info_.format).headWords() - 1, static_cast<std::uint32_t>(words.size()));
   if (auto appended = words.append(array); !appended)
     store_->fail(appended.error());
+}
+
+Expected<void> VolumeBuild::save(const Volume &volume) {
+  if (options_.path.empty() || isStreamed())
+    return {};
+  const SaveOptions saving{options_.compress, options_.threads, options_.memory, options_.progress};
+  return pagedWriter_ ? pagedWriter_->finish(volume.info(), volume.streams(), saving)
+                      : volume.save(options_.path);
 }
 
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour) {
@@ -79,13 +99,12 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   report.levels = store_->report();
   report.valueWords = span.size() - nodeWords;
   std::vector<Stream> streams = {wordStream(span)};
-  if (isStreamed_)
-    if (auto finished = writer_->finish(info_, streams, words.settled(), *options_.memory); !finished)
+  if (isStreamed())
+    if (auto finished = streamWriter_->finish(info_, streams, words.settled(), *options_.memory); !finished)
       return finished.error();
   Volume volume(std::move(info_), std::move(streams), std::make_shared<const MemoryBlock>(words.take()));
-  if (!options_.path.empty() && !isStreamed_)
-    if (auto saved = volume.save(options_.path); !saved)
-      return saved.error();
+  if (auto saved = save(volume); !saved)
+    return saved.error();
   report.writeSeconds = writing.seconds();
   report.seconds = watch_.seconds();
   report.cpuSeconds = watch_.cpuSeconds();

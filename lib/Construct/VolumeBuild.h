@@ -5,6 +5,7 @@
 #include "NodeStore.h"
 #include "ValueStore.h"
 
+#include "Volume/PagedFile.h"
 #include "Volume/VolumeFileWriter.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Support/Stopwatch.h"
@@ -35,14 +36,18 @@ public:
 
 private:
   VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}
+  Expected<void> openFile();
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
+  /// Whether the words go to their place in the file while they are made.
+  bool isStreamed() const { return streamWriter_.has_value(); }
+  Expected<void> save(const Volume &volume);
 
   Stopwatch watch_;
   VolumeInfo info_;
   const BuildOptions &options_;
-  std::optional<VolumeFileWriter> writer_;
-  bool isStreamed_ = false; ///< The words lie in the file already.
+  std::optional<VolumeFileWriter> streamWriter_;
+  std::optional<PagedFileWriter> pagedWriter_;
   std::unique_ptr<NodeStore> store_;
   std::unique_ptr<ValueStore> values_;
   std::uint64_t maxWords_ = 0;

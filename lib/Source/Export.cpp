@@ -1,4 +1,4 @@
-// Exporting decoded voxels: the table of kinds, dense grids and points.
+// Exporting volumes: the table of kinds, dense grids and points.
 #include "voxc/Source/Export.h"
 
 #include "Source/CubeTools.h"
@@ -116,8 +116,13 @@ Expected<void> checkSpace(const ExportKind &kind, const Volume &volume, const st
 
 } // namespace
 
-Expected<void> exportVoxels(const Volume &volume, const std::string &path, const Progress &progress) {
+Expected<void> exportVoxels(const Volume &volume, const std::string &path, const SaveOptions &options) {
   const std::string ending = pathEnding(path);
+  if (ending == ".hvx")
+    return volume.save(path, options);
+  if (options.compress)
+    return Error::usage("'" + path +
+                        "' is no volume that could be compressed; only a file that ends in .hvx is");
   for (const ExportKind &kind : kKinds) {
     if (kind.ending != ending)
       continue;
@@ -126,11 +131,12 @@ Expected<void> exportVoxels(const Volume &volume, const std::string &path, const
     auto file = OutputFile::create(path);
     if (!file)
       return file.error();
-    if (auto written = kind.write(volume, *file, progress); !written)
+    if (auto written = kind.write(volume, *file, options.progress); !written)
       return written;
     return file->commit();
   }
-  return Error::input("'" + path + "' is no kind of export that is known; it ends in .raw, .ply or .vox");
+  return Error::input("'" + path +
+                      "' is no kind of export that is known; it ends in .raw, .ply, .vox or .hvx");
 }
 
 } // namespace voxc

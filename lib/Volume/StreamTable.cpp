@@ -10,11 +10,6 @@ namespace {
 constexpr std::uint64_t kPageBytes = 4096;
 constexpr std::uint32_t kMostElementBytes = 256;
 
-/// The characters up to the first zero.
-std::string_view nameOf(const StreamRow &row) {
-  return {row.name.data(), static_cast<std::size_t>(std::ranges::find(row.name, '\0') - row.name.begin())};
-}
-
 bool isLetter(char c) { return c >= 'a' && c <= 'z'; }
 
 bool isInName(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-'; }
@@ -32,6 +27,10 @@ bool isWords(const StreamRow &row) {
 }
 
 } // namespace
+
+std::string_view nameOf(const StreamRow &row) {
+  return {row.name.data(), static_cast<std::size_t>(std::ranges::find(row.name, '\0') - row.name.begin())};
+}
 
 std::uint64_t wholePages(std::uint64_t bytes) { return (bytes + kPageBytes - 1) / kPageBytes * kPageBytes; }
 
@@ -52,22 +51,32 @@ std::vector<StreamRow> layOut(std::span<const Stream> streams, std::uint64_t hea
   return rows;
 }
 
+std::string describeProblem(std::span<const StreamRow> rows, std::size_t index) {
+  const StreamRow &row = rows[index];
+  if (index == 0 && !isWords(row))
+    return "does not have its words first";
+  if (index == 0 && row.elements == 0)
+    return "has no words; even an empty volume has one";
+  if (!hasName(row))
+    return "has a stream without a name";
+  const std::string stream = "stream '" + std::string(nameOf(row)) + "'";
+  if (std::ranges::count(rows.first(index), nameOf(row), nameOf) > 0)
+    return "has more than one " + stream;
+  if (row.elementBytes == 0 || row.elementBytes > kMostElementBytes)
+    return "has a " + stream + " whose elements have no possible size";
+  return {};
+}
+
 std::string describeProblem(std::span<const StreamRow> rows, std::uint64_t headBytes,
                             std::uint64_t fileBytes) {
-  if (rows.empty() || !isWords(rows.front()))
-    return "does not have its words first";
-  if (rows.front().elements == 0)
-    return "has no words; even an empty volume has one";
   std::uint64_t end = headBytes;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const StreamRow &row = rows[i];
-    if (!hasName(row))
-      return "has a stream without a name";
+    if (std::string problem = describeProblem(rows, i); !problem.empty())
+      return problem;
     const std::string stream = "stream '" + std::string(nameOf(row)) + "'";
-    if (std::ranges::count(rows.first(i), nameOf(row), nameOf) > 0)
-      return "has more than one " + stream;
-    if (row.elementBytes == 0 || row.elementBytes > kMostElementBytes || row.reserved != 0)
-      return "has a " + stream + " whose elements have no possible size";
+    if (row.pageBytes != 0)
+      return "has a " + stream + " in pages, which its version does not know";
     const std::uint64_t place = placeOf(row.elements, end);
     if (row.offset != place || place > fileBytes || row.elements > (fileBytes - place) / row.elementBytes)
       return "has a " + stream + " that does not lie where it must";
@@ -81,7 +90,8 @@ std::vector<Stream> streamsIn(std::span<const std::byte> file, std::span<const S
   streams.reserve(rows.size());
   for (const StreamRow &row : rows)
     streams.push_back({std::string(nameOf(row)), row.elementBytes,
-                       file.subspan(row.offset, row.elements * row.elementBytes)});
+                       file.subspan(row.offset, row.elements * row.elementBytes),
+                       row.elements * row.elementBytes});
   return streams;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace voxc {
@@ -18,7 +19,7 @@ inline constexpr std::uint32_t kMostStreams = 64;
 struct StreamRow {
   std::array<char, 32> name{}; ///< Filled up with zeros, of which there is at least one.
   std::uint32_t elementBytes = 0;
-  std::uint32_t reserved = 0; ///< 0.
+  std::uint32_t pageBytes = 0; ///< Before compression, of all pages but the last; 0: stored as it is.
   std::uint64_t elements = 0;
   std::uint64_t offset = 0; ///< In bytes from the beginning of the file.
 };
@@ -33,10 +34,16 @@ std::uint64_t placeOf(std::uint64_t bytes, std::uint64_t end);
 /// The rows of streams that stand one behind the other after a head of `headBytes`.
 std::vector<StreamRow> layOut(std::span<const Stream> streams, std::uint64_t headBytes);
 
-/// What is wrong with the rows of a file, or nothing: they must be those that `layOut` gives for streams that
-/// reach to the end of the file. "has ...", to follow the file's name.
+/// What is wrong with the row `index` beside where it lies, or nothing.
+std::string describeProblem(std::span<const StreamRow> rows, std::size_t index);
+
+/// What is wrong with the rows of a mapped file, or nothing: they must be those that `layOut` gives for
+/// streams that reach to the end of the file. "has ...", to follow the file's name.
 std::string describeProblem(std::span<const StreamRow> rows, std::uint64_t headBytes,
                             std::uint64_t fileBytes);
+
+/// The name of a row that was found right.
+std::string_view nameOf(const StreamRow &row);
 
 /// The streams inside the bytes of a file whose rows were found right.
 std::vector<Stream> streamsIn(std::span<const std::byte> file, std::span<const StreamRow> rows);

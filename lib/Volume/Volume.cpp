@@ -1,6 +1,7 @@
 // Volumes: streams in memory or in a mapped file, and what is known of them.
 #include "voxc/Volume/Volume.h"
 
+#include "PagedFile.h"
 #include "StreamTable.h"
 #include "VolumeFile.h"
 
@@ -54,15 +55,22 @@ std::uint64_t Volume::bytes() const {
   return bytes;
 }
 
-Expected<Volume> Volume::load(const std::string &path, bool trusted) {
+Expected<Volume> Volume::load(const std::string &path, const LoadOptions &options) {
   auto opened = MappedFile::open(path);
   if (!opened)
     return opened.error();
   const auto file = std::make_shared<const MappedFile>(std::move(*opened));
-  return readVolumeFile(file->bytes(), file, path, trusted);
+  return readVolumeFile(file->bytes(), file, path, options);
 }
 
-Expected<void> Volume::save(const std::string &path) const {
+Expected<void> Volume::save(const std::string &path, const SaveOptions &options) const {
+  if (!options.compress)
+    return saveMapped(path);
+  auto writer = PagedFileWriter::create(path);
+  return writer ? writer->finish(info(), streams(), options) : writer.error();
+}
+
+Expected<void> Volume::saveMapped(const std::string &path) const {
   auto file = OutputFile::create(path);
   if (!file)
     return file.error();

@@ -120,7 +120,7 @@ Expected<void> run(const Options &options) {
   if (auto usage = checkUsage(options); !usage)
     return usage;
   Stopwatch loading;
-  auto volume = Volume::load(options.volume, options.trusted);
+  auto volume = Volume::load(options.volume, {.trusted = options.trusted});
   if (!volume)
     return volume.error();
   auto kernel = Kernel::load(options.kernel);

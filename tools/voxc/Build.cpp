@@ -18,6 +18,7 @@ public:
     building_.declare(app);
     building_.declareThreads(app);
     building_.declareMaxBytes(app);
+    building_.declareCompress(app);
     fragment_.declare(app, "Build one of N fragments only, for voxc merge");
     app.add_option("-o,--output", output_, "Volume to write, or fragment")->type_name("FILE")->required();
     addCommonOptions(app, common_);

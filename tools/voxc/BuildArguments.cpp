@@ -61,6 +61,11 @@ void addMemoryArguments(CLI::App &app, BuildArguments &arguments) {
       ->type_name("DIR");
 }
 
+void addCompressArgument(CLI::App &app, bool &compress) {
+  app.add_flag("--compress", compress,
+               "Store the volume in compressed pages: half the bytes, decoded when it is loaded");
+}
+
 void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
   app.add_option("--threads", arguments.threads, "Threads that build; default: as many as the machine has")
       ->type_name("N")

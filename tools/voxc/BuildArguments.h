@@ -1,4 +1,5 @@
-// The options that say with what means a volume is built; none of them changes a byte of it, if there is one.
+// The options that say with what means a volume is built and stored; none of them changes a byte of it, if
+// there is one.
 #pragma once
 
 #include "voxc/Construct/Constructor.h"
@@ -15,11 +16,14 @@ struct BuildArguments {
   std::string memory; ///< Such as "512MiB"; "": a quarter of the machine.
   std::string scratch;
   unsigned threads = 0; ///< 0: all of the machine.
+  bool compress = false;
   std::string maxBytes; ///< Such as "4GiB"; "": what offsets can reach.
 };
 
 /// Adds --memory and --scratch to a command.
 void addMemoryArguments(CLI::App &app, BuildArguments &arguments);
+/// Adds --compress, which every command has that writes a volume.
+void addCompressArgument(CLI::App &app, bool &compress);
 /// Adds --threads.
 void addThreadsArgument(CLI::App &app, BuildArguments &arguments);
 

@@ -20,6 +20,8 @@ void Building::declare(CLI::App &app) {
 
 void Building::declareThreads(CLI::App &app) { addThreadsArgument(app, buildArguments_); }
 
+void Building::declareCompress(CLI::App &app) { addCompressArgument(app, buildArguments_.compress); }
+
 void Building::declareMaxBytes(CLI::App &app) { addMaxBytesArgument(app, buildArguments_); }
 
 void Building::defaultInput(CLI::App &app, const std::string &input) {
@@ -117,6 +119,7 @@ Expected<Volume> Building::build(const Format &format, const std::string &path, 
     return prepared.error();
   std::uint64_t words = 0;
   prepared->options.path = path;
+  prepared->options.compress = buildArguments_.compress;
   prepared->options.maxWords = maxWordsOf(buildArguments_);
   prepared->options.wordsReached = &words;
   Expected<Built> built = prepared->constructor.build(*prepared->input.source, prepared->options);
@@ -134,6 +137,9 @@ Expected<Volume> Building::build(const Format &format, const std::string &path, 
 Expected<void> Building::buildFragment(const Format &format, std::uint64_t index, std::uint64_t count,
                                        const std::string &path, const CommonOptions &common,
                                        const Progress &progress, Json &figures) const {
+  if (buildArguments_.compress)
+    return Error::usage(
+        "a fragment is not compressed; give --compress to the voxc merge that makes a volume of it");
   Expected<Prepared> prepared = prepare(format, common, progress, figures);
   if (!prepared)
     return prepared.error();

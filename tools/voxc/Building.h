@@ -22,6 +22,8 @@ public:
   /// Adds --threads, unless another part of the command has it: then `useThreads` passes it on.
   void declareThreads(CLI::App &app);
   void useThreads(unsigned threads) { buildArguments_.threads = threads; }
+  /// Adds --compress.
+  void declareCompress(CLI::App &app);
   /// Adds --max-bytes.
   void declareMaxBytes(CLI::App &app);
   /// Lets INPUT be left out in favour of `input`.

@@ -1,4 +1,7 @@
-// voxc export: the voxels of a volume as a dense grid, points or MagicaVoxel.
+// voxc export: the voxels of a volume as a dense grid, points or MagicaVoxel, or the volume itself, stored
+// otherwise.
+#include "BuildArguments.h"
+#include "Building.h"
 #include "Figures.h"
 #include "Outputs.h"
 #include "Subcommand.h"
@@ -16,9 +19,11 @@ class ExportCommand final : public Subcommand {
 public:
   void declare(CLI::App &app) override {
     volume_.declare(app);
-    app.add_option("-o,--output", output_, "File to write; its ending says what: .raw, .ply or .vox")
+    app.add_option("-o,--output", output_,
+                   "File to write; its ending says what: .raw, .ply, .vox, or .hvx for the volume itself")
         ->type_name("FILE")
         ->required();
+    addCompressArgument(app, compress_);
     addCommonOptions(app, common_);
   }
 
@@ -30,17 +35,21 @@ public:
       return volume.error();
     ProgressBar bar(common_.quiet);
     const Stopwatch watch;
-    if (Expected<void> exported = exportVoxels(*volume, output_, bar.progress()); !exported)
+    if (Expected<void> exported =
+            exportVoxels(*volume, output_, {.compress = compress_, .progress = bar.progress()});
+        !exported)
       return exported;
     Json figures;
     addVolumeFigures(figures, *volume);
     figures["export_seconds"] = watch.seconds();
+    addFileFigure(figures, output_);
     return tellFigures(common_, figures);
   }
 
 private:
   VolumeArgument volume_;
   std::string output_;
+  bool compress_ = false;
   CommonOptions common_;
 };
 

@@ -4,6 +4,7 @@
 #include "VolumeArgument.h"
 
 #include "common/Statistics.h"
+#include "voxc/Support/Stopwatch.h"
 
 #include <cinttypes>
 #include <cstdio>
@@ -12,8 +13,16 @@ namespace voxc::tool {
 
 namespace {
 
+std::uint64_t storedBytes(const Volume &volume) {
+  std::uint64_t bytes = 0;
+  for (const Stream &stream : volume.streams())
+    bytes += stream.storedBytes;
+  return bytes;
+}
+
 void print(const Volume &volume) {
   const VolumeInfo &info = volume.info();
+  const std::uint64_t stored = storedBytes(volume);
   const double bytes = double(volume.bytes());
   std::printf("%s", printIr(info.format).c_str());
   std::printf("extent      %d x %d x %d voxels, in a format of %d x %d x %d\n", info.extent.x, info.extent.y,
@@ -21,6 +30,9 @@ void print(const Volume &volume) {
   std::printf("voxels      %" PRIu64 "\n", info.voxels);
   std::printf("bytes       %" PRIu64 " (%.2f MiB, %.2f a voxel)\n", volume.bytes(), bytes / (1 << 20),
               info.voxels ? bytes / double(info.voxels) : 0.0);
+  if (stored < volume.bytes())
+    std::printf("stored      %" PRIu64 " (%.2f MiB, %.1f %%), compressed in pages\n", stored,
+                double(stored) / (1 << 20), 100 * double(stored) / bytes);
   if (volume.layout().values == Values::Apart && info.voxels > 0) {
     const double valueBytes = 4.0 * double(volume.words().size() - volume.words()[1]);
     std::printf("of these    %.3f a voxel for the shape, %.3f for values apart\n",
@@ -42,7 +54,8 @@ Json figuresOf(std::span<const Stream> streams) {
     figures.push_back({{"name", stream.name},
                        {"element_bytes", stream.elementBytes},
                        {"elements", stream.elements()},
-                       {"bytes", stream.bytes.size()}});
+                       {"bytes", stream.bytes.size()},
+                       {"stored_bytes", stream.storedBytes}});
   return figures;
 }
 
@@ -54,13 +67,17 @@ public:
   }
 
   Expected<void> run() override {
+    const Stopwatch watch;
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
+    const double loadSeconds = watch.seconds();
     if (tellsOnStdout(common_))
       print(*volume);
     Json figures;
     addVolumeFigures(figures, *volume);
+    figures["load_seconds"] = loadSeconds;
+    figures["stored_bytes"] = storedBytes(*volume);
     figures["streams"] = figuresOf(volume->streams());
     figures["ir"] = printIr(volume->format());
     figures["provenance"] = volume->info().provenance;

@@ -20,6 +20,7 @@ public:
         ->type_name("");
     app.add_option("-o,--output", output_, "Volume to write")->type_name("V.hvx")->required();
     addMemoryArguments(app, arguments_);
+    addCompressArgument(app, arguments_.compress);
     addCommonOptions(app, common_);
   }
 
@@ -42,7 +43,11 @@ private:
     Expected<Constructor> constructor = Constructor::compile(*format);
     if (!constructor)
       return constructor.error();
-    const BuildOptions options{"", 1, makeWorkingMemory(arguments_), output_, progress};
+    const BuildOptions options{.threads = threadsOf(arguments_),
+                               .memory = makeWorkingMemory(arguments_),
+                               .path = output_,
+                               .progress = progress,
+                               .compress = arguments_.compress};
     Expected<Built> built = constructor->merge(fragments_, options);
     if (!built)
       return built.error();

@@ -19,6 +19,7 @@ public:
     building_.defaultInput(app, "builtin:terrain");
     rendering_.declare(app);
     app.add_option("--volume", volumePath_, "Keeps the volume too")->type_name("V.hvx");
+    building_.declareCompress(app);
     tracing_.declare(app);
     attributes_.declare(app);
     addCommonOptions(app, common_);

@@ -13,7 +13,7 @@ void VolumeArgument::declareKernelOptions(CLI::App &app) {
   walkPasses_.declare(app, PassChoice::WalkOnly);
 }
 
-Expected<Volume> VolumeArgument::load() const { return Volume::load(path_, trusted_); }
+Expected<Volume> VolumeArgument::load() const { return Volume::load(path_, {.trusted = trusted_}); }
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
   Format format = volume.format();

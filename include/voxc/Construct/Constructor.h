@@ -14,7 +14,8 @@
 
 namespace voxc {
 
-/// How to build. Nothing of it changes a byte of the volume, if there is one.
+/// How to build. Nothing of it changes a byte of the volume, if there is one; `compress` changes those of its
+/// file.
 struct BuildOptions {
   std::string provenance; ///< Kept in the volume.
   unsigned threads = 1;   ///< Sources that have but one reader are built on one.
@@ -24,6 +25,9 @@ struct BuildOptions {
   /// stay in memory, or in the scratch file.
   std::string path;
   Progress progress;
+  /// Compresses the file when the volume is whole; until then the words stay in memory, or in the scratch
+  /// file.
+  bool compress = false;
   /// A volume of more is an error, and one of more than 2^32 in any case.
   std::uint64_t maxWords = std::uint64_t{1} << 32;
   /// Where to put how many words there were at the end, also of a build that failed; null: nowhere.

@@ -19,6 +19,7 @@ struct Stream {
       name; ///< 1 to 31 of a-z, 0-9 and '-', the first a letter; no other stream of the volume has it.
   std::uint32_t elementBytes = 1; ///< 1 to 256.
   std::span<const std::byte> bytes;
+  std::uint64_t storedBytes = 0; ///< What it takes in the file that it was loaded from; 0: it was made.
 
   std::uint64_t elements() const { return bytes.size() / elementBytes; }
 

@@ -20,6 +20,8 @@
 
 namespace voxc {
 
+class WorkingMemory;
+
 /// What a volume says of itself beside its streams; kept in the file's header.
 struct VolumeInfo {
   Format format; ///< Its storage: no walk attributes.
@@ -27,6 +29,23 @@ struct VolumeInfo {
   Transform voxelToModel;
   std::uint64_t voxels = 0; ///< Non-empty ones.
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
+};
+
+/// How a volume is loaded.
+struct LoadOptions {
+  bool trusted = false; ///< Leaves out the walk that proves every offset.
+  /// Where the streams of a compressed file go; null: `WorkingMemory::createDefault()`.
+  std::shared_ptr<WorkingMemory> memory;
+  unsigned threads = 0; ///< That decode a compressed file; 0: as many as the machine has.
+};
+
+/// How a volume is written. Only `compress` changes the bytes of the file.
+struct SaveOptions {
+  bool compress = false; ///< In pages compressed by zstd, to be decoded; else as it is, to be mapped.
+  unsigned threads = 0;  ///< That compress; 0: as many as the machine has.
+  /// A bound that compressing keeps to; null: none.
+  std::shared_ptr<WorkingMemory> memory;
+  Progress progress;
 };
 
 /// An immutable volume. Cheap to move; its streams live as long as it does.
@@ -42,12 +61,14 @@ public:
   Volume(Volume &&) noexcept;
   Volume &operator=(Volume &&) noexcept;
 
-  /// Maps a .hvx file. Everything in it is checked, every reachable offset too unless `trusted`, before the
-  /// volume is handed out. Errors: no such file, not a .hvx, truncated, a wrong checksum, a broken structure.
-  static Expected<Volume> load(const std::string &path, bool trusted = false);
+  /// Maps a .hvx file, or decodes one that is compressed. Everything in it is checked, every reachable offset
+  /// too unless `trusted`, before the volume is handed out. Errors: no such file, not a .hvx, truncated, a
+  /// wrong checksum, a broken structure; `Environment`, no memory for what is decoded.
+  static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
-  /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was.
-  Expected<void> save(const std::string &path) const;
+  /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
+  /// `Environment`; of a compressed one also that `path` is a pipe, or interrupted.
+  Expected<void> save(const std::string &path, const SaveOptions &options = {}) const;
 
   const VolumeInfo &info() const;
   const Format &format() const { return info().format; }
@@ -70,6 +91,7 @@ public:
 
 private:
   struct State;
+  Expected<void> saveMapped(const std::string &path) const;
   std::unique_ptr<State> state_;
 };
 

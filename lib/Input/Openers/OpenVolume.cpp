@@ -8,9 +8,9 @@
 
 namespace voxc {
 
-Expected<Input> openVolume(const std::string &path, const InputOptions &) {
+Expected<Input> openVolume(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto volume = Volume::load(path);
+  auto volume = Volume::load(path, {.memory = options.memory});
   if (!volume)
     return volume.error();
   Input input;

@@ -66,7 +66,7 @@ Expected<void> Group::prepareOne(Runner &runner, const std::string &path) {
   std::shared_ptr<const Volume> &volume = volumes_[path];
   if (!volume) {
     // It was written by a process of this sweep, and a checksum tells whether it is still that.
-    Expected<Volume> loaded = Volume::load(path, true);
+    Expected<Volume> loaded = Volume::load(path, {.trusted = true});
     if (!loaded) {
       // The next run builds it anew.
       std::error_code ignored;

@@ -45,7 +45,7 @@ Expected<const Oracle *> SampleCheck::oracleOf(const Record &record) {
     if (!format)
       return format.error();
     const Expected<Volume> volume =
-        Volume::load(cachePath(folder_, record.model.digest, *format) + ".hvx", true);
+        Volume::load(cachePath(folder_, record.model.digest, *format) + ".hvx", {.trusted = true});
     if (!volume)
       return volume.error();
     Expected<Oracle> oracle = Oracle::of(*volume);

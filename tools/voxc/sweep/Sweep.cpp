@@ -223,7 +223,7 @@ void Sweep::askOracle(const Ready &ready, GroupRays &rays) {
     // Every format holds the same voxels, so that the smallest volume gives the oracle of all.
     const auto bytes = [](const Entrant &entrant) { return entrant.cell->record.volume.bytes; };
     const Entrant &smallest = *std::ranges::min_element(ready.entrants, {}, bytes);
-    const Expected<Volume> volume = Volume::load(smallest.volume.path, true);
+    const Expected<Volume> volume = Volume::load(smallest.volume.path, {.trusted = true});
     if (!volume)
       return;
     Expected<Oracle> oracle = Oracle::of(*volume, {.stop = progress_.stop});

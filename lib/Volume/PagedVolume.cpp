@@ -1,0 +1,109 @@
+// Compressed files: their heads checked at once, their pages when they are decoded.
+#include "voxc/Volume/PagedVolume.h"
+
+#include "PageCodec.h"
+#include "PageTable.h"
+#include "VolumeHead.h"
+
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+struct PagedVolume::State {
+  std::string name;
+  std::span<const std::byte> file;
+  std::shared_ptr<const void> owner;
+  VolumeInfo info;
+  std::vector<PagedStream> streams;
+  std::vector<StreamPages> pages; ///< One a stream.
+
+  Error broken(const std::string &problem) const { return Error::input("'" + name + "' " + problem); }
+  /// All that the head says. The error follows the file's name.
+  Expected<void> readHead();
+};
+
+namespace {
+
+std::uint64_t storedBytes(const StreamPages &stream) {
+  return stream.rows.empty() ? 0 : stream.rows.back().end - stream.offset;
+}
+
+} // namespace
+
+Expected<void> PagedVolume::State::readHead() {
+  const auto header = readHeader(file);
+  if (!header)
+    return header.error();
+  if (header->version != kPagedVersion)
+    return Error::input("is not compressed: it has no pages to decode, and is mapped as it is");
+  auto read = readPageTables(rowsOf(*header, file), header->textEnd(), header->headBytes, file);
+  if (!read)
+    return read.error();
+  Checksum checksum;
+  addAllButItself(checksum, file.first(header->headBytes));
+  if (checksum.digest() != header->checksum)
+    return Error::input("is damaged: its checksum does not match its head");
+  if (std::string problem = describeProblem(*read, header->headBytes, file.size()); !problem.empty())
+    return Error::input(std::move(problem));
+  auto told = infoOf(*header, file);
+  if (!told)
+    return told.error();
+  info = std::move(*told);
+  pages = std::move(*read);
+  for (const StreamPages &stream : pages) {
+    streams.push_back(stream.stream);
+    streams.back().storedBytes = storedBytes(stream);
+  }
+  return {};
+}
+
+PagedVolume::PagedVolume(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PagedVolume::~PagedVolume() = default;
+PagedVolume::PagedVolume(PagedVolume &&) noexcept = default;
+PagedVolume &PagedVolume::operator=(PagedVolume &&) noexcept = default;
+
+Expected<PagedVolume> PagedVolume::open(const std::string &path) {
+  auto opened = MappedFile::open(path);
+  if (!opened)
+    return opened.error();
+  const auto file = std::make_shared<const MappedFile>(std::move(*opened));
+  return read(file->bytes(), file, path);
+}
+
+Expected<PagedVolume> PagedVolume::read(std::span<const std::byte> file, std::shared_ptr<const void> owner,
+                                        const std::string &name) {
+  auto state = std::make_unique<State>();
+  state->name = name;
+  state->file = file;
+  state->owner = std::move(owner);
+  if (auto head = state->readHead(); !head)
+    return state->broken(head.error().message);
+  return PagedVolume(std::move(state));
+}
+
+const VolumeInfo &PagedVolume::info() const { return state_->info; }
+std::span<const PagedStream> PagedVolume::streams() const { return state_->streams; }
+
+Expected<void> PagedVolume::decode(std::size_t stream, std::uint64_t page, std::span<std::byte> room) const {
+  if (stream >= state_->pages.size() || page >= state_->pages[stream].rows.size())
+    return Error::usage("'" + state_->name + "' has no page " + std::to_string(page) + " of stream " +
+                        std::to_string(stream));
+  const StreamPages &pages = state_->pages[stream];
+  if (room.size() != pages.stream.bytesOf(page))
+    return Error::usage("page " + std::to_string(page) + " of stream '" + pages.stream.name +
+                        "' needs room for " + std::to_string(pages.stream.bytesOf(page)) + " bytes, not " +
+                        std::to_string(room.size()));
+  const auto stored = pages.stored(state_->file, page);
+  Checksum checksum;
+  checksum.add(stored.data(), stored.size());
+  thread_local PageDecoder decoder;
+  if (checksum.digest() != pages.rows[page].checksum ||
+      !decoder.decode(stored, pages.stream.elementBytes, room))
+    return state_->broken("is damaged: page " + std::to_string(page) + " of stream '" + pages.stream.name +
+                          "' is not what was stored");
+  return {};
+}
+
+} // namespace voxc
