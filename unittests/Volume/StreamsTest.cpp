@@ -21,7 +21,7 @@ constexpr std::size_t kStreams = 68;
 constexpr std::size_t kTable = 168;
 constexpr std::size_t kRow = 56;
 constexpr std::size_t kElementBytes = 32;
-constexpr std::size_t kReserved = 36;
+constexpr std::size_t kPageBytes = 36;
 constexpr std::size_t kElements = 40;
 constexpr std::size_t kOffset = 48;
 constexpr std::size_t kPage = 4096;
@@ -135,9 +135,10 @@ TEST_F(Streams, OfAHostileHeaderAreRefused) {
     return errorOf(sealed(with(whole, at, value)), true);
   };
   EXPECT_EQ(errorOf(sealed(whole)), "no error");
-  EXPECT_THAT(errorWith(8, std::uint32_t{3}), HasSubstr("is of version 3; this voxc reads versions up to 2"));
+  EXPECT_THAT(errorWith(8, std::uint32_t{4}), HasSubstr("is of version 4; this voxc reads versions up to 3"));
   EXPECT_THAT(errorWith(8, std::uint32_t{0}), HasSubstr("damaged"));
-  EXPECT_NE(errorWith(8, std::uint32_t{1}), "no error");
+  for (const std::uint32_t other : {1u, 3u})
+    EXPECT_NE(errorWith(8, other), "no error");
   for (const std::uint64_t bytes : {std::uint64_t{0}, whole.size() - 1, whole.size() + 1, ~std::uint64_t{0}})
     EXPECT_THAT(errorWith(kFileBytes, bytes), HasSubstr("truncated or has surplus bytes"));
   for (const std::uint64_t bytes : {std::uint64_t{0}, kPage - 1, 2 * kPage, ~std::uint64_t{0} - kPage + 1})
@@ -172,7 +173,8 @@ TEST_F(Streams, OfAHostileTableAreRefused) {
   EXPECT_THAT(errorWith(0, kElements, std::uint64_t{0}), HasSubstr("has no words"));
   for (const std::uint32_t size : {0u, 257u, ~0u})
     EXPECT_THAT(errorWith(2, kElementBytes, size), HasSubstr("no possible size"));
-  EXPECT_THAT(errorWith(1, kReserved, 1u), HasSubstr("no possible size"));
+  EXPECT_THAT(errorWith(1, kPageBytes, 4096u),
+              HasSubstr("'normals' in pages, which its version does not know"));
   const auto all = ~std::uint64_t{0};
   for (const std::uint64_t elements :
        {std::uint64_t{0}, all, all / 4 + 1, (all >> 3) + 4, std::uint64_t{kPage}})

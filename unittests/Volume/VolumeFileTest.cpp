@@ -154,7 +154,7 @@ TEST_F(VolumeFile, CountsItsVoxels) {
   const auto loaded = Volume::load(path_);
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().message, HasSubstr("holds 1 voxels, but its header says 2"));
-  EXPECT_TRUE(Volume::load(path_, true));
+  EXPECT_TRUE(Volume::load(path_, {.trusted = true}));
 }
 
 /// 8 leaves high in an upper tree stand for 2^60 grids of one voxel each: no one may decode them all.

@@ -61,7 +61,7 @@ protected:
 
   /// As `Volume::load`, but of bytes in memory, which outlive the volume: files are slow to write.
   static Expected<Volume> load(const std::string &bytes, bool trusted = false) {
-    return readVolumeFile(std::as_bytes(std::span(bytes)), nullptr, "volume.hvx", trusted);
+    return readVolumeFile(std::as_bytes(std::span(bytes)), nullptr, "volume.hvx", {.trusted = trusted});
   }
 
   static std::string errorOf(const std::string &bytes, bool trusted = false) {
