@@ -1,10 +1,12 @@
-// Fuzzes .hvx files of all versions: the checksum is put right, as a hostile file's would be.
+// Fuzzes .hvx files of all versions: checksums are put right, as a hostile file's would be.
 #include "FuzzedFile.h"
 #include "VolumeUse.h"
 
-#include "Volume/Checksum.h"
+#include "Volume/PageTable.h"
 #include "Volume/VolumeFile.h"
+#include "Volume/VolumeHead.h"
 
+#include <cstddef>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -13,17 +15,33 @@ namespace {
 
 using namespace voxc;
 
-constexpr std::size_t kChecksumAt = 16;
-constexpr std::size_t kAfter = kChecksumAt + sizeof(std::uint64_t);
-
-void putChecksumRight(std::span<std::byte> bytes) {
-  if (bytes.size() < kAfter)
+/// Of the pages of a compressed file, as far as its tables can be read.
+void putPageChecksumsRight(const Header &header, std::span<std::byte> bytes) {
+  const auto tables = readPageTables(rowsOf(header, bytes), header.textEnd(), header.headBytes, bytes);
+  if (!tables || !describeProblem(*tables, header.headBytes, bytes.size()).empty())
     return;
+  std::byte *row = bytes.data() + header.textEnd();
+  for (const StreamPages &stream : *tables)
+    for (std::uint64_t page = 0; page < stream.rows.size(); ++page, row += sizeof(PageRow)) {
+      Checksum checksum;
+      const auto stored = stream.stored(bytes, page);
+      checksum.add(stored.data(), stored.size());
+      const PageRow right{stream.rows[page].end, checksum.digest()};
+      std::memcpy(row, &right, sizeof right);
+    }
+}
+
+void putChecksumsRight(std::span<std::byte> bytes) {
+  const auto header = readHeader(bytes);
+  if (!header)
+    return;
+  const bool isPaged = header->version == kPagedVersion;
+  if (isPaged)
+    putPageChecksumsRight(*header, bytes);
   Checksum checksum;
-  checksum.add(bytes.data(), kChecksumAt);
-  checksum.add(bytes.data() + kAfter, bytes.size() - kAfter);
+  addAllButItself(checksum, isPaged ? bytes.first(header->headBytes) : bytes);
   const std::uint64_t digest = checksum.digest();
-  std::memcpy(bytes.data() + kChecksumAt, &digest, sizeof digest);
+  std::memcpy(bytes.data() + offsetof(Header, checksum), &digest, sizeof digest);
 }
 
 /// Every byte of every stream must be there.
@@ -39,7 +57,7 @@ void touch(const Volume &volume) {
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size) {
   const auto *begin = reinterpret_cast<const std::byte *>(data);
   std::vector<std::byte> bytes(begin, begin + size);
-  putChecksumRight(bytes);
+  putChecksumsRight(bytes);
   if (const auto volume = readVolumeFile(bytes, nullptr, "a.hvx")) {
     touch(*volume);
     fuzz::decodeAll(*volume);

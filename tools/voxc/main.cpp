@@ -31,7 +31,7 @@ constexpr CommandKind kCommands[] = {
     {"hard-rays", "Check the kernels of many formats on rays that are hard to trace", makeHardRaysCommand},
     {"accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
     {"bench", "Measure size, speed and error of many formats", makeBenchCommand},
-    {"export", "Decode a volume to a dense grid, points or MagicaVoxel", makeExportCommand},
+    {"export", "Write a volume as a dense grid, points or MagicaVoxel, or as another .hvx", makeExportCommand},
     {"facts", "Measure what an input is like, to choose a format by", makeFactsCommand},
     {"info", "Describe a volume", makeInfoCommand},
     {"devices", "List the devices that can trace", makeDevicesCommand},
