@@ -35,8 +35,8 @@ Expected<void> VolumeBuild::openFile() {
     if (!writer)
       return writer.error();
     pagedWriter_.emplace(std::move(*writer));
-    return {};
   }
+  // Compressed, the words lie there until they are complete; no name is given to this file then.
   auto writer = VolumeFileWriter::create(options_.path, info_);
   if (!writer)
     return writer.error();
@@ -48,7 +48,7 @@ Expected<void> VolumeBuild::openFile() {
 Expected<WordStore> VolumeBuild::openWords() {
   if (auto opened = openFile(); !opened)
     return opened.error();
-  if (!isStreamed())
+  if (!streamWriter_)
     return WordStore::create(options_.memory);
   return WordStore::create(options_.memory,
                            [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
@@ -70,11 +70,10 @@ void VolumeBuild::appendArray(WordStore &words) {
 }
 
 Expected<void> VolumeBuild::save(const Volume &volume) {
-  if (options_.path.empty() || isStreamed())
-    return {};
   const SaveOptions saving{options_.compress, options_.threads, options_.memory, options_.progress};
-  return pagedWriter_ ? pagedWriter_->finish(volume.info(), volume.streams(), saving)
-                      : volume.save(options_.path);
+  if (pagedWriter_)
+    return pagedWriter_->finish(volume.info(), volume.streams(), saving);
+  return options_.path.empty() || streamWriter_ ? Expected<void>() : volume.save(options_.path);
 }
 
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour) {
@@ -99,7 +98,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   report.levels = store_->report();
   report.valueWords = span.size() - nodeWords;
   std::vector<Stream> streams = {wordStream(span)};
-  if (isStreamed())
+  if (streamWriter_ && !pagedWriter_)
     if (auto finished = streamWriter_->finish(info_, streams, words.settled(), *options_.memory); !finished)
       return finished.error();
   Volume volume(std::move(info_), std::move(streams), std::make_shared<const MemoryBlock>(words.take()));

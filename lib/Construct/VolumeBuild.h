@@ -5,7 +5,7 @@
 #include "NodeStore.h"
 #include "ValueStore.h"
 
-#include "Volume/PagedFile.h"
+#include "Volume/PagedFileWriter.h"
 #include "Volume/VolumeFileWriter.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Support/Stopwatch.h"
@@ -39,8 +39,7 @@ private:
   Expected<void> openFile();
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
-  /// Whether the words go to their place in the file while they are made.
-  bool isStreamed() const { return streamWriter_.has_value(); }
+  /// Writes the file, unless the words went to their place in it while they were made.
   Expected<void> save(const Volume &volume);
 
   Stopwatch watch_;

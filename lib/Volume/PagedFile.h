@@ -1,32 +1,13 @@
-// Whole volumes from compressed .hvx files, and into them.
+// Whole volumes from compressed .hvx files.
 #pragma once
 
-#include "voxc/Support/File.h"
 #include "voxc/Volume/PagedVolume.h"
 #include "voxc/Volume/Volume.h"
-
-#include <span>
-#include <string>
 
 namespace voxc {
 
 /// Decodes all pages into memory that grows with what was decoded, whatever the file claims. Errors: a
 /// damaged page; `Environment`, no memory.
 Expected<Volume> decodeAll(const PagedVolume &file, const LoadOptions &options);
-
-/// A compressed file, written when the volume is complete.
-class PagedFileWriter {
-public:
-  /// Errors: as `OutputFile::create`; `path` is a pipe, whose beginning cannot be written last.
-  static Expected<PagedFileWriter> create(const std::string &path);
-
-  /// Compresses the streams, completes the file and gives it its name. The bytes depend on info, streams and
-  /// the version of zstd alone. Errors: `Environment`, a full disk; interrupted.
-  Expected<void> finish(const VolumeInfo &info, std::span<const Stream> streams, const SaveOptions &options);
-
-private:
-  explicit PagedFileWriter(OutputFile file) : file_(std::move(file)) {}
-  OutputFile file_;
-};
 
 } // namespace voxc

@@ -1,7 +1,7 @@
 // Volumes: streams in memory or in a mapped file, and what is known of them.
 #include "voxc/Volume/Volume.h"
 
-#include "PagedFile.h"
+#include "PagedFileWriter.h"
 #include "StreamTable.h"
 #include "VolumeFile.h"
 

@@ -25,8 +25,8 @@ struct BuildOptions {
   /// stay in memory, or in the scratch file.
   std::string path;
   Progress progress;
-  /// Compresses the file when the volume is whole; until then the words stay in memory, or in the scratch
-  /// file.
+  /// Compresses the file when the volume is whole; until then its words lie beside it as they are, in
+  /// a file without a final name.
   bool compress = false;
   /// A volume of more is an error, and one of more than 2^32 in any case.
   std::uint64_t maxWords = std::uint64_t{1} << 32;
