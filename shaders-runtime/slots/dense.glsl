@@ -39,6 +39,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 // The value of a cell, or 0 if it is empty.
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { return load_word(slot_level_${N}(grid, cell)); }
 %end
+%end
 %if ranks
 
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
