@@ -78,9 +78,9 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
     pass.run(format, diagnostics);
   };
   for (const Pass &pass : passes())
-    // What visible-voxels states, and what occupancy leaves out, is for a scene to say.
+    // What visible-voxels and constant-colour state, and what occupancy leaves out, is for a scene to say.
     if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && pass.run != occupancy &&
-        pass.run != valuesApart && random() % 2 != 0)
+        pass.run != constantColour && pass.run != valuesApart && random() % 2 != 0)
       run(pass);
   if (random() % 2 != 0)
     format = withValuesApart(format);

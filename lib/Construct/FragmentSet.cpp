@@ -108,7 +108,8 @@ Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
   if (!coversCells(fragment, layoutOf(info().volume.format), info().log2Side))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
-  if ((layoutOf(info().volume.format).payload == Payload::Constant) != (fragment.colour != 0))
+  const bool hasColour = layoutOf(info().volume.format).payload == Payload::Constant && fragment.voxels > 0;
+  if (hasColour != (fragment.colour != 0))
     return Error::input("'" + readers_[current_].path() +
                         "' is broken: a part has a colour too much, or none");
   if (!countsValues(fragment, layoutOf(info().volume.format), info().log2Side))

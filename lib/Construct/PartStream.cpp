@@ -24,12 +24,12 @@ construct::Part MergeHost::takePart(Int3 low) {
   splice_.join(fragment_, log2Part_);
   values_.put(fragment_.values);
   voxels_ += fragment_.voxels;
-  if (colour_ != 0 && fragment_.colour != colour_)
+  if (colour_ != 0 && fragment_.colour != 0 && fragment_.colour != colour_)
     store().fail(Error::input("the voxels around (" + std::to_string(low.x) + ", " + std::to_string(low.y) +
                               ", " + std::to_string(low.z) + ") are " + colourText(fragment_.colour) +
                               ", others are " + colourText(colour_) +
                               ", but the format states payload=constant; build it without constant-colour"));
-  colour_ = fragment_.colour;
+  colour_ = fragment_.colour != 0 ? fragment_.colour : colour_; // Some parts turn out to be empty.
   for (std::size_t i = 0; i < fragment_.shared.size(); ++i)
     store().shared()[i] += fragment_.shared[i];
   store().pause(fragment_.words.size());

@@ -43,7 +43,7 @@ TEST(Conclusions, Colours) {
   Facts facts = plainFacts();
   EXPECT_TRUE(sentence(facts, "colours").starts_with("12 colours: an index into one palette takes 4 bits "));
   facts.colours.words = {1, true};
-  EXPECT_TRUE(sentence(facts, "colours").starts_with("All voxels have one colour: --occupancy"));
+  EXPECT_TRUE(sentence(facts, "colours").starts_with("All voxels have one colour: --constant-colour"));
   facts.colours.words = {65537, false};
   facts.colours.perBlock8 = 17;
   EXPECT_EQ(sentence(facts, "colours"), "About 65537 colours: too many for one palette.");
