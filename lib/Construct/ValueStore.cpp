@@ -11,8 +11,6 @@ namespace {
 constexpr std::size_t kBlock = std::size_t{1} << kLog2ValueBlock;
 /// Ranks are words.
 constexpr std::uint64_t kMostBlocks = (std::uint64_t{1} << (32 - kLog2ValueBlock)) - 1;
-/// So many words are copied at a time, so that memory stays within its bound.
-constexpr std::uint64_t kPiece = std::uint64_t{1} << 18;
 
 } // namespace
 

@@ -81,11 +81,19 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
     const bool isMasks = format.attributes.value(kPayloadAttribute) != "rgba8" ||
                          format.attributes.value(kValuesAttribute) == "apart";
     if (!isLast || !isMasks || level.log2Size() != Int3{2, 2, 2} || i == 0 ||
-        format.levels[i - 1].kind != level.kind)
+        format.levels[i - 1].kind != level.kind) {
       diagnostics.error(level.range, "level " + std::to_string(i + 1) +
                                          " has short pointers, which lead to the last level alone: masked(2, "
                                          "2, 2) below another masked level, with payload=occupancy, "
                                          "payload=constant or values=apart");
+      continue;
+    }
+    const Int3 above = format.levels[i - 1].log2Size();
+    if (above.x + above.y + above.z > kMaxLog2IndexedCells)
+      diagnostics.error(format.levels[i - 1].range,
+                        "level " + std::to_string(i) + " has more than 2^" +
+                            std::to_string(kMaxLog2IndexedCells) +
+                            " cells, too many for short pointers; two masked levels in its place would do");
   }
 }
 

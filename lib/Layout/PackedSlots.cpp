@@ -38,7 +38,8 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool l
   const MaskShape shape(stratum);
   return words.require(node, shape.words(), "a node's masks") &&
          Masks(words, shape, node).check(words, lowest) &&
-         words.require(node, size(words, stratum, node), "a node");
+         // Fields are read two words at a time, the last of a node too.
+         words.require(node, size(words, stratum, node) + (stratum.isIndexed() ? 1 : 0), "a node");
 }
 
 /// How many voxels of a grid of voxels come before that of a bit: in Morton order in one of 4 x 4 x 4, whose

@@ -25,7 +25,7 @@ using Channels = std::array<std::uint32_t, 4>;
 std::uint32_t byte(std::uint32_t value) { return value & 0xff; }
 std::uint32_t channel(std::uint32_t value, int i) { return byte(value >> 8 * i); }
 
-/// R and B as their differences from G, or back.
+/// R and B as their differences from G.
 Channels toDifferences(std::uint32_t value) {
   const std::uint32_t g = channel(value, 1);
   return {byte(channel(value, 0) - g), g, byte(channel(value, 2) - g), channel(value, 3)};

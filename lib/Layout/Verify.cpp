@@ -82,6 +82,8 @@ private:
          "numbers of 1 to 31 bits stand in the slots of masked grids");
     rule(below && below->isGrid() && below->implied && below->slots && below->log2Shape == Int3{2, 2, 2},
          "numbers lead to grids of 4 x 4 x 4 voxels that are masks alone");
+    rule(stratum.log2Children() <= kMaxLog2IndexedCells,
+         "numbers stand in grids of at most 2^" + std::to_string(kMaxLog2IndexedCells) + " cells");
     rule(stratum.arrayHead + 1 == static_cast<int>(layout_.headWords()),
          "the array that numbers lead to is told by the last word of the head");
   }

@@ -38,7 +38,7 @@ uint value_of_item(uint item, uint least, uint head) {
   uint r = channel_of(item, 0u, least, head, 0u);
   uint g = channel_of(item, g_at, least, head, 1u);
   uint b = channel_of(item, b_at, least, head, 2u);
-  uint a = a_at == 32u ? least >> 24 : channel_of(item, a_at, least, head, 3u);
+  uint a = channel_of(item, a_at, least, head, 3u);
   uint from = (head & DIFFERENCES) != 0u ? g : 0u;
   return (r + from & 255u) | g << 8 | (b + from & 255u) << 16 | a << 24;
 }

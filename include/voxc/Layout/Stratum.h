@@ -18,6 +18,10 @@ using Ref = std::uint32_t;
 /// Words of a sub-volume that stands in an array: the masks of a grid of 4 x 4 x 4 voxels.
 inline constexpr std::uint64_t kIndexedWords = 2;
 
+/// log2 of the most cells of a grid whose slots are numbers: kernels count the bits of a run of them in a
+/// word.
+inline constexpr int kMaxLog2IndexedCells = 26;
+
 /// The most words that references can reach.
 inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
 

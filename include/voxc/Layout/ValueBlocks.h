@@ -5,14 +5,12 @@
 //
 //   word 0   the least of each channel, a byte each, R lowest;
 //   word 1   the bits that each channel takes (4 bits each, R lowest: 0 to 8); bit 16: R and B are told as
-//   their
-//            differences from G, modulo 256; bit 17: there are runs; bits 18 to 21: the bits of an index, 0
-//            without a palette; bits 24 to 31: the word at which the items begin;
+//            their differences from G, modulo 256; bit 17: there are runs; bits 18 to 21: the bits of an
+//            index, 0 without a palette; bits 24 to 31: the word at which the items begin;
 //   then     with runs, 4 words of bits, of the values that differ from the one before, and of the first;
 //   then     with a palette, an index for each value or, with runs, for each run;
-//   then     the items: of the palette, or of the runs, or of all values, each the bits of its channels above
-//   the
-//            least, R lowest.
+//   then     the items: of the palette, or of the runs, or of all values, each the bits of its channels
+//            above the least, R lowest.
 //
 // Which of runs and palette a block has is what takes the fewest words. The idea of blocks of bits by the
 // rank of a voxel is that of Dolonius et al., "Compressing Color Data for Voxelized Surface Geometry" (I3D
