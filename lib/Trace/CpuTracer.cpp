@@ -2,6 +2,7 @@
 #include "Clock.h"
 #include "Endless.h"
 #include "KernelFit.h"
+#include "OrderedTracer.h"
 
 #include "voxc/Trace/CpuKernel.h"
 
@@ -115,7 +116,7 @@ Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const
     return fits.error();
   if (threads == 0)
     threads = std::max(std::thread::hardware_concurrency(), 1u);
-  return std::unique_ptr<Tracer>(std::make_unique<CpuTracer>(kernel, volume, threads));
+  return inOrder(std::make_unique<CpuTracer>(kernel, volume, threads), volume, threads, true);
 }
 
 DeviceInfo cpuDeviceInfo() {

@@ -5,6 +5,7 @@
 #include "Clock.h"
 #include "Endless.h"
 #include "KernelFit.h"
+#include "OrderedTracer.h"
 
 #include <algorithm>
 #include <array>
@@ -201,8 +202,13 @@ Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
   return {};
 }
 
-Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume) {
-  return VulkanTracer::create(device.state(), kernel, volume);
+Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume,
+                                               unsigned threads) {
+  auto tracer = VulkanTracer::create(device.state(), kernel, volume);
+  if (!tracer)
+    return tracer;
+  // What orders rays is this processor; a device of its own traces them in less time.
+  return inOrder(std::move(*tracer), volume, threads, device.info().kind == "cpu");
 }
 
 } // namespace voxc

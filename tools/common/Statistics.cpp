@@ -47,6 +47,7 @@ void addTraceFigures(Json &figures, const TraceReport &report, std::span<const H
   figures["device"] = device;
   figures["rays"] = hits.size();
   figures["hits"] = std::ranges::count_if(hits, &Hit::isHit);
+  figures["order"] = report.binned ? "binned" : "given";
   figures["repeats"] = report.repeats.size();
   figures["seconds"] = seconds;
   figures["cpu_seconds"] = cpuSeconds;

@@ -20,6 +20,11 @@ void Tracing::declare(CLI::App &app) {
          "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")
       ->type_name("N")
       ->check(CLI::Range(1u, 1024u).description(""));
+  app.add_option("--order", order_,
+                 "Take rays as given, or binned by octant, origin and direction; auto (default) bins those "
+                 "that are many and scattered, where a processor traces them")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"auto", "given", "binned"}).description(""));
   app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
@@ -91,14 +96,16 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
   figures["addressing"] = toString(addressing);
 
   const Stopwatch upload;
-  Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume);
+  Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume, threads_);
   figures["upload_seconds"] = upload.seconds();
   return tracer;
 }
 
 Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
                               Json &figures) {
-  Expected<TraceReport> report = tracer_->trace(rays, hits, options);
+  TraceOptions ordered = options;
+  ordered.order = rayOrderFrom(order_);
+  Expected<TraceReport> report = tracer_->trace(rays, hits, ordered);
   if (!report)
     return report.error();
   addTraceFigures(figures, *report, hits, deviceInfo().name, options.countSteps);

@@ -17,7 +17,7 @@ namespace voxc::tool {
 
 class Tracing {
 public:
-  /// Adds --device, --threads and --spirv-opt to a command.
+  /// Adds --device, --threads, --order and --spirv-opt to a command.
   void declare(CLI::App &app);
 
   /// Chooses as --device and --threads do, in a command that has several of these.
@@ -52,6 +52,7 @@ private:
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
+  std::string order_ = "auto";
   std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
   std::unique_ptr<Tracer> tracer_;
 };

@@ -5,6 +5,7 @@
 #include "voxc/Support/Progress.h"
 #include "voxc/Trace/Kernel.h"
 #include "voxc/Trace/Ray.h"
+#include "voxc/Trace/RayOrder.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
@@ -64,6 +65,7 @@ struct TraceOptions {
   /// Kernels of `detail=cone` stop at what is narrower than `spread` times its distance from the ray's
   /// origin.
   float spread = 0;
+  RayOrder order = RayOrder::Auto; ///< In which rays are taken; hits are the same.
   Progress progress;
 };
 
@@ -79,6 +81,7 @@ struct TraceReport {
   double firstDispatch =
       0;               ///< Wall seconds of the first dispatch on this tracer, which may compile; 0 later.
   double transfer = 0; ///< Wall seconds of copying rays in and hits out.
+  bool binned = false; ///< Rays were taken bin by bin (`RayOrder::Binned`), which is in the times.
 };
 
 /// Traces rays through one volume. A back end implements this; Vulkan is the first.
@@ -91,7 +94,9 @@ public:
 };
 
 /// Uploads `volume` and prepares `kernel` on `device`. Errors: the kernel was made for other storage
-/// (`Input`), the volume does not fit the device or a feature is missing (`Environment`).
-Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume);
+/// (`Input`), the volume does not fit the device or a feature is missing (`Environment`). Rays are brought in
+/// order by so many threads of this processor; 0: as many as it runs at once.
+Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume,
+                                               unsigned threads = 0);
 
 } // namespace voxc

@@ -1,0 +1,150 @@
+// A tracer before another, that hands it the rays in an order in which they are traced faster.
+#include "OrderedTracer.h"
+
+#include "Clock.h"
+#include "Crew.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+/// Rays are ordered among so many at most: more would take memory, and are not traced faster.
+constexpr std::size_t kMaxSliceRays = std::size_t{1} << 22;
+
+/// Rays and hits lie scattered; by the time one is needed, the memory system has brought it.
+constexpr std::size_t kAhead = 16;
+
+int longestEdge(Int3 extent) { return std::max({extent.x, extent.y, extent.z, 1}); }
+
+class OrderedTracer final : public Tracer {
+public:
+  OrderedTracer(std::unique_ptr<Tracer> tracer, const Volume &volume, unsigned threads, bool pays)
+      : tracer_(std::move(tracer)), edge_(longestEdge(volume.info().extent)), crew_(threads), pays_(pays) {}
+
+  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+                              const TraceOptions &options) override;
+
+private:
+  Expected<TraceReport> traceSlice(std::span<const Ray> rays, std::span<Hit> hits,
+                                   const TraceOptions &options);
+  void gatherRays(std::span<const Ray> rays, std::span<const std::uint32_t> order);
+  void scatterHits(std::span<Hit> hits, std::span<const std::uint32_t> order) const;
+
+  std::unique_ptr<Tracer> tracer_;
+  int edge_; ///< Voxels on the volume's longest axis.
+  Crew crew_;
+  bool pays_;
+  std::vector<Ray> rays_; ///< Of a slice, bin by bin.
+  std::vector<Hit> hits_;
+};
+
+/// Seconds since it was made, by both clocks.
+class Watch {
+public:
+  void addTo(TraceTime &time) const {
+    time.wall += wallSeconds() - wall_;
+    time.cpu += processCpuSeconds() - cpu_;
+  }
+
+private:
+  double wall_ = wallSeconds();
+  double cpu_ = processCpuSeconds();
+};
+
+void add(TraceReport &all, const TraceReport &part) {
+  all.repeats.resize(part.repeats.size());
+  for (std::size_t i = 0; i < part.repeats.size(); ++i) {
+    all.repeats[i].wall += part.repeats[i].wall;
+    all.repeats[i].cpu += part.repeats[i].cpu;
+    all.repeats[i].device += part.repeats[i].device;
+  }
+  all.firstDispatch += part.firstDispatch;
+  all.transfer += part.transfer;
+}
+
+/// Progress of a part of the rays, told as progress of all: `before` of `total` are done, and the part has
+/// `count`.
+Progress partOf(const Progress &all, std::size_t before, std::size_t count, std::size_t total,
+                unsigned repeats) {
+  Progress part = all;
+  if (!all.report)
+    return part;
+  part.report = [&all, before, count, total, repeats](std::string_view stage, double fraction,
+                                                      std::uint64_t) {
+    const double done = static_cast<double>(before) + fraction * static_cast<double>(count);
+    all.at(stage, done / static_cast<double>(total), static_cast<std::uint64_t>(done * repeats));
+  };
+  return part;
+}
+
+Expected<TraceReport> OrderedTracer::trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                           const TraceOptions &options) {
+  const bool bins = options.order == RayOrder::Binned ||
+                    (options.order == RayOrder::Auto && pays_ && areScattered(rays, edge_));
+  if (!bins || rays.empty() || rays.size() != hits.size())
+    return tracer_->trace(rays, hits, options);
+  TraceReport report;
+  TraceOptions slice = options;
+  for (std::size_t first = 0; first < rays.size(); first += kMaxSliceRays) {
+    const std::size_t count = std::min(kMaxSliceRays, rays.size() - first);
+    slice.progress = partOf(options.progress, first, count, rays.size(), std::max(options.repeat, 1u));
+    auto traced = traceSlice(rays.subspan(first, count), hits.subspan(first, count), slice);
+    if (!traced)
+      return traced.error();
+    add(report, *traced);
+  }
+  report.binned = true;
+  return report;
+}
+
+Expected<TraceReport> OrderedTracer::traceSlice(std::span<const Ray> rays, std::span<Hit> hits,
+                                                const TraceOptions &options) {
+  TraceTime ordering;
+  Watch before;
+  const std::vector<std::uint32_t> order = binnedOrder(rays, edge_, crew_.size());
+  gatherRays(rays, order);
+  hits_.resize(hits.size());
+  before.addTo(ordering);
+  auto report = tracer_->trace(rays_, hits_, options);
+  if (!report)
+    return report;
+  Watch after;
+  scatterHits(hits, order);
+  after.addTo(ordering);
+  for (TraceTime &repeat : report->repeats) {
+    repeat.wall += ordering.wall;
+    repeat.cpu += ordering.cpu;
+  }
+  return report;
+}
+
+void OrderedTracer::gatherRays(std::span<const Ray> rays, std::span<const std::uint32_t> order) {
+  rays_.resize(rays.size());
+  crew_.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
+    for (std::size_t i = first; i < last; ++i) {
+      __builtin_prefetch(&rays[order[std::min(i + kAhead, last - 1)]]);
+      rays_[i] = rays[order[i]];
+    }
+  });
+}
+
+void OrderedTracer::scatterHits(std::span<Hit> hits, std::span<const std::uint32_t> order) const {
+  crew_.share(hits.size(), [&](std::size_t first, std::size_t last, unsigned) {
+    for (std::size_t i = first; i < last; ++i) {
+      __builtin_prefetch(&hits[order[std::min(i + kAhead, last - 1)]], 1);
+      hits[order[i]] = hits_[i];
+    }
+  });
+}
+
+} // namespace
+
+std::unique_ptr<Tracer> inOrder(std::unique_ptr<Tracer> tracer, const Volume &volume, unsigned threads,
+                                bool pays) {
+  if (threads == 0)
+    threads = std::thread::hardware_concurrency();
+  return std::make_unique<OrderedTracer>(std::move(tracer), volume, threads, pays);
+}
+
+} // namespace voxc
