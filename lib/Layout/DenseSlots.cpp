@@ -22,6 +22,8 @@ std::uint64_t leastWords(const Stratum &stratum) {
   return static_cast<std::uint64_t>(stratum.slotWords()) << std::min(stratum.log2Children(), 62);
 }
 
+std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
+
 std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
 
 /// What a slot says of how far a ray may skip; 0 where the cell is not empty.
@@ -116,6 +118,7 @@ extern const SlotKind kDenseSlots = {.name = "dense",
                                      .problem = problem,
                                      .check = check,
                                      .leastWords = leastWords,
+                                     .wordsWith = wordsWith,
                                      .size = size,
                                      .child = child,
                                      .visit = visit,

@@ -3,6 +3,7 @@
 #include "Places.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,11 @@ struct Table {
 };
 
 std::uint64_t leastWords(const Stratum &) { return kHeadWords + 4; }
+
+/// Half of the entries are free at least.
+std::uint64_t wordsWith(const Stratum &, std::uint64_t slots) {
+  return kHeadWords + 2 * std::max<std::uint64_t>(std::bit_ceil(2 * slots), 2);
+}
 
 std::uint64_t size(const WordReader &words, const Stratum &, std::uint64_t node) {
   return kHeadWords + 2 * Table(words, node).entries();
@@ -116,6 +122,7 @@ extern const SlotKind kHashedSlots = {.name = "hashed",
                                       .problem = problem,
                                       .check = check,
                                       .leastWords = leastWords,
+                                      .wordsWith = wordsWith,
                                       .size = size,
                                       .child = child,
                                       .visit = visit,

@@ -25,13 +25,15 @@ std::uint64_t leastWords(const Stratum &stratum) {
   return MaskShape(stratum).words() + (stratum.implied ? 0 : static_cast<std::uint64_t>(stratum.slotWords()));
 }
 
-std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
-  const MaskShape shape(stratum);
-  const std::uint64_t slots = Masks(words, shape, node).slots();
+std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots) {
+  const std::uint64_t head = MaskShape(stratum).words();
   if (stratum.isIndexed())
-    return shape.words() + wordsOfFields(slots, stratum.indexBits) +
-           wordsOfFields(slots, stratum.countBits());
-  return shape.words() + slots * static_cast<std::uint64_t>(stratum.slotWords());
+    return head + wordsOfFields(slots, stratum.indexBits) + wordsOfFields(slots, stratum.countBits());
+  return head + slots * static_cast<std::uint64_t>(stratum.slotWords());
+}
+
+std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  return wordsWith(stratum, Masks(words, MaskShape(stratum), node).slots());
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -171,6 +173,7 @@ extern const SlotKind kPackedSlots = {.name = "packed",
                                       .problem = problem,
                                       .check = check,
                                       .leastWords = leastWords,
+                                      .wordsWith = wordsWith,
                                       .size = size,
                                       .child = child,
                                       .visit = visit,

@@ -18,6 +18,10 @@ std::uint64_t recordWords(const MaskShape &shape) { return 1 + shape.words(); }
 
 std::uint64_t leastWords(const Stratum &stratum) { return recordWords(MaskShape(stratum)); }
 
+std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots) {
+  return slots * recordWords(MaskShape(stratum));
+}
+
 std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -71,6 +75,7 @@ extern const SlotKind kSiblingSlots = {.name = "siblings",
                                        .problem = problem,
                                        .check = check,
                                        .leastWords = leastWords,
+                                       .wordsWith = wordsWith,
                                        .size = size,
                                        .child = child,
                                        .visit = visit,

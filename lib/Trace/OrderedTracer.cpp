@@ -142,8 +142,6 @@ void OrderedTracer::scatterHits(std::span<Hit> hits, std::span<const std::uint32
 
 std::unique_ptr<Tracer> inOrder(std::unique_ptr<Tracer> tracer, const Volume &volume, unsigned threads,
                                 bool pays) {
-  if (threads == 0)
-    threads = std::thread::hardware_concurrency();
   return std::make_unique<OrderedTracer>(std::move(tracer), volume, threads, pays);
 }
 

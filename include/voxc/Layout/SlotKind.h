@@ -68,6 +68,10 @@ struct SlotKind {
   /// Words that a node takes at least.
   std::uint64_t (*leastWords)(const Stratum &stratum);
 
+  /// How many words a node with so many slots takes; of siblings, so many records; of a hashed grid with so
+  /// many cells, the fewest.
+  std::uint64_t (*wordsWith)(const Stratum &stratum, std::uint64_t slots);
+
   /// How many words a checked node takes, those of its children apart.
   std::uint64_t (*size)(const WordReader &words, const Stratum &stratum, std::uint64_t node);
 

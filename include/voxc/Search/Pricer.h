@@ -1,0 +1,42 @@
+// How many words a format takes for a scene, exactly, without building it: layouts are deterministic, so what
+// is counted here is what a build writes.
+#pragma once
+
+#include "voxc/Layout/Layout.h"
+#include "voxc/Search/SceneDag.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace voxc {
+
+struct Price {
+  std::vector<std::uint64_t> levelWords; ///< Of each level.
+  std::uint64_t otherWords = 0;          ///< Before the first node, and of values apart.
+  bool exact = true; ///< False: a hashed grid may take more, where its cells' numbers collide often.
+
+  std::uint64_t words() const;
+};
+
+/// Prices formats over one scene. What formats have in common is counted once.
+class Pricer {
+public:
+  /// `dag` must outlive the pricer, and has the detail of the layouts: colours where values are in place.
+  explicit Pricer(const SceneDag &dag);
+  ~Pricer();
+
+  /// The price of a layout. Errors (`Input`): the scene is larger than the layout; more than `indexBits` can
+  /// number; more words than its references reach. Words of values apart are `valueWords`.
+  Expected<Price> price(const Layout &layout, std::uint64_t valueWords = 0);
+
+private:
+  class Tables;
+
+  std::uint64_t occurrencesAt(int height) const;
+
+  const SceneDag &dag_;
+  std::unique_ptr<Tables> tables_;
+};
+
+} // namespace voxc
