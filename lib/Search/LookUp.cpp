@@ -1,0 +1,70 @@
+// What one level of a format tells of a cell.
+#include "LookUp.h"
+
+#include "voxc/Layout/SlotKind.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+LevelView::LevelView(const Stratum &stratum, const Traversal &traversal, bool isFirst)
+    : stratum(stratum), descent(traversal.descent), isFirst(isFirst), bottom(stratum.log2Cell),
+      top(bottom + longest(stratum.log2Size())), branch(std::max(stratum.log2Shape.x, 1)),
+      tellsGroups(stratum.isGrid() && stratum.skip == Skip::None && stratum.slots->tellsGap(stratum)) {}
+
+double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel) {
+  const Stratum &stratum = level.stratum;
+  if (stratum.depth == 0)
+    return 1;
+  if (!stratum.isGrid()) {
+    const int found = isEmpty ? layers - 1 : layers; // Layers that had a child.
+    const int masks = level.branch == 1 ? 1 : 2;
+    const int leaf = isEmpty ? 0 : stratum.implied ? -1 : stratum.cells == Cells::Word ? 1 : 0;
+    return masks * layers + found + leaf;
+  }
+  if (level.tellsGroups)
+    return isEmpty || isVoxel ? 2 : 3;
+  if (stratum.slots->lookUpLoops)
+    return 4; // The head and an entry: most probes find their cell, or a free entry, at once.
+  if (stratum.slots->keepsEmpty)
+    return isEmpty && stratum.skip != Skip::None && stratum.empty == Empty::Zero ? 2 : 1;
+  return isEmpty || stratum.implied ? 1 : 2;
+}
+
+namespace {
+
+/// The most cells ahead that lie in the sub-volume of `side` cells.
+int roomAhead(Int3 cell, int side, unsigned octant) {
+  const auto room = [&](int place, unsigned axis) {
+    return (octant >> axis & 1) != 0 ? side - place : place + 1;
+  };
+  return std::min({room(cell.x, 0), room(cell.y, 1), room(cell.z, 2)});
+}
+
+} // namespace
+
+Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path,
+          DistanceFields &distances) {
+  const int bottom = level.bottom;
+  if (!level.stratum.isGrid())
+    return {empty, 1};
+  if (level.tellsGroups)
+    return path.hasNothingAhead(bottom, at.octant()) ? Gap{bottom + 2, 1}
+                                                     : Gap{std::min(empty, bottom + 1), 1};
+  if (level.stratum.skip == Skip::None)
+    return {bottom, 1};
+  const Int3 voxel = at.voxel();
+  const int side = 1 << (level.top - bottom);
+  const Int3 cell = {voxel.x >> bottom & (side - 1), voxel.y >> bottom & (side - 1),
+                     voxel.z >> bottom & (side - 1)};
+  const int told =
+      distances.at({level.stratum, level.top, path.number(level.top), level.isFirst}, cell, at.octant());
+  if (level.stratum.skip == Skip::Octant || !asCube)
+    return {bottom, std::max(told, 1)};
+  // The largest cube ahead whose cells are all nearer than the distance; in the sub-volume, of which it
+  // speaks.
+  const int cube = std::max((told + 2) / 3, 1);
+  return {bottom, level.isFirst ? cube : std::min(cube, roomAhead(cell, side, at.octant()))};
+}
+
+} // namespace voxc

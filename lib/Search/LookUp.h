@@ -1,0 +1,36 @@
+// What one level of a format tells of a cell, and what it reads for that.
+#pragma once
+
+#include "DistanceFields.h"
+#include "RayPosition.h"
+#include "ScenePath.h"
+
+#include "voxc/Plan/Plan.h"
+
+namespace voxc {
+
+struct LevelView {
+  LevelView(const Stratum &stratum, const Traversal &traversal, bool isFirst);
+
+  const Stratum &stratum;
+  Descent descent;
+  bool isFirst;     ///< There is one sub-volume, the whole.
+  int bottom;       ///< Cells have 2^bottom voxels a side,
+  int top;          ///< and sub-volumes 2^top.
+  int branch;       ///< Nodes have 2^branch children an axis.
+  bool tellsGroups; ///< Masks of 4^3 cells tell of empty ones around.
+
+  /// Layers of a tree that a look-up goes down, from a node of 2^from voxels a side to a cell of height `to`.
+  int layers(int from, int to) const { return stratum.isGrid() ? 0 : (from - to + branch - 1) / branch; }
+};
+
+/// Different words that a look-up reads, which finds an empty cell, a voxel or a cell with more levels below
+/// it; `layers` of a tree are gone down.
+double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel);
+
+/// What the level says of the position, which is empty in a cube of 2^empty voxels a side, to a walk that
+/// goes from cube to cube. Of an L1 distance, a cube in it if `asCube`, else the distance as the count.
+Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path,
+          DistanceFields &distances);
+
+} // namespace voxc

@@ -1,0 +1,141 @@
+// Rays through formats that are not built.
+//
+// Where a cell is empty, the graph tells how high the empty cube around it is. A format knows of that what
+// its levels know: a grid the cell, a tree the cube, distances a box. So the steps of its kernel follow, and
+// what it reads on the way.
+#include "voxc/Search/Replay.h"
+
+#include "LookUp.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+/// What all runs have in common.
+class Replay::Scene {
+public:
+  explicit Scene(const SceneDag &dag) : dag(dag), distances(dag) {}
+
+  const SceneDag &dag;
+  DistanceFields distances;
+};
+
+namespace {
+
+/// The walk of one ray.
+class ReplayedWalk {
+public:
+  ReplayedWalk(const SceneDag &dag, DistanceFields &distances, const Plan &plan,
+               const std::vector<LevelView> &levels, const Ray &ray, RayCost &cost)
+      : distances_(distances), levels_(levels), isDirect_(plan.walk == Walk::Direct),
+        countsVisits_(plan.walk == Walk::Nested), at_(ray, 1 << levels.front().top),
+        path_(dag, levels.front().top), height_(levels.front().top), cost_(cost) {}
+
+  /// Adds what the ray costs. Returns its turns.
+  double run() {
+    double turns = 0;
+    if (at_.isInside())
+      ++cost_.words; // Where the root is.
+    while (at_.isInside()) {
+      ++turns;
+      const int empty = path_.find(at_.voxel());
+      lookUp(empty);
+      if (empty < 0)
+        break;
+      step(empty);
+    }
+    return turns;
+  }
+
+private:
+  /// Goes down from the level where the walk stands to the one that has the empty cell, or the voxel.
+  void lookUp(int empty) {
+    double visits = 1;
+    for (std::size_t i = level_;; ++i, ++visits) {
+      const LevelView &level = levels_[i];
+      const bool isEmpty = empty >= level.bottom;
+      const bool isVoxel = !isEmpty && i + 1 == levels_.size();
+      const bool resumes = !isDirect_ && i == level_ && level.descent != Descent::Restart;
+      const int layers =
+          level.layers(resumes ? std::min(height_, level.top) : level.top, isEmpty ? empty : level.bottom);
+      cost_.layers += layers;
+      cost_.words += wordsRead(level, layers, isEmpty, isVoxel);
+      level_ = i;
+      if (isEmpty || isVoxel)
+        break;
+    }
+    cost_.lookups += countsVisits_ ? visits : 1;
+  }
+
+  /// Leaves what is empty, for the level that the walk goes on from.
+  void step(int empty) {
+    const LevelView &level = levels_[level_];
+    const Int3 before = at_.voxel();
+    const Gap gap = gapAt(level, empty, isDirect_, at_, path_, distances_);
+    if (level.stratum.skip == Skip::L1 && !isDirect_)
+      march(level, gap);
+    else
+      at_.leave(gap);
+    if (isDirect_) {
+      level_ = 0;
+      return;
+    }
+    const std::size_t left = level_;
+    while (level_ > 0 && !areInOneCube(before, at_.voxel(), levels_[level_].top))
+      --level_;
+    const int found = level_ == left ? empty : levels_[level_].bottom;
+    height_ = std::max(found + levels_[level_].branch, commonHeight(before, at_.voxel()));
+  }
+
+  /// Steps from cell to cell as long as the distance allows, within the sub-volume.
+  void march(const LevelView &level, const Gap &distance) {
+    for (int left = distance.count; left > 0; --left) {
+      const Int3 before = at_.voxel();
+      at_.leave({distance.log2Side, 1});
+      ++cost_.marches;
+      if (!at_.isInside() || !areInOneCube(before, at_.voxel(), level.top))
+        break;
+    }
+  }
+
+  DistanceFields &distances_;
+  const std::vector<LevelView> &levels_;
+  bool isDirect_;
+  bool countsVisits_; ///< Look-ups are counted level by level, else turn by turn.
+  RayPosition at_;
+  ScenePath path_;
+  std::size_t level_ = 0; ///< Where the next look-up begins,
+  int height_;            ///< and in a tree with a stack, the height of the node.
+  RayCost &cost_;
+};
+
+} // namespace
+
+Replay::Replay(const SceneDag &dag, std::vector<Ray> rays)
+    : rays_(std::move(rays)), scene_(std::make_unique<Scene>(dag)) {}
+
+Replay::~Replay() = default;
+
+RayCost Replay::run(const Plan &plan) {
+  std::vector<LevelView> levels;
+  for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
+    levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
+  RayCost cost;
+  const std::size_t packets = rays_.size() / kPacketRays;
+  for (std::size_t packet = 0; packet < packets; ++packet) {
+    double most = 0;
+    for (std::size_t lane = 0; lane < kPacketRays; ++lane) {
+      const Ray &ray = rays_[packet * kPacketRays + lane];
+      const double turns = ReplayedWalk(scene_->dag, scene_->distances, plan, levels, ray, cost).run();
+      cost.turns += turns;
+      most = std::max(most, turns);
+    }
+    cost.waits += most * kPacketRays;
+  }
+  const auto rays = static_cast<double>(std::max<std::size_t>(packets * kPacketRays, 1));
+  for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.marches, &cost.waits})
+    *part /= rays;
+  return cost;
+}
+
+} // namespace voxc
