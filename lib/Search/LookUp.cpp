@@ -1,6 +1,8 @@
 // What one level of a format tells of a cell.
 #include "LookUp.h"
 
+#include "Distances.h"
+
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -31,20 +33,7 @@ double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel)
   return isEmpty || stratum.implied ? 1 : 2;
 }
 
-namespace {
-
-/// The most cells ahead that lie in the sub-volume of `side` cells.
-int roomAhead(Int3 cell, int side, unsigned octant) {
-  const auto room = [&](int place, unsigned axis) {
-    return (octant >> axis & 1) != 0 ? side - place : place + 1;
-  };
-  return std::min({room(cell.x, 0), room(cell.y, 1), room(cell.z, 2)});
-}
-
-} // namespace
-
-Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path,
-          DistanceFields &distances) {
+Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path) {
   const int bottom = level.bottom;
   if (!level.stratum.isGrid())
     return {empty, 1};
@@ -57,14 +46,14 @@ Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
   const int side = 1 << (level.top - bottom);
   const Int3 cell = {voxel.x >> bottom & (side - 1), voxel.y >> bottom & (side - 1),
                      voxel.z >> bottom & (side - 1)};
-  const int told =
-      distances.at({level.stratum, level.top, path.number(level.top), level.isFirst}, cell, at.octant());
+  const MeasuredCube cube{path.dag(), level.stratum, level.top, path.number(level.top), level.isFirst};
+  const int told = distanceAt(cube, cell, at.octant());
   if (level.stratum.skip == Skip::Octant || !asCube)
     return {bottom, std::max(told, 1)};
   // The largest cube ahead whose cells are all nearer than the distance; in the sub-volume, of which it
   // speaks.
-  const int cube = std::max((told + 2) / 3, 1);
-  return {bottom, level.isFirst ? cube : std::min(cube, roomAhead(cell, side, at.octant()))};
+  const int inDistance = std::max((told + 2) / 3, 1);
+  return {bottom, level.isFirst ? inDistance : std::min(inDistance, cellsAhead(cell, side, at.octant()))};
 }
 
 } // namespace voxc

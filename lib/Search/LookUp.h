@@ -1,7 +1,6 @@
 // What one level of a format tells of a cell, and what it reads for that.
 #pragma once
 
-#include "DistanceFields.h"
 #include "RayPosition.h"
 #include "ScenePath.h"
 
@@ -30,7 +29,6 @@ double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel)
 
 /// What the level says of the position, which is empty in a cube of 2^empty voxels a side, to a walk that
 /// goes from cube to cube. Of an L1 distance, a cube in it if `asCube`, else the distance as the count.
-Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path,
-          DistanceFields &distances);
+Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path);
 
 } // namespace voxc

@@ -68,7 +68,7 @@ std::uint64_t wordsOf(const Stratum &stratum, const TreeCount &count) {
     return stratum.slots->wordsWith(stratum, 1) * (count.roots + slots);
   const std::uint64_t least = stratum.slots->wordsWith(stratum, 0);
   return least * count.nodes + (stratum.slots->wordsWith(stratum, 1) - least) * slots +
-         (stratum.cells == Cells::Word ? count.values : 0);
+         (stratum.cells == Cells::Word && !stratum.implied ? count.values : 0);
 }
 
 } // namespace
@@ -77,6 +77,18 @@ std::uint64_t Pricer::occurrencesAt(int height) const {
   const auto occurrences = dag_.occurrences(height);
   return std::accumulate(occurrences.begin(), occurrences.end(), std::uint64_t{0});
 }
+
+namespace {
+
+/// True if the values of voxels apart may stand in another order than that of Morton, and so take other
+/// words.
+bool ordersValuesOtherwise(const Layout &layout) {
+  const Stratum &last = layout.strata.back();
+  return layout.values == Values::Apart && last.isGrid() && last.implied && last.log2Children() > 3 &&
+         last.log2Shape != Int3{2, 2, 2};
+}
+
+} // namespace
 
 Pricer::Pricer(const SceneDag &dag) : dag_(dag), tables_(std::make_unique<Tables>(dag)) {}
 
@@ -90,6 +102,7 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
   Price price;
   price.levelWords.resize(layout.strata.size());
   price.otherWords = layout.headWords() + (layout.values == Values::Apart ? valueWords : 0);
+  price.exact = !ordersValuesOtherwise(layout);
   if (dag_.isEmpty())
     return price;
   bool equalCells = true; // Whether equal cubes have equal values in the stratum's cells.

@@ -11,25 +11,16 @@
 
 namespace voxc {
 
-/// What all runs have in common.
-class Replay::Scene {
-public:
-  explicit Scene(const SceneDag &dag) : dag(dag), distances(dag) {}
-
-  const SceneDag &dag;
-  DistanceFields distances;
-};
-
 namespace {
 
 /// The walk of one ray.
 class ReplayedWalk {
 public:
-  ReplayedWalk(const SceneDag &dag, DistanceFields &distances, const Plan &plan,
-               const std::vector<LevelView> &levels, const Ray &ray, RayCost &cost)
-      : distances_(distances), levels_(levels), isDirect_(plan.walk == Walk::Direct),
-        countsVisits_(plan.walk == Walk::Nested), at_(ray, 1 << levels.front().top),
-        path_(dag, levels.front().top), height_(levels.front().top), cost_(cost) {}
+  ReplayedWalk(const SceneDag &dag, const Plan &plan, const std::vector<LevelView> &levels, const Ray &ray,
+               RayCost &cost)
+      : levels_(levels), isDirect_(plan.walk == Walk::Direct), countsVisits_(plan.walk == Walk::Nested),
+        at_(ray, 1 << levels.front().top), path_(dag, levels.front().top), height_(levels.front().top),
+        cost_(cost) {}
 
   /// Adds what the ray costs. Returns its turns.
   double run() {
@@ -71,7 +62,7 @@ private:
   void step(int empty) {
     const LevelView &level = levels_[level_];
     const Int3 before = at_.voxel();
-    const Gap gap = gapAt(level, empty, isDirect_, at_, path_, distances_);
+    const Gap gap = gapAt(level, empty, isDirect_, at_, path_);
     if (level.stratum.skip == Skip::L1 && !isDirect_)
       march(level, gap);
     else
@@ -98,7 +89,6 @@ private:
     }
   }
 
-  DistanceFields &distances_;
   const std::vector<LevelView> &levels_;
   bool isDirect_;
   bool countsVisits_; ///< Look-ups are counted level by level, else turn by turn.
@@ -111,28 +101,23 @@ private:
 
 } // namespace
 
-Replay::Replay(const SceneDag &dag, std::vector<Ray> rays)
-    : rays_(std::move(rays)), scene_(std::make_unique<Scene>(dag)) {}
-
-Replay::~Replay() = default;
-
-RayCost Replay::run(const Plan &plan) {
+RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) {
   std::vector<LevelView> levels;
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
     levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
   RayCost cost;
-  const std::size_t packets = rays_.size() / kPacketRays;
+  const std::size_t packets = all.size() / kReplayPacket;
   for (std::size_t packet = 0; packet < packets; ++packet) {
     double most = 0;
-    for (std::size_t lane = 0; lane < kPacketRays; ++lane) {
-      const Ray &ray = rays_[packet * kPacketRays + lane];
-      const double turns = ReplayedWalk(scene_->dag, scene_->distances, plan, levels, ray, cost).run();
+    for (std::size_t lane = 0; lane < kReplayPacket; ++lane) {
+      const Ray &ray = all[packet * kReplayPacket + lane];
+      const double turns = ReplayedWalk(dag, plan, levels, ray, cost).run();
       cost.turns += turns;
       most = std::max(most, turns);
     }
-    cost.waits += most * kPacketRays;
+    cost.waits += most * kReplayPacket;
   }
-  const auto rays = static_cast<double>(std::max<std::size_t>(packets * kPacketRays, 1));
+  const auto rays = static_cast<double>(std::max<std::size_t>(packets * kReplayPacket, 1));
   for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.marches, &cost.waits})
     *part /= rays;
   return cost;

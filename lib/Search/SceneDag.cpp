@@ -76,6 +76,8 @@ private:
     if (bricks_++ % kBricksBetweenReports == 0)
       report(cube);
     source_.read(cube, voxels_.data());
+    if (options_.look)
+      options_.look(voxels_);
     return ofVoxels(voxels_.data(), kLog2Brick);
   }
 

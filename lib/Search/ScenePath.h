@@ -27,6 +27,8 @@ public:
   /// of this octant may still come to from it.
   bool hasNothingAhead(int bottom, unsigned octant) const;
 
+  const SceneDag &dag() const { return dag_; }
+
 private:
   const SceneDag &dag_;
   int root_;

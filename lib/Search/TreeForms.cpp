@@ -74,8 +74,9 @@ TreeForms::Form TreeForms::join(int layer, std::size_t number) {
       first = form;
     equalLeaves &= form.leaf && form.number == first.number;
     words[count++] = form.number;
-    if (shape_.ranked)
-      words[count++] = static_cast<std::uint32_t>(voxels_[below][child]);
+    if (shape_.ranked) // Leaves of voxels have no slots, and so no counts.
+      words[count++] =
+          form.leaf && shape_.bottom == 0 ? 0 : static_cast<std::uint32_t>(voxels_[below][child]);
   });
   if (equalLeaves && kind.leaves == 1u << 3 * shape_.branch)
     return first;

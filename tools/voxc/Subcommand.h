@@ -34,6 +34,7 @@ std::unique_ptr<Subcommand> makeBenchImportCommand();
 std::unique_ptr<Subcommand> makeBenchReportCommand();
 std::unique_ptr<Subcommand> makeExportCommand();
 std::unique_ptr<Subcommand> makeFactsCommand();
+std::unique_ptr<Subcommand> makeSuggestCommand();
 std::unique_ptr<Subcommand> makeInfoCommand();
 std::unique_ptr<Subcommand> makeDevicesCommand();
 

@@ -34,6 +34,7 @@ constexpr CommandKind kCommands[] = {
     {"export", "Write a volume as a dense grid, points or MagicaVoxel, or as another .hvx",
      makeExportCommand},
     {"facts", "Measure what an input is like, to choose a format by", makeFactsCommand},
+    {"suggest", "Say which format an input asks for, and why", makeSuggestCommand},
     {"info", "Describe a volume", makeInfoCommand},
     {"devices", "List the devices that can trace", makeDevicesCommand},
 };

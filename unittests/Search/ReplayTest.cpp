@@ -67,7 +67,7 @@ TEST_P(ReplayTest, CountsWhatKernelsCount) {
   const auto rays = raysOf(1600);
   const auto plan = makePlan(format, kCpuPlan);
   ASSERT_TRUE(plan) << plan.error().message;
-  const RayCost cost = Replay(*dag, rays).run(*plan);
+  const RayCost cost = replay(*dag, rays, *plan);
   const double lookups = counted(format, built->volume, rays, false);
   const double words = counted(format, built->volume, rays, true);
   EXPECT_NEAR(cost.lookups / lookups, 1, 0.001) << cost.lookups << " of " << lookups;

@@ -14,7 +14,9 @@ namespace voxc {
 struct Price {
   std::vector<std::uint64_t> levelWords; ///< Of each level.
   std::uint64_t otherWords = 0;          ///< Before the first node, and of values apart.
-  bool exact = true; ///< False: a hashed grid may take more, where its cells' numbers collide often.
+  /// False: a hashed grid may take more, where its cells' numbers collide often; or the values of voxels
+  /// stand apart in the order of a masked grid that is not of 4^3, and take a little more or less.
+  bool exact = true;
 
   std::uint64_t words() const;
 };

@@ -6,9 +6,8 @@
 #include "voxc/Search/SceneDag.h"
 #include "voxc/Trace/Ray.h"
 
-#include <memory>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 namespace voxc {
 
@@ -22,25 +21,13 @@ struct RayCost {
   double waits = 0;   ///< Turns of the ray of a packet that has the most.
 };
 
-class Replay {
-public:
-  static constexpr std::size_t kPacketRays = 16;
+/// Rays of a packet: neighbours, which wait for each other.
+inline constexpr std::size_t kReplayPacket = 16;
 
-  /// `dag` must outlive the replay. `rays` are packets, `kPacketRays` neighbours each; what is left over is
-  /// left out.
-  Replay(const SceneDag &dag, std::vector<Ray> rays);
-  ~Replay();
-
-  /// What the rays cost in kernels of a plan that has been through all passes. Positions are of float64, so a
-  /// ray that float64 cannot tell from its neighbour may cost a step more or less than the kernel's.
-  /// Precondition: the scene lies in the plan's layout (`Pricer::price` tells).
-  RayCost run(const Plan &plan);
-
-private:
-  class Scene;
-
-  std::vector<Ray> rays_;
-  std::unique_ptr<Scene> scene_;
-};
+/// What rays cost in kernels of a plan that has been through all passes; packet after packet, and what is
+/// left over is left out. Positions are of float64, so a ray that float64 cannot tell from its neighbour may
+/// cost a step more or less than the kernel's. Precondition: the scene lies in the plan's layout
+/// (`Pricer::price` tells).
+RayCost replay(const SceneDag &dag, std::span<const Ray> rays, const Plan &plan);
 
 } // namespace voxc

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,9 @@ public:
     Detail detail = Detail::Shape;
     int log2Side = 0; ///< The cube has 2^log2Side voxels a side at least, and as many as the source needs.
     std::size_t mostNodes = std::size_t{1} << 28; ///< About 30 bytes each.
+    /// Is called with the words of bricks of 8^3 cells, in Morton order, as they are read; all that are not
+    /// empty are among them. May be null.
+    std::function<void(std::span<const std::uint32_t> cells)> look;
   };
 
   /// Reads a source once. Errors: its own, interrupted; more different cubes than `mostNodes` (`Input`).

@@ -1,0 +1,32 @@
+// Formats that are worth a look, as a user would write them: a string of the grammar and passes.
+#pragma once
+
+#include "voxc/IR/Format.h"
+
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+struct Candidate {
+  std::string text;                ///< Of the grammar.
+  std::vector<std::string> passes; ///< By name, in order; those that change nothing are left out.
+  Format format;                   ///< What the passes make of it.
+};
+
+/// What all candidates for a scene have in common.
+struct CandidateTraits {
+  bool oneColour = false; ///< All voxels have one: it is kept once, else values stand apart.
+  bool visible = false;   ///< No voxel has an alpha of 0.
+};
+
+/// A candidate of this text, with the passes that make any format smaller or faster, and with short pointers
+/// if `shortPointers` and its levels allow it. Errors: those of the text.
+Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits, bool shortPointers);
+
+/// The formats of 2^log2Side voxels a side that `voxc suggest` chooses from: a grid, or one with distances,
+/// of any size that is no larger than some, and below it grids with masks, DAGs or an octree; and the same
+/// without a grid. Each differs from all others. Precondition: log2Side is 1 to 21.
+std::vector<Candidate> candidatesFor(int log2Side, const CandidateTraits &traits);
+
+} // namespace voxc

@@ -1,0 +1,59 @@
+// Which format a scene asks for, without building any: candidates priced to the word, and rated by replayed
+// rays.
+#pragma once
+
+#include "voxc/Search/Candidate.h"
+#include "voxc/Search/Pricer.h"
+#include "voxc/Search/Replay.h"
+#include "voxc/Search/SpeedModel.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace voxc {
+
+/// Rays of one kind, and what they count.
+struct RaySet {
+  std::string name; ///< Such as "camera".
+  std::vector<Ray> rays;
+};
+
+/// One candidate, and what is to be expected of it.
+struct RatedFormat {
+  Candidate candidate;
+  Price price;
+  std::vector<RayCost> costs;      ///< Of each set of rays.
+  std::vector<double> nanoseconds; ///< A ray of each set takes so many, as the model has it.
+
+  std::uint64_t bytes() const { return 4 * price.words(); }
+  /// The mean of all sets.
+  double time() const;
+};
+
+/// What is wanted of a format.
+struct Wish {
+  enum class Objective {
+    Balanced, ///< Size and speed: twice the speed is worth four times the bytes.
+    Fastest,
+    Smallest,
+  };
+  Objective objective = Objective::Balanced;
+  std::uint64_t maxBytes = ~std::uint64_t{0};
+};
+
+/// Prices the candidates and replays the rays on them, those first that are small: a candidate that has more
+/// bytes than `wish` allows is left out. `valueWords`: of values apart.
+std::vector<RatedFormat> rateFormats(const SceneDag &dag, std::vector<Candidate> candidates,
+                                     std::uint64_t valueWords, const std::vector<RaySet> &rays,
+                                     const SpeedModel &model, const Wish &wish,
+                                     const Progress &progress = {});
+
+/// True for each that no other is as small and as fast as, or better.
+std::vector<bool> frontierOf(std::span<const RatedFormat> rated);
+
+/// The one that the wish asks for; none of none.
+std::optional<std::size_t> choose(std::span<const RatedFormat> rated, const Wish &wish);
+
+} // namespace voxc

@@ -1,0 +1,95 @@
+// Formats that are worth a look.
+#include "voxc/Search/Candidate.h"
+
+#include "voxc/Passes/Pass.h"
+
+#include <algorithm>
+#include <set>
+
+namespace voxc {
+namespace {
+
+/// Of a grid at the top: 2^27 cells, half a gigabyte.
+constexpr int kMaxLog2Grid = 9;
+constexpr int kMinLog2Grid = 2;
+
+/// What lies below a grid, or is all: `side` heights.
+std::vector<std::string> tailsOf(int side) {
+  if (side == 0)
+    return {""};
+  const auto number = [](int value) { return std::to_string(value); };
+  std::vector<std::string> tails = {"G(" + number(side) + ")", "S(" + number(side) + ")"};
+  // Grids with masks of 4^3 cells, and one of 2^3 where a height is left over.
+  const auto masked = [](int heights) {
+    std::string text;
+    for (int i = 0; i < heights / 2; ++i)
+      text += " M(2^3)";
+    return text + (heights % 2 != 0 ? " M(1^3)" : "");
+  };
+  tails.push_back(masked(side).substr(1));
+  if (side % 2 == 0)
+    tails.push_back("G(" + number(side) + ", 2)");
+  if (side > 2)
+    tails.push_back("G(" + number(side - 2) + ")" + masked(2));
+  if (side > 2 && side % 2 == 0)
+    tails.push_back("G(" + number(side - 2) + ", 2)" + masked(2));
+  if (side <= 3)
+    tails.push_back("R(" + number(side) + "^3)");
+  return tails;
+}
+
+std::vector<std::string> textsFor(int log2Side) {
+  std::vector<std::string> texts = tailsOf(log2Side);
+  for (int grid = kMinLog2Grid; grid <= std::min(log2Side, kMaxLog2Grid); ++grid)
+    for (const std::string &tail : tailsOf(log2Side - grid))
+      for (const char *kind : {"R", "D"}) {
+        const std::string size = std::to_string(grid) + "^3";
+        texts.push_back((*kind == 'R' ? "R(" + size + ")" : "D(" + size + ", 15)") +
+                        (tail.empty() ? "" : " ") + tail);
+      }
+  return texts;
+}
+
+/// The same format, if the pass does not apply.
+void apply(Candidate &candidate, const std::string &pass) {
+  Format changed = candidate.format;
+  Diagnostics diagnostics;
+  const PassResult result = findPass(pass)->run(changed, diagnostics);
+  if (result == PassResult::Changed)
+    verify(changed, diagnostics);
+  if (result != PassResult::Changed || diagnostics.hasErrors())
+    return;
+  candidate.format = std::move(changed);
+  candidate.passes.push_back(pass);
+}
+
+} // namespace
+
+Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
+                                  bool shortPointers) {
+  auto format = parseFormat(text);
+  if (!format)
+    return format.error();
+  Candidate candidate{text, {}, std::move(*format)};
+  if (traits.visible)
+    apply(candidate, "visible-voxels");
+  for (const char *pass : {"whole-level-dedup", "share-grids", "octant-distances", "df-packing"})
+    apply(candidate, pass);
+  apply(candidate, traits.oneColour ? "constant-colour" : "values-apart");
+  if (shortPointers)
+    apply(candidate, "short-pointers");
+  return candidate;
+}
+
+std::vector<Candidate> candidatesFor(int log2Side, const CandidateTraits &traits) {
+  std::vector<Candidate> candidates;
+  std::set<std::string> known;
+  for (const std::string &text : textsFor(log2Side))
+    for (const bool shortPointers : {false, true})
+      if (auto candidate = makeCandidate(text, traits, shortPointers))
+        if (known.insert(printIr(candidate->format)).second)
+          candidates.push_back(std::move(*candidate));
+  return candidates;
+}
+
+} // namespace voxc

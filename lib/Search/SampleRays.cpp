@@ -1,0 +1,76 @@
+// Rays that stand for those that will be asked of a scene.
+#include "voxc/Search/SampleRays.h"
+
+#include "RayPosition.h"
+#include "ScenePath.h"
+
+#include "voxc/Search/Replay.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+namespace voxc {
+namespace {
+
+/// The last empty voxel before the first one that a ray hits; none if it misses, or begins in one.
+std::optional<Int3> beforeHit(const SceneDag &dag, const Ray &ray) {
+  RayPosition at(ray, 1 << dag.log2Side());
+  ScenePath path(dag, dag.log2Side());
+  std::optional<Int3> before;
+  while (at.isInside()) {
+    const int empty = path.find(at.voxel());
+    if (empty < 0)
+      return before;
+    before = at.voxel();
+    // By single voxels near what is there, so that the last empty one is its neighbour.
+    at.leave({empty > 2 ? empty - 2 : 0, 1});
+  }
+  return std::nullopt;
+}
+
+/// Any direction, all alike. By integers, so that a seed means the same everywhere.
+glm::vec3 anyDirection(std::mt19937 &random) {
+  for (;;) {
+    glm::vec3 point;
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = static_cast<float>(static_cast<int>(random() % 2001) - 1000) / 1000.0F;
+    const float square = glm::dot(point, point);
+    if (square > 0.01F && square <= 1)
+      return point;
+  }
+}
+
+} // namespace
+
+std::vector<Ray> sampleCamera(const Camera &camera, std::size_t count) {
+  const std::vector<Ray> all = cameraRays(camera);
+  constexpr std::size_t kPacket = kReplayPacket;
+  const std::size_t packets = std::min(count, all.size()) / kPacket;
+  std::vector<Ray> rays;
+  for (std::size_t packet = 0; packet < packets; ++packet) {
+    const std::size_t first = all.size() / packets * packet / kPacket * kPacket;
+    rays.insert(rays.end(), all.begin() + static_cast<std::ptrdiff_t>(first),
+                all.begin() + static_cast<std::ptrdiff_t>(first + kPacket));
+  }
+  return rays;
+}
+
+std::vector<Ray> sampleBounces(const SceneDag &dag, const std::vector<Ray> &rays, std::uint32_t seed) {
+  std::vector<Int3> places;
+  for (const Ray &ray : rays)
+    if (const auto place = beforeHit(dag, ray))
+      places.push_back(*place);
+  std::vector<Ray> bounces;
+  std::mt19937 random(seed);
+  for (std::size_t i = 0; i < rays.size() && !places.empty(); ++i) {
+    const Int3 place = places[i % places.size()];
+    const glm::vec3 origin = glm::vec3(place.x, place.y, place.z) + 0.5F;
+    bounces.push_back(makeRay(origin, anyDirection(random)));
+  }
+  return bounces;
+}
+
+} // namespace voxc

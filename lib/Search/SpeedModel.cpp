@@ -1,0 +1,66 @@
+// From what rays cost to how fast they are.
+#include "voxc/Search/SpeedModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace voxc {
+namespace {
+
+constexpr double kMebibyte = 1 << 20;
+constexpr int kSweeps = 4000;
+/// How strongly a model is drawn to its prior: as by so many samples.
+constexpr double kPriorWeight = 0.02;
+
+/// Fitted by scripts/fit-speed.sh; docs/search.md tells from what, and how well.
+constexpr SpeedModel kCpu{{30, 2, 2, 2, 0.5, 0, 1}};
+constexpr SpeedModel kLavapipe{{40, 4, 4, 8, 0.5, 0, 2}};
+
+} // namespace
+
+SpeedTerms speedTerms(const RayCost &cost, std::uint64_t bytes) {
+  const double far = std::log2(1 + static_cast<double>(bytes) / kMebibyte);
+  return {1, cost.turns, cost.waits, cost.words, cost.words * far, cost.layers, cost.marches};
+}
+
+double SpeedModel::predict(const SpeedTerms &terms) const {
+  return std::inner_product(terms.begin(), terms.end(), nanoseconds.begin(), 0.0);
+}
+
+SpeedModel fitSpeedModel(std::span<const SpeedSample> samples, const SpeedModel &prior) {
+  // Relative errors: each sample is divided by its time, so that 1 is to be told.
+  const std::size_t kTerms = kSpeedTerms;
+  std::array<SpeedTerms, kSpeedTerms> products{};
+  SpeedTerms targets{};
+  for (const SpeedSample &sample : samples)
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      const double a = sample.terms[i] / sample.nanoseconds;
+      targets[i] += a;
+      for (std::size_t j = 0; j < kTerms; ++j)
+        products[i][j] += a * sample.terms[j] / sample.nanoseconds;
+    }
+  SpeedModel model = prior;
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    // A term's own share of the prior is let go the more easily the larger it is.
+    const double scale =
+        prior.nanoseconds[i] > 0 ? kPriorWeight / (prior.nanoseconds[i] * prior.nanoseconds[i]) : 0;
+    products[i][i] += scale;
+    targets[i] += scale * prior.nanoseconds[i];
+  }
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      if (products[i][i] <= 0)
+        continue;
+      double rest = targets[i];
+      for (std::size_t j = 0; j < kTerms; ++j)
+        if (j != i)
+          rest -= products[i][j] * model.nanoseconds[j];
+      model.nanoseconds[i] = std::max(rest / products[i][i], 0.0);
+    }
+  return model;
+}
+
+const SpeedModel &defaultSpeedModel(std::string_view device) { return device == "cpu" ? kCpu : kLavapipe; }
+
+} // namespace voxc

@@ -1,0 +1,82 @@
+// Which format a scene asks for.
+#include "voxc/Search/Suggest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace voxc {
+namespace {
+
+/// Of the logarithm of bytes beside that of time.
+constexpr double kSizeWeight = 0.5;
+
+double regret(const RatedFormat &rated, Wish::Objective objective) {
+  const double time = std::log2(rated.time());
+  const double bytes = std::log2(static_cast<double>(rated.bytes()));
+  // What does not matter still decides between equals.
+  constexpr double kHint = 1e-6;
+  switch (objective) {
+  case Wish::Objective::Fastest:
+    return time + kHint * bytes;
+  case Wish::Objective::Smallest:
+    return bytes + kHint * time;
+  case Wish::Objective::Balanced:
+    break;
+  }
+  return time + kSizeWeight * bytes;
+}
+
+} // namespace
+
+double RatedFormat::time() const {
+  return std::accumulate(nanoseconds.begin(), nanoseconds.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(nanoseconds.size(), 1));
+}
+
+std::vector<RatedFormat> rateFormats(const SceneDag &dag, std::vector<Candidate> candidates,
+                                     std::uint64_t valueWords, const std::vector<RaySet> &rays,
+                                     const SpeedModel &model, const Wish &wish, const Progress &progress) {
+  Pricer pricer(dag);
+  std::vector<RatedFormat> rated;
+  for (Candidate &candidate : candidates) {
+    auto price = pricer.price(layoutOf(candidate.format), valueWords);
+    if (price && 4 * price->words() <= wish.maxBytes)
+      rated.push_back({std::move(candidate), std::move(*price), {}, {}});
+  }
+  std::size_t done = 0;
+  for (RatedFormat &format : rated) {
+    progress.at("rate", static_cast<double>(done++) / static_cast<double>(rated.size()));
+    const auto plan = makePlan(format.candidate.format, kCpuPlan);
+    for (std::size_t i = 0; plan && i < rays.size() && !progress.stopped(); ++i) {
+      format.costs.push_back(replay(dag, rays[i].rays, *plan));
+      format.nanoseconds.push_back(model.predict(speedTerms(format.costs.back(), format.bytes())));
+    }
+  }
+  return rated;
+}
+
+std::vector<bool> frontierOf(std::span<const RatedFormat> rated) {
+  std::vector<std::size_t> order(rated.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return std::pair(rated[a].bytes(), rated[a].time()) < std::pair(rated[b].bytes(), rated[b].time());
+  });
+  std::vector<bool> frontier(rated.size());
+  double fastest = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : order) {
+    frontier[i] = rated[i].time() < fastest;
+    fastest = std::min(fastest, rated[i].time());
+  }
+  return frontier;
+}
+
+std::optional<std::size_t> choose(std::span<const RatedFormat> rated, const Wish &wish) {
+  if (rated.empty())
+    return std::nullopt;
+  const auto best = std::ranges::min_element(
+      rated, {}, [&](const RatedFormat &format) { return regret(format, wish.objective); });
+  return static_cast<std::size_t>(best - rated.begin());
+}
+
+} // namespace voxc

@@ -1,0 +1,123 @@
+// What voxc suggest says.
+#include "SuggestReport.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+
+namespace voxc::tool {
+
+namespace {
+
+template <typename... Values> std::string print(const char *format, const Values &...values) {
+  std::array<char, 512> text;
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+double mebibytes(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
+/// Millions of rays a second.
+double speed(double nanoseconds) { return 1000 / nanoseconds; }
+
+std::string speedsOf(const Suggestion &suggestion, const RatedFormat &format) {
+  std::string text;
+  for (std::size_t i = 0; i < suggestion.rays.size(); ++i)
+    text +=
+        (i == 0 ? "" : ", ") + print("%.1f M/s %s", speed(format.nanoseconds[i]), suggestion.rays[i].c_str());
+  return text;
+}
+
+std::string nameOf(const Candidate &candidate) {
+  const bool isShort = std::ranges::find(candidate.passes, "short-pointers") != candidate.passes.end();
+  return candidate.text + (isShort ? " with short pointers" : "");
+}
+
+/// What another format has more and less of.
+std::string besides(const char *what, const RatedFormat &other, const RatedFormat &choice) {
+  return print("  the %s, %s, would take %.2f times the bytes and have %.2f times the speed\n", what,
+               nameOf(other.candidate).c_str(),
+               static_cast<double>(other.bytes()) / static_cast<double>(choice.bytes()),
+               choice.time() / other.time());
+}
+
+std::string command(const Suggestion &suggestion, const Candidate &candidate) {
+  std::string text = "  voxc build \"" + candidate.text + "\" " + suggestion.input + " --resolution " +
+                     std::to_string(suggestion.arguments.resolution);
+  for (const std::string &pass : candidate.passes)
+    text += " --" + pass;
+  return text + " -o scene.hvx\n";
+}
+
+std::string table(const Suggestion &suggestion) {
+  std::vector<const RatedFormat *> frontier;
+  const std::vector<bool> marks = frontierOf(suggestion.rated);
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (marks[i])
+      frontier.push_back(&suggestion.rated[i]);
+  std::ranges::sort(frontier, {}, &RatedFormat::bytes);
+  std::string text = "\n         MiB  speed\n";
+  for (const RatedFormat *format : frontier)
+    text += print("  %10.3f  %-40s ", mebibytes(format->bytes()), speedsOf(suggestion, *format).c_str()) +
+            nameOf(format->candidate) + "\n";
+  return text;
+}
+
+} // namespace
+
+std::string suggestReport(const Suggestion &suggestion, bool all) {
+  const RatedFormat &choice = suggestion.rated[*suggestion.choice];
+  const auto fastest = std::ranges::min_element(suggestion.rated, {}, &RatedFormat::time);
+  const auto smallest = std::ranges::min_element(suggestion.rated, {}, &RatedFormat::bytes);
+  std::string text = nameOf(choice.candidate) + "\n";
+  text += print("  %.3f MiB, %.2f bits a voxel, of which %.0f %% are colours; about %s on one core (%s)\n",
+                mebibytes(choice.bytes()),
+                8 * static_cast<double>(choice.bytes()) / static_cast<double>(suggestion.voxels),
+                100 * static_cast<double>(4 * suggestion.valueWords) / static_cast<double>(choice.bytes()),
+                speedsOf(suggestion, choice).c_str(), suggestion.device.c_str());
+  if (&*fastest != &choice)
+    text += besides("fastest", *fastest, choice);
+  if (&*smallest != &choice)
+    text += besides("smallest", *smallest, choice);
+  text += print("  of %zu formats, priced to the word; speeds are foretold, and voxc bench measures them\n",
+                suggestion.rated.size());
+  if (all)
+    text += table(suggestion);
+  return text + "\n" + command(suggestion, choice.candidate);
+}
+
+void addSuggestFigures(Json &figures, const Suggestion &suggestion) {
+  figures["input"] = suggestion.input;
+  figures["resolution"] = suggestion.arguments.resolution;
+  figures["device"] = suggestion.device;
+  figures["voxels"] = suggestion.voxels;
+  figures["value_words"] = suggestion.valueWords;
+  const std::vector<bool> frontier = frontierOf(suggestion.rated);
+  Json formats = Json::array();
+  for (std::size_t i = 0; i < suggestion.rated.size(); ++i) {
+    const RatedFormat &format = suggestion.rated[i];
+    Json entry;
+    entry["format"] = format.candidate.text;
+    entry["passes"] = format.candidate.passes;
+    entry["words"] = format.price.words();
+    entry["level_words"] = format.price.levelWords;
+    entry["exact"] = format.price.exact;
+    entry["frontier"] = bool(frontier[i]);
+    entry["chosen"] = i == *suggestion.choice;
+    for (std::size_t set = 0; set < suggestion.rays.size(); ++set) {
+      const RayCost &cost = format.costs[set];
+      entry["rays"][suggestion.rays[set]] = {{"lookups", cost.lookups},
+                                             {"turns", cost.turns},
+                                             {"waits", cost.waits},
+                                             {"words", cost.words},
+                                             {"layers", cost.layers},
+                                             {"marches", cost.marches},
+                                             {"nanoseconds", format.nanoseconds[set]}};
+    }
+    formats.push_back(std::move(entry));
+  }
+  figures["formats"] = std::move(formats);
+}
+
+} // namespace voxc::tool
