@@ -1,6 +1,7 @@
 // A brick of 8^3 voxels that was read, and bits that say which of them are there.
 #pragma once
 
+#include "Source/BrickBits.h"
 #include "voxc/Support/Geometry.h"
 
 #include <array>
@@ -8,17 +9,14 @@
 
 namespace voxc {
 
-/// 8^3 bits: that of (x, y, z) is bit x + 8 * y of slice z.
-using Slices = std::array<std::uint64_t, 8>;
-
 struct Brick {
   static constexpr int kLog2Side = 3;
   static constexpr unsigned kVoxels = 512;
 
   Int3 low;
   std::array<std::uint32_t, kVoxels> words; ///< In Morton order.
-  std::array<std::uint64_t, 8> masks;       ///< Which words are not 0: a bit each, in Morton order.
-  Slices slices;                            ///< The same bits in order of coordinates.
+  MortonBits masks;                         ///< Which words are not 0.
+  Slices slices;                            ///< The same bits by coordinates.
 
   /// Makes `masks` and `slices` of `words`. False if there is no voxel; then `slices` are not made.
   bool findBits();

@@ -11,8 +11,6 @@ namespace voxc {
 
 namespace {
 
-constexpr std::uint64_t kColumn = 0x0101010101010101; // The bits with x = 0 of a slice.
-constexpr std::uint64_t kRow = 0xff;                  // The bits with y = 0.
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr std::uint64_t kSmallestTable = 1024;
 
@@ -24,8 +22,8 @@ std::uint64_t faceOf(const Slices &slices, int axis, Side side) {
     return slices[side == Side::High ? 7 : 0];
   std::uint64_t face = 0;
   for (unsigned z = 0; z < 8; ++z)
-    face |= axis == 0 ? (slices[z] >> (side == Side::High ? 7 : 0) & kColumn) << z
-                      : (slices[z] >> (side == Side::High ? 56 : 0) & kRow) << 8 * z;
+    face |= axis == 0 ? (slices[z] >> (side == Side::High ? 7 : 0) & kColumnBits) << z
+                      : (slices[z] >> (side == Side::High ? 56 : 0) & kRowBits) << 8 * z;
   return face;
 }
 
@@ -36,9 +34,9 @@ void restrictFace(Slices &slices, int axis, Side side, std::uint64_t neighbours)
     return;
   }
   const unsigned shift = side == Side::Low ? 0 : axis == 0 ? 7 : 56;
-  const std::uint64_t where = axis == 0 ? kColumn : kRow;
+  const std::uint64_t where = axis == 0 ? kColumnBits : kRowBits;
   for (unsigned z = 0; z < 8; ++z) {
-    const std::uint64_t kept = axis == 0 ? neighbours >> z & kColumn : neighbours >> 8 * z & kRow;
+    const std::uint64_t kept = axis == 0 ? neighbours >> z & kColumnBits : neighbours >> 8 * z & kRowBits;
     slices[z] &= ~(where << shift) | kept << shift;
   }
 }
@@ -47,16 +45,9 @@ void restrictFace(Slices &slices, int axis, Side side, std::uint64_t neighbours)
 Slices erode(const Slices &s) {
   Slices inner;
   for (unsigned z = 0; z < 8; ++z)
-    inner[z] = s[z] & (s[z] << 1 | kColumn) & (s[z] >> 1 | kColumn << 7) & (s[z] << 8 | kRow) &
-               (s[z] >> 8 | kRow << 56) & (z > 0 ? s[z - 1] : kAll) & (z < 7 ? s[z + 1] : kAll);
+    inner[z] = s[z] & (s[z] << 1 | kColumnBits) & (s[z] >> 1 | kColumnBits << 7) & (s[z] << 8 | kRowBits) &
+               (s[z] >> 8 | kRowBits << 56) & (z > 0 ? s[z - 1] : kAll) & (z < 7 ? s[z + 1] : kAll);
   return inner;
-}
-
-std::uint64_t countBits(const Slices &slices) {
-  std::uint64_t count = 0;
-  for (const std::uint64_t slice : slices)
-    count += static_cast<std::uint64_t>(std::popcount(slice));
-  return count;
 }
 
 /// The neighbour of a brick one step along an axis.

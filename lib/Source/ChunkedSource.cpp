@@ -29,7 +29,9 @@ public:
   std::optional<Error> failure() const override { return lists_->failure(); }
 
   std::unique_ptr<VoxelSource> view() const override {
-    return std::make_unique<ChunkedSource>(extent_, lists_->view(), voxelToModel_, seconds_);
+    auto lists = lists_->view();
+    return lists ? std::make_unique<ChunkedSource>(extent_, std::move(lists), voxelToModel_, seconds_)
+                 : nullptr;
   }
 
   bool empty(const Cube &cube) override {

@@ -18,7 +18,7 @@ public:
   /// The voxels of a chunk, given in chunks, in any order; the first of several with one code counts. They
   /// stay until the next call.
   virtual std::span<const CodedVoxel> voxels(Int3 chunk) = 0;
-  /// The same lists for another reader.
+  /// The same lists for another reader; null if there can be but one.
   virtual std::unique_ptr<ChunkLists> view() const = 0;
   /// Set when a list could not be made.
   virtual std::optional<Error> failure() const { return std::nullopt; }

@@ -1,0 +1,43 @@
+// From Morton order to coordinates and back, by cubes of 2^3.
+#include "Source/BrickBits.h"
+
+#include "voxc/Support/Geometry.h"
+
+namespace voxc {
+
+MortonBits bitsOf(const std::uint32_t *words) {
+  MortonBits bits{};
+  for (unsigned part = 0; part < 8; ++part)
+    for (unsigned i = 0; i < 64; ++i)
+      bits[part] |= std::uint64_t{words[64 * part + i] != 0} << i;
+  return bits;
+}
+
+Slices toSlices(const MortonBits &bits) {
+  Slices slices{};
+  for (unsigned i = 0; i < 64; ++i) {
+    const std::uint64_t octet = bits[i / 8] >> 8 * (i % 8);
+    const Int3 cell = mortonCell(i) * 2;
+    const auto shift = static_cast<unsigned>(cell.x + 8 * cell.y);
+    const auto z = static_cast<unsigned>(cell.z);
+    slices[z] |= ((octet & 3) | (octet >> 2 & 3) << 8) << shift;
+    slices[z + 1] |= ((octet >> 4 & 3) | (octet >> 6 & 3) << 8) << shift;
+  }
+  return slices;
+}
+
+MortonBits toMorton(const Slices &slices) {
+  MortonBits bits{};
+  for (unsigned i = 0; i < 64; ++i) {
+    const Int3 cell = mortonCell(i) * 2;
+    const auto shift = static_cast<unsigned>(cell.x + 8 * cell.y);
+    const auto z = static_cast<unsigned>(cell.z);
+    const std::uint64_t low = slices[z] >> shift;
+    const std::uint64_t high = slices[z + 1] >> shift;
+    const std::uint64_t octet = (low & 3) | (low >> 8 & 3) << 2 | (high & 3) << 4 | (high >> 8 & 3) << 6;
+    bits[i / 8] |= octet << 8 * (i % 8);
+  }
+  return bits;
+}
+
+} // namespace voxc
