@@ -1,6 +1,7 @@
 // Opening an input: a table of prefixes and endings, and which opener takes each.
 #include "voxc/Input/Input.h"
 
+#include "Input/Changes.h"
 #include "Input/Openers/Openers.h"
 #include "Source/GridExtent.h"
 #include "Support/Text.h"
@@ -67,6 +68,8 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
   Expected<Input> opened = dispatch(input, withMemory);
   if (!opened)
     return opened;
+  if (auto changed = applyChanges(*opened, withMemory); !changed)
+    return changed.error();
   const Int3 extent = opened->source->extent();
   const Int3 holds = options.formatExtent;
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)

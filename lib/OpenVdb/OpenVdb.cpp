@@ -140,7 +140,7 @@ Expected<Int3> extentOf(const openvdb::CoordBBox &box, const InputOptions &optio
   }
   if (auto possible = checkGridExtent(extent); !possible)
     return possible.error();
-  const Int3 holds = options.formatExtent;
+  const Int3 holds = options.mostExtent();
   const bool fits = extent.x <= holds.x && extent.y <= holds.y && extent.z <= holds.z;
   // What is empty is kept in a bit for each 512 cells.
   if (!fits || cellsOf(extent) > std::uint64_t{1} << 42)

@@ -39,9 +39,12 @@ Expected<Format> Building::readFormat() const {
 }
 
 void tellWarnings(const Input &input, const CommonOptions &common) {
-  if (!common.quiet)
-    for (const std::string &warning : input.warnings)
-      printNote("warning: " + warning);
+  if (common.quiet)
+    return;
+  for (const std::string &warning : input.warnings)
+    printNote("warning: " + warning);
+  for (const std::string &note : input.notes)
+    printNote("note: " + note);
 }
 
 void addInputFigures(Json &figures, const Input &input) {
@@ -50,6 +53,12 @@ void addInputFigures(Json &figures, const Input &input) {
   figures["triangles"] = input.triangles;
   figures["loader_peak_bytes"] = input.loaderPeakBytes;
   figures["warnings"] = input.warnings.size();
+  if (input.interior != Interior::Keep) {
+    figures[input.interior == Interior::Drop ? "dropped_voxels" : "filled_voxels"] = input.interiorVoxels;
+    figures["interior_seconds"] = input.interiorSeconds;
+  }
+  if (input.isCropped)
+    figures["crop_low"] = {input.cropLow.x, input.cropLow.y, input.cropLow.z};
 }
 
 namespace {

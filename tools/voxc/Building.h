@@ -57,7 +57,7 @@ private:
   BuildArguments buildArguments_;
 };
 
-/// Tells the warnings about an input, unless told to be quiet.
+/// Tells the warnings and notes about an input, unless told to be quiet.
 void tellWarnings(const Input &input, const CommonOptions &common);
 
 /// Adds the figures of opening an input.

@@ -11,6 +11,28 @@
 
 namespace voxc::tool {
 
+namespace {
+
+/// "rrggbb" or "rrggbbaa" as a word, R in the low byte.
+std::optional<std::uint32_t> parseColour(std::string_view text) {
+  std::uint32_t digits = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), digits, 16);
+  if (failure != std::errc() || end != text.data() + text.size() || (text.size() != 6 && text.size() != 8))
+    return std::nullopt;
+  if (text.size() == 6)
+    digits = digits << 8 | 255;
+  return digits >> 24 | (digits >> 8 & 0xff00) | (digits << 8 & 0xff0000) | digits << 24;
+}
+
+std::string checkColour(const std::string &text) {
+  const std::optional<std::uint32_t> word = parseColour(text);
+  if (!word)
+    return "'" + text + "' is no colour; write rrggbb or rrggbbaa in hexadecimal digits";
+  return *word != 0 ? "" : "the colour 00000000 means empty; write another one";
+}
+
+} // namespace
+
 void addInputArguments(CLI::App &app, InputArguments &arguments) {
   app.add_option("--resolution", arguments.resolution,
                  "Voxels on the longest axis; default: what the format holds")
@@ -38,6 +60,15 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
       ->type_name("LO,HI")
       ->delimiter(',')
       ->expected(2);
+  app.add_option("--interior", arguments.interior,
+                 "The inside of things: keep (default), drop what no ray from outside reaches, or fill")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"keep", "drop", "fill"}).description(""));
+  app.add_option("--fill-colour", arguments.fillColour,
+                 "Colour of voxels that fill the inside; default: ffffff, white")
+      ->type_name("RRGGBB")
+      ->check(CLI::Validator(checkColour, "", ""));
+  app.add_flag("--crop", arguments.crop, "Moves the smallest box around all voxels to the origin");
 }
 
 namespace {
@@ -89,7 +120,20 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
     arguments.window = window;
   if (arguments.coverage.empty())
     arguments.coverage = valueOf(provenance, "coverage");
+  if (arguments.interior.empty())
+    arguments.interior = valueOf(provenance, "interior");
+  if (arguments.fillColour.empty())
+    arguments.fillColour = valueOf(provenance, "fill-colour");
+  arguments.crop = arguments.crop || !valueOf(provenance, "crop").empty();
 }
+
+namespace {
+
+Interior interiorOf(std::string_view name) {
+  return name == "drop" ? Interior::Drop : name == "fill" ? Interior::Fill : Interior::Keep;
+}
+
+} // namespace
 
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
   InputOptions options;
@@ -107,6 +151,10 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
     options.colourMap = arguments.colourMap;
   if (!arguments.window.empty())
     std::ranges::copy(arguments.window, options.window.emplace().begin());
+  options.interior = interiorOf(arguments.interior);
+  // What a volume says of itself was not checked; its voxels are compared anyhow.
+  options.fillWord = parseColour(arguments.fillColour).value_or(options.fillWord);
+  options.crop = arguments.crop;
   return options;
 }
 

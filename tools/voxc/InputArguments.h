@@ -21,13 +21,17 @@ struct InputArguments {
   std::optional<double> threshold;
   std::string colourMap;      ///< Empty: the library's default.
   std::vector<double> window; ///< Empty, or two numbers.
+  std::string interior;       ///< "keep", "drop", "fill", or empty.
+  std::string fillColour;     ///< 6 or 8 hexadecimal digits, or empty.
+  bool crop = false;
 };
 
 /// What INPUT is, for the help texts of commands.
 inline constexpr const char *kInputHelp =
     "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]";
 
-/// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map and --window to a command.
+/// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map, --window, --interior,
+/// --fill-colour and --crop to a command.
 void addInputArguments(CLI::App &app, InputArguments &arguments);
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").

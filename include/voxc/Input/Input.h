@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Mesh/MeshSource.h"
+#include "voxc/Source/Interior.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/WorkingMemory.h"
@@ -37,21 +38,37 @@ struct InputOptions {
   std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
                                                ///< the least and the greatest.
   Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
+  Interior interior = Interior::Keep; ///< What becomes of the inside: `dropInterior`, `fillInterior`, and of
+                                      ///< a mesh `fillMesh`.
+  std::uint32_t fillWord = 0xffffffff; ///< Of the voxels that are added to the inside.
+  bool crop = false;      ///< Moves the smallest box around all voxels to the origin; then it must fit.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
   std::vector<InputKind> otherKinds; ///< What optional components read; asked before the kinds known here.
   Progress progress;
+
+  /// What an input may take before it is cropped.
+  Int3 mostExtent() const {
+    constexpr int kMost = 1 << kMaxLog2Extent;
+    return crop ? Int3{kMost, kMost, kMost} : formatExtent;
+  }
 };
 
 /// An opened input.
 struct Input {
   std::unique_ptr<VoxelSource> source;
-  std::uint64_t triangles = 0;       ///< Of a mesh, after instancing; else 0.
-  double loadSeconds = 0;            ///< Reading the file.
-  double binSeconds = 0;             ///< Sorting triangles or points into chunks.
-  std::uint64_t loaderPeakBytes = 0; ///< Memory that a library took beside the bound while it read.
-  std::string provenance;            ///< The options that matter, for `VolumeInfo::provenance`.
-  std::vector<std::string> warnings; ///< One sentence each.
+  std::uint64_t triangles = 0;        ///< Of a mesh, after instancing; else 0.
+  double loadSeconds = 0;             ///< Reading the file.
+  double binSeconds = 0;              ///< Sorting triangles or points into chunks.
+  std::uint64_t loaderPeakBytes = 0;  ///< Memory that a library took beside the bound while it read.
+  std::string provenance;             ///< The options that matter, for `VolumeInfo::provenance`.
+  std::vector<std::string> warnings;  ///< One sentence each.
+  std::vector<std::string> notes;     ///< What was done as it was asked for; one sentence each.
+  Interior interior = Interior::Keep; ///< What was done with the inside,
+  std::uint64_t interiorVoxels = 0;   ///< how many voxels were left out or added,
+  double interiorSeconds = 0;         ///< and how long it took to find them.
+  bool isCropped = false;
+  Int3 cropLow; ///< The voxel that became (0, 0, 0).
 };
 
 /// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx), MagicaVoxel models

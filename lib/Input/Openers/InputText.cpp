@@ -9,6 +9,10 @@ namespace voxc {
 
 int longestAxis(Int3 extent) { return std::max({extent.x, extent.y, extent.z}); }
 
+Int3 modelExtent(const InputOptions &options) {
+  return options.resolution > 0 ? options.mostExtent() : options.formatExtent;
+}
+
 std::optional<int> parseCount(std::string_view text) {
   int value = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -36,6 +40,19 @@ std::string toText(double value) {
 }
 
 std::string upProvenance(const InputOptions &options) { return options.zUp ? " up=z" : " up=y"; }
+
+std::string withProvenance(const std::string &provenance, std::string_view key, const std::string &value) {
+  const std::string start = std::string(key) + "=";
+  std::string text;
+  for (std::size_t begin = 0; begin < provenance.size();) {
+    const std::size_t end = std::min(provenance.find(' ', begin), provenance.size());
+    const std::string_view word = std::string_view(provenance).substr(begin, end - begin);
+    if (!word.starts_with(start))
+      text += std::string(word) + " ";
+    begin = end + 1;
+  }
+  return text + start + value;
+}
 
 std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options) {
   std::string text = "resolution=" + std::to_string(resolution) + " coverage=" + coverage;

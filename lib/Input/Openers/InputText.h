@@ -12,6 +12,10 @@ namespace voxc {
 /// The longest axis of an extent.
 int longestAxis(Int3 extent);
 
+/// The most voxels that a model may take: what the format holds, unless its resolution is given and it is
+/// cropped.
+Int3 modelExtent(const InputOptions &options);
+
 /// A whole positive number, and nothing else.
 std::optional<int> parseCount(std::string_view text);
 
@@ -23,6 +27,9 @@ std::string toText(double value);
 
 /// " up=z" or " up=y".
 std::string upProvenance(const InputOptions &options);
+
+/// `provenance` with "key=value" in place of what it said of `key`, or at its end.
+std::string withProvenance(const std::string &provenance, std::string_view key, const std::string &value);
 
 /// The options that decide the voxels of a model whose longest axis got `resolution` of them.
 std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options);

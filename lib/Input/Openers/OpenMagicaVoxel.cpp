@@ -106,7 +106,7 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
     return scene.error();
   const PlacedVoxels placed(*scene);
   const Int3 extent = placed.extent();
-  const Int3 holds = options.formatExtent;
+  const Int3 holds = options.mostExtent();
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
     return Error::input("its scene takes " + toText(extent) + " voxels, but the format holds " +
                         toText(holds));

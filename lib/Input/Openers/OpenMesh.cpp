@@ -3,9 +3,11 @@
 
 #include "Input/Openers/InputText.h"
 #include "voxc/Mesh/MeshSource.h"
+#include "voxc/Mesh/SolidMesh.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <array>
+#include <string>
 #include <utility>
 
 namespace voxc {
@@ -14,12 +16,46 @@ namespace {
 
 constexpr std::array<const char *, 2> kCoverageNames{"conservative", "thin"};
 
-Expected<std::unique_ptr<VoxelSource>> voxelize(std::shared_ptr<const TriangleScene> scene,
+VoxelizeOptions voxelizeOptions(const InputOptions &options) {
+  return {options.resolution, modelExtent(options), options.bounds,
+          options.zUp,        options.coverage,     options.progress};
+}
+
+Expected<std::unique_ptr<VoxelSource>> voxelize(const std::shared_ptr<const TriangleScene> &scene,
                                                 const InputOptions &options) {
-  const VoxelizeOptions voxelizing{options.resolution, options.formatExtent, options.bounds,
-                                   options.zUp,        options.coverage,     options.progress};
+  const VoxelizeOptions voxelizing = voxelizeOptions(options);
   return options.reference ? makeReferenceMeshSource(*scene, voxelizing)
-                           : makeMeshSource(std::move(scene), voxelizing, options.memory);
+                           : makeMeshSource(scene, voxelizing, options.memory);
+}
+
+std::string placeOf(const std::array<double, 3> &point) {
+  return "(" + toText(point[0]) + ", " + toText(point[1]) + ", " + toText(point[2]) + ")";
+}
+
+/// What is wrong with a mesh that is not filled by its winding numbers.
+std::string complaintOf(SolidRule rule, const OpenEdges &open) {
+  const std::string where = ": " + std::to_string(open.count) + " edges lack a counterpart, the first from " +
+                            placeOf(open.from) + " to " + placeOf(open.to) + "; ";
+  if (rule == SolidRule::Parity)
+    return "the triangles of the mesh do not all face the same way" + where +
+           "inside is what a ray enters an odd number of times";
+  return "the mesh is not closed" + where + "inside is what its voxels enclose";
+}
+
+/// Makes the inside of the mesh voxels.
+Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Input &input) {
+  const Stopwatch filling;
+  auto solid =
+      fillMesh(scene, voxelizeOptions(options), std::move(input.source), options.fillWord, options.memory);
+  if (!solid)
+    return solid.error();
+  input.source = std::move(solid->source);
+  input.interior = Interior::Fill;
+  input.interiorVoxels = solid->voxels;
+  input.interiorSeconds = filling.seconds();
+  if (solid->rule != SolidRule::Winding)
+    input.warnings.push_back(complaintOf(solid->rule, solid->open));
+  return {};
 }
 
 } // namespace
@@ -35,13 +71,17 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
   input.triangles = triangleCount(*scene);
   input.warnings = std::move(scene->warnings);
   const Stopwatch binning;
-  auto source = voxelize(std::make_shared<const TriangleScene>(std::move(*scene)), options);
+  const auto shared = std::make_shared<const TriangleScene>(std::move(*scene));
+  auto source = voxelize(shared, options);
   if (!source)
     return source.error();
   input.source = std::move(*source);
   input.binSeconds = binning.seconds();
   input.provenance = modelProvenance(kCoverageNames[static_cast<std::size_t>(options.coverage)],
                                      longestAxis(input.source->extent()), options);
+  if (options.interior == Interior::Fill)
+    if (auto filled = fill(*shared, options, input); !filled)
+      return filled.error();
   return input;
 }
 

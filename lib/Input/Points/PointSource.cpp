@@ -1,6 +1,7 @@
 // Points of PLY files: voxel indices, or coordinates of a model.
 #include "Input/Points/PointSource.h"
 
+#include "Input/Openers/InputText.h"
 #include "Input/Points/PointList.h"
 #include "Mesh/ModelFrame.h"
 #include "Source/BinnedVoxels.h"
@@ -61,10 +62,10 @@ public:
     Int3 extent{1, 1, 1};
     std::optional<Error> problem;
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
-      if (!isInside(point.position, options_.formatExtent)) {
+      if (!isInside(point.position, options_.mostExtent())) {
         problem =
             reader_.broken("vertex " + std::to_string(number) + " is the voxel " + listed(point.position) +
-                           ", but the format holds only " + toText(options_.formatExtent));
+                           ", but the format holds only " + toText(options_.mostExtent()));
         return false;
       }
       const Int3 voxel = cellAt(point.position);
@@ -96,7 +97,7 @@ public:
     if (problem)
       return *problem;
     const auto frame = ModelFrame::fit({chosen(bounds.bounds().value_or(Bounds{})), options_.resolution,
-                                        options_.formatExtent, options_.zUp});
+                                        modelExtent(options_), options_.zUp});
     if (!frame)
       return frame.error();
     return place(frame->extent(), frame->voxelToModel(), [&](const Position &position) {

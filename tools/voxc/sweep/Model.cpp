@@ -77,6 +77,10 @@ std::vector<std::string> toWords(const InputArguments &arguments) {
   add("--threshold", arguments.threshold ? exact(*arguments.threshold) : "");
   add("--colour-map", arguments.colourMap);
   add("--window", joined(arguments.window));
+  add("--interior", arguments.interior);
+  add("--fill-colour", arguments.fillColour);
+  if (arguments.crop)
+    words.push_back("--crop");
   return words;
 }
 

@@ -1,0 +1,95 @@
+// The inside of an input, and its border.
+#include "Input/Changes.h"
+
+#include "Input/Openers/InputText.h"
+#include "voxc/Source/Crop.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+std::string listed(Int3 cell, const char *between) {
+  return std::to_string(cell.x) + between + std::to_string(cell.y) + between + std::to_string(cell.z);
+}
+
+/// "rrggbbaa".
+std::string digitsOf(std::uint32_t word) {
+  std::array<char, 9> text{};
+  std::snprintf(text.data(), text.size(), "%02x%02x%02x%02x", word & 255, word >> 8 & 255, word >> 16 & 255,
+                word >> 24);
+  return text.data();
+}
+
+/// Was the same done with the inside of a volume when it was built?
+bool isSaid(const std::string &provenance, Interior interior) {
+  return (" " + provenance + " ").find(interior == Interior::Drop ? " interior=drop " : " interior=fill ") !=
+         std::string::npos;
+}
+
+Expected<void> changeInside(Input &input, const InputOptions &options) {
+  const Stopwatch finding;
+  auto changed =
+      options.interior == Interior::Drop
+          ? dropInterior(std::move(input.source), options.memory, options.progress)
+          : fillInterior(std::move(input.source), options.fillWord, options.memory, options.progress);
+  if (!changed)
+    return changed.error();
+  input.source = std::move(changed->source);
+  input.interior = options.interior;
+  input.interiorVoxels = changed->voxels;
+  input.interiorSeconds = finding.seconds();
+  return {};
+}
+
+/// Tells what was made of the inside.
+void tellInside(Input &input, const InputOptions &options) {
+  const std::string voxels = std::to_string(input.interiorVoxels) + " voxels ";
+  if (options.interior == Interior::Drop) {
+    input.provenance = withProvenance(input.provenance, "interior", "drop");
+    input.notes.push_back(voxels +
+                          "that no ray from outside comes to are left out; rays that begin among them "
+                          "do not find them");
+    return;
+  }
+  input.provenance = withProvenance(input.provenance, "interior", "fill");
+  input.provenance = withProvenance(input.provenance, "fill-colour", digitsOf(options.fillWord));
+  input.notes.push_back(voxels + "are added inside");
+}
+
+Expected<void> cropBorder(Input &input, const InputOptions &options) {
+  const Int3 before = input.source->extent();
+  auto cropped = crop(std::move(input.source), options.progress);
+  if (!cropped)
+    return cropped.error();
+  input.source = std::move(cropped->source);
+  input.isCropped = true;
+  input.cropLow = cropped->low;
+  if (before == input.source->extent())
+    return {};
+  input.provenance = withProvenance(input.provenance, "crop", listed(input.cropLow, ","));
+  input.notes.push_back("voxel (" + listed(input.cropLow, ", ") +
+                        ") of the input is now voxel (0, 0, 0), and " + listed(input.source->extent(), "x") +
+                        " of " + listed(before, "x") + " are left");
+  return {};
+}
+
+} // namespace
+
+Expected<void> applyChanges(Input &input, const InputOptions &options) {
+  if (options.interior != Interior::Keep && !isSaid(input.provenance, options.interior)) {
+    // The inside of a mesh is filled where its triangles are at hand.
+    if (input.interior != options.interior)
+      if (auto changed = changeInside(input, options); !changed)
+        return changed;
+    tellInside(input, options);
+  }
+  return options.crop ? cropBorder(input, options) : Expected<void>();
+}
+
+} // namespace voxc
