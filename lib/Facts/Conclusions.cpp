@@ -1,7 +1,9 @@
 // The rules, as a table of functions from facts to a sentence.
 #include "voxc/Facts/Conclusions.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdio>
 
 namespace voxc {
@@ -36,6 +38,16 @@ std::string colourCount(const DistinctCount &words) {
 
 std::string ruleOfVoxels(const Facts &facts) {
   return facts.voxels > 0 ? "" : "There are no voxels: any format will do.";
+}
+
+std::string ruleOfBox(const Facts &facts) {
+  const Int3 box = facts.boxHigh - facts.boxLow;
+  const auto longest = static_cast<std::uint32_t>(std::max({box.x, box.y, box.z}));
+  const int log2Side = longest == 0 ? 0 : std::bit_width(longest - 1);
+  if (facts.voxels == 0 || log2Side >= facts.log2Extent)
+    return "";
+  return "The voxels lie in a box of " + std::to_string(box.x) + " x " + std::to_string(box.y) + " x " +
+         std::to_string(box.z) + ": with --crop a cube of 2^" + std::to_string(log2Side) + " holds them.";
 }
 
 std::string ruleOfAlpha(const Facts &facts) {
@@ -79,7 +91,8 @@ std::string ruleOfInterior(const Facts &facts) {
   return percent(facts.interiorShare()) + " of the voxels are interior, " +
          (merged < kMerged ? "but only " : "and ") + percent(merged) +
          " lie in full cubes of 4^3 of one colour: trees (S, G) " +
-         (merged < kMerged ? "merge little." : "keep each as one leaf.");
+         (merged < kMerged ? "merge little" : "keep each as one leaf") +
+         "; --interior drop leaves out all that no ray from outside reaches.";
 }
 
 std::string ruleOfRepetition(const Facts &facts) {
@@ -101,7 +114,8 @@ struct Rule {
   std::string (*apply)(const Facts &); ///< A sentence, or "".
 };
 
-constexpr std::array<Rule, 5> kRules{{{"voxels", ruleOfVoxels},
+constexpr std::array<Rule, 6> kRules{{{"voxels", ruleOfVoxels},
+                                      {"box", ruleOfBox},
                                       {"alpha", ruleOfAlpha},
                                       {"colours", ruleOfColours},
                                       {"interior", ruleOfInterior},

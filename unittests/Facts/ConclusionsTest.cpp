@@ -51,6 +51,17 @@ TEST(Conclusions, Colours) {
   EXPECT_NE(sentence(facts, "colours").find("a block of 8^3 has 9.5 of them in the mean"), std::string::npos);
 }
 
+TEST(Conclusions, Box) {
+  Facts facts = plainFacts();
+  facts.log2Extent = 7;
+  facts.boxLow = {10, 0, 3};
+  facts.boxHigh = {20, 64, 4};
+  EXPECT_EQ(sentence(facts, "box"),
+            "The voxels lie in a box of 10 x 64 x 1: with --crop a cube of 2^6 holds them.");
+  facts.boxHigh.y = 65;
+  EXPECT_EQ(sentence(facts, "box"), "");
+}
+
 TEST(Conclusions, Interior) {
   Facts facts = plainFacts();
   facts.interior = 49;
@@ -61,7 +72,8 @@ TEST(Conclusions, Interior) {
   facts.heights[2].uniform = 5;
   EXPECT_EQ(sentence(facts, "interior"),
             "25.0 % of the voxels are interior, and 32.0 % lie in full cubes of 4^3 of "
-            "one colour: trees (S, G) keep each as one leaf.");
+            "one colour: trees (S, G) keep each as one leaf; --interior drop leaves out all that no ray from "
+            "outside reaches.");
   facts.heights[2].uniform = 1;
   EXPECT_NE(sentence(facts, "interior").find("but only 6.4 % lie"), std::string::npos);
 }

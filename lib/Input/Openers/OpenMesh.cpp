@@ -7,6 +7,7 @@
 #include "voxc/Support/Stopwatch.h"
 
 #include <array>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -29,7 +30,9 @@ Expected<std::unique_ptr<VoxelSource>> voxelize(const std::shared_ptr<const Tria
 }
 
 std::string placeOf(const std::array<double, 3> &point) {
-  return "(" + toText(point[0]) + ", " + toText(point[1]) + ", " + toText(point[2]) + ")";
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", point[0], point[1], point[2]);
+  return text.data();
 }
 
 /// What is wrong with a mesh that is not filled by its winding numbers.

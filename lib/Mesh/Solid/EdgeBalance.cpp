@@ -109,9 +109,10 @@ private:
       const auto group = begin;
       for (; begin != edges.span().end() && begin->hash == group->hash; ++begin)
         sum += begin->way;
-      open.count += static_cast<std::uint64_t>(sum < 0 ? -sum : sum);
-      if (sum != 0)
-        first = std::min(first, group->number);
+      if (sum == 0)
+        continue;
+      ++open.count;
+      first = std::min(first, group->number);
     }
     place(first, open);
     return {};

@@ -8,11 +8,11 @@
 
 namespace voxc {
 
-/// A cell, and what the row from its centre towards -x crosses.
+/// A cell, and the triangles that the row from its centre towards -x passes.
 struct CellCrossings {
   Int3 cell;
-  std::int32_t winding = 0; ///< Triangles that it leaves by less those that it enters by: those whose corners
-                            ///< turn left, seen from its end, or right.
+  std::int32_t winding =
+      0; ///< Those it leaves by, whose corners turn left as seen from its end, less others.
   std::uint32_t crossings = 0; ///< All of them.
 };
 
