@@ -21,6 +21,7 @@ enum class SolidRule : std::uint8_t {
 /// way as the other.
 struct OpenEdges {
   std::uint64_t count = 0;
+  bool isAll = true;            ///< False: there are so many that only some were counted.
   std::array<double, 3> from{}; ///< The ends of one of them, in model units.
   std::array<double, 3> to{};
 };

@@ -37,8 +37,9 @@ std::string placeOf(const std::array<double, 3> &point) {
 
 /// What is wrong with a mesh that is not filled by its winding numbers.
 std::string complaintOf(SolidRule rule, const OpenEdges &open) {
-  const std::string where = ": " + std::to_string(open.count) + " edges lack a counterpart, the first from " +
-                            placeOf(open.from) + " to " + placeOf(open.to) + "; ";
+  const std::string where = (open.isAll ? ": " : ": at least ") + std::to_string(open.count) +
+                            " edges lack a counterpart, one from " + placeOf(open.from) + " to " +
+                            placeOf(open.to) + "; ";
   if (rule == SolidRule::Parity)
     return "the triangles of the mesh do not all face the same way" + where +
            "inside is what a ray enters an odd number of times";

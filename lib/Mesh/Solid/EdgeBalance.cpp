@@ -4,28 +4,34 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
-#include <vector>
 
 namespace voxc {
 
 namespace {
 
-constexpr int kLog2Buckets = 14;
+/// Buckets are so many that few of an open mesh's edges share one with an open edge.
+constexpr std::uint64_t kFewestBuckets = 1 << 10;
+constexpr std::uint64_t kMostBuckets = 1 << 24;
+constexpr std::uint64_t kMostEdges = 1 << 22; ///< That are looked at one by one.
 constexpr std::uint64_t kTrianglesBetweenLooks = 64;
 
 /// What the edges of a bucket add up to.
 struct Bucket {
-  std::uint64_t sum =
-      0; ///< Of their hashes, those that are passed the other way taken off: 0 if they are even.
-  std::uint64_t parity = 0; ///< Their hashes, one over the other by exclusive or: 0 if there are two of each.
+  /// Of their hashes, those of edges that are passed backwards taken off: 0 if they even out.
+  std::uint64_t sum = 0;
+  /// Of their hashes by exclusive or: 0 if there is an even number of each.
+  std::uint64_t parity = 0;
 };
 
-/// An edge, passed one way (1) or the other (-1).
+/// An edge of a triangle.
 struct Edge {
   std::uint64_t hash; ///< Of its ends in order.
-  std::int64_t way;
-  std::uint64_t number; ///< 4 times its triangle, and which of the triangle's edges.
+  /// 8 times the triangle, plus twice the edge's number there, plus 1 if it is passed backwards.
+  std::uint64_t place;
+
+  std::int64_t way() const { return (place & 1) == 0 ? 1 : -1; }
 };
 
 constexpr std::uint64_t scattered(std::uint64_t value) {
@@ -46,23 +52,26 @@ class Counter {
 public:
   Counter(const TriangleScene &scene, const MeshModel &model, const std::shared_ptr<WorkingMemory> &memory,
           const Progress &progress)
-      : scene_(scene), model_(model), memory_(memory), progress_(progress),
-        buckets_(std::size_t{1} << kLog2Buckets) {}
+      : scene_(scene), model_(model), memory_(memory), progress_(progress), buckets_(memory) {}
 
   Expected<EdgeBalance> run() {
+    const std::uint64_t buckets =
+        std::bit_ceil(std::clamp(model_.numbers.size() / 2, kFewestBuckets, kMostBuckets));
+    if (auto sized = buckets_.resize(buckets); !sized)
+      return sized.error();
     auto summed = forEachEdge([&](const Edge &edge) -> Expected<void> {
-      Bucket &bucket = buckets_[edge.hash >> (64 - kLog2Buckets)];
-      bucket.sum += edge.way > 0 ? edge.hash : 0 - edge.hash;
+      Bucket &bucket = bucketOf(edge);
+      bucket.sum += edge.way() > 0 ? edge.hash : 0 - edge.hash;
       bucket.parity ^= edge.hash;
       return {};
     });
     if (!summed)
       return summed.error();
     EdgeBalance balance;
-    if (std::ranges::all_of(buckets_, [](const Bucket &bucket) { return bucket.sum == 0; }))
+    if (std::ranges::all_of(buckets_.span(), [](const Bucket &bucket) { return bucket.sum == 0; }))
       return balance;
     const bool isEven =
-        std::ranges::all_of(buckets_, [](const Bucket &bucket) { return bucket.parity == 0; });
+        std::ranges::all_of(buckets_.span(), [](const Bucket &bucket) { return bucket.parity == 0; });
     balance.rule = isEven ? SolidRule::Parity : SolidRule::Enclosure;
     if (auto found = findOpen(balance.open); !found)
       return found.error();
@@ -70,6 +79,8 @@ public:
   }
 
 private:
+  Bucket &bucketOf(const Edge &edge) { return buckets_[edge.hash & (buckets_.size() - 1)]; }
+
   /// Calls `visit` for the edges of all triangles, but for those without a length.
   template <typename Visit> Expected<void> forEachEdge(Visit visit) {
     TriangleCursor cursor(scene_, model_.numbers);
@@ -86,7 +97,8 @@ private:
         const Point64 &b = triangle.corners[(from + 1) % 3];
         if (a == b)
           continue;
-        const Edge edge{a < b ? hashOf(a, b) : hashOf(b, a), a < b ? 1 : -1, 4 * number + from};
+        const bool isBackwards = b < a;
+        const Edge edge{isBackwards ? hashOf(b, a) : hashOf(a, b), 8 * number + 2 * from + isBackwards};
         if (auto visited = visit(edge); !visited)
           return visited;
       }
@@ -94,37 +106,54 @@ private:
     return {};
   }
 
+  /// So many of the first buckets have about `kMostEdges` edges in those that are not even; one of these at
+  /// least.
+  std::uint64_t bucketsToOpen() const {
+    const double edges = 3 * static_cast<double>(model_.numbers.size());
+    const auto uneven = std::ranges::count_if(buckets_.span(), [](const Bucket &b) { return b.sum != 0; });
+    const double share = static_cast<double>(kMostEdges) / edges * static_cast<double>(buckets_.size()) /
+                         static_cast<double>(uneven);
+    if (share >= 1)
+      return buckets_.size();
+    const auto end = static_cast<std::uint64_t>(share * static_cast<double>(buckets_.size()));
+    const auto first = std::ranges::find_if(buckets_.span(), [](const Bucket &b) { return b.sum != 0; });
+    return std::max(end, static_cast<std::uint64_t>(first - buckets_.span().begin()) + 1);
+  }
+
   Expected<void> findOpen(OpenEdges &open) {
+    const std::uint64_t end = bucketsToOpen();
+    open.isAll = end == buckets_.size();
     ScratchArray<Edge> edges(memory_);
     auto collected = forEachEdge([&](const Edge &edge) -> Expected<void> {
-      const bool isEven = buckets_[edge.hash >> (64 - kLog2Buckets)].sum == 0;
-      return isEven ? Expected<void>() : edges.push(edge);
+      const bool isLeftOut = bucketOf(edge).sum == 0 || (edge.hash & (buckets_.size() - 1)) >= end;
+      return isLeftOut ? Expected<void>() : edges.push(edge);
     });
     if (!collected)
       return collected;
-    std::ranges::sort(edges.span(), {}, [](const Edge &edge) { return std::pair(edge.hash, edge.number); });
+    std::ranges::sort(edges.span(), {}, [](const Edge &edge) { return std::pair(edge.hash, edge.place); });
     std::uint64_t first = ~std::uint64_t{0};
     for (auto begin = edges.span().begin(); begin != edges.span().end();) {
       std::int64_t sum = 0;
       const auto group = begin;
       for (; begin != edges.span().end() && begin->hash == group->hash; ++begin)
-        sum += begin->way;
+        sum += begin->way();
       if (sum == 0)
         continue;
       ++open.count;
-      first = std::min(first, group->number);
+      first = std::min(first, group->place);
     }
-    place(first, open);
+    tellEnds(first, open);
     return {};
   }
 
-  void place(std::uint64_t edge, OpenEdges &open) const {
+  void tellEnds(std::uint64_t place, OpenEdges &open) const {
     TriangleCursor cursor(scene_, model_.numbers);
-    cursor.moveTo(edge / 4);
-    const auto ends = cursor.corners();
+    cursor.moveTo(place / 8);
+    const auto corners = cursor.corners();
+    const std::uint64_t from = place / 2 % 4;
     for (int axis = 0; axis < 3; ++axis) {
-      open.from[static_cast<std::size_t>(axis)] = ends[edge % 4][axis];
-      open.to[static_cast<std::size_t>(axis)] = ends[(edge % 4 + 1) % 3][axis];
+      open.from[static_cast<std::size_t>(axis)] = corners[from][axis];
+      open.to[static_cast<std::size_t>(axis)] = corners[(from + 1) % 3][axis];
     }
   }
 
@@ -132,7 +161,7 @@ private:
   const MeshModel &model_;
   std::shared_ptr<WorkingMemory> memory_;
   const Progress &progress_;
-  std::vector<Bucket> buckets_;
+  ScratchArray<Bucket> buckets_;
 };
 
 } // namespace

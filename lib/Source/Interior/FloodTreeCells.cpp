@@ -96,7 +96,8 @@ std::uint32_t FloodTree::readBrick(VoxelSource &source, Int3 low) {
     return count == 0 ? kEmpty : kFull;
   if (auto error = source.failure())
     check(*error);
-  progress_.at("find the inside", 0, leaves_.size());
+  progress_.at("find the inside",
+               static_cast<double>(mortonCode(low)) / static_cast<double>(cellCount(3 * height_)));
   return addLeaf(low, toSlices(bits));
 }
 
