@@ -34,10 +34,10 @@ bool isSaid(const std::string &provenance, Interior interior) {
 
 Expected<void> changeInside(Input &input, const InputOptions &options) {
   const Stopwatch finding;
-  auto changed =
-      options.interior == Interior::Drop
-          ? dropInterior(std::move(input.source), options.memory, options.progress)
-          : fillInterior(std::move(input.source), options.fillWord, options.memory, options.progress);
+  const InteriorOptions means{options.memory, options.threads, options.progress};
+  auto changed = options.interior == Interior::Drop
+                     ? dropInterior(std::move(input.source), means)
+                     : fillInterior(std::move(input.source), options.fillWord, means);
   if (!changed)
     return changed.error();
   input.source = std::move(changed->source);

@@ -108,6 +108,7 @@ Expected<Building::Prepared> Building::prepare(const Format &format, const Commo
   InputOptions inputOptions = makeInputOptions(inputArguments_, format.extent());
   inputOptions.progress = progress;
   inputOptions.memory = options.memory;
+  inputOptions.threads = threads;
   Expected<Input> input = openInput(input_, inputOptions);
   if (!input)
     return input.error();

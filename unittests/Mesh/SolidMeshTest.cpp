@@ -99,13 +99,14 @@ struct Solid {
   OpenEdges open;
 };
 
-Solid solidOf(const std::shared_ptr<TriangleScene> &scene, const VoxelizeOptions &options) {
+Solid solidOf(const std::shared_ptr<TriangleScene> &scene, const VoxelizeOptions &options,
+              unsigned threads = 1) {
   const auto memory = WorkingMemory::create(std::uint64_t{1} << 26);
   auto surface = makeMeshSource(scene, options, memory);
   EXPECT_TRUE(surface) << surface.error().message;
   Solid solid;
   solid.surface = voxelsOf(**surface);
-  auto filled = fillMesh(*scene, options, std::move(*surface), kFill, memory);
+  auto filled = fillMesh(*scene, options, std::move(*surface), kFill, {memory, threads, options.progress});
   EXPECT_TRUE(filled) << filled.error().message;
   solid.voxels = voxelsOf(*filled->source);
   solid.added = filled->voxels;
@@ -318,6 +319,13 @@ TEST(SolidMesh, WithFlippedTrianglesIsToldByParity) {
   EXPECT_EQ(solid.added, solidOf(whole, optionsAt(20)).added);
 }
 
+TEST(SolidMesh, OnSeveralThreadsIsTheSame) {
+  const auto scene = soupOf(joined(torus(0.3, 0.15), flipped(sphere(0.2))));
+  const Solid one = solidOf(scene, optionsAt(150));
+  EXPECT_EQ(solidOf(scene, optionsAt(150), 3).voxels, one.voxels);
+  EXPECT_GT(one.added, 100000u);
+}
+
 TEST(SolidMesh, TakesNoNoticeOfLinesAndPoints) {
   const Soup whole = sphere(0.4);
   const Corner a{0.5f, 0.5f, 0.5f};
@@ -346,7 +354,7 @@ TEST(SolidMesh, PassesErrorsOn) {
   const auto memory = WorkingMemory::createDefault();
   const auto fill = [&](const std::shared_ptr<TriangleScene> &scene, const VoxelizeOptions &options) {
     auto surface = makeMeshSource(soupOf(cube(0.1f, 0.9f)), optionsAt(8), memory);
-    return fillMesh(*scene, options, std::move(*surface), kFill, memory);
+    return fillMesh(*scene, options, std::move(*surface), kFill, {memory, 1, options.progress});
   };
   Soup broken = cube(0.2f, 0.8f);
   broken[4][1] = std::numeric_limits<float>::quiet_NaN();

@@ -17,7 +17,9 @@ namespace {
 
 std::unique_ptr<VoxelSource> sourceOf(const Grid &grid) { return makeGridSource(grid.extent, grid.words); }
 
-std::shared_ptr<WorkingMemory> someMemory() { return WorkingMemory::create(std::uint64_t{1} << 26); }
+InteriorOptions someMeans(unsigned threads = 1, std::uint64_t memory = std::uint64_t{1} << 26) {
+  return {WorkingMemory::create(memory), threads, {}};
+}
 
 constexpr std::uint32_t kFill = 0xff123456;
 
@@ -47,7 +49,7 @@ Grid filled(const Grid &grid, std::uint64_t &added) {
 void expectDropped(const Grid &grid) {
   std::uint64_t count = 0;
   const Grid expected = withoutHidden(grid, count);
-  auto dropped = dropInterior(sourceOf(grid), someMemory());
+  auto dropped = dropInterior(sourceOf(grid), someMeans());
   ASSERT_TRUE(dropped) << dropped.error().message;
   EXPECT_EQ(dropped->voxels, count);
   EXPECT_EQ(voxelsOf(*dropped->source), voxelsOf(expected));
@@ -56,7 +58,7 @@ void expectDropped(const Grid &grid) {
 void expectFilled(const Grid &grid) {
   std::uint64_t count = 0;
   const Grid expected = filled(grid, count);
-  auto full = fillInterior(sourceOf(grid), kFill, someMemory());
+  auto full = fillInterior(sourceOf(grid), kFill, someMeans());
   ASSERT_TRUE(full) << full.error().message;
   EXPECT_EQ(full->voxels, count);
   EXPECT_EQ(voxelsOf(*full->source), voxelsOf(expected));
@@ -109,11 +111,11 @@ TEST(Interior, OfVastScenes) {
     return !isLow && !isHigh;
   };
   const auto make = [&] { return makeFunctionSource({kSide, kSide, kSide}, voxel, empty); };
-  auto dropped = dropInterior(make(), someMemory());
+  auto dropped = dropInterior(make(), someMeans());
   ASSERT_TRUE(dropped) << dropped.error().message;
   EXPECT_EQ(dropped->voxels, 7u * 7 * 7 - 5 * 5 * 5);
   EXPECT_EQ(voxelsOf(*dropped->source).size(), 1u + 31 * 31 * 31 - 29 * 29 * 29);
-  auto full = fillInterior(make(), kFill, someMemory());
+  auto full = fillInterior(make(), kFill, someMeans());
   ASSERT_TRUE(full) << full.error().message;
   EXPECT_EQ(voxelsOf(*full->source).size(), 1u + 31 * 31 * 31);
 }
@@ -134,7 +136,7 @@ bool isHidden(const Grid &grid, const std::vector<char> &touched, const Ray &ray
 
 /// No ray that begins where one from outside may come to tells the difference.
 void expectSameHits(const Grid &grid, std::uint64_t seed) {
-  auto dropped = dropInterior(sourceOf(grid), someMemory());
+  auto dropped = dropInterior(sourceOf(grid), someMeans());
   ASSERT_TRUE(dropped);
   const auto source = sourceOf(grid);
   const auto before = Oracle::of(*source);
@@ -187,7 +189,7 @@ TEST(Interior, RaysPassBetweenVoxelsThatShareAnEdge) {
     grid.forEach([&](Int3 cell) { grid.at(cell) = cell.z == 2 ? flat.at({cell.x, cell.y, 0}) : 1; });
     return grid;
   };
-  const auto droppedOf = [](const Grid &grid) { return dropInterior(sourceOf(grid), someMemory())->voxels; };
+  const auto droppedOf = [](const Grid &grid) { return dropInterior(sourceOf(grid), someMeans())->voxels; };
   // From (0, 0) up to (1, 1): x and y rise together, and the cell's voxels are seen.
   const std::uint64_t rising = droppedOf(closed(true));
   // From (0, 4) to (1, 3): x rises first, into a voxel.
@@ -200,7 +202,7 @@ TEST(Interior, RaysPassBetweenVoxelsThatShareAnEdge) {
 
 TEST(Interior, HidesNothingFromViews) {
   const Grid grid = hollowGrid({70, 66, 65}, 3);
-  auto dropped = dropInterior(sourceOf(grid), someMemory());
+  auto dropped = dropInterior(sourceOf(grid), someMeans());
   ASSERT_TRUE(dropped);
   const Voxels expected = voxelsOf(*dropped->source);
   const auto view = dropped->source->view();
@@ -212,8 +214,8 @@ TEST(Interior, HidesNothingFromViews) {
 TEST(Interior, KnowsWhatIsEmpty) {
   const Grid grid = hollowGrid({70, 66, 65}, 5);
   for (const bool drops : {true, false}) {
-    auto changed = drops ? dropInterior(sourceOf(grid), someMemory())
-                         : fillInterior(sourceOf(grid), kFill, someMemory());
+    auto changed =
+        drops ? dropInterior(sourceOf(grid), someMeans()) : fillInterior(sourceOf(grid), kFill, someMeans());
     ASSERT_TRUE(changed);
     const Voxels voxels = voxelsOf(*changed->source);
     for (int log2Side = 0; log2Side <= 7; ++log2Side)
@@ -231,21 +233,60 @@ TEST(Interior, KnowsWhatIsEmpty) {
 
 TEST(Interior, PassesErrorsOn) {
   std::atomic<bool> stop = true;
-  Progress progress;
-  progress.stop = &stop;
+  InteriorOptions stopped = someMeans();
+  stopped.progress.stop = &stop;
   const Grid grid = hollowGrid({70, 66, 65}, 5);
-  for (const auto &changed : {dropInterior(sourceOf(grid), someMemory(), progress),
-                              fillInterior(sourceOf(grid), kFill, someMemory(), progress)}) {
+  for (const auto &changed :
+       {dropInterior(sourceOf(grid), stopped), fillInterior(sourceOf(grid), kFill, stopped)}) {
     ASSERT_FALSE(changed);
     EXPECT_EQ(changed.error().kind, ErrorKind::Interrupted);
+  }
+}
+
+/// A source whose readers fail in one place.
+class FailingSource final : public VoxelSource {
+public:
+  Int3 extent() const override { return {200, 200, 200}; }
+  bool empty(const Cube &) override { return false; }
+  void read(const Cube &cube, std::uint32_t *words) override {
+    std::fill_n(words, std::size_t{1} << 3 * cube.log2Side, 0u);
+    words[0] = 1;
+    hasFailed_ = hasFailed_ || cube.low == Int3{128, 64, 0};
+  }
+  std::unique_ptr<VoxelSource> view() const override { return std::make_unique<FailingSource>(); }
+  std::optional<Error> failure() const override {
+    return hasFailed_ ? std::optional(Error::environment("it broke")) : std::nullopt;
+  }
+
+private:
+  bool hasFailed_ = false;
+};
+
+TEST(Interior, OnSeveralThreadsIsTheSame) {
+  for (const Grid &grid : {hollowGrid({130, 150, 65}, 9), hollowGrid({70, 300, 3}, 2),
+                           dustGrid({80, 80, 80}, 100, 1), Grid({100, 100, 100})}) {
+    auto one = dropInterior(sourceOf(grid), someMeans(1));
+    auto three = dropInterior(sourceOf(grid), someMeans(3, 0));
+    ASSERT_TRUE(one && three);
+    EXPECT_EQ(one->voxels, three->voxels);
+    EXPECT_EQ(voxelsOf(*one->source), voxelsOf(*three->source));
+    auto full = fillInterior(sourceOf(grid), kFill, someMeans(1));
+    auto filled = fillInterior(sourceOf(grid), kFill, someMeans(3));
+    ASSERT_TRUE(full && filled);
+    EXPECT_EQ(voxelsOf(*full->source), voxelsOf(*filled->source));
+  }
+  for (const unsigned threads : {1u, 3u}) {
+    const auto broken = dropInterior(std::make_unique<FailingSource>(), someMeans(threads));
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().message, "it broke");
   }
 }
 
 /// A bound of nothing puts all into the scratch file, and changes nothing.
 TEST(Interior, WithinAnyBound) {
   const Grid grid = hollowGrid({130, 66, 65}, 9);
-  auto wide = dropInterior(sourceOf(grid), someMemory());
-  auto narrow = dropInterior(sourceOf(grid), WorkingMemory::create(0));
+  auto wide = dropInterior(sourceOf(grid), someMeans());
+  auto narrow = dropInterior(sourceOf(grid), someMeans(1, 0));
   ASSERT_TRUE(wide && narrow);
   EXPECT_EQ(voxelsOf(*wide->source), voxelsOf(*narrow->source));
 }

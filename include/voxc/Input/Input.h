@@ -38,10 +38,11 @@ struct InputOptions {
   std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
                                                ///< the least and the greatest.
   Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
-  Interior interior = Interior::Keep; ///< What becomes of the inside: `dropInterior`, `fillInterior`, and of
-                                      ///< a mesh `fillMesh`.
+  Interior interior = Interior::Keep;  ///< What becomes of the inside: `dropInterior`, `fillInterior`, and of
+                                       ///< a mesh `fillMesh`.
   std::uint32_t fillWord = 0xffffffff; ///< Of the voxels that are added to the inside.
   bool crop = false;      ///< Moves the smallest box around all voxels to the origin; then it must fit.
+  unsigned threads = 1;   ///< That find the inside; 0: as many as the machine has.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
   std::vector<InputKind> otherKinds; ///< What optional components read; asked before the kinds known here.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Mesh/MeshSource.h"
+#include "voxc/Source/Interior.h"
 
 #include <array>
 #include <cstdint>
@@ -46,6 +47,6 @@ struct SolidMesh {
 /// that fail, interrupted, no memory.
 Expected<SolidMesh> fillMesh(const TriangleScene &scene, const VoxelizeOptions &options,
                              std::unique_ptr<VoxelSource> surface, std::uint32_t word,
-                             const std::shared_ptr<WorkingMemory> &memory);
+                             const InteriorOptions &means = {});
 
 } // namespace voxc

@@ -49,8 +49,8 @@ std::string complaintOf(SolidRule rule, const OpenEdges &open) {
 /// Makes the inside of the mesh voxels.
 Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Input &input) {
   const Stopwatch filling;
-  auto solid =
-      fillMesh(scene, voxelizeOptions(options), std::move(input.source), options.fillWord, options.memory);
+  auto solid = fillMesh(scene, voxelizeOptions(options), std::move(input.source), options.fillWord,
+                        {options.memory, options.threads, options.progress});
   if (!solid)
     return solid.error();
   input.source = std::move(solid->source);

@@ -31,13 +31,13 @@ bool isInside(const CellCrossings &cell, SolidRule rule) {
 }
 
 Expected<FloodTree::Chosen> insideOf(const TriangleScene &scene, const MeshModel &model, SolidRule rule,
-                                     const VoxelizeOptions &options,
-                                     const std::shared_ptr<WorkingMemory> &memory) {
+                                     const VoxelizeOptions &options, const InteriorOptions &means) {
+  const std::shared_ptr<WorkingMemory> &memory = means.memory;
   auto shape = makeMeshSource(shapeOf(scene), options, memory);
   if (!shape)
     return shape.error();
   // What lies beyond the volume is no way from one part to another.
-  auto tree = FloodTree::read(**shape, Step::Face, Beyond::Solid, memory, options.progress);
+  auto tree = FloodTree::read(**shape, {Step::Face, Beyond::Solid}, means);
   if (!tree)
     return tree.error();
   const auto parts = tree->floodEveryPart();
@@ -47,7 +47,7 @@ Expected<FloodTree::Chosen> insideOf(const TriangleScene &scene, const MeshModel
   for (const Int3 &part : parts->span())
     if (auto added = cells.push({part}); !added)
       return added.error();
-  if (auto counted = countCrossings(scene, model, cells, *memory, options.progress); !counted)
+  if (auto counted = countCrossings(scene, model, cells, *memory, means.progress); !counted)
     return counted.error();
   tree->drain();
   for (const CellCrossings &cell : cells.span())
@@ -61,20 +61,20 @@ Expected<FloodTree::Chosen> insideOf(const TriangleScene &scene, const MeshModel
 
 Expected<SolidMesh> fillMesh(const TriangleScene &scene, const VoxelizeOptions &options,
                              std::unique_ptr<VoxelSource> surface, std::uint32_t word,
-                             const std::shared_ptr<WorkingMemory> &memory) {
-  const auto model = MeshModel::open(scene, options, memory.get());
+                             const InteriorOptions &means) {
+  const auto model = MeshModel::open(scene, options, means.memory.get());
   if (!model)
     return model.error();
-  const auto balance = EdgeBalance::of(scene, *model, memory, options.progress);
+  const auto balance = EdgeBalance::of(scene, *model, means.memory, means.progress);
   if (!balance)
     return balance.error();
   if (balance->rule == SolidRule::Enclosure) {
-    auto filled = fillInterior(std::move(surface), word, memory, options.progress);
+    auto filled = fillInterior(std::move(surface), word, means);
     if (!filled)
       return filled.error();
     return SolidMesh{std::move(filled->source), filled->voxels, balance->rule, balance->open};
   }
-  auto inside = insideOf(scene, *model, balance->rule, options, memory);
+  auto inside = insideOf(scene, *model, balance->rule, options, means);
   if (!inside)
     return inside.error();
   return SolidMesh{paint(std::move(surface), std::move(inside->cells), word), inside->count, balance->rule,

@@ -3,6 +3,7 @@
 
 #include "Source/BrickBits.h"
 #include "Source/Interior/CellSet.h"
+#include "voxc/Source/Interior.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/WorkingMemory.h"
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace voxc {
@@ -24,6 +26,12 @@ enum class Step : std::uint8_t {
 
 /// What lies outside the extent of a source.
 enum class Beyond : std::uint8_t { Empty, Solid };
+
+/// How a tree is flooded.
+struct Flood {
+  Step step = Step::Face;
+  Beyond beyond = Beyond::Empty;
+};
 
 /// Which cells of a flooded tree make a set, and what is counted of them.
 enum class Choice : std::uint8_t {
@@ -39,8 +47,7 @@ enum class Choice : std::uint8_t {
 class FloodTree {
 public:
   /// Reads all of `source`. Errors: that of a source that fails, interrupted, no memory.
-  static Expected<FloodTree> read(VoxelSource &source, Step step, Beyond beyond,
-                                  const std::shared_ptr<WorkingMemory> &memory, const Progress &progress);
+  static Expected<FloodTree> read(VoxelSource &source, const Flood &flood, const InteriorOptions &options);
 
   /// Floods all empty cells that a path from outside the tree's cube reaches. Errors: interrupted, no memory.
   Expected<void> floodFromOutside();
@@ -85,15 +92,25 @@ private:
     const Slices *cells = nullptr;
   };
 
-  FloodTree(Step step, Beyond beyond, std::shared_ptr<WorkingMemory> memory, const Progress &progress)
-      : step_(step), beyond_(beyond), progress_(progress), memory_(std::move(memory)), nodes_(memory_),
-        leaves_(memory_), waiting_(memory_) {}
+  /// A node of `kChunkHeight` that is read later, perhaps by another thread: a child of a node.
+  struct Chunk {
+    std::uint32_t node;
+    std::uint32_t place;
+    Int3 low;
+  };
+  static constexpr int kChunkHeight = 2;
+
+  FloodTree(const Flood &flood, std::shared_ptr<WorkingMemory> memory, const Progress &progress)
+      : step_(flood.step), beyond_(flood.beyond), progress_(progress), memory_(std::move(memory)),
+        nodes_(memory_), leaves_(memory_), waiting_(memory_) {}
 
   // Reading.
   bool isWhole(VoxelSource &source, const Cube &cube, std::uint32_t &child) const;
   std::uint32_t readCube(VoxelSource &source, Int3 low, int height);
   void readChildren(VoxelSource &source, const Cube &cube, std::uint32_t node, int height);
   std::uint32_t readBrick(VoxelSource &source, Int3 low);
+  void readChunks(VoxelSource &source, std::span<const Chunk> chunks, unsigned threads);
+  void join(FloodTree &part, std::uint32_t child, const Chunk &chunk);
 
   // Flooding. Each `touch` of a child returns what it is from now on.
   void touch(const Region &region);
@@ -125,6 +142,8 @@ private:
   ScratchArray<Node> nodes_;
   ScratchArray<Leaf> leaves_;
   ScratchArray<Wet> waiting_;
+  ScratchArray<Chunk> *chunks_ =
+      nullptr; ///< Where to put off chunks while a source is read by several threads.
   std::uint32_t root_ = kEmpty;
   std::uint64_t steps_ = 0; ///< Of the work, between two looks at whether to stop.
   std::optional<Error> error_;

@@ -12,9 +12,8 @@ namespace {
 
 /// The source with `word` in what stays dry when all is flooded from outside.
 Expected<ChangedSource> paintDry(std::unique_ptr<VoxelSource> source, Step step, Choice choice,
-                                 std::uint32_t word, const std::shared_ptr<WorkingMemory> &memory,
-                                 const Progress &progress) {
-  auto tree = FloodTree::read(*source, step, Beyond::Empty, memory, progress);
+                                 std::uint32_t word, const InteriorOptions &options) {
+  auto tree = FloodTree::read(*source, {step, Beyond::Empty}, options);
   if (!tree)
     return tree.error();
   if (auto flooded = tree->floodFromOutside(); !flooded)
@@ -30,14 +29,13 @@ Expected<ChangedSource> paintDry(std::unique_ptr<VoxelSource> source, Step step,
 
 } // namespace
 
-Expected<ChangedSource> dropInterior(std::unique_ptr<VoxelSource> source,
-                                     const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  return paintDry(std::move(source), Step::Ray, Choice::DryAndVoxels, 0, memory, progress);
+Expected<ChangedSource> dropInterior(std::unique_ptr<VoxelSource> source, const InteriorOptions &options) {
+  return paintDry(std::move(source), Step::Ray, Choice::DryAndVoxels, 0, options);
 }
 
 Expected<ChangedSource> fillInterior(std::unique_ptr<VoxelSource> source, std::uint32_t word,
-                                     const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  return paintDry(std::move(source), Step::Face, Choice::Dry, word, memory, progress);
+                                     const InteriorOptions &options) {
+  return paintDry(std::move(source), Step::Face, Choice::Dry, word, options);
 }
 
 } // namespace voxc

@@ -1,9 +1,12 @@
-// What a flooded tree is made of, and what is made of it: reading voxels, and choosing cells.
+// Reading voxels into a tree: alone, or chunk by chunk on several threads.
 #include "Source/Interior/FloodTree.h"
 
 #include "Source/CubeTools.h"
+#include "Support/ParallelFor.h"
 
 #include <algorithm>
+#include <atomic>
+#include <mutex>
 
 namespace voxc {
 
@@ -23,19 +26,62 @@ bool areAll(const CellSet::Node &node, std::uint32_t value) {
 
 } // namespace
 
-Expected<FloodTree> FloodTree::read(VoxelSource &source, Step step, Beyond beyond,
-                                    const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  FloodTree tree(step, beyond, memory, progress);
+Expected<FloodTree> FloodTree::read(VoxelSource &source, const Flood &flood, const InteriorOptions &options) {
+  FloodTree tree(flood, options.memory, options.progress);
   tree.extent_ = source.extent();
   while (1 << 3 * tree.height_ < std::max({tree.extent_.x, tree.extent_.y, tree.extent_.z}))
     ++tree.height_;
+  const bool isAlone = options.threads == 1 || tree.height_ <= kChunkHeight || !source.view();
+  ScratchArray<Chunk> chunks(options.memory);
+  tree.chunks_ = isAlone ? nullptr : &chunks;
   if (!tree.isWhole(source, {{}, 3 * tree.height_}, tree.root_))
     tree.root_ = tree.readCube(source, {}, tree.height_);
+  if (!isAlone)
+    tree.readChunks(source, chunks.span(), options.threads);
+  tree.chunks_ = nullptr;
   if (!tree.error_)
     tree.error_ = source.failure();
   if (tree.error_)
     return *tree.error_;
   return tree;
+}
+
+/// Reads what was put off. Where nodes and leaves lie depends on who was first, but nothing that is asked of
+/// them.
+void FloodTree::readChunks(VoxelSource &source, std::span<const Chunk> chunks, unsigned threads) {
+  std::atomic<std::uint64_t> next = 0;
+  std::mutex joining;
+  parallelFor(threadsOrAll(threads), threads, [&](std::uint64_t) {
+    const std::unique_ptr<VoxelSource> view = source.view();
+    FloodTree part({step_, beyond_}, memory_, {{}, progress_.stop});
+    part.extent_ = extent_;
+    for (std::uint64_t i = next++; i < chunks.size(); i = next++) {
+      const std::uint32_t child = part.readCube(*view, chunks[i].low, kChunkHeight);
+      part.error_ = part.error_ ? part.error_ : view->failure();
+      const std::lock_guard lock(joining);
+      join(part, child, chunks[i]);
+      progress_.at("find the inside", static_cast<double>(i) / static_cast<double>(chunks.size()));
+      if (error_)
+        return;
+    }
+  });
+}
+
+/// Moves the nodes and leaves of a part to where a chunk was put off. `child` is the chunk's node there, if
+/// it is one.
+void FloodTree::join(FloodTree &part, std::uint32_t child, const Chunk &chunk) {
+  if (part.error_)
+    check(*part.error_);
+  for (Node &node : part.nodes_.span())
+    for (std::uint32_t &leaf : node)
+      leaf += leaf < kFirst ? 0 : static_cast<std::uint32_t>(leaves_.size());
+  if (child >= kFirst)
+    child += static_cast<std::uint32_t>(nodes_.size());
+  check(nodes_.append(part.nodes_.span()));
+  check(leaves_.append(part.leaves_.span()));
+  nodes_[chunk.node][chunk.place] = child;
+  check(part.nodes_.resize(0));
+  check(part.leaves_.resize(0));
 }
 
 /// Is a cube known to be empty or full before its voxels are read? Then `child` is set.
@@ -52,6 +98,9 @@ std::uint32_t FloodTree::readCube(VoxelSource &source, Int3 low, int height) {
   if (error_)
     return kEmpty;
   readChildren(source, {low, 3 * height}, child - kFirst, height);
+  // Not all is known where chunks are put off.
+  if (chunks_)
+    return child;
   for (const std::uint32_t whole : {kEmpty, kFull})
     if (areAll(nodes_[child - kFirst], whole)) {
       // It has no nodes below it, so it is the last one.
@@ -73,9 +122,11 @@ void FloodTree::readChildren(VoxelSource &source, const Cube &cube, std::uint32_
       readChildren(source, part, node, height);
       continue;
     }
-    if (!whole)
-      child = readCube(source, part.low, height - 1);
     const std::uint64_t place = mortonCode(part.low >> log2Child) & 511;
+    if (!whole && chunks_ && height - 1 == kChunkHeight)
+      check(chunks_->push({node, static_cast<std::uint32_t>(place), part.low}));
+    else if (!whole)
+      child = readCube(source, part.low, height - 1);
     std::fill_n(nodes_[node].begin() + static_cast<std::ptrdiff_t>(place), cellCount(half - log2Child),
                 child);
   }
@@ -99,60 +150,6 @@ std::uint32_t FloodTree::readBrick(VoxelSource &source, Int3 low) {
   progress_.at("find the inside",
                static_cast<double>(mortonCode(low)) / static_cast<double>(cellCount(3 * height_)));
   return addLeaf(low, toSlices(bits));
-}
-
-Expected<FloodTree::Chosen> FloodTree::choose(Choice choice) const {
-  auto cells = std::make_shared<CellSet>(memory_);
-  Chosen chosen;
-  std::optional<Error> error;
-  cells->finish(chooseChild(root_, height_, choice, *cells, chosen.count, error), height_);
-  if (error)
-    return *error;
-  chosen.cells = std::move(cells);
-  return chosen;
-}
-
-/// What a child is in the set; counts what is to be counted of it.
-std::uint32_t FloodTree::chooseChild(std::uint32_t child, int height, Choice choice, CellSet &cells,
-                                     std::uint64_t &count, std::optional<Error> &error) const {
-  const bool areVoxelsCounted = choice == Choice::DryAndVoxels;
-  if (child < kFirst) {
-    const bool isChosen = child == kWet     ? choice == Choice::Reached
-                          : child == kEmpty ? choice != Choice::Reached
-                                            : areVoxelsCounted;
-    if (isChosen && areVoxelsCounted == (child == kFull))
-      count += cellCount(3 * height);
-    return isChosen ? CellSet::kAll : CellSet::kNone;
-  }
-  const auto take = [&](const auto &made) -> std::uint32_t {
-    if (auto added = cells.add(made))
-      return *added;
-    else
-      error = added.error();
-    return CellSet::kNone;
-  };
-  if (height == 1) {
-    const Leaf &leaf = leaves_[child - kFirst];
-    Slices chosen;
-    for (std::size_t z = 0; z < 8; ++z) {
-      const std::uint64_t voxels = leaf.voxels[z];
-      chosen[z] = choice == Choice::Reached ? leaf.touched[z] & ~voxels : ~leaf.touched[z];
-      if (choice == Choice::Dry)
-        chosen[z] &= ~voxels;
-      count += static_cast<std::uint64_t>(std::popcount(areVoxelsCounted ? chosen[z] & voxels : chosen[z]));
-    }
-    const std::uint64_t bits = countBits(chosen);
-    if (bits == 0 || bits == 512)
-      return bits == 0 ? CellSet::kNone : CellSet::kAll;
-    return take(toMorton(chosen));
-  }
-  Node children;
-  for (std::size_t i = 0; i < children.size() && !error; ++i)
-    children[i] = chooseChild(nodes_[child - kFirst][i], height - 1, choice, cells, count, error);
-  for (const std::uint32_t whole : {CellSet::kNone, CellSet::kAll})
-    if (areAll(children, whole))
-      return whole;
-  return error ? std::uint32_t{CellSet::kNone} : take(children);
 }
 
 } // namespace voxc
