@@ -52,7 +52,11 @@ void FloodTree::readChunks(VoxelSource &source, std::span<const Chunk> chunks, u
   std::atomic<std::uint64_t> next = 0;
   std::mutex joining;
   parallelFor(threadsOrAll(threads), threads, [&](std::uint64_t) {
-    const std::unique_ptr<VoxelSource> view = source.view();
+    std::unique_ptr<VoxelSource> view;
+    {
+      const std::lock_guard lock(joining);
+      view = source.view();
+    }
     FloodTree part({step_, beyond_}, memory_, {{}, progress_.stop});
     part.extent_ = extent_;
     for (std::uint64_t i = next++; i < chunks.size(); i = next++) {
