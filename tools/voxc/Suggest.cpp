@@ -12,6 +12,7 @@
 #include "voxc/Search/SceneValues.h"
 #include "voxc/Support/File.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <sstream>
@@ -62,7 +63,7 @@ public:
   Expected<void> run() override {
     ProgressBar bar(common_.quiet);
     progress_ = bar.progress();
-    wish_ = {kObjectives.at(objective_), maxWordsOf(buildArguments_) * sizeof(std::uint32_t)};
+    wish_ = {kObjectives.at(objective_), std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t)};
     Json figures;
     Expected<Suggestion> suggestion = suggest(figures);
     if (!suggestion)

@@ -1,6 +1,8 @@
 // What voxc suggest says.
 #include "SuggestReport.h"
 
+#include "sweep/Model.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -42,9 +44,15 @@ std::string besides(const char *what, const RatedFormat &other, const RatedForma
                choice.time() / other.time());
 }
 
+/// As a shell takes it.
+std::string quoted(const std::string &word) {
+  return word.find_first_of(" ;()'*$&|<>#") == std::string::npos ? word : "\"" + word + "\"";
+}
+
 std::string command(const Suggestion &suggestion, const Candidate &candidate) {
-  std::string text = "  voxc build \"" + candidate.text + "\" " + suggestion.input + " --resolution " +
-                     std::to_string(suggestion.arguments.resolution);
+  std::string text = "voxc build " + quoted(candidate.text) + " " + quoted(suggestion.input);
+  for (const std::string &word : bench::toWords(suggestion.arguments))
+    text += " " + word;
   for (const std::string &pass : candidate.passes)
     text += " --" + pass;
   return text + " -o scene.hvx\n";
@@ -76,9 +84,9 @@ std::string suggestReport(const Suggestion &suggestion, bool all) {
                 8 * static_cast<double>(choice.bytes()) / static_cast<double>(suggestion.voxels),
                 100 * static_cast<double>(4 * suggestion.valueWords) / static_cast<double>(choice.bytes()),
                 speedsOf(suggestion, choice).c_str(), suggestion.device.c_str());
-  if (&*fastest != &choice)
+  if (fastest->time() < choice.time())
     text += besides("fastest", *fastest, choice);
-  if (&*smallest != &choice)
+  if (smallest->bytes() < choice.bytes())
     text += besides("smallest", *smallest, choice);
   text += print("  of %zu formats, priced to the word; speeds are foretold, and voxc bench measures them\n",
                 suggestion.rated.size());
