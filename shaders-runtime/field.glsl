@@ -1,8 +1,8 @@
 // Field i of those of so many bits that begin at a word.
-uint load_field(uint at, uint i, uint bits) {
+uint load_field(${uint-section,}uint at, uint i, uint bits) {
   uint first = i * bits;
-  uint low = load_word(at + (first >> 5));
-  uint high = load_word(at + (first >> 5) + 1u);
+  uint low = load_word(${section,}at + (first >> 5));
+  uint high = load_word(${section,}at + (first >> 5) + 1u);
   uint word = low >> (first & 31u) | (high << 1) << (31u - (first & 31u));
   return bits == 32u ? word : word & ((1u << bits) - 1u);
 }

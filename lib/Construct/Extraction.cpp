@@ -51,10 +51,10 @@ Extraction::Found Extraction::subVolumeAround(std::size_t index, Int3 low) const
   const Int3 log2 = layout_.log2Extent();
   if (!contains({1 << log2.x, 1 << log2.y, 1 << log2.z}, low))
     return {};
-  Found found = {words_[0], 0};
+  Found found = {words_.wordOf(words_[0]), 0};
   for (std::size_t i = 0; i < index && found.at != 0; ++i) {
     const Lookup below = lookUp(words_, layout_.strata[i], found.at, low >> layout_.strata[i].log2Cell);
-    found = {below.value, found.rank + below.rank};
+    found = {words_.wordOf(below.value), found.rank + below.rank};
   }
   return found;
 }
@@ -64,7 +64,7 @@ Extraction::Found Extraction::subVolumeAround(std::size_t index, Int3 low) const
 void Extraction::values(std::uint64_t rank, std::uint64_t count) {
   if (layout_.values == Values::Apart)
     for (std::uint64_t i = 0; i < count; ++i)
-      fragment_->values.push_back(valueOfRank(words_, words_[1], rank + i));
+      fragment_->values.push_back(valueOfRank(words_, words_.wordOf(words_[1]), rank + i));
 }
 
 construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, int log2Side) {
@@ -88,7 +88,7 @@ construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, 
     const Child child = stratum.slots->child(words_, stratum, found.at, placeIn(stratum, lowCell, layer));
     if (!child.exists)
       return {};
-    found = {static_cast<Ref>(child.at), found.rank + voxelsBefore(child, log2Child)};
+    found = {child.at, found.rank + voxelsBefore(child, log2Child)};
     if (!child.leaf)
       continue;
     found.rank += ranksInLeaf(stratum, child, log2Child, lowCell).first;
@@ -96,7 +96,7 @@ construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, 
   }
   if (partLayers == 0)
     return leaf(words_[found.at], 0);
-  const Ref at = found.at;
+  const std::uint64_t at = found.at;
   const Placed placed = node(index, at, partLayers);
   construct::Node result = counted({construct::Node::Inner, placed.at}, placed.voxels);
   const bool isRecord = stratum.cells == Cells::Record;
@@ -123,8 +123,8 @@ void Extraction::partOfGrid(std::size_t index, Found root, Int3 low, int log2Sid
     const std::uint64_t rank = root.rank + found.rank;
     std::uint64_t apart = 0;
     if (isApart && layout_.holdsVoxels(index))
-      below.at =
-          valueOfRank(words_, words_[1], rank); // Its place among the values is for the whole grid to say.
+      below.at = valueOfRank(words_, words_.wordOf(words_[1]),
+                             rank); // Its place among the values is for the whole grid to say.
     else if (isApart)
       values(rank, apart = below.voxels);
     fragment_->cells.push_back({{place.x, place.y, place.z}, below.at, static_cast<std::uint32_t>(apart)});
@@ -133,10 +133,10 @@ void Extraction::partOfGrid(std::size_t index, Found root, Int3 low, int log2Sid
 
 /// A cell's terminating integer: a voxel stays, and a sub-volume is copied.
 Extraction::Placed Extraction::cell(std::size_t index, std::uint32_t value) {
-  return layout_.holdsVoxels(index) ? Placed{value, 1} : subVolume(index + 1, value);
+  return layout_.holdsVoxels(index) ? Placed{value, 1} : subVolume(index + 1, words_.wordOf(value));
 }
 
-Extraction::Placed Extraction::subVolume(std::size_t index, Ref at) {
+Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
   if (const auto known = placed_.find(at); known != placed_.end())
     return known->second;
   const Stratum &stratum = layout_.strata[index];
@@ -154,7 +154,7 @@ Extraction::Placed Extraction::subVolume(std::size_t index, Ref at) {
   return {block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), below.voxels};
 }
 
-Extraction::Placed Extraction::grid(std::size_t index, Ref at) {
+Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {
   const Stratum &stratum = layout_.strata[index];
   Placed placed;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
@@ -166,10 +166,10 @@ Extraction::Placed Extraction::grid(std::size_t index, Ref at) {
 
 /// A node of a tree, after all that is below it. In a layout of siblings, its children's records: a record
 /// goes where its parent's children go.
-Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
+Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int layer) {
   const Stratum &stratum = layout_.strata[index];
   const bool isRecord = stratum.cells == Cells::Record;
-  const Ref block = isRecord ? words_[at] : at;
+  const std::uint64_t block = isRecord ? words_.wordOf(words_[at]) : at;
   if (const auto known = placed_.find(block); known != placed_.end())
     return known->second;
   Placed placed;
@@ -178,7 +178,7 @@ Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
     ++children;
     placed.voxels += child.leaf ? cell(index, cellValue(words_, stratum, child)).voxels *
                                       cubed(stratum.log2Shape.x * (layer - 1))
-                                : node(index, static_cast<Ref>(child.at), layer - 1).voxels;
+                                : node(index, child.at, layer - 1).voxels;
   });
   if (stratum.cells == Cells::Word && !stratum.implied)
     leafWords(index, at);
@@ -188,7 +188,7 @@ Extraction::Placed Extraction::node(std::size_t index, Ref at, int layer) {
 }
 
 /// The record of a root, which has no siblings.
-Extraction::Placed Extraction::record(std::size_t index, Ref at, const Placed &children) {
+Extraction::Placed Extraction::record(std::size_t index, std::uint64_t at, const Placed &children) {
   const Stratum &stratum = layout_.strata[index];
   const Placed placed = {block(index, BlockRecord::Append, Block::Node, at, 1 + MaskShape(stratum).words()),
                          children.voxels};
@@ -196,17 +196,17 @@ Extraction::Placed Extraction::record(std::size_t index, Ref at, const Placed &c
 }
 
 /// The words of a node's leaves, as construction writes them: after all that is below, right before the node.
-void Extraction::leafWords(std::size_t index, Ref node) {
+void Extraction::leafWords(std::size_t index, std::uint64_t node) {
   const Stratum &stratum = layout_.strata[index];
   stratum.slots->visit(words_, stratum, node, [&](Int3, const Child &child) {
-    const Ref at = static_cast<Ref>(child.at);
-    if (child.leaf && !placed_.contains(at))
-      placed_[at] = {block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), 0};
+    if (child.leaf && !placed_.contains(child.at))
+      placed_[child.at] = {block(index, BlockRecord::InternLeaf, Block::Leaf, child.at, 1), 0};
   });
 }
 
 /// Copies a block whose references lead to what was copied before. Returns where it stands now.
-Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, Ref at, std::uint64_t count) {
+Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, std::uint64_t at,
+                      std::uint64_t count) {
   const Stratum &stratum = layout_.strata[index];
   const bool isIndexed = layout_.isIndexed(index);
   std::vector<std::uint32_t> &words = isIndexed ? fragment_->array : fragment_->words;
@@ -215,8 +215,7 @@ Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, Ref
     words.push_back(words_[at + i]);
   const auto relocation = [&](Ref ref) {
     const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
-    const auto found =
-        placed_.find(stratum.isIndexed() ? static_cast<Ref>(array + kIndexedWords * ref) : ref);
+    const auto found = placed_.find(stratum.isIndexed() ? array + kIndexedWords * ref : words_.wordOf(ref));
     return found == placed_.end() ? Ref{0} : found->second.at;
   };
   relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), stratum, what,

@@ -17,22 +17,23 @@ namespace voxc {
 class Extraction {
 public:
   /// The words must have been checked; they and `layout` outlive this.
-  Extraction(std::span<const std::uint32_t> words, const Layout &layout) : words_(words), layout_(layout) {}
+  Extraction(std::span<const std::uint32_t> words, const Layout &layout)
+      : words_(words, layout.log2Granule), layout_(layout) {}
 
   /// The aligned cube of 2^log2Side voxels a side at `low`; log2Side is one of `Layout::partSide`. Its counts
   /// of shared blocks are 0: a volume does not tell how often a block was wanted.
   Fragment cube(Int3 low, int log2Side);
 
 private:
-  /// Where a block of the volume went, and the voxels below it.
+  /// Where a block of the volume went, counted in words of the fragment, and the voxels below it.
   struct Placed {
     Ref at = 0;
     std::uint64_t voxels = 0;
   };
 
-  /// A sub-volume, and the rank of its first voxel.
+  /// The word at which a sub-volume begins, and the rank of its first voxel.
   struct Found {
-    Ref at = 0;
+    std::uint64_t at = 0;
     std::uint64_t rank = 0;
   };
 
@@ -41,18 +42,18 @@ private:
   void partOfGrid(std::size_t index, Found root, Int3 low, int log2Side);
   void values(std::uint64_t rank, std::uint64_t count);
 
-  Placed subVolume(std::size_t index, Ref at);
-  Placed grid(std::size_t index, Ref at);
-  Placed node(std::size_t index, Ref at, int layer);
-  Placed record(std::size_t index, Ref at, const Placed &children);
+  Placed subVolume(std::size_t index, std::uint64_t at);
+  Placed grid(std::size_t index, std::uint64_t at);
+  Placed node(std::size_t index, std::uint64_t at, int layer);
+  Placed record(std::size_t index, std::uint64_t at, const Placed &children);
   Placed cell(std::size_t index, std::uint32_t value);
-  void leafWords(std::size_t index, Ref node);
-  Ref block(std::size_t index, BlockRecord::Kind kind, Block what, Ref at, std::uint64_t count);
+  void leafWords(std::size_t index, std::uint64_t node);
+  Ref block(std::size_t index, BlockRecord::Kind kind, Block what, std::uint64_t at, std::uint64_t count);
 
   WordReader words_;
   const Layout &layout_;
   Fragment *fragment_ = nullptr;
-  std::unordered_map<Ref, Placed> placed_; ///< By where a block stands in the volume.
+  std::unordered_map<std::uint64_t, Placed> placed_; ///< By the word where a block stands in the volume.
 };
 
 } // namespace voxc

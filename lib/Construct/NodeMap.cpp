@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint64_t kEntriesBetweenRelief = 1024;
 
-bool isAt(std::span<const std::uint32_t> node, std::span<const std::uint32_t> written, std::uint32_t offset) {
+bool isAt(std::span<const std::uint32_t> node, std::span<const std::uint32_t> written, std::uint64_t offset) {
   return node.size() <= written.size() - offset &&
-         std::equal(node.begin(), node.end(), written.begin() + offset);
+         std::equal(node.begin(), node.end(), written.begin() + static_cast<std::ptrdiff_t>(offset));
 }
 
 } // namespace
@@ -50,7 +50,7 @@ std::optional<std::uint32_t> NodeMap::find(std::uint32_t hash, std::span<const s
   const Entry *entries = entries_.data();
   const std::uint64_t mask = (std::uint64_t{1} << log2Size_) - 1;
   for (std::uint64_t at = home(hash); entries[at].offset != 0; at = (at + 1) & mask)
-    if (entries[at].hash == hash && isAt(node, written, entries[at].offset))
+    if (entries[at].hash == hash && isAt(node, written, std::uint64_t{entries[at].offset} << log2Unit_))
       return entries[at].offset;
   return std::nullopt;
 }

@@ -15,7 +15,9 @@ namespace voxc {
 /// whose first word tells their length satisfy that, and so do nodes of one length.
 class NodeMap {
 public:
-  explicit NodeMap(const std::shared_ptr<WorkingMemory> &memory) : memory_(memory), entries_(memory) {}
+  /// Offsets count 2^log2Unit words.
+  explicit NodeMap(const std::shared_ptr<WorkingMemory> &memory, int log2Unit = 0)
+      : memory_(memory), entries_(memory), log2Unit_(log2Unit) {}
 
   static std::uint32_t hashOf(std::span<const std::uint32_t> node);
   /// A hash of one word that no other word has.
@@ -50,6 +52,7 @@ private:
 
   std::shared_ptr<WorkingMemory> memory_;
   ScratchArray<Entry> entries_;
+  int log2Unit_;
   int log2Size_ = 0; ///< 0: no table yet.
   std::uint64_t used_ = 0;
 };

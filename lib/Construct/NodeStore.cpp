@@ -1,6 +1,10 @@
 // Appending, sharing and counting.
 #include "NodeStore.h"
 
+#include "voxc/Layout/SlotKind.h"
+
+#include <array>
+#include <bit>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -11,15 +15,33 @@ namespace {
 constexpr std::uint64_t kInternsBetweenRelief = 8;
 /// Grids larger than this go back to the system when they are done.
 constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
+constexpr int kLog2IndexedWords = std::bit_width(kIndexedWords) - 1;
+
+/// The bytes of so many words, a power of two of them.
+std::string sizeText(std::uint64_t words) {
+  const std::uint64_t mebibytes = words >> 18;
+  return mebibytes % 1024 == 0 ? std::to_string(mebibytes / 1024) + " GiB"
+                               : std::to_string(mebibytes) + " MiB";
+}
+
+/// What would reach more words, if anything would.
+std::string adviceOfGranules(const Layout &layout) {
+  const int log2 = layout.log2Granule + 1;
+  for (const Stratum &stratum : layout.strata)
+    if (!granuleProblem(stratum, log2).empty())
+      return {};
+  return "granule=" + std::to_string(1 << log2) +
+         (log2 == 1 ? " (the pass granules)" : " (granules once more)") + ", ";
+}
 
 } // namespace
 
 NodeStore::NodeStore(WordStore words, const Layout &layout, std::shared_ptr<WorkingMemory> memory)
-    : memory_(std::move(memory)), words_(std::move(words)), array_(memory_),
-      shared_(layout.strata.size() + 1) {
+    : layout_(layout), memory_(std::move(memory)), words_(std::move(words)), maxWords_(layout.maxWords()),
+      array_(memory_), shared_(layout.strata.size() + 1) {
   levels_.reserve(layout.strata.size());
   for (std::size_t i = 0; i < layout.strata.size(); ++i) {
-    levels_.emplace_back(memory_);
+    levels_.emplace_back(memory_, layout.isIndexed(i) ? kLog2IndexedWords : layout.log2Granule);
     if (layout.isIndexed(i)) {
       indexedLevel_ = static_cast<unsigned>(i + 1);
       indexBits_ = layout.strata[i - 1].indexBits;
@@ -59,32 +81,55 @@ void NodeStore::note(BlockRecord::Kind kind, unsigned level, std::uint64_t words
     log_->push_back({kind, level, words});
 }
 
-std::uint32_t NodeStore::append(unsigned level, std::span<const std::uint32_t> words) {
-  if (failure_)
-    return 1;
-  const std::uint64_t offset = words_.size();
-  if (offset + words.size() > maxWords_) {
-    const std::string most = maxWords_ == kMaxWords
-                                 ? "2^32 words (16 GiB), the most that offsets can reach: "
-                                 : std::to_string(maxWords_) + " words, the most that it may have: ";
-    fail(Error::input("the volume needs more than " + most + std::to_string(offset) +
-                      " are written, and level " + std::to_string(level) +
-                      " adds more; a lower resolution or a format that shares more would fit"));
-    return 1;
+/// Fails where a node of so many words would not fit into a volume, or could not be reached.
+bool NodeStore::fits(unsigned level, std::uint64_t words) {
+  const std::uint64_t begin = layout_.granuleAfter(words_.size());
+  const std::string name = "level " + std::to_string(level);
+  if (begin + words > maxWords_) {
+    const bool isGiven = maxWords_ < layout_.maxWords();
+    const std::string most = isGiven ? std::to_string(maxWords_) + " words, the most that it may have: "
+                                     : "2^" + std::to_string(std::bit_width(maxWords_) - 1) + " words (" +
+                                           sizeText(maxWords_) + "), the most that references can reach: ";
+    fail(Error::input("the volume needs more than " + most + std::to_string(words_.size()) +
+                      " are written, and " + name + " adds more; " +
+                      (isGiven || layout_.log2Granule == kMaxLog2Granule ? "" : adviceOfGranules(layout_)) +
+                      "a lower resolution or a format that shares more would fit"));
+  } else if (layout_.log2Granule > 0 && words > kMaxNodeWords &&
+             !layout_.strata[level - 1].slots->keepsEmpty) {
+    fail(Error::input(
+        name + " has a sub-volume of " + std::to_string(words) +
+        " words, more than the 2^32 - 2^28 that a kernel can reach in one where references count "
+        "granules; two levels in its place would fit"));
   }
-  std::uint64_t place = offset;
+  return !failure_;
+}
+
+void NodeStore::align() {
+  static constexpr std::array<std::uint32_t, std::size_t{1} << kMaxLog2Granule> kZeros{};
+  const std::uint64_t missing = layout_.granuleAfter(words_.size()) - words_.size();
+  if (auto appended = words_.append(std::span(kZeros).first(missing)); !appended)
+    fail(appended.error());
+}
+
+Ref NodeStore::append(unsigned level, std::span<const std::uint32_t> words) {
+  if (failure_ || !fits(level, words.size()))
+    return 1;
+  const std::uint64_t before = words_.size();
+  Ref place = 0;
   if (level == indexedLevel_) {
     place = appendToArray(level, words);
-    if (failure_)
-      return 1;
-  } else if (auto appended = words_.append(words); !appended) {
-    fail(appended.error());
-    return 1;
+  } else {
+    align();
+    place = layout_.refOf(words_.size());
+    if (auto appended = words_.append(words); !appended)
+      fail(appended.error());
   }
+  if (failure_)
+    return 1;
   ++at(level).report.uniqueNodes;
-  at(level).report.words += words.size();
+  at(level).report.words += level == indexedLevel_ ? words.size() : words_.size() - before;
   note(BlockRecord::Append, level, words.size());
-  return static_cast<std::uint32_t>(place);
+  return place;
 }
 
 void NodeStore::relieve() {
@@ -92,40 +137,36 @@ void NodeStore::relieve() {
     memory_->relieve();
 }
 
-std::uint32_t NodeStore::found(unsigned level, std::uint32_t offset) {
+Ref NodeStore::found(unsigned level, Ref known) {
   ++shared_[level];
-  return offset;
+  return known;
 }
 
-std::uint32_t NodeStore::remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
-                                  std::span<const std::uint32_t> words) {
-  const std::uint32_t offset = append(level, words);
+Ref NodeStore::remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
+                        std::span<const std::uint32_t> words) {
+  const Ref place = append(level, words);
   if (failure_)
     return 1;
   if (log_)
     log_->back().kind = kind;
-  const auto wordOf = [&](std::uint32_t at) {
-    return level == indexedLevel_ ? at * static_cast<std::uint32_t>(kIndexedWords) : at;
-  };
-  if (auto inserted = map.insert(hash, wordOf(offset)); !inserted)
+  if (auto inserted = map.insert(hash, place); !inserted)
     fail(inserted.error());
-  return offset;
+  return place;
 }
 
-std::uint32_t NodeStore::intern(unsigned level, std::span<const std::uint32_t> words) {
+Ref NodeStore::intern(unsigned level, std::span<const std::uint32_t> words) {
   if (failure_)
     return 1;
   relieve();
   NodeMap &map = at(level).nodes;
   const std::uint32_t hash = NodeMap::hashOf(words);
-  const bool isIndexed = level == indexedLevel_;
-  if (const auto known =
-          map.find(hash, words, isIndexed ? std::span(std::as_const(array_).span()) : words_.span()))
-    return found(level, isIndexed ? *known / static_cast<std::uint32_t>(kIndexedWords) : *known);
+  const auto written = level == indexedLevel_ ? std::span(std::as_const(array_).span()) : words_.span();
+  if (const auto known = map.find(hash, words, written))
+    return found(level, *known);
   return remember(BlockRecord::Intern, map, hash, level, words);
 }
 
-std::uint32_t NodeStore::internLeaf(unsigned level, std::uint32_t value) {
+Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
   if (failure_)
     return 1;
   relieve();

@@ -37,11 +37,11 @@ struct KeptCell {
 class NodeStore {
 public:
   /// Levels are numbered from 1. The blocks of an indexed one stand in an array: append and intern give their
-  /// numbers, from 1 on.
+  /// numbers, from 1 on. The others begin where references can lead to.
   NodeStore(WordStore words, const Layout &layout, std::shared_ptr<WorkingMemory> memory);
 
   /// Fails at more words than this, in place of the most that offsets can reach.
-  void limit(std::uint64_t maxWords) { maxWords_ = std::min(maxWords, kMaxWords); }
+  void limit(std::uint64_t maxWords) { maxWords_ = std::min(maxWords, layout_.maxWords()); }
 
   /// The array of indexed blocks, from number 0 on, which is none; empty without.
   std::span<const std::uint32_t> array() const { return array_.span(); }
@@ -49,10 +49,13 @@ public:
   /// Notes in `log` what is really written, from now on; null ends that.
   void logTo(std::vector<BlockRecord> *log) { log_ = log; }
 
-  /// Offset of the words, which are new or, if interned, may have been there. 1 after a failure.
-  std::uint32_t append(unsigned level, std::span<const std::uint32_t> words);
-  std::uint32_t intern(unsigned level, std::span<const std::uint32_t> words);
-  std::uint32_t internLeaf(unsigned level, std::uint32_t value);
+  /// Adds zeros up to where a reference can lead to. What does not fit any more fails later.
+  void align();
+
+  /// What leads to the words, which are new or, if interned, may have been there. 1 after a failure.
+  Ref append(unsigned level, std::span<const std::uint32_t> words);
+  Ref intern(unsigned level, std::span<const std::uint32_t> words);
+  Ref internLeaf(unsigned level, std::uint32_t value);
   void forget(unsigned level);
 
   /// Zeroed memory for the one grid that a level fills at a time; null after a failure.
@@ -82,8 +85,8 @@ public:
 
 private:
   struct Level {
-    explicit Level(const std::shared_ptr<WorkingMemory> &memory)
-        : leaves(memory), nodes(memory), kept(memory) {}
+    Level(const std::shared_ptr<WorkingMemory> &memory, int log2Unit)
+        : leaves(memory, log2Unit), nodes(memory, log2Unit), kept(memory) {}
 
     NodeMap leaves;
     NodeMap nodes;
@@ -96,15 +99,17 @@ private:
   Level &at(unsigned level) { return levels_[level - 1]; }
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
   void relieve();
-  std::uint32_t found(unsigned level, std::uint32_t offset);
+  bool fits(unsigned level, std::uint64_t words);
+  Ref found(unsigned level, Ref known);
   void beginArray();
   std::uint32_t appendToArray(unsigned level, std::span<const std::uint32_t> words);
-  std::uint32_t remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
-                         std::span<const std::uint32_t> words);
+  Ref remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
+               std::span<const std::uint32_t> words);
 
+  Layout layout_;
   std::shared_ptr<WorkingMemory> memory_;
   WordStore words_;
-  std::uint64_t maxWords_ = kMaxWords;
+  std::uint64_t maxWords_;
   unsigned indexedLevel_ = 0; ///< 0: none.
   int indexBits_ = 0;
   ScratchArray<std::uint32_t> array_;

@@ -81,7 +81,8 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  const Layout layout = layoutOf(format);
+  Layout layout = layoutOf(format);
+  layout.log2Granule = 0; // References of a part count its words, whatever those of the volume will.
   auto store = std::make_unique<NodeStore>(std::move(*words), layout, memory);
   return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }

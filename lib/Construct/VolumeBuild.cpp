@@ -2,22 +2,24 @@
 #include "VolumeBuild.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace voxc {
 
 Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const BuildOptions &options) {
   std::unique_ptr<VolumeBuild> build(new VolumeBuild(std::move(info), options));
+  const Layout layout = layoutOf(build->info_.format);
+  build->maxWords_ = std::min(options.maxWords, layout.maxWords());
   auto words = build->openWords();
   if (!words)
     return words.error();
-  const Layout layout = layoutOf(build->info_.format);
-  const std::array<std::uint32_t, 3> head = {};
-  if (auto begun = words->append(std::span(head).first(layout.headWords() - words->size())); !begun)
+  const std::vector<std::uint32_t> head(layout.headWords() - words->size());
+  if (auto begun = words->append(head); !begun)
     return begun.error();
+  if (auto skipped = words->skip(options.emptyWords); !skipped)
+    return skipped.error();
   build->store_ = std::make_unique<NodeStore>(std::move(*words), layout, options.memory);
   build->values_ = std::make_unique<ValueStore>(*build->store_, options.memory);
-  build->maxWords_ = std::min(options.maxWords, layout.maxWords());
   build->store_->limit(build->maxWords_);
   return build;
 }
@@ -49,11 +51,11 @@ Expected<WordStore> VolumeBuild::openWords() {
   if (auto opened = openFile(); !opened)
     return opened.error();
   if (!streamWriter_)
-    return WordStore::create(options_.memory);
-  return WordStore::create(options_.memory,
-                           [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
-                             return streamWriter_->settle(block, begin, bytes, *options_.memory);
-                           });
+    return WordStore::create(options_.memory, {}, maxWords_);
+  const auto settle = [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
+    return streamWriter_->settle(block, begin, bytes, *options_.memory);
+  };
+  return WordStore::create(options_.memory, settle, maxWords_);
 }
 
 /// The array of indexed sub-volumes stands behind all nodes.
@@ -69,6 +71,20 @@ void VolumeBuild::appendArray(WordStore &words) {
     store_->fail(appended.error());
 }
 
+/// The values of voxels stand behind all nodes too, where a reference can lead to.
+void VolumeBuild::appendValues(const Layout &layout) {
+  store_->align();
+  WordStore &words = store_->words();
+  const std::uint64_t section = words.size();
+  values_->finish(words, maxWords_);
+  words.setHead(1, layout.refOf(section));
+  if (layout.log2Granule > 0 && words.size() - section > kMaxNodeWords)
+    store_->fail(
+        Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
+                     " words, more than the 2^32 - 2^28 that a kernel can reach where references count "
+                     "granules; a lower resolution would fit"));
+}
+
 Expected<void> VolumeBuild::save(const Volume &volume) {
   const SaveOptions saving{options_.compress, options_.threads, options_.memory, options_.progress};
   if (pagedWriter_)
@@ -82,7 +98,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   const std::uint64_t nodeWords = words.size();
   const Layout layout = layoutOf(info_.format);
   if (layout.values == Values::Apart)
-    values_->finish(words, maxWords_);
+    appendValues(layout);
   if (layout.payload == Payload::Constant)
     words.setHead(1, colour);
   if (store_->failure())

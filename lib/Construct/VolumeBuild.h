@@ -39,6 +39,7 @@ private:
   Expected<void> openFile();
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
+  void appendValues(const Layout &layout);
   /// Writes the file, unless the words went to their place in it while they were made.
   Expected<void> save(const Volume &volume);
 

@@ -6,7 +6,6 @@
 namespace voxc {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 30;
 constexpr std::uint64_t kSmallestStep = std::uint64_t{1} << 20;
 constexpr std::uint64_t kLargestStep = std::uint64_t{64} << 20;
 /// Words that settle do so in pieces of this size, and so are copied in pieces too.
@@ -15,11 +14,12 @@ constexpr std::uint64_t kPieceWords = kSettledBytes / sizeof(std::uint32_t);
 
 } // namespace
 
-Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memory, Settle settle) {
+Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memory, Settle settle,
+                                      std::uint64_t mostWords) {
   WordStore store(memory);
   store.settle_ = std::move(settle);
   store.settledBegin_ = store.settledEnd_ = WorkingMemory::pageBytes();
-  auto block = memory->reserve(kMostBytes);
+  auto block = memory->reserve(mostWords * sizeof(std::uint32_t));
   if (!block)
     return block.error();
   store.block_ = std::move(*block);
@@ -41,6 +41,14 @@ Expected<void> WordStore::append(std::span<const std::uint32_t> words) {
     if (!words.empty())
       memory_->relieve(2 * piece.size_bytes());
   }
+  return {};
+}
+
+Expected<void> WordStore::skip(std::uint64_t words) {
+  if (bytes() + words * sizeof(std::uint32_t) > block_.size())
+    if (auto room = makeRoom(words); !room)
+      return room;
+  size_ += words;
   return {};
 }
 

@@ -18,17 +18,20 @@ public:
   /// Writes pages of the block to where they shall stay, [begin, begin + bytes), and maps them from there.
   using Settle = std::function<Expected<void>(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes)>;
 
-  /// Words in working memory; if `settle` is given, they move there as they become complete. Error:
-  /// `Environment`.
-  static Expected<WordStore> create(const std::shared_ptr<WorkingMemory> &memory, Settle settle = {});
+  /// Words in working memory, `mostWords` at most; if `settle` is given, they move there as they become
+  /// complete. Error: `Environment`.
+  static Expected<WordStore> create(const std::shared_ptr<WorkingMemory> &memory, Settle settle = {},
+                                    std::uint64_t mostWords = std::uint64_t{1} << 32);
 
   std::uint64_t size() const { return size_; }
   std::span<const std::uint32_t> span() const { return {words(), size_}; }
   /// Bytes [first, second) were settled.
   std::pair<std::uint64_t, std::uint64_t> settled() const { return {settledBegin_, settledEnd_}; }
 
-  /// Appends words; the caller has seen to it that there are at most 2^32 in all. Error: `Environment`.
+  /// Appends words; the caller has seen to it that there are not too many in all. Error: `Environment`.
   Expected<void> append(std::span<const std::uint32_t> words);
+  /// The same for so many zeros, which take memory only where they settle.
+  Expected<void> skip(std::uint64_t words);
   /// The first page is never settled.
   void setRoot(std::uint32_t offset) { setHead(0, offset); }
   void setHead(std::uint64_t word, std::uint32_t value) { words()[word] = value; }

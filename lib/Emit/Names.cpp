@@ -44,8 +44,9 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
   holes["field-mask"] = fieldMask;
   holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
   holes["slot-of-value"] = shift.empty() ? "placed.value" : "placed.value << " + shift;
-  holes["value-at-slot"] =
-      stratum.empty == Empty::Zero ? "load_word(slot)" : "value_level_" + holes["N"] + "(load_word(slot))";
+  holes["value-at-slot"] = stratum.empty == Empty::Zero
+                               ? "load_word(" + holes["grid,"] + "slot)"
+                               : "value_level_" + holes["N"] + "(load_word(" + holes["grid,"] + "slot))";
   holes["value-of-slot"] = shift.empty() ? "word" : "word >> " + shift;
   holes["what-skip-counts"] =
       hasOctants ? "the cells along the largest empty cube ahead" : "its distance, in cells";
@@ -60,6 +61,57 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
   holes["word-is-empty"] = "(word" + emptyBits + (isTagged ? ") != 0" : ") == 0");
   holes["slot-is-empty"] =
       "(word" + emptyBits + (isTagged && hasOctants ? "u" : "") + (isTagged ? ") != 0u" : ") == 0u");
+}
+
+/// Addresses. Where references count words, an offset is added to one; where they count granules, the two
+/// stay apart, and `load_word` takes both. A hole that ends in a plus stands where an offset begins, and is
+/// left out in the second case; one that ends in a comma stands before a whole offset, and is left out in the
+/// first.
+void addAddresses(TemplateNames &names, const Plan &plan) {
+  const int log2Granule = plan.layout.log2Granule;
+  const bool granules = log2Granule > 0;
+  auto &holes = names.holes;
+  holes["+"] = granules ? ", " : " + ";
+  for (const std::string name : {"grid", "table", "node", "section"}) {
+    holes[name + "+"] = granules ? "" : name + " + ";
+    holes[name + ","] = granules ? name + ", " : "";
+  }
+  holes["uint-section,"] = granules ? "uint section, " : "";
+  holes["head,"] = granules ? "0u, " : "";
+  holes["log2-granule"] = std::to_string(log2Granule);
+  holes["granule-words"] = std::to_string(1 << log2Granule);
+  names.conditions["granules"] = granules;
+}
+
+/// One axis of a cell's number, `bits` of them from bit `at` on: those from bit `from` on, or those before
+/// it.
+std::string upperBits(const std::string &axis, int bits, int at, int from) {
+  if (bits == 0)
+    return "";
+  if (at >= from)
+    return at == from ? axis : axis + " << " + std::to_string(at - from);
+  return at + bits > from ? axis + " >> " + std::to_string(from - at) : "";
+}
+
+std::string lowerBits(const std::string &axis, int bits, int at, int from) {
+  if (bits == 0 || at >= from)
+    return "";
+  const int kept = from - at;
+  const std::string value = bits <= kept ? axis : "(" + axis + " & " + std::to_string((1 << kept) - 1) + ")";
+  return at == 0 ? value : value + " << " + std::to_string(at);
+}
+
+/// The number of a cell, as bits of its place, in two parts: 2^log2Granule cells are one.
+std::string cellNumber(Int3 log2Size, int log2Granule,
+                       std::string (*part)(const std::string &, int, int, int)) {
+  std::string text;
+  int at = 0;
+  for (const int axis : {0, 1, 2}) {
+    const std::string bits = part(std::string("at.") + "xyz"[axis], log2Size[axis], at, log2Granule);
+    text += (text.empty() || bits.empty() ? "" : " | ") + bits;
+    at += log2Size[axis];
+  }
+  return text.empty() ? "0" : text;
 }
 
 std::string count(int log2, std::string_view unit) {
@@ -84,6 +136,10 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["index-bits"] = std::to_string(stratum.indexBits);
   holes["count-bits"] = std::to_string(stratum.countBits());
   holes["array-head"] = std::to_string(stratum.arrayHead);
+  const std::uint64_t recordGranules = stratum.slots->leastWords(stratum) >> plan.layout.log2Granule;
+  holes["records-times"] = recordGranules == 1 ? "" : std::to_string(recordGranules) + "u * ";
+  holes["granule-of-cell"] = cellNumber(stratum.log2Size(), plan.layout.log2Granule, upperBits);
+  holes["cell-in-granule"] = cellNumber(stratum.log2Size(), plan.layout.log2Granule, lowerBits);
   holes["second-mask"] = stratum.log2Children() == 6 ? " + uint(bitCount(load_word(grid + 1u)))" : "";
   holes["slots-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + "u * ";
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
@@ -115,7 +171,7 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
                        : stratum.implied ? occupied
                                          : "value_level_" + holes["N"] + "(grid, cell)";
   holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
-  holes["without-leaves"] = stratum.implied ? " & ~load_word(node + 2u)" : "";
+  holes["without-leaves"] = stratum.implied ? " & ~load_word(node" + holes["+"] + "2u)" : "";
   holes["has-no-slot"] = stratum.implied ? "!= Node::Inner" : "== Node::Empty";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
   holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
@@ -226,6 +282,7 @@ TemplateNames planNames(const Plan &plan) {
   const Stratum &lowest = plan.layout.strata.back();
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   addQuestion(names, plan);
+  addAddresses(names, plan);
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid() && lowest.cells != Cells::Slot;

@@ -17,6 +17,9 @@ constexpr std::array<std::string_view, 3> kPayloadValues = {"rgba8", "occupancy"
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 constexpr std::array<std::string_view, 2> kValuesValues = {"in-place", "apart"};
 
+constexpr std::array<std::string_view, 9> kGranuleValues = {"word", "2",  "4",   "8",  "16",
+                                                            "32",   "64", "128", "256"};
+
 constexpr AttributeList kOutputs = {"outputs",
                                     "what the kernel stores of a closest hit; the rest is 0, and no "
                                     "work is done for it"};
@@ -68,11 +71,16 @@ const AttributeKind kValuesAttribute = {
     "where the colours of voxels stand: in the words of their cells, or apart from the shape, in compressed "
     "blocks by the rank of the voxel, so that equal shapes of other colours share storage"};
 
+const AttributeKind kGranuleAttribute = {
+    "granule", AttributeEffect::Storage, kGranuleValues,
+    "what references count: words, or granules of so many, at which all that they lead to begins, so that a "
+    "volume may have as many times the words"};
+
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 11> kAttributes = {
+  static constexpr std::array<const AttributeKind *, 12> kAttributes = {
       &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute,
       &kVoxelAttribute,     &kTAttribute,      &kFaceAttribute,   &kColourAttribute,
-      &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute};
+      &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute, &kGranuleAttribute};
   return kAttributes;
 }
 

@@ -1,6 +1,8 @@
 // Levels and formats: sizes and attributes.
 #include "voxc/IR/Format.h"
 
+#include <algorithm>
+
 namespace voxc {
 
 std::uint32_t Level::parameter(ParameterRole role) const {
@@ -28,6 +30,11 @@ bool Level::setAttribute(const AttributeKind &attribute, std::string_view value)
 
 bool Format::setAttribute(const AttributeKind &attribute, std::string_view value) {
   return attributes.set(formatAttributes(), attribute, value);
+}
+
+int Format::log2Granule() const {
+  const auto values = kGranuleAttribute.values;
+  return static_cast<int>(std::ranges::find(values, attributes.value(kGranuleAttribute)) - values.begin());
 }
 
 Int3 Format::log2Extent() const {

@@ -31,9 +31,11 @@ void verifyBranching(const Level &level, Diagnostics &diagnostics) {
                                        std::to_string(branching) + " would be");
 }
 
-/// A hashed grid's cells must have numbers.
-void verifySlots(const Level &level, Diagnostics &diagnostics) {
+/// A hashed grid's cells must have numbers, and what references lead to must begin where they count.
+void verifySlots(const Level &level, int log2Granule, Diagnostics &diagnostics) {
   const Stratum stratum = level.kind->lower(level);
+  if (const std::string problem = granuleProblem(stratum, log2Granule); !problem.empty())
+    diagnostics.error(level.range, problem);
   if (const std::string problem = stratum.slots->problem(stratum); !problem.empty())
     diagnostics.error(level.range, problem);
 }
@@ -77,6 +79,10 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
     const Level &level = format.levels[i];
     if (level.attribute(kPointersAttribute) == "word")
       continue;
+    if (format.log2Granule() > 0)
+      diagnostics.error(level.range, "level " + std::to_string(i + 1) +
+                                         " has short pointers, which lead to an array in 2^32 words, and "
+                                         "references cannot count granules; leave out one of both");
     const bool isLast = i + 1 == format.levels.size();
     const bool isMasks = format.attributes.value(kPayloadAttribute) != "rgba8" ||
                          format.attributes.value(kValuesAttribute) == "apart";
@@ -104,16 +110,20 @@ void verifyQuestion(const Format &format, Diagnostics &diagnostics) {
                       "the format " + std::string(problem));
 }
 
-/// A grid whose slots alone need more words than offsets can name cannot hold even one voxel.
-void verifyWords(const Level &level, Diagnostics &diagnostics) {
+/// A grid whose slots alone need more words than references reach cannot hold even one voxel.
+void verifyWords(const Level &level, int log2Granule, Diagnostics &diagnostics) {
   const Stratum stratum = level.kind->lower(level);
   const std::uint64_t words = stratum.slots->leastWords(stratum);
-  // 2^32 words would leave none for the root's offset.
-  if (words < kMaxWords)
+  // So many words would leave none for the root's reference.
+  const int log2Most = std::bit_width(kMaxWords) - 1 + log2Granule;
+  if (words >> log2Most == 0)
     return;
   const Int3 size = level.log2Size();
   std::string message = "one sub-volume of " + sizeText(size) + " cells takes 2^" +
-                        std::to_string(std::bit_width(words) - 1) + " words; a volume holds fewer than 2^32";
+                        std::to_string(std::bit_width(words) - 1) + " words; a volume holds fewer than 2^" +
+                        std::to_string(log2Most);
+  if (const int needed = std::bit_width(words) - std::bit_width(kMaxWords) + 1; needed <= kMaxLog2Granule)
+    message += ", and with granule=" + std::to_string(1 << needed) + " more";
   const auto isPower = [](std::int32_t n) { return n > 1 && (n & (n - 1)) == 0; };
   if (isPower(size.x) && isPower(size.y) && isPower(size.z))
     message += " (sizes are log2: " + std::to_string(size.x) + " cells are written " +
@@ -138,8 +148,8 @@ void verify(const Format &format, Diagnostics &diagnostics) {
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     verifyCubic(format.levels[i], i, diagnostics);
     verifyBranching(format.levels[i], diagnostics);
-    verifySlots(format.levels[i], diagnostics);
-    verifyWords(format.levels[i], diagnostics);
+    verifySlots(format.levels[i], format.log2Granule(), diagnostics);
+    verifyWords(format.levels[i], format.log2Granule(), diagnostics);
   }
   verifyDistances(format, diagnostics);
   verifyValues(format, diagnostics);

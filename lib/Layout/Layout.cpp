@@ -18,7 +18,7 @@ void packDistances(Stratum &stratum, bool holdsVoxels) {
 std::uint64_t Layout::headWords() const {
   const bool isIndexed = std::ranges::any_of(strata, &Stratum::isIndexed);
   const bool hasSecond = values == Values::Apart || payload == Payload::Constant;
-  return 1 + (hasSecond ? 1 : 0) + (isIndexed ? 1 : 0);
+  return granuleAfter(1 + (hasSecond ? 1 : 0) + (isIndexed ? 1 : 0));
 }
 
 Int3 Layout::log2Extent() const {
@@ -31,7 +31,7 @@ std::uint64_t Layout::maxWords() const {
   int log2 = 32;
   for (const Stratum &stratum : strata)
     log2 = std::min(log2, stratum.log2Reach());
-  return std::uint64_t{1} << log2;
+  return std::uint64_t{1} << (log2 + log2Granule);
 }
 
 std::size_t Layout::stratumOfPart(int log2Side) const {

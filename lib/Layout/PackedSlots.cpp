@@ -18,6 +18,8 @@ std::string problem(const Stratum &stratum) {
     return "packed slots are words; records stand with their siblings";
   if (stratum.leaves && stratum.log2Children() > 6)
     return "a node with leaves has 64 children at most";
+  if (stratum.log2Children() > 32)
+    return "a masked grid has 2^32 cells at most, so that a cell's number is a word";
   return {};
 }
 
@@ -99,7 +101,10 @@ Child found(const WordReader &words, const Stratum &stratum, const MaskShape &sh
   const std::uint64_t slot =
       node + shape.words() + masks.rank(index) * static_cast<std::uint64_t>(stratum.slotWords());
   const bool isInSlot = stratum.isGrid() || (isLeaf && stratum.cells == Cells::Slot);
-  Child child = {true, isLeaf, isLeaf && stratum.implied ? node : isInSlot ? slot : words[slot]};
+  Child child = {true, isLeaf,
+                 isLeaf && stratum.implied ? node
+                 : isInSlot                ? slot
+                                           : words.wordOf(words[slot])};
   if (stratum.ranked)
     rankChild(words, stratum, masks, index, slot, child);
   return child;

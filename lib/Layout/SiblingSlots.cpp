@@ -34,7 +34,7 @@ Child found(const WordReader &words, const MaskShape &shape, std::uint64_t node,
   const Masks masks(words, shape, node + 1);
   if (!masks.exists(index))
     return {.log2Around = shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
-  return {true, masks.isLeaf(index), words[node] + recordWords(shape) * masks.rank(index)};
+  return {true, masks.isLeaf(index), words.wordOf(words[node]) + recordWords(shape) * masks.rank(index)};
 }
 
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
@@ -70,6 +70,7 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 extern const SlotKind kSiblingSlots = {.name = "siblings",
                                        .summary =
                                            "a record for each child that is not empty, next to each other",
+                                       .sharesBlocks = true,
                                        .tellsGap = never,
                                        .findsValueLater = never,
                                        .problem = problem,

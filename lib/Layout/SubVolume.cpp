@@ -46,7 +46,7 @@ private:
 
   void node(std::uint64_t at, Int3 low, int layer, Ranks ranks) {
     const int log2Side = longest(stratum_.log2Shape) * layer;
-    if (visitor_.done() || !visitor_.enterNode(static_cast<Ref>(at), log2Side, ranks))
+    if (visitor_.done() || !visitor_.enterNode(at, log2Side, ranks))
       return;
     const SlotKind &slots = *stratum_.slots;
     if (!slots.check(words_, stratum_, at, layer == 1))

@@ -3,6 +3,8 @@
 
 #include "voxc/Layout/SlotKind.h"
 
+#include <algorithm>
+
 namespace voxc {
 namespace {
 
@@ -36,6 +38,7 @@ private:
     cells(stratum);
     distances(stratum);
     indices(stratum);
+    granules(stratum);
     const std::string problem = stratum.slots->problem(stratum);
     rule(problem.empty(), problem);
   }
@@ -88,6 +91,14 @@ private:
          "the array that numbers lead to is told by the last word of the head");
   }
 
+  void granules(const Stratum &stratum) {
+    const int log2 = layout_.log2Granule;
+    rule(log2 >= 0 && log2 <= kMaxLog2Granule,
+         "granules have at most 2^" + std::to_string(kMaxLog2Granule) + " words");
+    const std::string problem = granuleProblem(stratum, std::clamp(log2, 0, kMaxLog2Granule));
+    rule(problem.empty(), problem);
+  }
+
   void distances(const Stratum &stratum) {
     const bool inSlot = stratum.empty != Empty::Zero;
     const bool isLast = layout_.holdsVoxels(index_);
@@ -112,7 +123,29 @@ private:
   std::size_t index_ = 0;
 };
 
+/// log2 of the most cells of a grid whose masks tell them, where references count granules: all its slots, of
+/// two words each, and its mask are `kMaxNodeWords` at most.
+constexpr int kMaxLog2MaskedCells = 30;
+
 } // namespace
+
+std::string granuleProblem(const Stratum &stratum, int log2Granule) {
+  if (log2Granule == 0)
+    return {};
+  const std::string granules = "granules of " + std::to_string(1 << log2Granule) + " words";
+  if (stratum.slots->sharesBlocks &&
+      stratum.slots->leastWords(stratum) % (std::uint64_t{1} << log2Granule) != 0)
+    return "its records, of " + std::to_string(stratum.slots->leastWords(stratum)) +
+           " words each, stand side by side and would not begin at " + granules +
+           "; granule=2, or svdag in place of svo, would do";
+  if (stratum.isIndexed())
+    return "short pointers lead to an array in 2^32 words, and references cannot count " + granules +
+           "; leave out one of both";
+  if (stratum.isGrid() && stratum.slots->tellsByMasks && stratum.log2Children() > kMaxLog2MaskedCells)
+    return "a masked grid has at most 2^" + std::to_string(kMaxLog2MaskedCells) +
+           " cells where references count " + granules + "; two masked levels in its place would do";
+  return {};
+}
 
 void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges) {
   Verifier(layout, diagnostics, ranges).run();

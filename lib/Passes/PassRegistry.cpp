@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 17> kPasses = {{
+constexpr std::array<Pass, 18> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -52,6 +52,18 @@ constexpr std::array<Pass, 17> kPasses = {{
      "or "
      "values-apart before it).",
      shortPointers},
+    {"granules", AttributeEffect::Storage,
+     "let references count granules of two words, so that they reach 32GiB",
+     "Without it, a reference is the number of a word, and a volume has at most 2^32 of them, 16 GiB. With "
+     "it, "
+     "references count granules of two words, and all that they lead to begins at one: nodes of an odd "
+     "number "
+     "of words are followed by a 0. Each further time it doubles the granule, up to 256 words. It is an "
+     "error "
+     "where an S level would have granules of more than two words, its nodes, and with short pointers. A "
+     "build "
+     "that needs it says so; else it only costs.",
+     granules},
     {"inline-leaves", AttributeEffect::Storage, "keep the values of a G level's leaves in the slots of nodes",
      "Without it, a leaf is a word that slots point to, and equal leaves are one word. With it, the slot is "
      "the leaf's value: a word less for each that differs, and a load less on the way to it. Unchanged where "

@@ -2,6 +2,7 @@
 #include "PlanFields.h"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cstdio>
 
@@ -100,11 +101,23 @@ bool parseValues(Plan &plan, std::string_view text) {
   return values.has_value();
 }
 
-constexpr std::array<Field<Plan>, 17> kPlanFields = {{
+std::string printGranule(const Plan &plan) {
+  return plan.layout.log2Granule == 0 ? "" : std::to_string(1 << plan.layout.log2Granule);
+}
+
+bool parseGranule(Plan &plan, std::string_view text) {
+  unsigned words = 0;
+  const bool isNumber = parseNumber(words, text) && std::has_single_bit(words);
+  plan.layout.log2Granule = isNumber ? std::bit_width(words) - 1 : 0;
+  return isNumber;
+}
+
+constexpr std::array<Field<Plan>, 18> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload, "rgba8, occupancy, constant"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     {"values", printValues, parseValues, "in-place, apart"},
+    {"granule", printGranule, parseGranule, "a number of words, a power of two"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
     field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),

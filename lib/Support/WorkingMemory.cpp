@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string_view>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace {
 
 /// Bytes touched between two looks at the process.
 constexpr std::uint64_t kBytesBetweenLooks = std::uint64_t{8} << 20;
+/// Zeros that are left out of a file: fewer are not worth a call.
+constexpr std::uint64_t kSmallestHole = std::uint64_t{64} << 10;
 /// Blocks from here up ask for large pages.
 constexpr std::uint64_t kLargePages = std::uint64_t{4} << 20;
 
@@ -47,6 +50,37 @@ int openUnnamed(const std::string &folder) {
   if (named >= 0)
     ::unlink(path.c_str());
   return named;
+}
+
+bool areZero(std::span<const std::byte> bytes) {
+  return bytes.front() == std::byte{0} && std::memcmp(bytes.data(), bytes.data() + 1, bytes.size() - 1) == 0;
+}
+
+bool writeAll(int file, std::span<const std::byte> bytes, std::uint64_t offset) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written <= 0)
+      return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+  return true;
+}
+
+/// Writes bytes to where a file has none yet. Pieces without anything are left out, and stay holes: large
+/// grids are mostly empty. False on an error, with `errno`.
+bool writeWithHoles(int file, std::span<const std::byte> bytes, std::uint64_t offset) {
+  const std::uint64_t end = offset + bytes.size();
+  while (!bytes.empty()) {
+    const auto piece = bytes.first(std::min<std::uint64_t>(bytes.size(), kSmallestHole));
+    if (!areZero(piece) && !writeAll(file, piece, offset))
+      return false;
+    bytes = bytes.subspan(piece.size());
+    offset += piece.size();
+  }
+  struct stat status{};
+  return ::fstat(file, &status) == 0 && (static_cast<std::uint64_t>(status.st_size) >= end ||
+                                         ::ftruncate(file, static_cast<off_t>(end)) == 0);
 }
 
 /// Bytes of this process that are in memory now; 0 where the system does not tell.
@@ -195,12 +229,8 @@ Expected<void> WorkingMemory::addScratch(MemoryBlock &block, std::uint64_t bytes
 Expected<void> WorkingMemory::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
                                      std::uint64_t offset) {
   std::byte *const pages = block.data_ + begin;
-  for (std::uint64_t done = 0; done < bytes;) {
-    const ssize_t written = ::pwrite(file, pages + done, bytes - done, static_cast<off_t>(offset + done));
-    if (written <= 0)
-      return Error::environment("cannot write another " + megabytes(bytes) + ": " + reason());
-    done += static_cast<std::uint64_t>(written);
-  }
+  if (!writeWithHoles(file, {pages, bytes}, offset))
+    return Error::environment("cannot write another " + megabytes(bytes) + ": " + reason());
   const std::lock_guard lock(state_->mutex);
   if (::mmap(pages, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, file, static_cast<off_t>(offset)) == MAP_FAILED)
     return Error::environment("cannot map what was written: " + reason());

@@ -2,21 +2,16 @@
 #include "VolumeWords.h"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
 
 namespace voxc {
 namespace {
-
-constexpr std::size_t kMaxSegments = 16;
 
 Expected<void> checkAddressing(const Device::State &device, std::uint64_t words, Addressing addressing) {
   const DeviceInfo &info = device.info();
   std::uint64_t bytes = VolumeWords::paddedBytes(words);
   if (words == 0)
     return Error::input("this volume has no words; even an empty one has word 0");
-  if (words > kSegmentWords * kMaxSegments)
-    return Error::environment("this volume has " + bytesText(bytes) + ", but a kernel reaches at most " +
-                              bytesText(kSegmentWords * kMaxSegments * sizeof(std::uint32_t)));
   if (addressing == Addressing::Buffer && bytes > info.maxStorageBufferBytes)
     return Error::environment("this volume has " + bytesText(bytes) + ", but a storage buffer of " +
                               info.name + " holds at most " + bytesText(info.maxStorageBufferBytes) +
@@ -39,16 +34,19 @@ Expected<Buffer> uploadPart(Device::State &device, Transfer &transfer, std::span
   return buffer;
 }
 
-Expected<Buffer> uploadTable(Device::State &device, Transfer &transfer, std::span<const Buffer> segments) {
-  std::array<VkDeviceAddress, kMaxSegments> addresses{};
-  std::ranges::transform(segments, addresses.begin(),
-                         [&](const Buffer &buffer) { return buffer.address(device); });
-  auto table = Buffer::create(device, {.what = "a table of segments", .bytes = sizeof addresses});
+Expected<Buffer> uploadTable(Device::State &device, Transfer &transfer,
+                             std::span<const VkDeviceAddress> addresses) {
+  auto table = Buffer::create(device, {.what = "a table of segments", .bytes = addresses.size_bytes()});
   if (!table)
     return table;
-  if (auto uploaded = transfer.upload(std::as_bytes(std::span(addresses)), *table); !uploaded)
+  if (auto uploaded = transfer.upload(std::as_bytes(addresses), *table); !uploaded)
     return uploaded.error();
   return table;
+}
+
+bool areZero(std::span<const std::uint32_t> words) {
+  return words.front() == 0 &&
+         std::memcmp(words.data(), words.data() + 1, words.size_bytes() - sizeof(std::uint32_t)) == 0;
 }
 
 } // namespace
@@ -57,22 +55,42 @@ Expected<VolumeWords> VolumeWords::upload(Device::State &device, Transfer &trans
                                           std::span<const std::uint32_t> words, Addressing addressing) {
   if (auto checked = checkAddressing(device, words.size(), addressing); !checked)
     return checked.error();
-  bool addressed = addressing == Addressing::Segments;
   VolumeWords result;
-  for (std::uint64_t first = 0; first < words.size(); first += kSegmentWords) {
-    std::uint64_t count = addressed ? std::min(kSegmentWords, words.size() - first) : words.size();
-    auto part = uploadPart(device, transfer, words.subspan(first, count), addressed);
-    if (!part)
-      return part.error();
-    result.segments_.push_back(std::move(*part));
-    if (!addressed)
-      return result;
+  if (addressing == Addressing::Segments) {
+    if (auto uploaded = result.uploadSegments(device, transfer, words); !uploaded)
+      return uploaded.error();
+    return result;
   }
-  auto table = uploadTable(device, transfer, result.segments_);
+  auto whole = uploadPart(device, transfer, words, false);
+  if (!whole)
+    return whole.error();
+  result.segments_.push_back(std::move(*whole));
+  return result;
+}
+
+Expected<void> VolumeWords::uploadSegments(Device::State &device, Transfer &transfer,
+                                           std::span<const std::uint32_t> words) {
+  std::vector<VkDeviceAddress> addresses;
+  VkDeviceAddress zeros = 0; // Of the one segment that all those are which hold nothing.
+  for (std::uint64_t first = 0; first < words.size(); first += kSegmentWords) {
+    const auto part = words.subspan(first, std::min(kSegmentWords, words.size() - first));
+    const bool isZero = part.size() == kSegmentWords && areZero(part);
+    if (isZero && zeros != 0) {
+      addresses.push_back(zeros);
+      continue;
+    }
+    auto segment = uploadPart(device, transfer, part, true);
+    if (!segment)
+      return segment.error();
+    addresses.push_back(segment->address(device));
+    zeros = isZero ? addresses.back() : zeros;
+    segments_.push_back(std::move(*segment));
+  }
+  auto table = uploadTable(device, transfer, addresses);
   if (!table)
     return table.error();
-  result.table_.emplace(std::move(*table));
-  return result;
+  table_.emplace(std::move(*table));
+  return {};
 }
 
 } // namespace voxc

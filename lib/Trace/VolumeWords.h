@@ -13,7 +13,8 @@
 
 namespace voxc {
 
-/// One storage buffer, or segments of 2^28 words and a table of their addresses.
+/// One storage buffer, or segments of 2^28 words and a table of their addresses. Segments without anything
+/// are one, so that a volume which is mostly empty takes no more of the device than it holds.
 class VolumeWords {
 public:
   /// Errors: `Environment`, naming the sizes, if the device cannot hold them in this way.
@@ -27,6 +28,9 @@ public:
   static constexpr std::uint64_t paddedBytes(std::uint64_t words) { return (words + 3) / 4 * 16; }
 
 private:
+  Expected<void> uploadSegments(Device::State &device, Transfer &transfer,
+                                std::span<const std::uint32_t> words);
+
   std::vector<Buffer> segments_;
   std::optional<Buffer> table_;
 };

@@ -14,8 +14,8 @@ namespace {
 class Decoder final : public SubVolumeVisitor {
 public:
   Decoder(const Volume &volume, const DecodeVisit &visit, const Progress &progress)
-      : layout_(volume.layout()), words_(volume.words()), visit_(visit), progress_(progress),
-        stated_(volume.info().voxels) {}
+      : layout_(volume.layout()), words_(volume.words(), layout_.log2Granule), visit_(visit),
+        progress_(progress), stated_(volume.info().voxels) {}
 
   Expected<void> run() {
     subVolume(0, {}, 0, words_[0]);
@@ -24,7 +24,7 @@ public:
     return {};
   }
 
-  bool enterNode(std::uint32_t, int, Ranks) override { return !done(); }
+  bool enterNode(std::uint64_t, int, Ranks) override { return !done(); }
   bool done() const override { return ended_; }
 
   void cells(const Cube &cube, std::uint32_t value, Ranks ranks) override {
@@ -47,9 +47,9 @@ private:
     int log2CellSide = 0;
   };
 
-  void subVolume(std::size_t level, Int3 low, std::uint64_t rank, std::uint32_t offset) {
+  void subVolume(std::size_t level, Int3 low, std::uint64_t rank, Ref ref) {
     const Frame above = std::exchange(frame_, {level, low, rank, layout_.strata[level].log2Cell});
-    visitSubVolume(words_, layout_.strata[level], offset, *this);
+    visitSubVolume(words_, layout_.strata[level], words_.wordOf(ref), *this);
     frame_ = above;
   }
 
@@ -66,7 +66,7 @@ private:
   void valuesApart(const Cube &cube, std::uint64_t rank) {
     const std::uint64_t count = std::uint64_t{1} << (3 * cube.log2Side);
     for (std::uint64_t code = 0; code < count && !ended_; ++code)
-      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, words_[1], rank + code));
+      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, words_.wordOf(words_[1]), rank + code));
   }
 
   void voxels(const Cube &cube, std::uint32_t word) {
@@ -113,7 +113,7 @@ Lookup Volume::lookup(Int3 voxel) const {
   const Format &format = this->format();
   if (!contains(format.extent(), voxel))
     return {};
-  const WordReader words(this->words());
+  const WordReader words(this->words(), layout().log2Granule);
   std::uint32_t value = words[0];
   const Int3 log2 = format.log2Extent();
   Lookup found{value, std::min({log2.x, log2.y, log2.z})};
@@ -123,7 +123,7 @@ Lookup Volume::lookup(Int3 voxel) const {
     if (value == 0)
       break;
     const Int3 cell = (voxel - low) >> stratum.log2Cell;
-    found = lookUp(words, stratum, value, cell);
+    found = lookUp(words, stratum, words.wordOf(value), cell);
     found.log2Side += stratum.log2Cell;
     found.rank += rank;
     rank = found.rank;
@@ -131,7 +131,7 @@ Lookup Volume::lookup(Int3 voxel) const {
     low = low + cell * (1 << stratum.log2Cell);
   }
   if (layout().values == Values::Apart && value != 0)
-    return {valueOfRank(words, words[1], rank), 0, rank};
+    return {valueOfRank(words, words.wordOf(words[1]), rank), 0, rank};
   if (layout().payload == Payload::Constant && value != 0)
     found.value = words[1];
   return found;

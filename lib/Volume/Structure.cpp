@@ -16,7 +16,7 @@ namespace {
 class NodeCounts {
 public:
   /// Null if the node is not known.
-  const std::uint64_t *find(std::uint32_t offset) const {
+  const std::uint64_t *find(std::uint64_t offset) const {
     if (entries_.empty())
       return nullptr;
     const Entry &entry = entries_[place(offset)];
@@ -24,7 +24,7 @@ public:
   }
 
   /// `offset` is not 0 and not known yet.
-  void insert(std::uint32_t offset, std::uint64_t voxels) {
+  void insert(std::uint64_t offset, std::uint64_t voxels) {
     if (3 * (used_ + 1) > 2 * entries_.size())
       grow();
     entries_[place(offset)] = {voxels, offset};
@@ -34,11 +34,11 @@ public:
 private:
   struct Entry {
     std::uint64_t voxels = 0;
-    std::uint32_t offset = 0; ///< 0: the entry is free.
+    std::uint64_t offset = 0; ///< 0: the entry is free.
   };
 
   /// Where the entry of an offset is, or belongs.
-  std::size_t place(std::uint32_t offset) const {
+  std::size_t place(std::uint64_t offset) const {
     const std::size_t mask = entries_.size() - 1;
     std::size_t at = offset * std::uint64_t{0x9e3779b97f4a7c15} >> 32 & mask;
     while (entries_[at].offset != 0 && entries_[at].offset != offset)
@@ -64,7 +64,8 @@ private:
 class StructureCheck final : public SubVolumeVisitor {
 public:
   StructureCheck(const Layout &layout, std::span<const std::uint32_t> words)
-      : layout_(layout), words_(words), known_(layout.strata.size()), gridWords_(layout.strata.size()) {}
+      : layout_(layout), words_(words, layout.log2Granule), known_(layout.strata.size()),
+        gridWords_(layout.strata.size()) {}
 
   Expected<std::uint64_t> run() {
     if (words_.size() < layout_.headWords() || words_.size() > layout_.maxWords())
@@ -78,13 +79,13 @@ public:
     if (layout_.payload == Payload::Constant && words_[1] == 0)
       words_.fail("the colour of all voxels is the word 0, which is no voxel");
     if (layout_.values == Values::Apart && !words_.problem())
-      checkValues(words_, words_[1], voxels_);
+      checkSection(words_.wordOf(words_[1]));
     if (words_.problem())
       return Error::input("the volume's structure is broken: " + *words_.problem());
     return voxels_;
   }
 
-  bool enterNode(std::uint32_t offset, int height, Ranks ranks) override {
+  bool enterNode(std::uint64_t offset, int height, Ranks ranks) override {
     if (offset == 0 || offset >= words_.size()) {
       words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " +
                   std::to_string(offset) + " of " + std::to_string(words_.size()));
@@ -135,7 +136,7 @@ public:
 
 private:
   struct Node {
-    std::uint32_t offset;
+    std::uint64_t offset;
     int height;
     std::uint64_t voxelsBefore;
     Ranks ranks;
@@ -147,15 +148,28 @@ private:
   bool isWhole(const Node &node) const { return node.height == longest(layout_.strata[level_].log2Size()); }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
-  bool spendGrid(std::uint32_t offset) {
+  bool spendGrid(std::uint64_t offset) {
     const Stratum &stratum = layout_.strata[level_];
     if (!stratum.isGrid())
       return true;
-    gridWords_[level_] += stratum.slots->size(words_, stratum, offset);
-    if (gridWords_[level_] <= words_.size())
-      return true;
-    words_.fail("the grids of level " + std::to_string(level_ + 1) + " overlap or lie outside");
-    return false;
+    const std::uint64_t size = stratum.slots->size(words_, stratum, offset);
+    gridWords_[level_] += size;
+    if (gridWords_[level_] > words_.size())
+      words_.fail("the grids of level " + std::to_string(level_ + 1) + " overlap or lie outside");
+    else if (!stratum.slots->keepsEmpty)
+      checkReach(size, "a grid of level " + std::to_string(level_ + 1));
+    return !words_.problem();
+  }
+
+  /// Where references count granules, kernels reach so many words behind one.
+  void checkReach(std::uint64_t words, const std::string &what) {
+    if (layout_.log2Granule > 0 && words > kMaxNodeWords)
+      words_.fail(what + " has " + std::to_string(words) + " words, more than a kernel can reach");
+  }
+
+  void checkSection(std::uint64_t section) {
+    checkValues(words_, section, voxels_);
+    checkReach(words_.size() - std::min(section, words_.size()), "the section of values");
   }
 
   /// Ranks lead to values: they must be what the voxels found so far make them.
@@ -170,15 +184,15 @@ private:
                   " voxels where there are " + std::to_string(voxels));
   }
 
-  void enterSubVolume(std::size_t level, std::uint32_t offset) {
+  void enterSubVolume(std::size_t level, Ref ref) {
     if (words_.problem())
       return;
     const std::size_t above = std::exchange(level_, level);
     const std::uint64_t beginAbove = std::exchange(subVolumeBegin_, voxels_);
-    if (offset == 0)
+    if (ref == 0)
       words_.fail("level " + std::to_string(level + 1) + " has a sub-volume at word 0");
     else
-      visitSubVolume(words_, layout_.strata[level], offset, *this);
+      visitSubVolume(words_, layout_.strata[level], words_.wordOf(ref), *this);
     level_ = above;
     subVolumeBegin_ = beginAbove;
   }

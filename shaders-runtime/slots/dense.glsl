@@ -1,11 +1,21 @@
 // A grid has a slot a cell, x fastest, then y, then z: ${words-of-slot}.
+%if granules
+// Moves on to the granule of a cell's slot, and gives its word there.
+uint slot_level_${N}(inout uint grid, ivec3 cell) {
+%else
 uint slot_level_${N}(uint grid, ivec3 cell) {
+%end
 %if first
   ivec3 at = cell;
 %else
   ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
 %end
+%if granules
+  grid += ${slots-times}uint(${granule-of-cell});
+  return ${slots-times}uint(${cell-in-granule});
+%else
   return grid + ${slot-words}u * uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+%end
 }
 
 %if distances-in-slot
@@ -24,9 +34,9 @@ uint cell_level_${N}(uint grid, ivec3 cell) {
 // The value of a cell, or 0 if it is empty; `gap` then counts ${what-skip-counts}.
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint slot = slot_level_${N}(grid, cell);
-  uint word = load_word(slot);
+  uint word = load_word(${grid,}slot);
 %if distances-beside
-  uint skip = word == 0u ? load_word(slot + 1u) : 0u;
+  uint skip = word == 0u ? load_word(${grid,}slot + 1u) : 0u;
   gap.count = int(${skip-in-word});
   return word;
 %else
@@ -37,7 +47,14 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 }
 %else
 // The value of a cell, or 0 if it is empty.
+%if granules
+uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  uint slot = slot_level_${N}(grid, cell);
+  return load_word(grid, slot);
+}
+%else
 uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { return load_word(slot_level_${N}(grid, cell)); }
+%end
 %end
 %end
 %if ranks
@@ -45,7 +62,7 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { retu
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
 uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
   uint slot = slot_level_${N}(grid, cell);
-  rank += load_word(slot + ${slot-words}u - 1u);
+  rank += load_word(${grid,}slot + ${slot-words}u - 1u);
   return ${value-at-slot};
 }
 %end
@@ -61,7 +78,13 @@ uint any_value_level_${N}(uint grid) {
     int at = i * 2481 & (count - 1);
     ivec3 cell = ivec3(at, at >> LEVEL_${N}_LOG2_SIZE.x, at >> (LEVEL_${N}_LOG2_SIZE.x + LEVEL_${N}_LOG2_SIZE.y));
     cell = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
+%if granules
+    uint node = grid;
+    uint slot = slot_level_${N}(node, cell);
+    value = load_word(node, slot);
+%else
     value = load_word(slot_level_${N}(grid, cell));
+%end
 %if distances-in-slot
     value = value_level_${N}(value);
 %end

@@ -9,14 +9,14 @@ uint cell_level_${N}(${ray-and}uint table, ivec3 cell${and-gap}) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint log2_entries = load_word(table);
-  uint probes = load_word(table + 1u);
+  uint probes = load_word(table${+}1u);
   uint home = number * 0x9e3779b1u >> (32u - log2_entries);
   uint found = 0u;
   uint probe = 0u;
   while (probe < probes) {
-    uint entry = table + 2u + 2u * (home + probe & ((1u << log2_entries) - 1u));
-    uint value = load_word(entry + 1u);
-    bool is_cell = load_word(entry) == number;
+    uint entry = ${table+}2u + 2u * (home + probe & ((1u << log2_entries) - 1u));
+    uint value = load_word(${table,}entry + 1u);
+    bool is_cell = load_word(${table,}entry) == number;
     found = is_cell ? value : found;
     probe = is_cell || value == 0u ? probes : probe + 1u;
   }
@@ -32,7 +32,7 @@ uint any_value_level_${N}(uint table) {
   uint entries = 1u << load_word(table);
   uint value = 0u;
   for (uint i = 0u; i < entries && value == 0u; i++)
-    value = load_word(table + 3u + 2u * i);
+    value = load_word(table${+}3u + 2u * i);
   return value;
 }
 %end

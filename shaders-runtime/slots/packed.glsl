@@ -30,7 +30,7 @@ uint voxels_before_level_${N}(uint grid, ivec3 cell) {
   cells = (cells | cells << 2) & 0x00330033u;
   before |= cells << (2 * octant.x + 8 * octant.y);
   uint low = load_word(grid);
-  uint half_mask = octant.z == 0 ? low : load_word(grid + 1u);
+  uint half_mask = octant.z == 0 ? low : load_word(grid${+}1u);
   return uint(bitCount(half_mask & before)) + (octant.z == 0 ? 0u : uint(bitCount(low)));
 }
 %else
@@ -45,11 +45,11 @@ uint bits_before_level_${N}(uint grid, ivec3 cell) {
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint lower = (1u << (number & 31u)) - 1u;
 %if counts
-  uint mask_at = grid + 2u * (number >> 5);
-  return load_word(mask_at + 1u) + uint(bitCount(load_word(mask_at) & lower));
+  uint mask_at = ${grid+}2u * (number >> 5);
+  return load_word(${grid,}mask_at + 1u) + uint(bitCount(load_word(${grid,}mask_at) & lower));
 %else
   uint before = number < 32u ? 0u : uint(bitCount(load_word(grid)));
-  return before + uint(bitCount(load_word(grid + (number >> 5)) & lower));
+  return before + uint(bitCount(load_word(grid${+}(number >> 5)) & lower));
 %end
 }
 %end
@@ -62,9 +62,9 @@ bool is_there_level_${N}(uint grid, ivec3 cell) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
 %if counts
-  return (load_word(grid + 2u * (number >> 5)) >> (number & 31u) & 1u) != 0u;
+  return (load_word(grid${+}2u * (number >> 5)) >> (number & 31u) & 1u) != 0u;
 %else
-  return (load_word(grid + (number >> 5)) >> (number & 31u) & 1u) != 0u;
+  return (load_word(grid${+}(number >> 5)) >> (number & 31u) & 1u) != 0u;
 %end
 }
 
@@ -77,7 +77,7 @@ uint value_of_slot_level_${N}(uint grid, uint slot) {
 %if indexed
   return load_word(${array-head}u) + 2u * load_field(grid + ${head-words}u, slot, ${index-bits}u);
 %else
-  return load_word(grid + ${head-words}u + ${slots-times}slot);
+  return load_word(grid${+}${head-words}u + ${slots-times}slot);
 %end
 }
 
@@ -92,13 +92,13 @@ uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
   uint slot = bits_before_level_${N}(grid, cell);
 %if indexed
 %if counts
-  uint slots = load_word(grid + ${head-words}u - 1u) + uint(bitCount(load_word(grid + ${head-words}u - 2u)));
+  uint slots = load_word(grid${+}${head-words}u - 1u) + uint(bitCount(load_word(grid${+}${head-words}u - 2u)));
 %else
   uint slots = uint(bitCount(load_word(grid)))${second-mask};
 %end
   rank += load_field(grid + ${head-words}u + (slots * ${index-bits}u + 31u >> 5), slot, ${count-bits}u);
 %else
-  rank += load_word(grid + ${head-words}u + ${slots-times}slot + 1u);
+  rank += load_word(grid${+}${head-words}u + ${slots-times}slot + 1u);
 %end
   return value_of_slot_level_${N}(grid, slot);
 }
@@ -114,7 +114,7 @@ int number_level_${N}(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (c
 uint value_level_${N}(uint grid, ivec3 cell) {
   int number = number_level_${N}(cell);
   uint low = load_word(grid);
-  uint half_mask = number < 32 ? low : load_word(grid + 1u);
+  uint half_mask = number < 32 ? low : load_word(grid${+}1u);
   int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
   return value_of_slot_level_${N}(grid, uint(rank));
 }
@@ -125,7 +125,7 @@ uint value_level_${N}(uint grid, ivec3 cell) {
 bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   int number = number_level_${N}(cell);
   uint low = load_word(grid);
-  uint high = load_word(grid + 1u);
+  uint high = load_word(grid${+}1u);
   uint half_mask = number < 32 ? low : high;
   int around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
@@ -163,15 +163,15 @@ uint cell_level_${N}(${ray-and}uint grid, ivec3 cell${and-gap}) {
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint bit = 1u << (number & 31u);
 %if alike
-  return (load_word(grid + ${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
+  return (load_word(grid${+}${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
 %else
 %if counts
-  uint mask = load_word(grid + 2u * (number >> 5));
+  uint mask = load_word(grid${+}2u * (number >> 5));
   if ((mask & bit) == 0u)
     return 0u;
-  uint rank = load_word(grid + 2u * (number >> 5) + 1u) + uint(bitCount(mask & (bit - 1u)));
+  uint rank = load_word(grid${+}2u * (number >> 5) + 1u) + uint(bitCount(mask & (bit - 1u)));
 %else
-  uint mask = load_word(grid + (number >> 5));
+  uint mask = load_word(grid${+}(number >> 5));
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));
@@ -198,10 +198,10 @@ uint any_value_level_${N}(uint grid) { return value_of_slot_level_${N}(grid, 0u)
 // so are the seven that make a cube with it.
 uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int around) {
   int child = child_index_of_64(cell >> height);
-  uint half_mask = load_word(node + uint(child >> 5));
+  uint half_mask = load_word(node${+}uint(child >> 5));
   uint bit = 1u << (child & 31);
   around = (half_mask >> (child & 24) & 255u) == 0u ? 1 : 0;
-  leaf = (load_word(node + 2u + uint(child >> 5)) & bit) != 0u;
+  leaf = (load_word(node${+}2u + uint(child >> 5)) & bit) != 0u;
   if ((half_mask & bit) == 0u)
     return 0u;
 %if alike
@@ -209,12 +209,12 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int 
     return node; // ${why-alike}
 %end
 %if implied
-  half_mask &= ~load_word(node + 2u + uint(child >> 5));
+  half_mask &= ~load_word(node${+}2u + uint(child >> 5));
 %end
   int rank = bitCount(half_mask & (bit - 1u));
   if (child >= 32)
     rank += bitCount(load_word(node)${without-leaves});
-  return load_word(node + 4u + ${slots-times}uint(rank));
+  return load_word(node${+}4u + ${slots-times}uint(rank));
 }
 %else
 // A node is [masks, ${slots-hold} the children that ${have-slots}...].
@@ -232,7 +232,7 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
 %if implied
   masks &= ~(masks >> 8);
 %end
-  return load_word(node + 1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
+  return load_word(node${+}1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
 }
 %end
 %if ranks
@@ -242,8 +242,8 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
 uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank, out bool leaf) {
 %if wide
   int child = child_index_of_64(cell >> height);
-  uint half_mask = load_word(node + uint(child >> 5));
-  uint half_leaves = load_word(node + 2u + uint(child >> 5));
+  uint half_mask = load_word(node${+}uint(child >> 5));
+  uint half_leaves = load_word(node${+}2u + uint(child >> 5));
   uint bit = 1u << (child & 31);
   uint lower = bit - 1u;
   leaf = (half_leaves & bit) != 0u;
@@ -252,7 +252,7 @@ uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank,
   int leaves = bitCount(half_leaves & lower);
   int children = bitCount(half_mask & lower);
   if (child >= 32) {
-    leaves += bitCount(load_word(node + 2u));
+    leaves += bitCount(load_word(node${+}2u));
     children += bitCount(load_word(node));
   }
 %else
@@ -271,8 +271,8 @@ uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank,
 %else
   int slots = children;
 %end
-  uint slot = node + ${head-words}u + 2u * uint(slots);
-  uint before = slots > 0 ? load_word(slot - 1u) : 0u;
+  uint slot = ${node+}${head-words}u + 2u * uint(slots);
+  uint before = slots > 0 ? load_word(${node,}slot - 1u) : 0u;
   rank += before;
 %if implied
   if (leaf) {
@@ -281,9 +281,9 @@ uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank,
   }
 %else
   if (leaf)
-    rank += place_in_cube(cell, height) * (load_word(slot + 1u) - before >> (3 * height));
+    rank += place_in_cube(cell, height) * (load_word(${node,}slot + 1u) - before >> (3 * height));
 %end
-  return load_word(slot);
+  return load_word(${node,}slot);
 }
 %end
 %if sampled
@@ -292,14 +292,14 @@ uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank,
 uint first_child_level_${N}(uint node, out bool leaf) {
 %if wide
   uint mask = load_word(node);
-  uint leaves = mask != 0u ? load_word(node + 2u) : load_word(node + 3u);
-  mask = mask != 0u ? mask : load_word(node + 1u);
+  uint leaves = mask != 0u ? load_word(node${+}2u) : load_word(node${+}3u);
+  mask = mask != 0u ? mask : load_word(node${+}1u);
   leaf = (leaves >> findLSB(mask) & 1u) != 0u;
-  return ${first-slot}node + 4u);
+  return ${first-slot}node${+}4u);
 %else
   uint masks = load_word(node);
   leaf = (masks >> (8 + findLSB(masks & 255u)) & 1u) != 0u;
-  return ${first-slot}node + 1u);
+  return ${first-slot}node${+}1u);
 %end
 }
 %end

@@ -74,7 +74,8 @@ void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
 
 void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments) {
   app.add_option("--max-bytes", arguments.maxBytes,
-                 "Fail as soon as the volume's words take more; default: 16GiB, what offsets can reach")
+                 "Fail as soon as the volume's words take more; default: what references can reach, 16GiB "
+                 "without granules")
       ->type_name("SIZE")
       ->check(CLI::Validator(checkSize, "", ""));
 }

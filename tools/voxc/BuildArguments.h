@@ -17,7 +17,7 @@ struct BuildArguments {
   std::string scratch;
   unsigned threads = 0; ///< 0: all of the machine.
   bool compress = false;
-  std::string maxBytes; ///< Such as "4GiB"; "": what offsets can reach.
+  std::string maxBytes; ///< Such as "4GiB"; "": what references can reach.
 };
 
 /// Adds --memory and --scratch to a command.

@@ -34,7 +34,8 @@ void print(const Volume &volume) {
     std::printf("stored      %" PRIu64 " (%.2f MiB, %.1f %%), compressed in pages\n", stored,
                 double(stored) / (1 << 20), 100 * double(stored) / bytes);
   if (volume.layout().values == Values::Apart && info.voxels > 0) {
-    const double valueBytes = 4.0 * double(volume.words().size() - volume.words()[1]);
+    const double valueBytes = 4.0 * double(volume.words().size() -
+                                           (std::uint64_t{volume.words()[1]} << volume.layout().log2Granule));
     std::printf("of these    %.3f a voxel for the shape, %.3f for values apart\n",
                 (bytes - valueBytes) / double(info.voxels), valueBytes / double(info.voxels));
   }

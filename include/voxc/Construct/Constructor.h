@@ -8,14 +8,15 @@
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace voxc {
 
-/// How to build. Nothing of it changes a byte of the volume, if there is one; `compress` changes those of its
-/// file.
+/// How to build. Nothing of it but `emptyWords` changes a byte of the volume, if there is one; `compress`
+/// changes those of its file.
 struct BuildOptions {
   std::string provenance; ///< Kept in the volume.
   unsigned threads = 1;   ///< Sources that have but one reader are built on one.
@@ -28,8 +29,11 @@ struct BuildOptions {
   /// Compresses the file when the volume is whole; until then its words lie beside it as they are, in
   /// a file without a final name.
   bool compress = false;
-  /// A volume of more is an error, and one of more than 2^32 in any case.
-  std::uint64_t maxWords = std::uint64_t{1} << 32;
+  /// A volume of more is an error, and one of more than its references can reach in any case.
+  std::uint64_t maxWords = std::numeric_limits<std::uint64_t>::max();
+  /// Words left empty before the first node. They change the volume's bytes and no voxel: so tests see nodes
+  /// where they lie in very large volumes alone.
+  std::uint64_t emptyWords = 0;
   /// Where to put how many words there were at the end, also of a build that failed; null: nowhere.
   std::uint64_t *wordsReached = nullptr;
 };

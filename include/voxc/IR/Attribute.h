@@ -51,6 +51,7 @@ extern const AttributeKind kColourAttribute;    ///< colour: yes | no
 extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy | constant
 extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
 extern const AttributeKind kValuesAttribute;    ///< values: in-place | apart
+extern const AttributeKind kGranuleAttribute;   ///< granule: word | 2 | 4 | ... | 256
 
 /// The attributes that a format takes.
 AttributeKinds formatAttributes();

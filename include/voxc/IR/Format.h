@@ -51,7 +51,9 @@ struct Format {
   Int3 extent() const;
   /// log2 of the voxels along a side of a cell of levels[index]: 0 for the last level.
   int log2CellSide(std::size_t index) const;
-  /// The same for an attribute of `formatAttributes()`.
+  /// log2 of the words that references count as one: `Layout::log2Granule`.
+  int log2Granule() const;
+  /// Sets an attribute of `formatAttributes()`, as `Level::setAttribute` does.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
   bool operator==(const Format &other) const {

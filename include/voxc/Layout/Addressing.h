@@ -10,7 +10,7 @@ namespace voxc {
 /// Each value is a file of shaders-runtime/memory.
 enum class Addressing {
   Buffer,   ///< One storage buffer: the smallest code, up to the device's maxStorageBufferRange.
-  Segments, ///< Device addresses of segments of 2^28 words each: up to 16 GiB.
+  Segments, ///< Device addresses of segments of 2^28 words each, as many as the volume has.
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Addressing> = {"buffer", "segments"};

@@ -1,6 +1,7 @@
 // A layout: the strata of a whole format, and the rules that they keep.
 #pragma once
 
+#include "voxc/Layout/Addressing.h"
 #include "voxc/Layout/Stratum.h"
 #include "voxc/Support/Diagnostic.h"
 #include "voxc/Support/Geometry.h"
@@ -44,6 +45,10 @@ struct VoxelFacts {
   Alpha alpha = Alpha::Any;
 };
 
+/// The most words that a kernel reaches from where a reference leads to, where references count granules: an
+/// offset that is added to the last place of a segment stays a word. What has more, moves the reference on.
+inline constexpr std::uint64_t kMaxNodeWords = kMaxWords - kSegmentWords;
+
 /// Where the words of a volume lie, for all voxels of it.
 struct Layout {
   std::string format;              ///< As a string of the grammar, for people.
@@ -51,18 +56,29 @@ struct Layout {
   Payload payload = Payload::Rgba8;
   Alpha alpha = Alpha::Any;
   Values values = Values::InPlace;
+  /// log2 of the words of a granule, `kMaxLog2Granule` at most: references count granules, and what they lead
+  /// to begins at one.
+  int log2Granule = 0;
   std::vector<Stratum> strata; ///< From the highest to the lowest, one a level.
 
   bool operator==(const Layout &) const = default;
 
   VoxelFacts voxelFacts() const { return {payload, alpha}; }
   /// Words before the first node: where the root is; with values apart, where their blocks begin, or the one
-  /// colour of all voxels; where the array of indexed sub-volumes begins, if there is one.
+  /// colour of all voxels; where the array of indexed sub-volumes begins, if there is one; zeros up to a
+  /// whole granule.
   std::uint64_t headWords() const;
   /// True if the sub-volumes of strata[index] stand in an array.
   bool isIndexed(std::size_t index) const { return index > 0 && strata[index - 1].isIndexed(); }
   /// log2 of the voxels along each axis.
   Int3 log2Extent() const;
+  /// The first word at or after `word` to which a reference can lead.
+  std::uint64_t granuleAfter(std::uint64_t word) const {
+    const std::uint64_t granule = std::uint64_t{1} << log2Granule;
+    return (word + granule - 1) & ~(granule - 1);
+  }
+  /// What leads to a word at which a granule begins.
+  Ref refOf(std::uint64_t word) const { return static_cast<Ref>(word >> log2Granule); }
   /// True if the cells of strata[index] are voxels.
   bool holdsVoxels(std::size_t index) const { return index + 1 == strata.size(); }
   /// The most words that a volume may have: references may be narrower than a word.
@@ -73,6 +89,9 @@ struct Layout {
   /// The stratum, by index, that has nodes of 2^log2Side voxels a side, or whose cells such cubes cover.
   std::size_t stratumOfPart(int log2Side) const;
 };
+
+/// Why references to nodes of the stratum cannot count granules of 2^log2Granule words, or "".
+std::string granuleProblem(const Stratum &stratum, int log2Granule);
 
 /// Checks every rule of strata: shapes, masks, slots, cells and distances fit each other, and the sizes add
 /// up. `ranges`, where they are given, say where each stratum was written.

@@ -50,6 +50,8 @@ struct SlotKind {
   bool ranks = false;
   /// Slots may have numbers in place of offsets.
   bool indexes = false;
+  /// References lead to records that stand side by side.
+  bool sharesBlocks = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
   /// True if the accessor of kernels tells of an empty cell that others around it are empty too.

@@ -12,7 +12,8 @@ namespace voxc {
 
 struct SlotKind;
 
-/// An offset into the words of a volume, in words. 0 leads nowhere.
+/// Where something begins in the words of a volume, counted in words or, past 2^32 of them, in granules
+/// (`Layout::log2Granule`). 0 leads nowhere.
 using Ref = std::uint32_t;
 
 /// Words of a sub-volume that stands in an array: the masks of a grid of 4 x 4 x 4 voxels.
@@ -22,8 +23,11 @@ inline constexpr std::uint64_t kIndexedWords = 2;
 /// word.
 inline constexpr int kMaxLog2IndexedCells = 26;
 
-/// The most words that references can reach.
+/// The most words that references can reach, if they count words.
 inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
+
+/// log2 of the most words of a granule.
+inline constexpr int kMaxLog2Granule = 8;
 
 /// Where the value of a cell lies.
 enum class Cells {
@@ -112,7 +116,7 @@ struct Stratum {
   int fieldBits() const { return empty == Empty::Transparent ? 3 : 4; }
   /// Bits of a slot below a reference.
   int tagShift() const { return skip == Skip::Octant && empty == Empty::Tagged ? fieldBits() : 0; }
-  /// log2 of the words that references of the stratum can reach.
+  /// log2 of the words, or granules, that references of the stratum can reach.
   int log2Reach() const { return empty != Empty::Tagged ? 32 : skip == Skip::Octant ? 28 : 31; }
   /// True if this word of a grid's slot says that its cell is empty.
   bool isEmptySlot(std::uint32_t word) const;

@@ -29,10 +29,14 @@ struct Ranks {
 /// The words of a volume. Reads outside give 0 and are remembered as the first problem found.
 class WordReader {
 public:
-  explicit WordReader(std::span<const std::uint32_t> words) : words_(words) {}
+  /// References in the words count granules of 2^log2Granule words.
+  explicit WordReader(std::span<const std::uint32_t> words, int log2Granule = 0)
+      : words_(words), log2Granule_(log2Granule) {}
 
   std::uint64_t size() const { return words_.size(); }
   std::uint32_t operator[](std::uint64_t offset) const { return offset < words_.size() ? words_[offset] : 0; }
+  /// The word that a reference leads to.
+  std::uint64_t wordOf(std::uint32_t ref) const { return std::uint64_t{ref} << log2Granule_; }
   /// True if words [offset, offset + count) exist; otherwise a problem is noted that names `what`.
   bool require(std::uint64_t offset, std::uint64_t count, const char *what);
   /// Notes a problem; the first one stays.
@@ -44,6 +48,7 @@ public:
 
 private:
   std::span<const std::uint32_t> words_;
+  int log2Granule_;
   std::optional<std::string> problem_;
 };
 
@@ -53,7 +58,7 @@ public:
   virtual ~SubVolumeVisitor() = default;
   /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it
   /// out.
-  virtual bool enterNode(std::uint32_t offset, int height, Ranks ranks) = 0;
+  virtual bool enterNode(std::uint64_t offset, int height, Ranks ranks) = 0;
   /// All of the node that was entered last, and not left yet, has been visited.
   virtual void leaveNode() {}
   /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.

@@ -48,6 +48,7 @@ PassResult occupancy(Format &format, Diagnostics &diagnostics);
 PassResult constantColour(Format &format, Diagnostics &diagnostics);
 PassResult valuesApart(Format &format, Diagnostics &diagnostics);
 PassResult shortPointers(Format &format, Diagnostics &diagnostics);
+PassResult granules(Format &format, Diagnostics &diagnostics);
 PassResult inlineLeaves(Format &format, Diagnostics &diagnostics);
 PassResult octantDistances(Format &format, Diagnostics &diagnostics);
 PassResult dfPacking(Format &format, Diagnostics &diagnostics);

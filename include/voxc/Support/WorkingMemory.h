@@ -79,8 +79,8 @@ public:
   /// The same, but never from the scratch file: for pages that are soon settled.
   Expected<void> extendInMemory(MemoryBlock &block, std::uint64_t bytes);
   /// Writes whole pages of a block that `extendInMemory` gave to another file, open for reading and writing,
-  /// at `offset` (whole pages), and maps them from there: from now on they can only be read. Error:
-  /// `Environment`.
+  /// at `offset` (whole pages) where it has nothing yet, and maps them from there: from now on they can only
+  /// be read. Zeros become holes of the file. Error: `Environment`.
   Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
                         std::uint64_t offset);
   /// Bytes of a page.

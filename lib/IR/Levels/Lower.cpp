@@ -33,6 +33,7 @@ Layout layoutOf(const Format &format) {
   layout.payload = *fromString<Payload>(format.attributes.value(kPayloadAttribute));
   layout.alpha = *fromString<Alpha>(format.attributes.value(kAlphaAttribute));
   layout.values = *fromString<Values>(format.attributes.value(kValuesAttribute));
+  layout.log2Granule = format.log2Granule();
   const bool voxelsAreEqual = layout.payload != Payload::Rgba8 || layout.values == Values::Apart;
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
