@@ -179,16 +179,22 @@ TEST(Granules, OfNothingAreAWholeGranule) {
 }
 
 TEST(Granules, AreTracedExactlyOnBothBackEnds) {
-  std::size_t turn = 0;
-  for (const char *words : {"2", "8"})
-    for (const Format &format : formatsWith(words)) {
-      const test::HardScene scene = sceneOf(format, 5 + turn % 3);
-      const auto volume = build(format, scene);
+  // Each format on each of them, with granules of one size there and of the other here.
+  const auto small = formatsWith("2");
+  const auto large = formatsWith("8");
+  const auto trace = [](const std::vector<Format> &formats, bool onCpu) {
+    for (std::size_t i = 0; i < formats.size(); ++i, onCpu = !onCpu) {
+      const test::HardScene scene = sceneOf(formats[i], 5 + i % 3);
+      const auto volume = build(formats[i], scene);
       ASSERT_TRUE(volume) << volume.error().message;
-      expectExactOnVulkan(*volume, scene, turn % 2 == 0 ? Addressing::Buffer : Addressing::Segments);
-      if (turn++ % 2 == 0)
+      if (onCpu)
         expectExactOnCpu(*volume, scene);
+      else
+        expectExactOnVulkan(*volume, scene, i % 4 < 2 ? Addressing::Buffer : Addressing::Segments);
     }
+  };
+  trace(small, true);
+  trace(large, false);
 }
 
 TEST(Granules, AreTracedExactlyInRandomFormats) {
@@ -302,15 +308,15 @@ TEST_F(GranuleFiles, AreTheSameInPartsAndCompressed) {
       const auto built = constructor->build(*scene.source());
       ASSERT_TRUE(built) << built.error().message;
       const Volume &volume = built->volume;
-      std::vector<std::string> built2;
+      std::vector<std::string> apart;
       std::vector<std::string> split;
       for (const std::uint64_t i : {0u, 1u}) {
-        built2.push_back(path("built" + std::to_string(i)));
+        apart.push_back(path("built" + std::to_string(i)));
         split.push_back(path("split" + std::to_string(i)));
-        ASSERT_TRUE(constructor->buildFragment(*scene.source(), i, 2, built2.back()));
+        ASSERT_TRUE(constructor->buildFragment(*scene.source(), i, 2, apart.back()));
         ASSERT_TRUE(splitVolume(volume, i, 2, split.back()));
       }
-      for (const auto &paths : {built2, split}) {
+      for (const auto &paths : {apart, split}) {
         auto merged = constructor->merge(paths);
         ASSERT_TRUE(merged) << merged.error().message;
         expectSameWords(volume, std::move(merged->volume));
@@ -318,6 +324,20 @@ TEST_F(GranuleFiles, AreTheSameInPartsAndCompressed) {
       ASSERT_TRUE(volume.save(path("small.hvx"), {.compress = true}));
       expectSameWords(volume, Volume::load(path("small.hvx")));
     }
+}
+
+TEST_F(GranuleFiles, OfFarNodesFallIntoTheSameParts) {
+  for (const Format &format : formatsWith("2")) {
+    const std::uint64_t empty = layoutOf(format).maxWords() / 4 * 3;
+    const test::HardScene scene = sceneOf(format, 5);
+    const auto near = build(format, scene);
+    const auto far = build(format, scene, empty);
+    ASSERT_TRUE(near && far);
+    ASSERT_TRUE(splitVolume(*far, 0, 1, path("far.hvf")));
+    auto merged = Constructor::compile(format)->merge({path("far.hvf")});
+    ASSERT_TRUE(merged) << merged.error().message;
+    expectSameWords(*near, std::move(merged->volume));
+  }
 }
 
 TEST_F(GranuleFiles, HaveHolesWhereTheirWordsAreEmpty) {
