@@ -123,7 +123,7 @@ void verifyWords(const Level &level, int log2Granule, Diagnostics &diagnostics) 
                         std::to_string(std::bit_width(words) - 1) + " words; a volume holds fewer than 2^" +
                         std::to_string(log2Most);
   if (const int needed = std::bit_width(words) - std::bit_width(kMaxWords) + 1; needed <= kMaxLog2Granule)
-    message += ", and with granule=" + std::to_string(1 << needed) + " more";
+    message += ", or more with granule=" + std::to_string(1 << needed) + " in IR text";
   const auto isPower = [](std::int32_t n) { return n > 1 && (n & (n - 1)) == 0; };
   if (isPower(size.x) && isPower(size.y) && isPower(size.z))
     message += " (sizes are log2: " + std::to_string(size.x) + " cells are written " +
