@@ -242,11 +242,15 @@ TEST(Granules, ReachPastTwoToThe32WordsInRandomFormats) {
 }
 
 TEST(Granules, ReachPastTwoToThe32WordsOnVulkan) {
-  // What is empty is one segment of 1 GiB, and what is not two.
-  for (const char *text : {"D(1^3, 3) G(3)", "R(1^3) M(2^3)"}) {
+  // What is empty is one segment of 1 GiB; the nodes lie across the border of two others, which goes through
+  // a large one of them.
+  constexpr std::uint64_t kBorder = (std::uint64_t{1} << 32) + kSegmentWords;
+  for (const char *text : {"R(1^3) R(3^3)", "D(1^3, 3) G(3)"}) {
     const Format format = withGranule(*parseFormat(text), "2");
-    const test::HardScene scene = sceneOf(format, 6);
-    const auto volume = build(format, scene, (std::uint64_t{1} << 32) + (std::uint64_t{1} << 28) - 100);
+    const test::HardScene scene = sceneOf(format, 5);
+    const auto near = build(format, scene);
+    ASSERT_TRUE(near) << near.error().message;
+    const auto volume = build(format, scene, kBorder - near->words().size() / 2);
     ASSERT_TRUE(volume) << volume.error().message;
     expectExactOnVulkan(*volume, scene, Addressing::Segments);
   }
