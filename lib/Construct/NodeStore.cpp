@@ -81,32 +81,33 @@ void NodeStore::note(BlockRecord::Kind kind, unsigned level, std::uint64_t words
     log_->push_back({kind, level, words});
 }
 
+Error NodeStore::tooManyWords(unsigned level) const {
+  const bool isGiven = maxWords_ < layout_.maxWords();
+  const std::string most = isGiven ? std::to_string(maxWords_) + " words, the most that it may have: "
+                                   : "2^" + std::to_string(std::bit_width(maxWords_) - 1) + " words (" +
+                                         sizeText(maxWords_) + "), the most that references can reach: ";
+  return Error::input("the volume needs more than " + most + std::to_string(words_.size()) +
+                      " are written, and level " + std::to_string(level) + " adds more; " +
+                      (isGiven || layout_.log2Granule == kMaxLog2Granule ? "" : adviceOfGranules(layout_)) +
+                      "a lower resolution or a format that shares more would fit");
+}
+
 /// Fails where a node of so many words would not fit into a volume, or could not be reached.
 bool NodeStore::fits(unsigned level, std::uint64_t words) {
-  const std::uint64_t begin = layout_.granuleAfter(words_.size());
-  const std::string name = "level " + std::to_string(level);
-  if (begin + words > maxWords_) {
-    const bool isGiven = maxWords_ < layout_.maxWords();
-    const std::string most = isGiven ? std::to_string(maxWords_) + " words, the most that it may have: "
-                                     : "2^" + std::to_string(std::bit_width(maxWords_) - 1) + " words (" +
-                                           sizeText(maxWords_) + "), the most that references can reach: ";
-    fail(Error::input("the volume needs more than " + most + std::to_string(words_.size()) +
-                      " are written, and " + name + " adds more; " +
-                      (isGiven || layout_.log2Granule == kMaxLog2Granule ? "" : adviceOfGranules(layout_)) +
-                      "a lower resolution or a format that shares more would fit"));
-  } else if (layout_.log2Granule > 0 && words > kMaxNodeWords &&
-             !layout_.strata[level - 1].slots->keepsEmpty) {
-    fail(Error::input(
-        name + " has a sub-volume of " + std::to_string(words) +
-        " words, more than the 2^32 - 2^28 that a kernel can reach in one where references count "
-        "granules; two levels in its place would fit"));
-  }
+  if (layout_.granuleAfter(words_.size()) + words > maxWords_)
+    fail(tooManyWords(level));
+  else if (layout_.log2Granule > 0 && words > kMaxNodeWords && !layout_.strata[level - 1].slots->keepsEmpty)
+    fail(Error::input("level " + std::to_string(level) + " has a sub-volume of " + std::to_string(words) +
+                      " words, more than the 2^32 - 2^28 that a kernel can reach in one where references "
+                      "count granules; two levels in its place would fit"));
   return !failure_;
 }
 
 void NodeStore::align() {
   static constexpr std::array<std::uint32_t, std::size_t{1} << kMaxLog2Granule> kZeros{};
   const std::uint64_t missing = layout_.granuleAfter(words_.size()) - words_.size();
+  if (missing == 0)
+    return;
   if (auto appended = words_.append(std::span(kZeros).first(missing)); !appended)
     fail(appended.error());
 }

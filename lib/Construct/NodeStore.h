@@ -99,6 +99,7 @@ private:
   Level &at(unsigned level) { return levels_[level - 1]; }
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
   void relieve();
+  Error tooManyWords(unsigned level) const;
   bool fits(unsigned level, std::uint64_t words);
   Ref found(unsigned level, Ref known);
   void beginArray();
