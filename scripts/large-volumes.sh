@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds two volumes of more than 2^32 words, 21 GiB of references past them and one grid of 32 GiB, and traces both on the
 # cpu; the hits must be those of a small volume of the same voxels, which the exact oracle confirms. The words are mostly 0,
-# and holes in the files. With a Vulkan device as the second argument, it traces there too.
+# and holes in the files. With a Vulkan device as the second argument, which must have room for 21 GiB, it traces there too.
 #
 # Usage: scripts/large-volumes.sh BUILD [DEVICE]
 # Takes about 15 minutes, 40 GiB of room in $TMPDIR or /var/tmp for a while, half a GiB at the end of each build, and no more

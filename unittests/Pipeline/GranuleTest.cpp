@@ -151,7 +151,7 @@ TEST(Granules, ReachPastTwoToThe32Words) {
   std::size_t turn = 0;
   for (Format format : formatsWith("2")) {
     Diagnostics diagnostics; // References beside octants have fewer bits.
-    while (layoutOf(format).maxWords() < 2 * kEmpty)
+    while (layoutOf(format).maxWords() < kEmpty + kEmpty / 2)
       ASSERT_EQ(granules(format, diagnostics), PassResult::Changed);
     const HardScene scene = sceneOf(format, 6);
     const auto volume = build(format, scene, kEmpty);
