@@ -102,7 +102,7 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
   Price price;
   price.levelWords.resize(layout.strata.size());
   price.otherWords = layout.headWords() + (layout.values == Values::Apart ? valueWords : 0);
-  price.exact = !ordersValuesOtherwise(layout);
+  price.exact = !ordersValuesOtherwise(layout) && layout.log2Granule == 0;
   if (dag_.isEmpty())
     return price;
   bool equalCells = true; // Whether equal cubes have equal values in the stratum's cells.

@@ -15,7 +15,8 @@ struct Price {
   std::vector<std::uint64_t> levelWords; ///< Of each level.
   std::uint64_t otherWords = 0;          ///< Before the first node, and of values apart.
   /// False: a hashed grid may take more, where its cells' numbers collide often; or the values of voxels
-  /// stand apart in the order of a masked grid that is not of 4^3, and take a little more or less.
+  /// stand apart in the order of a masked grid that is not of 4^3, and take a little more or less; or nodes
+  /// are filled up to granules.
   bool exact = true;
 
   std::uint64_t words() const;
