@@ -93,6 +93,7 @@ bool ordersValuesOtherwise(const Layout &layout) {
 Pricer::Pricer(const SceneDag &dag) : dag_(dag), tables_(std::make_unique<Tables>(dag)) {}
 
 Pricer::~Pricer() = default;
+Pricer::Pricer(Pricer &&) noexcept = default;
 
 Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
   const int side = longest(layout.log2Extent());

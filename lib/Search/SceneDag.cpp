@@ -40,6 +40,35 @@ void SceneDag::countOccurrences() {
         layers_[height - 1].occurrences[child] += layers_[height].occurrences[number];
 }
 
+/// Equal shapes of a layer as one. `numbers` are those of the layer below, then of this one.
+SceneDag::Layer SceneDag::shapeOf(const Layer &layer, std::vector<std::uint32_t> &numbers) const {
+  Layer shape;
+  InternTable table;
+  std::vector<std::uint32_t> mine(layer.count());
+  std::vector<std::uint32_t> words;
+  for (std::size_t number = 0; number < mine.size(); ++number) {
+    const Node node = layer.node(number);
+    words.assign(1, node.mask);
+    for (const std::uint32_t child : node.children)
+      words.push_back(numbers[child]);
+    mine[number] = table.intern(words, shape.words, shape.begins);
+  }
+  numbers = std::move(mine);
+  return shape;
+}
+
+SceneDag SceneDag::shape() const {
+  SceneDag dag;
+  std::vector<std::uint32_t> numbers(layers_.front().count(), 0);
+  dag.layers_.push_back({.words = {1}, .begins = {0}});
+  if (isEmpty())
+    dag.layers_.front() = {};
+  for (std::size_t height = 1; height < layers_.size(); ++height)
+    dag.layers_.push_back(shapeOf(layers_[height], numbers));
+  dag.countOccurrences();
+  return dag;
+}
+
 class SceneDagBuilder {
 public:
   SceneDagBuilder(VoxelSource &source, const SceneDag::Options &options, const Progress &progress)

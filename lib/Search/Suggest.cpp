@@ -34,24 +34,31 @@ double RatedFormat::time() const {
          static_cast<double>(std::max<std::size_t>(nanoseconds.size(), 1));
 }
 
-std::vector<RatedFormat> rateFormats(const SceneDag &dag, std::vector<Candidate> candidates,
-                                     std::uint64_t valueWords, const std::vector<RaySet> &rays,
-                                     const SpeedModel &model, const Wish &wish, const Progress &progress) {
-  Pricer pricer(dag);
+std::vector<RatedFormat> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
+                                     const std::vector<RaySet> &rays, const SpeedModel &model,
+                                     const Wish &wish, const Progress &progress) {
+  Pricer shapes(scene.shape);
+  std::optional<Pricer> colours;
+  if (scene.colours)
+    colours.emplace(*scene.colours);
   std::vector<RatedFormat> rated;
-  for (Candidate &candidate : candidates) {
-    auto price = pricer.price(layoutOf(candidate.format), valueWords);
-    if (price && 4 * price->words() <= wish.maxBytes)
-      rated.push_back({std::move(candidate), std::move(*price), {}, {}});
-  }
-  std::size_t done = 0;
-  for (RatedFormat &format : rated) {
-    progress.at("rate", static_cast<double>(done++) / static_cast<double>(rated.size()));
-    const auto plan = makePlan(format.candidate.format, kCpuPlan);
-    for (std::size_t i = 0; plan && i < rays.size() && !progress.stopped(); ++i) {
-      format.costs.push_back(replay(dag, rays[i].rays, *plan));
+  for (std::size_t i = 0; i < candidates.size() && !progress.stopped(); ++i) {
+    progress.at("rate", static_cast<double>(i) / static_cast<double>(candidates.size()));
+    const Layout layout = layoutOf(candidates[i].format);
+    const bool inPlace = layout.payload == Payload::Rgba8 && layout.values == Values::InPlace;
+    if (inPlace && !colours)
+      continue;
+    auto price = inPlace ? colours->price(layout) : shapes.price(layout, scene.valueWords);
+    const auto plan = makePlan(candidates[i].format, kCpuPlan);
+    if (!price || !plan ||
+        price->words() > std::min(layout.maxWords(), wish.maxBytes / sizeof(std::uint32_t)))
+      continue;
+    RatedFormat format{std::move(candidates[i]), std::move(*price), {}, {}};
+    for (const RaySet &set : rays) {
+      format.costs.push_back(replay(scene.shape, set.rays, *plan));
       format.nanoseconds.push_back(model.predict(speedTerms(format.costs.back(), format.bytes())));
     }
+    rated.push_back(std::move(format));
   }
   return rated;
 }

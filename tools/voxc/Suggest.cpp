@@ -22,6 +22,8 @@ namespace voxc::tool {
 namespace {
 
 constexpr int kDefaultResolution = 512;
+/// Of a node of a graph, about.
+constexpr std::uint64_t kNodeBytes = 48;
 /// Of each kind: more do not change which format it is.
 constexpr std::size_t kSampledRays = 1024;
 /// A picture in which neighbours are as close as in one of the usual size, and packets lie everywhere.
@@ -63,7 +65,8 @@ public:
   Expected<void> run() override {
     ProgressBar bar(common_.quiet);
     progress_ = bar.progress();
-    wish_ = {kObjectives.at(objective_), std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t)};
+    wish_ = {kObjectives.at(objective_),
+             std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t)};
     Json figures;
     Expected<Suggestion> suggestion = suggest(figures);
     if (!suggestion)
@@ -83,40 +86,30 @@ private:
     InputOptions options = makeInputOptions(suggestion.arguments, {kMost, kMost, kMost});
     options.memory = makeWorkingMemory(buildArguments_);
     options.progress = progress_;
-    Expected<Input> input = openInput(input_, options);
-    if (!input)
-      return input.error();
-    tellWarnings(*input, common_);
-    Stopwatch watch;
-    Expected<SceneValues> values = SceneValues::create(options.memory);
-    if (!values)
-      return values.error();
-    Expected<SceneDag> dag = SceneDag::build(
-        *input->source, {.look = [&](std::span<const std::uint32_t> cells) { values->add(cells); }},
-        progress_);
-    if (!dag)
-      return dag.error();
-    figures["voxelize_seconds"] = input->source->readSeconds();
-    figures["read_seconds"] = watch.seconds();
-    const CandidateTraits traits{.oneColour = values->isOne(), .visible = values->isVisible()};
-    suggestion.voxels = values->voxels();
-    Expected<std::uint64_t> valueWords = values->finish();
+    Expected<LookedAt> scene = look(options, figures);
+    if (!scene)
+      return scene.error();
+    const SceneDag &dag = scene->shape;
+    const CandidateTraits traits{.oneColour = scene->values.isOne(), .visible = scene->values.isVisible()};
+    suggestion.voxels = scene->values.voxels();
+    Expected<std::uint64_t> valueWords = scene->values.finish();
     if (!valueWords)
       return valueWords.error();
-    if (dag->isEmpty())
+    if (dag.isEmpty())
       return Error::input("'" + input_ + "' has no voxels, so that any format would do");
-    Expected<std::vector<Candidate>> candidates = makeCandidates(dag->log2Side(), traits);
+    Expected<std::vector<Candidate>> candidates = makeCandidates(dag.log2Side(), traits);
     if (!candidates)
       return candidates.error();
-    Expected<std::vector<RaySet>> rays = makeRays(*dag, input->source->extent());
+    Expected<std::vector<RaySet>> rays = makeRays(dag, scene->extent);
     if (!rays)
       return rays.error();
-    watch = {};
+    const Stopwatch watch;
     for (const RaySet &set : *rays)
       suggestion.rays.push_back(set.name);
     suggestion.valueWords = traits.oneColour ? 0 : *valueWords;
-    suggestion.rated = rateFormats(*dag, std::move(*candidates), *valueWords, *rays,
-                                   defaultSpeedModel(device_), wish_, progress_);
+    suggestion.rated =
+        rateFormats({dag, scene->colours ? &*scene->colours : nullptr, *valueWords}, std::move(*candidates),
+                    *rays, defaultSpeedModel(device_), wish_, progress_);
     figures["rate_seconds"] = watch.seconds();
     if (progress_.stopped())
       return Error::interrupted();
@@ -124,6 +117,44 @@ private:
     if (!suggestion.choice)
       return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
     return suggestion;
+  }
+
+  /// What was read of an input.
+  struct LookedAt {
+    SceneDag shape;
+    std::optional<SceneDag> colours; ///< If there was memory for them.
+    SceneValues values;
+    Int3 extent;
+  };
+
+  Expected<LookedAt> look(const InputOptions &options, Json &figures) const {
+    const Stopwatch watch;
+    Expected<LookedAt> scene = read(options, SceneDag::Detail::Colours, options.memory->bound() / kNodeBytes);
+    // Shapes alone are far fewer.
+    if (!scene && scene.error().kind == ErrorKind::Environment)
+      scene = read(options, SceneDag::Detail::Shape, options.memory->bound() / kNodeBytes);
+    figures["read_seconds"] = watch.seconds();
+    return scene;
+  }
+
+  Expected<LookedAt> read(const InputOptions &options, SceneDag::Detail detail, std::size_t mostNodes) const {
+    Expected<Input> input = openInput(input_, options);
+    if (!input)
+      return input.error();
+    tellWarnings(*input, common_);
+    Expected<SceneValues> values = SceneValues::create(options.memory);
+    if (!values)
+      return values.error();
+    const auto look = [&](std::span<const std::uint32_t> cells) { values->add(cells); };
+    Expected<SceneDag> dag =
+        SceneDag::build(*input->source, {.detail = detail, .mostNodes = mostNodes, .look = look}, progress_);
+    if (!dag)
+      return dag.error();
+    const Int3 extent = input->source->extent();
+    if (detail == SceneDag::Detail::Shape)
+      return LookedAt{std::move(*dag), std::nullopt, std::move(*values), extent};
+    SceneDag shape = dag->shape();
+    return LookedAt{std::move(shape), std::move(*dag), std::move(*values), extent};
   }
 
   Expected<std::vector<Candidate>> makeCandidates(int log2Side, const CandidateTraits &traits) const {

@@ -28,6 +28,7 @@ public:
   /// `dag` must outlive the pricer, and has the detail of the layouts: colours where values are in place.
   explicit Pricer(const SceneDag &dag);
   ~Pricer();
+  Pricer(Pricer &&) noexcept;
 
   /// The price of a layout. Errors (`Input`): the scene is larger than the layout; more than `indexBits` can
   /// number; more words than its references reach. Words of values apart are `valueWords`.

@@ -37,8 +37,12 @@ public:
     std::function<void(std::span<const std::uint32_t> cells)> look;
   };
 
-  /// Reads a source once. Errors: its own, interrupted; more different cubes than `mostNodes` (`Input`).
+  /// Reads a source once. Errors: its own, interrupted; more different cubes than `mostNodes`
+  /// (`Environment`).
   static Expected<SceneDag> build(VoxelSource &source, const Options &options, const Progress &progress = {});
+
+  /// The graph of the same scene without its colours.
+  SceneDag shape() const;
 
   /// log2 of the voxels along a side of the whole.
   int log2Side() const { return static_cast<int>(layers_.size()) - 1; }
@@ -66,6 +70,7 @@ private:
 
   const Layer &layer(int height) const { return layers_[static_cast<std::size_t>(height)]; }
   void countOccurrences();
+  Layer shapeOf(const Layer &layer, std::vector<std::uint32_t> &numbers) const;
 
   std::vector<Layer> layers_; ///< By height. Nodes of height 0 are a word of colour each, in place of a mask.
 };

@@ -43,12 +43,18 @@ struct Wish {
   std::uint64_t maxBytes = ~std::uint64_t{0};
 };
 
-/// Prices the candidates and replays the rays on them, those first that are small: a candidate that has more
-/// bytes than `wish` allows is left out. `valueWords`: of values apart.
-std::vector<RatedFormat> rateFormats(const SceneDag &dag, std::vector<Candidate> candidates,
-                                     std::uint64_t valueWords, const std::vector<RaySet> &rays,
-                                     const SpeedModel &model, const Wish &wish,
-                                     const Progress &progress = {});
+/// What candidates are priced on.
+struct PricedScene {
+  const SceneDag &shape;
+  const SceneDag *colours = nullptr; ///< Null: formats with colours in place are left out.
+  std::uint64_t valueWords = 0;      ///< Of values apart.
+};
+
+/// Prices the candidates and replays the rays on them. Those that are larger than the wish allows, or than
+/// their references reach, are left out.
+std::vector<RatedFormat> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
+                                     const std::vector<RaySet> &rays, const SpeedModel &model,
+                                     const Wish &wish, const Progress &progress = {});
 
 /// True for each that no other is as small and as fast as, or better.
 std::vector<bool> frontierOf(std::span<const RatedFormat> rated);
