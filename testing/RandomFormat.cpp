@@ -3,12 +3,16 @@
 
 #include "voxc/Passes/Pass.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace voxc::test {
 
 namespace {
+
+constexpr int kLog2FewCells = 5;
 
 /// One level of 2^side cells an axis; the first may stretch its axes apart where `cubic` is not asked for.
 std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
@@ -32,6 +36,14 @@ std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
   default:
     return "G(" + text(side) + ")";
   }
+}
+
+/// What these state of the voxels, or leave out of them, is for a scene to say; or they ask much of the
+/// levels.
+bool isOfScene(const Pass &pass) {
+  constexpr std::array kPasses = {visibleVoxels, occupancy, constantColour, palette,
+                                  rgb565,        material,  valuesApart};
+  return std::ranges::find(kPasses, pass.run) != kPasses.end();
 }
 
 /// A pass that chooses a walk, or null for the walk that formats have without one: each as likely. strip-walk
@@ -78,12 +90,16 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
     pass.run(format, diagnostics);
   };
   for (const Pass &pass : passes())
-    // What visible-voxels and constant-colour state, and what occupancy leaves out, is for a scene to say.
-    if (pass.effect == AttributeEffect::Storage && pass.run != visibleVoxels && pass.run != occupancy &&
-        pass.run != constantColour && pass.run != valuesApart && random() % 2 != 0)
+    if (pass.effect == AttributeEffect::Storage && !isOfScene(pass) && random() % 2 != 0)
       run(pass);
   if (random() % 2 != 0)
     format = withValuesApart(format);
+  // So few cells have no more colours.
+  if (format.attributes.value(kValuesAttribute) == "apart" && log2Side <= kLog2FewCells &&
+      random() % 2 != 0) {
+    Diagnostics diagnostics;
+    paletteOf(format, 3 * kLog2FewCells, diagnostics);
+  }
   run(*findPass("short-pointers"));
   if (const Pass *walk = randomWalk(random))
     run(*walk);

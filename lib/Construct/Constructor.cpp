@@ -8,6 +8,7 @@
 
 #include "Jit/Jit.h"
 #include "voxc/Emit/Emit.h"
+#include "voxc/Layout/Values.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
@@ -65,6 +66,12 @@ Expected<Constructor> Constructor::compile(const Format &format) {
 
 namespace {
 
+/// The source in the colours that the format's payload keeps, if it rounds them.
+std::unique_ptr<RoundedSource> roundedAs(const Format &format, VoxelSource &source) {
+  const Rounding rounding = roundingOf(layoutOf(format).payload);
+  return rounding ? std::make_unique<RoundedSource>(source, rounding) : nullptr;
+}
+
 BuildOptions withMemory(BuildOptions options) {
   if (!options.memory)
     options.memory = WorkingMemory::createDefault();
@@ -119,7 +126,15 @@ Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, cons
 
 } // namespace
 
-Expected<Built> Constructor::build(VoxelSource &source, const BuildOptions &given) const {
+Expected<Built> Constructor::build(VoxelSource &exact, const BuildOptions &options) const {
+  const auto rounded = roundedAs(state_->format, exact);
+  auto built = buildVoxels(rounded ? *rounded : exact, options);
+  if (built && rounded)
+    built->report.colourError = rounded->error();
+  return built;
+}
+
+Expected<Built> Constructor::buildVoxels(VoxelSource &source, const BuildOptions &given) const {
   const BuildOptions options = withMemory(given);
   const Format &format = state_->format;
   if (auto fits = checkFits(source.extent(), format); !fits)
@@ -141,12 +156,13 @@ Expected<Built> Constructor::build(VoxelSource &source, const BuildOptions &give
   return built;
 }
 
-Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint64_t index,
-                                                 std::uint64_t count, const std::string &path,
-                                                 const BuildOptions &given) const {
+Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, std::uint64_t index, std::uint64_t count,
+                                                 const std::string &path, const BuildOptions &given) const {
   const Stopwatch watch;
   const BuildOptions options = withMemory(given);
   const Format &format = state_->format;
+  const auto rounded = roundedAs(format, exact);
+  VoxelSource &source = rounded ? *rounded : exact;
   if (auto fits = checkFits(source.extent(), format); !fits)
     return fits.error();
   const PartGrid grid = PartGrid::of(source, layoutOf(format));
@@ -172,6 +188,8 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint6
   }
   if (auto finished = writer->finish(); !finished)
     return finished.error();
+  if (rounded)
+    report.colourError = rounded->error();
   report.readSeconds = source.readSeconds();
   report.scratchBytes = options.memory->scratchPeak();
   report.seconds = watch.seconds();

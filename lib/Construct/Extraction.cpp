@@ -4,7 +4,7 @@
 #include "Layout/Masks.h"
 #include "Layout/Places.h"
 #include "voxc/Layout/SubVolume.h"
-#include "voxc/Layout/ValueBlocks.h"
+#include "voxc/Layout/Values.h"
 
 namespace voxc {
 namespace {
@@ -64,7 +64,7 @@ Extraction::Found Extraction::subVolumeAround(std::size_t index, Int3 low) const
 void Extraction::values(std::uint64_t rank, std::uint64_t count) {
   if (layout_.values == Values::Apart)
     for (std::uint64_t i = 0; i < count; ++i)
-      fragment_->values.push_back(valueOfRank(words_, words_.wordOf(words_[1]), rank + i));
+      fragment_->values.push_back(valueOfRank(words_, layout_.payload, rank + i));
 }
 
 construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, int log2Side) {
@@ -123,7 +123,7 @@ void Extraction::partOfGrid(std::size_t index, Found root, Int3 low, int log2Sid
     const std::uint64_t rank = root.rank + found.rank;
     std::uint64_t apart = 0;
     if (isApart && layout_.holdsVoxels(index))
-      below.at = valueOfRank(words_, words_.wordOf(words_[1]),
+      below.at = valueOfRank(words_, layout_.payload,
                              rank); // Its place among the values is for the whole grid to say.
     else if (isApart)
       values(rank, apart = below.voxels);

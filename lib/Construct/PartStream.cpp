@@ -14,6 +14,23 @@ void MergeHost::readBrick(Int3, std::uint32_t *) {
   store().fail(Error::input("a part is smaller than the cells that it was to be built of"));
 }
 
+/// Parts were proven apart; together they may have a colour too much.
+void MergeHost::proveColours(Int3 low) {
+  const auto take = [&](std::uint32_t colour) {
+    if (!colours_.take(colour) && !store().failure())
+      store().fail(colours_.broken("a voxel around (" + std::to_string(low.x) + ", " + std::to_string(low.y) +
+                                       ", " + std::to_string(low.z) + ") is",
+                                   colour));
+  };
+  if (fragment_.colour != 0) // Some parts turn out to be empty.
+    take(fragment_.colour);
+  for (const std::uint32_t value : fragment_.values)
+    take(value);
+  if (layout_.values == Values::Apart && layout_.holdsVoxels(layout_.stratumOfPart(log2Part_)))
+    for (const construct::PlacedCell &cell : fragment_.cells)
+      take(cell.value);
+}
+
 construct::Part MergeHost::takePart(Int3 low) {
   auto fragment = parts_.take();
   if (!fragment) {
@@ -22,14 +39,10 @@ construct::Part MergeHost::takePart(Int3 low) {
   }
   fragment_ = std::move(*fragment);
   splice_.join(fragment_, log2Part_);
+  if (colours_.isStated())
+    proveColours(low);
   values_.put(fragment_.values);
   voxels_ += fragment_.voxels;
-  if (colour_ != 0 && fragment_.colour != 0 && fragment_.colour != colour_)
-    store().fail(Error::input("the voxels around (" + std::to_string(low.x) + ", " + std::to_string(low.y) +
-                              ", " + std::to_string(low.z) + ") are " + colourText(fragment_.colour) +
-                              ", others are " + colourText(colour_) +
-                              ", but the format states payload=constant; build it without constant-colour"));
-  colour_ = fragment_.colour != 0 ? fragment_.colour : colour_; // Some parts turn out to be empty.
   for (std::size_t i = 0; i < fragment_.shared.size(); ++i)
     store().shared()[i] += fragment_.shared[i];
   store().pause(fragment_.words.size());

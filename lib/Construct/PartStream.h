@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BuildHost.h"
+#include "ColourFact.h"
 #include "Fragment.h"
 #include "SourceHost.h"
 #include "ValueStore.h"
@@ -27,12 +28,12 @@ class MergeHost final : public BuildHost {
 public:
   MergeHost(PartStream &parts, int log2Part, const Layout &layout, Int3 extent, NodeStore &store,
             ValueStore &values, const Progress &progress)
-      : BuildHost(store), parts_(parts), log2Part_(log2Part), splice_(layout, store), values_(values),
-        progress_(extent, progress) {}
+      : BuildHost(store), parts_(parts), log2Part_(log2Part), layout_(layout), splice_(layout, store),
+        values_(values), colours_(layout.voxelFacts()), progress_(extent, progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
   /// The one colour of all voxels, of `Payload::Constant`.
-  std::uint32_t colour() const { return colour_; }
+  std::uint32_t colour() const { return colours_.one(); }
 
 protected:
   bool isEmpty(const Cube &cube) override;
@@ -42,14 +43,17 @@ protected:
   void putValue(std::uint32_t value) override { values_.put({&value, 1}); }
 
 private:
+  void proveColours(Int3 low);
+
   PartStream &parts_;
   int log2Part_;
+  const Layout &layout_;
   Splice splice_;
   ValueStore &values_;
+  ColourFact colours_;
   MortonProgress progress_;
   Fragment fragment_; ///< The last one: its cells are in use until the next is taken.
   std::uint64_t voxels_ = 0;
-  std::uint32_t colour_ = 0;
 };
 
 } // namespace voxc

@@ -2,9 +2,7 @@
 #include "SourceHost.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdio>
 
 namespace voxc {
 namespace {
@@ -13,11 +11,9 @@ constexpr unsigned kCallsBetweenReports = 256;
 
 } // namespace
 
-std::string colourText(std::uint32_t word) {
-  std::array<char, 12> text{};
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x%02x", word & 255, word >> 8 & 255, word >> 16 & 255,
-                word >> 24);
-  return text.data();
+std::string placeText(Int3 voxel) {
+  return "(" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " + std::to_string(voxel.z) +
+         ")";
 }
 
 MortonProgress::MortonProgress(Int3 extent, const Progress &progress) : progress_(progress) {
@@ -37,36 +33,25 @@ void SourceHost::proveAlpha(Int3 low, const std::uint32_t *voxels) {
   for (unsigned i = 0; i < 512; ++i) {
     if (voxels[i] == 0 || voxels[i] >> 24 != 0)
       continue;
-    const Int3 voxel = low + mortonCell(i);
-    return store().fail(Error::input("voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) +
-                                     ", " + std::to_string(voxel.z) +
-                                     ") has an alpha of 0, but the format states " +
-                                     "alpha=positive; build it without visible-voxels"));
+    return store().fail(Error::input("voxel " + placeText(low + mortonCell(i)) +
+                                     " has an alpha of 0, but the format states alpha=positive; build it "
+                                     "without visible-voxels"));
   }
 }
 
-void SourceHost::proveColour(Int3 low, const std::uint32_t *voxels) {
-  for (unsigned i = 0; i < 512; ++i) {
-    if (voxels[i] == 0 || voxels[i] == colour_)
-      continue;
-    if (colour_ != 0) {
-      const Int3 voxel = low + mortonCell(i);
-      return store().fail(Error::input(
-          "voxel (" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " +
-          std::to_string(voxel.z) + ") is " + colourText(voxels[i]) + ", others are " + colourText(colour_) +
-          ", but the format states payload=constant; build it without constant-colour"));
-    }
-    colour_ = voxels[i];
-  }
+void SourceHost::proveColours(Int3 low, const std::uint32_t *voxels) {
+  for (unsigned i = 0; i < 512; ++i)
+    if (voxels[i] != 0 && !colours_.take(voxels[i]))
+      return store().fail(colours_.broken("voxel " + placeText(low + mortonCell(i)) + " is", voxels[i]));
 }
 
 void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
   source_.read({low, construct::kLog2Brick}, voxels);
   if (facts_.alpha == Alpha::Positive)
     proveAlpha(low, voxels);
-  if (facts_.payload == Payload::Constant)
-    proveColour(low, voxels);
-  if (facts_.payload != Payload::Rgba8)
+  if (colours_.isStated())
+    proveColours(low, voxels);
+  if (!kindOf(facts_.payload).varies)
     std::replace_if(voxels, voxels + 512, [](std::uint32_t word) { return word != 0; }, kOccupied);
   voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
   if (auto error = source_.failure())

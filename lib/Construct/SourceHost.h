@@ -2,15 +2,13 @@
 #pragma once
 
 #include "BuildHost.h"
+#include "ColourFact.h"
 
 #include "voxc/Layout/Layout.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 
 namespace voxc {
-
-/// "#rrggbbaa".
-std::string colourText(std::uint32_t word);
 
 /// Tells how far work in Morton order is, and hears whether it shall stop.
 class MortonProgress {
@@ -31,25 +29,26 @@ class SourceHost : public BuildHost {
 public:
   /// `facts`: what the volume's format states of its voxels.
   SourceHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress)
-      : BuildHost(store), source_(source), facts_(facts), progress_(source.extent(), progress) {}
+      : BuildHost(store), source_(source), facts_(facts), colours_(facts),
+        progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
   /// The one colour of all voxels so far, of `Payload::Constant`; 0: none yet.
-  std::uint32_t colour() const { return colour_; }
+  std::uint32_t colour() const { return colours_.one(); }
 
 protected:
   bool isEmpty(const Cube &cube) override { return source_.empty(cube); }
   void readBrick(Int3 low, std::uint32_t *voxels) override;
 
 private:
-  void proveColour(Int3 low, const std::uint32_t *voxels);
+  void proveColours(Int3 low, const std::uint32_t *voxels);
   void proveAlpha(Int3 low, const std::uint32_t *voxels);
 
   VoxelSource &source_;
   VoxelFacts facts_;
+  ColourFact colours_;
   MortonProgress progress_;
   std::uint64_t voxels_ = 0;
-  std::uint32_t colour_ = 0;
 };
 
 } // namespace voxc

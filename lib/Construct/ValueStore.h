@@ -1,27 +1,29 @@
 // The values of voxels that stand apart, while a volume is built: taken by rank, kept as blocks.
 #pragma once
 
+#include "ColourTable.h"
 #include "NodeStore.h"
 
-#include "voxc/Layout/ValueBlocks.h"
+#include "voxc/Layout/Layout.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace voxc {
 
-/// Encodes values as they come; equal blocks are kept once where they are remembered. What goes wrong, fails
-/// the store of the nodes.
+/// Encodes values as they come, as the payload asks for; equal blocks are kept once where they are
+/// remembered. What goes wrong, fails the store of the nodes.
 class ValueStore {
 public:
-  ValueStore(NodeStore &nodes, const std::shared_ptr<WorkingMemory> &memory)
-      : nodes_(nodes), blocks_(memory), begins_(memory), known_(kKnown) {}
+  ValueStore(NodeStore &nodes, VoxelFacts facts, const std::shared_ptr<WorkingMemory> &memory);
 
-  /// Takes the values of the voxels of the next ranks. More than 2^32 - 1 in all are an error.
+  /// Takes the values of the voxels of the next ranks. More than 2^32 - 1 in all are an error, and so is a
+  /// colour for which a palette has no room: who knows the voxels has looked before.
   void put(std::span<const std::uint32_t> values);
 
-  /// Appends the section of all blocks (voxc/Layout/ValueBlocks.h) to words, of which there are then at most
+  /// Appends the section of all blocks (voxc/Layout/Values.h) to words, of which there are then at most
   /// `maxWords`. Nothing can be put afterwards.
   void finish(WordStore &words, std::uint64_t maxWords);
 
@@ -35,11 +37,18 @@ private:
   };
 
   void encode();
+  void encodeIndices();
+  void keepBlock(std::span<const std::uint32_t> block, std::uint64_t before);
+  void tell(std::uint64_t begin);
+  void append(WordStore &words, std::span<const std::uint32_t> more);
+  void packTable(std::uint64_t colours, int bits);
   bool keep(Expected<void> done);
 
   NodeStore &nodes_;
+  bool isRgb565_;
   ScratchArray<std::uint32_t> blocks_;
-  ScratchArray<std::uint32_t> begins_; ///< Of each block, in `blocks_`.
+  ScratchArray<std::uint32_t> begins_; ///< Of each block, in `blocks_`; see `encodeIndices`.
+  std::optional<ColourTable> palette_;
   std::vector<Known> known_;
   std::vector<std::uint32_t> pending_; ///< Of the next block.
 };

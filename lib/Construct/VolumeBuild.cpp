@@ -19,7 +19,7 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
   if (auto skipped = words->skip(options.emptyWords); !skipped)
     return skipped.error();
   build->store_ = std::make_unique<NodeStore>(std::move(*words), layout, options.memory);
-  build->values_ = std::make_unique<ValueStore>(*build->store_, options.memory);
+  build->values_ = std::make_unique<ValueStore>(*build->store_, layout.voxelFacts(), options.memory);
   build->store_->limit(build->maxWords_);
   return build;
 }

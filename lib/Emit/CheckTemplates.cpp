@@ -58,7 +58,12 @@ int main() {
   demandEach<Descent>("walk");
   demandEach<Predicate>("step");
   demandEach<Addressing>("memory");
-  demandEach<Payload>("payload");
+  for (std::size_t i = 0; i < kEnumNames<Payload>.size(); ++i) {
+    const PayloadKind &kind = kindOf(static_cast<Payload>(i));
+    demand("shaders-runtime", shaderFiles(), "payload/" + std::string(kind.hit) + ".glsl");
+    if (!kind.blocks.empty())
+      demand("shaders-runtime", shaderFiles(), "values/" + std::string(kind.blocks) + ".glsl");
+  }
   for (const SlotKind *kind : slotKinds()) {
     demand("shaders-runtime", shaderFiles(), "slots/" + std::string(kind->name) + ".glsl");
     demand("construct-runtime", constructFiles(), "slots/" + std::string(kind->name) + ".cpp");

@@ -58,7 +58,7 @@ private:
     if (looksUpValues)
       ranks();
     if (plan_.outputs.colour)
-      file("payload/" + std::string(toString(plan_.layout.payload)) + ".glsl");
+      file("payload/" + std::string(kindOf(plan_.layout.payload).hit) + ".glsl");
   }
 
   /// One way down from the root.
@@ -167,7 +167,7 @@ private:
       text_ += "\n";
       down(i, "rank");
     }
-    file("values/apart.glsl");
+    file("values/" + std::string(kindOf(plan_.layout.payload).blocks) + ".glsl");
   }
 
   /// A function that goes straight down through the level, layer by layer, from the files of a folder.

@@ -77,6 +77,7 @@ void addAddresses(TemplateNames &names, const Plan &plan) {
     holes[name + ","] = granules ? name + ", " : "";
   }
   holes["uint-section,"] = granules ? "uint section, " : "";
+  holes["section-begin"] = granules ? "section, 0u" : "section";
   holes["head,"] = granules ? "0u, " : "";
   holes["log2-granule"] = std::to_string(log2Granule);
   holes["granule-words"] = std::to_string(1 << log2Granule);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace voxc {
 namespace {
@@ -13,7 +14,13 @@ constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
 constexpr std::array<std::string_view, 4> kLevelsValues = {"auto", "nested", "flat", "direct"};
 constexpr std::array<std::string_view, 2> kYesValues = {"yes", "no"};
 constexpr std::array<std::string_view, 2> kNoValues = {"no", "yes"};
-constexpr std::array<std::string_view, 3> kPayloadValues = {"rgba8", "occupancy", "constant"};
+constexpr std::array<std::string_view, 36> kPayloadValues = {
+    "rgba8",        "occupancy",    "constant",     "palette(1)",   "palette(2)",   "palette(3)",
+    "palette(4)",   "palette(5)",   "palette(6)",   "palette(7)",   "palette(8)",   "palette(9)",
+    "palette(10)",  "palette(11)",  "palette(12)",  "palette(13)",  "palette(14)",  "palette(15)",
+    "palette(16)",  "rgb565",       "material(1)",  "material(2)",  "material(3)",  "material(4)",
+    "material(5)",  "material(6)",  "material(7)",  "material(8)",  "material(9)",  "material(10)",
+    "material(11)", "material(12)", "material(13)", "material(14)", "material(15)", "material(16)"};
 constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
 constexpr std::array<std::string_view, 2> kValuesValues = {"in-place", "apart"};
 
@@ -58,9 +65,11 @@ const AttributeKind kColourAttribute = {"colour", AttributeEffect::Walk, kYesVal
                                         "whether the kernel stores the colour of a closest hit", &kOutputs};
 
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
-                                         "what a voxel is: a colour of four bytes, in the word of its cell, "
-                                         "or nothing but that it is there, white "
-                                         "or of the one colour of all voxels, which a build proves"};
+                                         "what a voxel is: a colour of four bytes; or nothing but that it is "
+                                         "there, white or of the one colour of all "
+                                         "voxels; or one of at most 2^n colours in a table; or a colour of "
+                                         "5, 6 and 5 bits; or a label of n bits. A build "
+                                         "proves what is stated"};
 
 const AttributeKind kAlphaAttribute = {
     "alpha", AttributeEffect::Storage, kAlphaValues,
@@ -75,6 +84,46 @@ const AttributeKind kGranuleAttribute = {
     "granule", AttributeEffect::Storage, kGranuleValues,
     "what references count: words, or granules of so many, at which all that they lead to begins, so that a "
     "volume may have as many times the words"};
+namespace {
+
+/// The number in a value, "4" of "palette(4)", and what stands around it; 0 and all of it where there is
+/// none.
+struct Numbered {
+  explicit Numbered(std::string_view value) {
+    const std::size_t begin = std::min(value.find_first_of("0123456789"), value.size());
+    before = value.substr(0, begin);
+    const char *const end = value.data() + value.size();
+    const char *const rest = std::from_chars(value.data() + begin, end, number).ptr;
+    after = std::string_view(rest, end);
+  }
+
+  bool isFollowedBy(const Numbered &next) const {
+    return number > 0 && next.number == number + 1 && before == next.before && after == next.after;
+  }
+
+  std::string_view before;
+  std::string_view after;
+  int number = 0;
+};
+
+} // namespace
+
+std::string ValueRange::text(std::string_view mark) const {
+  const auto marked = [mark](std::string_view value) {
+    return std::string(mark) + std::string(value) + std::string(mark);
+  };
+  return first == last ? marked(first) : marked(first) + " to " + marked(last);
+}
+
+std::vector<ValueRange> valueRanges(const AttributeKind &kind) {
+  std::vector<ValueRange> ranges;
+  for (const std::string_view value : kind.values)
+    if (ranges.empty() || !Numbered(ranges.back().last).isFollowedBy(Numbered(value)))
+      ranges.push_back({value, value});
+    else
+      ranges.back().last = value;
+  return ranges;
+}
 
 AttributeKinds formatAttributes() {
   static constexpr std::array<const AttributeKind *, 12> kAttributes = {

@@ -113,11 +113,12 @@ private:
     }
     if (!expect('='))
       return false;
-    const Token value = lexer_.next();
+    const Token value = lexer_.nextValue();
     if (std::ranges::find((*found)->values, value.text) == (*found)->values.end()) {
       diagnostics_.error(value.range, quoted(value) + " is no value of " + std::string(name.text) +
                                           "; it takes " +
-                                          listed((*found)->values, [](std::string_view v) { return v; }));
+                                          listed(valueRanges(**found),
+                                                 [](const ValueRange &range) { return range.text(); }));
       return false;
     }
     attributes.set(taken, **found, value.text);

@@ -52,6 +52,19 @@ void Lexer::advance() {
   token_ = {kind, {begin, position_}, text_.substr(begin, position_ - begin)};
 }
 
+Token Lexer::nextValue() {
+  Token value = next();
+  if (value.kind == TokenKind::Word && token_.is('(') && token_.range.begin == value.range.end) {
+    advance();
+    if (token_.kind == TokenKind::Number)
+      advance();
+    accept(')');
+    value.range.end = takenEnd_;
+    value.text = text_.substr(value.range.begin, value.range.end - value.range.begin);
+  }
+  return value;
+}
+
 std::string quoted(const Token &token) {
   return token.kind == TokenKind::End ? "the end" : "'" + std::string(token.text) + "'";
 }

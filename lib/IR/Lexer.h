@@ -31,6 +31,9 @@ public:
     advance();
     return token;
   }
+  /// Takes the next token and, where it is a word with a number in brackets right behind it, both:
+  /// "palette(4)".
+  Token nextValue();
   /// Takes the next token if it is this character.
   bool accept(char punctuation) {
     if (!token_.is(punctuation))

@@ -1,6 +1,7 @@
 // The rules that every format keeps, whatever made it (docs/formats.md).
 #include "voxc/IR/Format.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Layout/Layout.h"
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -50,14 +51,28 @@ void verifyDistances(const Format &format, Diagnostics &diagnostics) {
                     "alpha of 0; state that by alpha=positive (the pass visible-voxels)");
 }
 
+/// A layout with nothing but the payload.
+Layout payloadOf(const Format &format) {
+  Layout layout;
+  layout.setPayload(format.attributes.value(kPayloadAttribute));
+  return layout;
+}
+
 /// Values apart are found by the ranks of voxels, which masks and counts tell.
 void verifyValues(const Format &format, Diagnostics &diagnostics) {
-  if (format.attributes.value(kValuesAttribute) != "apart")
-    return;
-  if (const std::string payload(format.attributes.value(kPayloadAttribute)); payload != "rgba8")
+  const bool isApart = format.attributes.value(kValuesAttribute) == "apart";
+  if (const Layout voxels = payloadOf(format); isApart && !kindOf(voxels.payload).varies)
     diagnostics.error(format.levels.back().range,
-                      "voxels of payload=" + payload +
+                      "voxels of payload=" + voxels.payloadText() +
                           " have no values that could stand apart; leave out one of both");
+  else if (!isApart && !kindOf(voxels.payload).inPlace)
+    diagnostics.error(
+        format.levels.back().range,
+        "voxels of payload=" + voxels.payloadText() +
+            " save nothing in the words of cells; their values stand apart by values=apart (the "
+            "pass values-apart)");
+  if (!isApart)
+    return;
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     const Stratum stratum = level.kind->lower(level);
@@ -84,8 +99,8 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
                                          " has short pointers, which lead to an array in 2^32 words, and "
                                          "references cannot count granules; leave out one of both");
     const bool isLast = i + 1 == format.levels.size();
-    const bool isMasks = format.attributes.value(kPayloadAttribute) != "rgba8" ||
-                         format.attributes.value(kValuesAttribute) == "apart";
+    const bool isMasks =
+        !kindOf(payloadOf(format).payload).varies || format.attributes.value(kValuesAttribute) == "apart";
     if (!isLast || !isMasks || level.log2Size() != Int3{2, 2, 2} || i == 0 ||
         format.levels[i - 1].kind != level.kind) {
       diagnostics.error(level.range, "level " + std::to_string(i + 1) +

@@ -13,11 +13,15 @@ inline std::uint64_t wordsOfFields(std::uint64_t fields, int bits) {
   return (fields * static_cast<std::uint64_t>(bits) + 31) / 32;
 }
 
-/// Field `i` of those of `bits` bits, 63 at most, that begin at word `at`.
+/// The field of `bits` bits, 32 at most, whose first is bit `first` of the words from `at` on.
+inline std::uint32_t readBits(const WordReader &words, std::uint64_t at, std::uint64_t first, int bits) {
+  const std::uint64_t pair = words[at + first / 32] | std::uint64_t{words[at + first / 32 + 1]} << 32;
+  return static_cast<std::uint32_t>(pair >> first % 32 & ((std::uint64_t{1} << bits) - 1));
+}
+
+/// Field `i` of those of `bits` bits, 32 at most, that begin at word `at`.
 inline std::uint32_t readField(const WordReader &words, std::uint64_t at, std::uint64_t i, int bits) {
-  const std::uint64_t bit = i * static_cast<std::uint64_t>(bits);
-  const std::uint64_t pair = words[at + bit / 32] | std::uint64_t{words[at + bit / 32 + 1]} << 32;
-  return static_cast<std::uint32_t>(pair >> bit % 32 & ((std::uint64_t{1} << bits) - 1));
+  return readBits(words, at, i * static_cast<std::uint64_t>(bits), bits);
 }
 
 /// Replaces a field of at most 32 bits. The words hold all of it.

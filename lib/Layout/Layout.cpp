@@ -2,8 +2,49 @@
 #include "voxc/Layout/Layout.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace voxc {
+namespace {
+
+/// In the order of `Payload`.
+constexpr std::array<PayloadKind, kEnumNames<Payload>.size()> kPayloadKinds = {{
+    {.varies = true, .inPlace = true, .mostBits = 0, .hit = "rgba8", .blocks = "colours"},
+    {.varies = false, .inPlace = true, .mostBits = 0, .hit = "occupancy", .blocks = ""},
+    {.varies = false, .inPlace = true, .mostBits = 0, .hit = "constant", .blocks = ""},
+    {.varies = true, .inPlace = false, .mostBits = 16, .hit = "rgba8", .blocks = "palette"},
+    {.varies = true, .inPlace = false, .mostBits = 0, .hit = "rgb565", .blocks = "colours"},
+    {.varies = true, .inPlace = true, .mostBits = 16, .hit = "rgba8", .blocks = "palette"},
+}};
+
+} // namespace
+
+const PayloadKind &kindOf(Payload payload) { return kPayloadKinds[static_cast<std::size_t>(payload)]; }
+
+std::string Layout::payloadText() const {
+  const std::string name(toString(payload));
+  return payloadBits == 0 ? name : name + "(" + std::to_string(payloadBits) + ")";
+}
+
+bool Layout::setPayload(std::string_view text) {
+  const std::size_t open = std::min(text.find('('), text.size());
+  const auto kind = fromString<Payload>(text.substr(0, open));
+  if (!kind)
+    return false;
+  int bits = 0;
+  if (open < text.size()) {
+    const auto [end, problem] = std::from_chars(text.data() + open + 1, text.data() + text.size(), bits);
+    if (problem != std::errc() || std::string_view(end, text.data() + text.size()) != ")")
+      return false;
+  }
+  const int most = kindOf(*kind).mostBits;
+  if (bits < std::min(most, 1) || bits > most)
+    return false;
+  payload = *kind;
+  payloadBits = bits;
+  return true;
+}
 
 void packDistances(Stratum &stratum, bool holdsVoxels) {
   stratum.empty = holdsVoxels ? Empty::Transparent : Empty::Tagged;

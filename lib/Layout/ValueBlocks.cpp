@@ -1,6 +1,7 @@
 // Encoding, decoding and checking blocks of values.
 #include "voxc/Layout/ValueBlocks.h"
 
+#include "BlockContents.h"
 #include "Fields.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace voxc {
 namespace {
 
-constexpr std::uint64_t kBlock = std::uint64_t{1} << kLog2ValueBlock;
-constexpr std::uint64_t kMaskWords = kBlock / 32;
 constexpr std::uint64_t kHeadWords = 2;
 constexpr int kMostIndexBits = kLog2ValueBlock;
 
@@ -77,56 +76,6 @@ Coding codingOf(std::span<const std::uint32_t> values) {
   return codings[1].itemBits() < codings[0].itemBits() ? codings[1] : codings[0];
 }
 
-/// What may be told in place of each value.
-struct Contents {
-  std::vector<std::uint32_t> runs;                ///< The value of each run,
-  std::array<std::uint32_t, kMaskWords> begins{}; ///< and where they begin.
-  std::vector<std::uint32_t> palette;             ///< Each value once, in the order in which they come.
-};
-
-Contents contentsOf(std::span<const std::uint32_t> values) {
-  Contents contents;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0 && values[i] == values[i - 1])
-      continue;
-    contents.begins[i / 32] |= 1u << i % 32;
-    contents.runs.push_back(values[i]);
-    if (std::ranges::find(contents.palette, values[i]) == contents.palette.end())
-      contents.palette.push_back(values[i]);
-  }
-  return contents;
-}
-
-/// Appends fields of few bits to words.
-class BitWriter {
-public:
-  explicit BitWriter(std::vector<std::uint32_t> &words) : words_(words) {}
-
-  void write(std::uint32_t field, int bits) {
-    pending_ |= std::uint64_t{field} << count_;
-    count_ += bits;
-    if (count_ >= 32)
-      flush();
-  }
-  /// Begins a new word.
-  void align() {
-    if (count_ > 0)
-      flush();
-    count_ = 0;
-  }
-
-private:
-  void flush() {
-    words_.push_back(static_cast<std::uint32_t>(pending_));
-    pending_ >>= 32;
-    count_ -= 32;
-  }
-
-  std::vector<std::uint32_t> &words_;
-  std::uint64_t pending_ = 0;
-  int count_ = 0;
-};
-
 /// The head of a block, read.
 struct Head {
   Head(const WordReader &words, std::uint64_t at) : least(words[at]), word(words[at + 1]) {}
@@ -137,22 +86,11 @@ struct Head {
   bool runs() const { return (word >> kRunsBit & 1) != 0; }
   int indexBits() const { return static_cast<int>(word >> kIndexShift & 15); }
   std::uint64_t itemsAt() const { return word >> kItemsShift; }
-  std::uint64_t indicesAt() const { return kHeadWords + (runs() ? kMaskWords : 0); }
+  std::uint64_t indicesAt() const { return kHeadWords + (runs() ? kRunWords : 0); }
 
   std::uint32_t least;
   std::uint32_t word;
 };
-
-/// How many runs begin among the first `count` values.
-std::uint64_t runsBegun(const WordReader &words, std::uint64_t at, std::uint64_t count) {
-  std::uint64_t begun = 0;
-  for (std::uint64_t i = 0; i < kMaskWords; ++i) {
-    const std::uint64_t left = std::clamp<std::uint64_t>(count, 32 * i, 32 * i + 32) - 32 * i;
-    const std::uint64_t mask = (std::uint64_t{1} << left) - 1;
-    begun += static_cast<std::uint64_t>(std::popcount(words[at + kHeadWords + i] & mask));
-  }
-  return begun;
-}
 
 std::uint32_t valueOfItem(const Head &head, std::uint32_t item) {
   Channels channels{};
@@ -179,7 +117,7 @@ bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count) {
     return false;
   if (head.runs() && (words[at + kHeadWords] & 1) == 0)
     return false;
-  const std::uint64_t indices = head.runs() ? runsBegun(words, at, count) : count;
+  const std::uint64_t indices = head.runs() ? runsBegun(words, at + kHeadWords, count) : count;
   if (head.itemsAt() != head.indicesAt() + wordsOfFields(indices, head.indexBits()))
     return false;
   std::uint64_t items = indices;
@@ -195,14 +133,14 @@ bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count) {
 } // namespace
 
 std::vector<std::uint32_t> encodeValueBlock(std::span<const std::uint32_t> values) {
-  const Contents contents = contentsOf(values);
+  const BlockContents contents = contentsOf(values);
   const Coding coding = codingOf(contents.palette);
   const int itemBits = coding.itemBits();
   const int indexBits = static_cast<int>(std::bit_width(contents.palette.size() - 1));
   const std::array<std::uint64_t, 4> costs = {
-      wordsOfFields(values.size(), itemBits), kMaskWords + wordsOfFields(contents.runs.size(), itemBits),
+      wordsOfFields(values.size(), itemBits), kRunWords + wordsOfFields(contents.runs.size(), itemBits),
       wordsOfFields(values.size(), indexBits) + wordsOfFields(contents.palette.size(), itemBits),
-      kMaskWords + wordsOfFields(contents.runs.size(), indexBits) +
+      kRunWords + wordsOfFields(contents.runs.size(), indexBits) +
           wordsOfFields(contents.palette.size(), itemBits)};
   const auto best = static_cast<unsigned>(std::ranges::min_element(costs) - costs.begin());
   const bool hasRuns = (best & 1) != 0;
@@ -210,14 +148,12 @@ std::vector<std::uint32_t> encodeValueBlock(std::span<const std::uint32_t> value
 
   std::vector<std::uint32_t> words = {0, 0};
   if (hasRuns)
-    words.insert(words.end(), contents.begins.begin(), contents.begins.end());
+    words.insert(words.end(), contents.mask.begin(), contents.mask.end());
   const std::span<const std::uint32_t> told = hasRuns ? std::span(contents.runs) : values;
   BitWriter writer(words);
   if (hasPalette)
     for (const std::uint32_t value : told)
-      writer.write(
-          static_cast<std::uint32_t>(std::ranges::find(contents.palette, value) - contents.palette.begin()),
-          indexBits);
+      writer.write(contents.indexOf(value), indexBits);
   writer.align();
   const std::uint64_t itemsAt = words.size();
   for (const std::uint32_t value : hasPalette ? std::span<const std::uint32_t>(contents.palette) : told)
@@ -237,21 +173,21 @@ std::vector<std::uint32_t> encodeValueBlock(std::span<const std::uint32_t> value
 std::uint32_t valueOfRank(const WordReader &words, std::uint64_t section, std::uint64_t rank) {
   const std::uint64_t at = section + words[section + (rank >> kLog2ValueBlock)];
   const Head head(words, at);
-  std::uint64_t i = rank & (kBlock - 1);
+  std::uint64_t i = rank & (kValueBlock - 1);
   if (head.runs())
-    i = runsBegun(words, at, i + 1) - 1;
+    i = runsBegun(words, at + kHeadWords, i + 1) - 1;
   if (head.indexBits() > 0)
     i = readField(words, at + head.indicesAt(), i, head.indexBits());
   return valueOfItem(head, readField(words, at + head.itemsAt(), i, head.itemBits()));
 }
 
 void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels) {
-  const std::uint64_t blocks = (voxels + kBlock - 1) >> kLog2ValueBlock;
+  const std::uint64_t blocks = (voxels + kValueBlock - 1) >> kLog2ValueBlock;
   if (!words.require(section, blocks, "the values of the voxels"))
     return;
   for (std::uint64_t block = 0; block < blocks; ++block) {
     const std::uint64_t at = section + words[section + block];
-    const std::uint64_t count = std::min(kBlock, voxels - block * kBlock);
+    const std::uint64_t count = std::min(kValueBlock, voxels - block * kValueBlock);
     if (words[section + block] < blocks || !isBlock(words, at, count))
       return words.fail("block " + std::to_string(block) + " of the values is broken");
   }

@@ -19,8 +19,11 @@ public:
     for (index_ = 0; index_ < layout_.strata.size(); ++index_)
       stratum(layout_.strata[index_]);
     index_ = layout_.strata.size() - 1;
-    rule(layout_.values == Values::InPlace || layout_.payload == Payload::Rgba8,
+    const PayloadKind &payload = kindOf(layout_.payload);
+    rule(layout_.values == Values::InPlace || payload.varies,
          "voxels without a colour each have no values that could stand apart");
+    rule(layout_.values == Values::Apart || payload.inPlace,
+         "payload=" + layout_.payloadText() + " saves nothing in the words of cells; its values stand apart");
   }
 
 private:
@@ -65,7 +68,7 @@ private:
     rule(stratum.isGrid() != stratum.leaves,
          "children may be leaves where cells lie outside their node, and only there");
     const bool isApart = layout_.values == Values::Apart;
-    rule(!stratum.implied || (layout_.holdsVoxels(index_) && (layout_.payload != Payload::Rgba8 || isApart) &&
+    rule(!stratum.implied || (layout_.holdsVoxels(index_) && (!kindOf(layout_.payload).varies || isApart) &&
                               stratum.slots->tellsByMasks && stratum.depth > 0),
          "values are implied where cells are voxels of payload=occupancy, payload=constant or values=apart, "
          "which "

@@ -7,7 +7,11 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<Pass, 18> kPasses = {{
+constexpr PassNumber kPaletteNumber = {1, 16, 8, paletteOf};
+constexpr PassNumber kMaterialNumber = {1, 16, 8, materialOf};
+constexpr PassNumber kPointersNumber = {8, 24, 20, shortPointersOf};
+
+constexpr std::array<Pass, 21> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -35,6 +39,29 @@ constexpr std::array<Pass, 18> kPasses = {{
      "The "
      "volume is that of occupancy, and hits have the colour.",
      constantColour},
+    {"palette", AttributeEffect::Storage, "state that there are at most 2^N colours, and keep each once",
+     "A fact about the voxels, which a build proves: it fails at a voxel of a colour too much, and names it. "
+     "The colours stand in a table, and the blocks of values-apart hold indices into it in their place, of "
+     "as "
+     "few bits as the block at hand asks for: N, which is 1 to 16 and 8 if it is not written, bounds the "
+     "table "
+     "and changes no size. A block of one colour is a reference to it. Sets values-apart too.",
+     palette, &kPaletteNumber},
+    {"rgb565", AttributeEffect::Storage, "keep colours in 5, 6 and 5 bits: lossy",
+     "Without it, colours are kept as they are. With it, each channel is the nearest of those that its bits "
+     "tell, "
+     "and alpha is 255; a build tells the largest and the mean error of each channel, and so does voxc "
+     "verify "
+     "--against. Blocks of values-apart then take fewer bits. Sets values-apart too.",
+     rgb565},
+    {"material", AttributeEffect::Storage, "keep a label of N bits in place of a colour",
+     "For inputs whose voxels are labels (--colour-map labels): numbers of materials, or of the parts of a "
+     "segmentation. A hit answers the label, and pictures show it in a colour of its own. A build fails at a "
+     "label "
+     "of more than N bits, and names its voxel; N is 1 to 16, and 8 if it is not written. With values-apart, "
+     "labels "
+     "stand in blocks as the colours of a palette do.",
+     material, &kMaterialNumber},
     {"values-apart", AttributeEffect::Storage,
      "keep the colours of voxels apart from their shape, compressed",
      "Without it, a voxel's colour stands where its shape does, and two equal shapes of other colours share "
@@ -43,15 +70,16 @@ constexpr std::array<Pass, 18> kPasses = {{
      "what takes the fewest bits of runs, palettes and differences. A hit decodes one colour, of at most 64 "
      "bytes. The last level must be a G or an M, those above R, D, M or G.",
      valuesApart},
-    {"short-pointers", AttributeEffect::Storage, "lead to the last level's sub-volumes by numbers of 20 bits",
+    {"short-pointers", AttributeEffect::Storage, "lead to the last level's sub-volumes by numbers of N bits",
      "Without it, a pointer to a grid of 4 x 4 x 4 voxels is a word, half as long as the grid itself. With "
      "it, "
-     "these grids stand in an array, and their parents have their numbers there: 20 bits each, or as many as "
-     "the attribute pointers says. A build that finds more different ones than there are numbers fails. "
+     "these grids stand in an array, and their parents have their numbers there: N bits each, 8 to 24, and "
+     "20 "
+     "if it is not written. A build that finds more different ones than there are numbers fails. "
      "Unchanged where the last level is no M(2^3) below another M whose voxels are masks alone (occupancy, "
      "or "
      "values-apart before it).",
-     shortPointers},
+     shortPointers, &kPointersNumber},
     {"granules", AttributeEffect::Storage,
      "let references count granules of two words, so that they reach 32GiB",
      "Without it, a reference is the number of a word, and a volume has at most 2^32 of them, 16 GiB. With "
@@ -123,7 +151,7 @@ constexpr std::array<Pass, 18> kPasses = {{
 std::span<const Pass> passes() { return kPasses; }
 
 const Pass *findPass(std::string_view name) {
-  const auto found = std::ranges::find(kPasses, name, &Pass::name);
+  const auto found = std::ranges::find(kPasses, name.substr(0, name.find('=')), &Pass::name);
   return found == kPasses.end() ? nullptr : &*found;
 }
 

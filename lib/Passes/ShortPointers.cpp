@@ -1,15 +1,16 @@
 // short-pointers: numbers of few bits in place of offsets, to the small grids of the last level.
 //
-// Contract: sets pointers=20 on the last level, where that is allowed and pointers are words. Volumes have
+// Contract: sets pointers=N on the last level, where that is allowed and pointers are words. Volumes have
 // the same voxels.
 #include "voxc/Passes/Pass.h"
 
 namespace voxc {
 
-PassResult shortPointers(Format &format, Diagnostics &) {
+PassResult shortPointersOf(Format &format, int bits, Diagnostics &) {
   Format shorter = format;
   Level &last = shorter.levels.back();
-  if (last.attribute(kPointersAttribute) != "word" || !last.setAttribute(kPointersAttribute, "20"))
+  if (last.attribute(kPointersAttribute) != "word" ||
+      !last.setAttribute(kPointersAttribute, std::to_string(bits)))
     return PassResult::Unchanged;
   Diagnostics problems;
   verify(shorter, problems);
@@ -17,6 +18,10 @@ PassResult shortPointers(Format &format, Diagnostics &) {
     return PassResult::Unchanged;
   format = std::move(shorter);
   return PassResult::Changed;
+}
+
+PassResult shortPointers(Format &format, Diagnostics &diagnostics) {
+  return shortPointersOf(format, findPass("short-pointers")->number->usual, diagnostics);
 }
 
 } // namespace voxc

@@ -73,13 +73,9 @@ bool parseStorage(Plan &plan, std::string_view text) {
   return text.size() == 16 && parseNumber(plan.layout.storageDigest, text, 16);
 }
 
-std::string printPayload(const Plan &plan) { return std::string(toString(plan.layout.payload)); }
+std::string printPayload(const Plan &plan) { return plan.layout.payloadText(); }
 
-bool parsePayload(Plan &plan, std::string_view text) {
-  const auto payload = fromString<Payload>(text);
-  plan.layout.payload = payload.value_or(Payload::Rgba8);
-  return payload.has_value();
-}
+bool parsePayload(Plan &plan, std::string_view text) { return plan.layout.setPayload(text); }
 
 std::string printAlpha(const Plan &plan) {
   return plan.layout.alpha == Alpha::Any ? "" : std::string(toString(plan.layout.alpha));
@@ -114,7 +110,8 @@ bool parseGranule(Plan &plan, std::string_view text) {
 
 constexpr std::array<Field<Plan>, 18> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
-    {"payload", printPayload, parsePayload, "rgba8, occupancy, constant"},
+    {"payload", printPayload, parsePayload,
+     "rgba8, occupancy, constant, palette(1) to palette(16), rgb565, material(1) to material(16)"},
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     {"values", printValues, parseValues, "in-place, apart"},
     {"granule", printGranule, parseGranule, "a number of words, a power of two"},

@@ -98,7 +98,7 @@ private:
         return fail(name, "one of " + fieldNames(fields));
       if (!expect('='))
         return false;
-      const Token value = lexer_.next();
+      const Token value = lexer_.nextValue();
       if (!field->parse(owner, value.text))
         return fail(value,
                     "a value of " + std::string(field->name) + " (" + std::string(field->values) + ")");

@@ -7,8 +7,8 @@ namespace voxc {
 
 /// A build's, of a layout without levels.
 struct SceneValues::Stores {
-  Stores(WordStore words, const std::shared_ptr<WorkingMemory> &memory)
-      : nodes(std::move(words), Layout{}, memory), values(nodes, memory) {}
+  Stores(WordStore words, VoxelFacts facts, const std::shared_ptr<WorkingMemory> &memory)
+      : nodes(std::move(words), Layout{}, memory), values(nodes, facts, memory) {}
 
   NodeStore nodes;
   ValueStore values;
@@ -19,11 +19,11 @@ SceneValues::~SceneValues() = default;
 SceneValues::SceneValues(SceneValues &&) noexcept = default;
 SceneValues &SceneValues::operator=(SceneValues &&) noexcept = default;
 
-Expected<SceneValues> SceneValues::create(const std::shared_ptr<WorkingMemory> &memory) {
+Expected<SceneValues> SceneValues::create(const std::shared_ptr<WorkingMemory> &memory, VoxelFacts facts) {
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  return SceneValues(std::make_unique<Stores>(std::move(*words), memory));
+  return SceneValues(std::make_unique<Stores>(std::move(*words), facts, memory));
 }
 
 void SceneValues::add(std::span<const std::uint32_t> cells) {

@@ -45,7 +45,7 @@ std::vector<RatedFormat> rateFormats(const PricedScene &scene, std::vector<Candi
   for (std::size_t i = 0; i < candidates.size() && !progress.stopped(); ++i) {
     progress.at("rate", static_cast<double>(i) / static_cast<double>(candidates.size()));
     const Layout layout = layoutOf(candidates[i].format);
-    const bool inPlace = layout.payload == Payload::Rgba8 && layout.values == Values::InPlace;
+    const bool inPlace = kindOf(layout.payload).varies && layout.values == Values::InPlace;
     if (inPlace && !colours)
       continue;
     auto price = inPlace ? colours->price(layout) : shapes.price(layout, scene.valueWords);

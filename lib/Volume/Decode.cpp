@@ -1,6 +1,6 @@
 // Reading a volume's voxels back: one at a time, or all of them as uniform cubes.
 #include "voxc/Layout/SubVolume.h"
-#include "voxc/Layout/ValueBlocks.h"
+#include "voxc/Layout/Values.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -66,7 +66,7 @@ private:
   void valuesApart(const Cube &cube, std::uint64_t rank) {
     const std::uint64_t count = std::uint64_t{1} << (3 * cube.log2Side);
     for (std::uint64_t code = 0; code < count && !ended_; ++code)
-      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, words_.wordOf(words_[1]), rank + code));
+      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, layout_.payload, rank + code));
   }
 
   void voxels(const Cube &cube, std::uint32_t word) {
@@ -131,7 +131,7 @@ Lookup Volume::lookup(Int3 voxel) const {
     low = low + cell * (1 << stratum.log2Cell);
   }
   if (layout().values == Values::Apart && value != 0)
-    return {valueOfRank(words, words.wordOf(words[1]), rank), 0, rank};
+    return {valueOfRank(words, layout().payload, rank), 0, rank};
   if (layout().payload == Payload::Constant && value != 0)
     found.value = words[1];
   return found;

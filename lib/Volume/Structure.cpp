@@ -1,6 +1,6 @@
 // Proving that a volume's words are safe and well-formed, before any kernel sees them.
 #include "voxc/Layout/SubVolume.h"
-#include "voxc/Layout/ValueBlocks.h"
+#include "voxc/Layout/Values.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -168,7 +168,7 @@ private:
   }
 
   void checkSection(std::uint64_t section) {
-    checkValues(words_, section, voxels_);
+    checkValues(words_, layout_, voxels_);
     checkReach(words_.size() - std::min(section, words_.size()), "the section of values");
   }
 

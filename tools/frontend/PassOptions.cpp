@@ -14,6 +14,21 @@ bool offered(const Pass &pass, PassChoice choice) {
 
 std::string flagOf(const Pass &pass) { return "--" + std::string(pass.name); }
 
+std::string helpOf(const Pass &pass) {
+  const std::string summary(pass.summary);
+  return pass.number ? summary + "; =N is " + std::to_string(pass.number->least) + " to " +
+                           std::to_string(pass.number->most) + ", or " + std::to_string(pass.number->usual)
+                     : summary;
+}
+
+/// A flag as it was written: one that was given a number, or several, has the last.
+std::string writtenName(const CLI::Option &flag) {
+  const std::string name = flag.get_name().substr(2);
+  const Pass *const pass = findPass(name);
+  const std::string value = flag.results().empty() ? "" : flag.results().back();
+  return pass && pass->number && value != "true" ? name + "=" + value : name;
+}
+
 } // namespace
 
 void PassOptions::declare(CLI::App &app, PassChoice choice) {
@@ -21,7 +36,7 @@ void PassOptions::declare(CLI::App &app, PassChoice choice) {
   choice_ = choice;
   for (const Pass &pass : passes())
     if (offered(pass, choice))
-      app.add_flag(flagOf(pass))->description(std::string(pass.summary))->group(kGroup);
+      app.add_flag(flagOf(pass))->description(helpOf(pass))->group(kGroup);
   app.add_option(kPipelineOption, "The same as their flags, in this order")
       ->delimiter(',')
       ->type_name("A,B")
@@ -37,7 +52,7 @@ std::vector<std::string> PassOptions::names() const {
     if (name == kPipelineOption)
       names.insert(names.end(), option->results().begin(), option->results().end());
     else if (option->get_group() == kGroup)
-      names.push_back(name.substr(2));
+      names.push_back(writtenName(*option));
   }
   return names;
 }

@@ -31,11 +31,21 @@ std::string listed(const Names &names, const char *separator, const char *mark =
   return text;
 }
 
+std::string listedValues(const AttributeKind &kind, const char *separator, const char *mark = "") {
+  std::string text;
+  for (const ValueRange &range : valueRanges(kind))
+    text += (text.empty() ? "" : separator) + range.text(mark);
+  return text;
+}
+
+/// A pass as its flag: "--palette[=N]".
+std::string flagOf(const Pass &pass) { return concat({"--", pass.name, pass.number ? "[=N]" : ""}); }
+
 std::string listAttributes(AttributeKinds attributes) {
   std::string text;
   for (const AttributeKind *attribute : attributes)
     text += concat({"  ", attribute->name, " (", nameOf(attribute->effect),
-                    "): ", listed(attribute->values, " "), "; ", attribute->summary, "\n"});
+                    "): ", listedValues(*attribute, " "), "; ", attribute->summary, "\n"});
   return text + "\n";
 }
 
@@ -80,7 +90,7 @@ std::string describePasses() {
   std::string text;
   for (const Pass &pass : passes())
     text += concat(
-        {"--", pass.name, " (", nameOf(pass.effect), ")\n  ", pass.summary, "\n\n", pass.details, "\n\n"});
+        {flagOf(pass), " (", nameOf(pass.effect), ")\n  ", pass.summary, "\n\n", pass.details, "\n\n"});
   return text;
 }
 
@@ -104,7 +114,7 @@ std::string describeAttributes() {
   for (const AttributeKind *attribute : allAttributes()) {
     const auto takers = takersOf(*attribute);
     text +=
-        concat({"| `", attribute->name, "` | ", listed(attribute->values, ", ", "`"), " | ",
+        concat({"| `", attribute->name, "` | ", listedValues(*attribute, ", ", "`"), " | ",
                 nameOf(attribute->effect), " | ", takers.empty() ? "the format" : listed(takers, ", ", "`"),
                 " | ", attribute->summary, " |\n"});
   }

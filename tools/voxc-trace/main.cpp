@@ -82,9 +82,12 @@ Expected<Job> makeJob(const Options &options, Int3 extent) {
   return Job{cameraRays(*camera), camera->width, camera->height};
 }
 
-Expected<void> writeResult(const Options &options, const Job &job, std::span<const Hit> hits) {
+Expected<void> writeResult(const Options &options, const Job &job, const Volume &volume,
+                           std::span<Hit> hits) {
   if (!options.rays.empty())
     return writeHits(options.output, hits);
+  if (volume.layout().payload == Payload::Material && !options.heatmap)
+    showLabels(hits);
   Picture picture =
       options.heatmap ? heatmap(hits, job.width, job.height) : shade(job.rays, hits, job.width, job.height);
   return writePng(options.output, picture);
@@ -143,7 +146,7 @@ Expected<void> run(const Options &options) {
   figures["driver"] = device->info().driver;
   figures["device_kind"] = device->info().kind;
   addRounds(figures, *report);
-  if (auto written = writeResult(options, *job, hits); !written)
+  if (auto written = writeResult(options, *job, *volume, hits); !written)
     return written;
   return writeStatistics(options.common.stats, std::move(figures));
 }

@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  Expected<void> build(const Format &format, const Progress &progress, Json &figures) {
+  Expected<void> build(Format &format, const Progress &progress, Json &figures) {
     if (const auto fragment = fragment_.choice())
       return building_.buildFragment(format, fragment->index, fragment->count, output_, common_, progress,
                                      figures);

@@ -3,6 +3,7 @@
 
 #include "common/Statistics.h"
 #include "frontend/FormatArgument.h"
+#include "voxc/Layout/Layout.h"
 
 #include <filesystem>
 
@@ -15,6 +16,10 @@ void Building::declare(CLI::App &app) {
   app.add_option("INPUT", input_, kInputHelp)->required()->type_name("");
   addInputArguments(app, inputArguments_);
   addMemoryArguments(app, buildArguments_);
+  payload_.declare(app);
+  app.add_flag(
+      "--lossy", lossy_,
+      "With --palette, takes the 2^N colours that stand best for those of the input, and tells the error");
   passes_.declare(app, PassChoice::All);
 }
 
@@ -29,13 +34,41 @@ void Building::defaultInput(CLI::App &app, const std::string &input) {
   app.get_option("INPUT")->required(false)->capture_default_str();
 }
 
-Expected<Format> Building::readFormat() const {
+Expected<Format> Building::readFormat() {
   Expected<Format> format = tool::readFormat(format_);
   if (!format)
     return format;
+  written_ = *format;
   if (Expected<void> passed = passes_.apply(*format); !passed)
     return passed.error();
   return format;
+}
+
+/// What FORMAT and the passes say, had it been written with this payload.
+Expected<Format> Building::formOf(const PayloadChoice &choice) const {
+  Format format = *written_;
+  format.setAttribute(kPayloadAttribute, choice.payload);
+  format.setAttribute(kValuesAttribute, choice.apart ? "apart" : "in-place");
+  Diagnostics diagnostics;
+  verify(format, diagnostics);
+  if (diagnostics.hasErrors())
+    return Error::input(diagnostics.all().front().message);
+  if (Expected<void> passed = passes_.apply(format); !passed)
+    return passed.error();
+  return format;
+}
+
+Expected<void> Building::choosePayload(Format &format, VoxelSource &source,
+                                       const std::shared_ptr<WorkingMemory> &memory,
+                                       const CommonOptions &common, const Progress &progress,
+                                       Json &figures) const {
+  if (!payload_.isAuto())
+    return {};
+  const auto form = [this](const PayloadChoice &choice) { return formOf(choice); };
+  Expected<void> chosen = payload_.apply(format, form, source, memory, progress, figures);
+  if (chosen && !common.quiet)
+    printNote("payload " + std::string(figures["payload"]) + ": " + std::string(figures["payload_why"]));
+  return chosen;
 }
 
 void tellWarnings(const Input &input, const CommonOptions &common) {
@@ -71,6 +104,10 @@ Json levelFigures(const std::vector<LevelReport> &levels) {
   return rows;
 }
 
+bool isOfLabels(const Format &format) {
+  return format.attributes.value(kPayloadAttribute).starts_with(toString(Payload::Material));
+}
+
 } // namespace
 
 void addBuildFigures(Json &figures, const BuildReport &report) {
@@ -97,11 +134,19 @@ void addFileFigure(Json &figures, const std::string &path) {
   figures["file_bytes"] = ignored ? 0 : bytes;
 }
 
-Expected<Building::Prepared> Building::prepare(const Format &format, const CommonOptions &common,
+void Building::tellLoss(const Prepared &prepared, const BuildReport &report, const CommonOptions &common,
+                        Json &figures) {
+  const std::optional<ColourError> error =
+      prepared.reduced ? std::optional(prepared.reduced->error()) : report.colourError;
+  if (!error)
+    return;
+  figures["colour_error"] = errorFigures(*error);
+  if (!common.quiet)
+    printNote("lossy: " + errorText(*error));
+}
+
+Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptions &common,
                                                const Progress &progress, Json &figures) const {
-  Expected<Constructor> constructor = Constructor::compile(format);
-  if (!constructor)
-    return constructor.error();
   const unsigned threads = threadsOf(buildArguments_);
   BuildOptions options{"", threads, makeWorkingMemory(buildArguments_), "", progress};
 
@@ -109,20 +154,38 @@ Expected<Building::Prepared> Building::prepare(const Format &format, const Commo
   inputOptions.progress = progress;
   inputOptions.memory = options.memory;
   inputOptions.threads = threads;
+  if (isOfLabels(format) && inputArguments_.colourMap.empty())
+    inputOptions.colourMap = "labels";
   Expected<Input> input = openInput(input_, inputOptions);
   if (!input)
     return input.error();
   tellWarnings(*input, common);
+  if (Expected<void> chosen =
+          choosePayload(format, *input->source, options.memory, common, progress, figures);
+      !chosen)
+    return chosen.error();
+  Expected<Constructor> constructor = Constructor::compile(format);
+  if (!constructor)
+    return constructor.error();
   options.provenance = input->provenance;
+  std::unique_ptr<RoundedSource> reduced;
+  if (lossy_) {
+    auto made = reduceToPalette(*input->source, format, progress);
+    if (!made)
+      return made.error();
+    reduced = std::move(*made);
+  }
+  if (reduced)
+    options.provenance += std::string(" colours=") + kReducedColours;
   figures["passes"] = passes_.names();
   figures["threads"] = threads;
   figures["memory_bound_bytes"] = options.memory->bound();
   figures["compile_seconds"] = constructor->compileSeconds();
   addInputFigures(figures, *input);
-  return Prepared{std::move(*constructor), std::move(*input), std::move(options)};
+  return Prepared{std::move(*constructor), std::move(*input), std::move(options), std::move(reduced)};
 }
 
-Expected<Volume> Building::build(const Format &format, const std::string &path, const CommonOptions &common,
+Expected<Volume> Building::build(Format &format, const std::string &path, const CommonOptions &common,
                                  const Progress &progress, Json &figures) const {
   Expected<Prepared> prepared = prepare(format, common, progress, figures);
   if (!prepared)
@@ -132,19 +195,20 @@ Expected<Volume> Building::build(const Format &format, const std::string &path, 
   prepared->options.compress = buildArguments_.compress;
   prepared->options.maxWords = maxWordsOf(buildArguments_);
   prepared->options.wordsReached = &words;
-  Expected<Built> built = prepared->constructor.build(*prepared->input.source, prepared->options);
+  Expected<Built> built = prepared->constructor.build(prepared->source(), prepared->options);
   if (!built) {
     figures["words"] = words;
     return built.error();
   }
   addVolumeFigures(figures, built->volume);
   addBuildFigures(figures, built->report);
+  tellLoss(*prepared, built->report, common, figures);
   if (!path.empty())
     addFileFigure(figures, path);
   return std::move(built->volume);
 }
 
-Expected<void> Building::buildFragment(const Format &format, std::uint64_t index, std::uint64_t count,
+Expected<void> Building::buildFragment(Format &format, std::uint64_t index, std::uint64_t count,
                                        const std::string &path, const CommonOptions &common,
                                        const Progress &progress, Json &figures) const {
   if (buildArguments_.compress)
@@ -154,7 +218,7 @@ Expected<void> Building::buildFragment(const Format &format, std::uint64_t index
   if (!prepared)
     return prepared.error();
   Expected<BuildReport> report =
-      prepared->constructor.buildFragment(*prepared->input.source, index, count, path, prepared->options);
+      prepared->constructor.buildFragment(prepared->source(), index, count, path, prepared->options);
   if (!report)
     return report.error();
   figures["fragment"] = index;
@@ -164,6 +228,7 @@ Expected<void> Building::buildFragment(const Format &format, std::uint64_t index
   figures["build_cpu_seconds"] = report->cpuSeconds;
   figures["voxelize_seconds"] = report->readSeconds;
   figures["scratch_bytes"] = report->scratchBytes;
+  tellLoss(*prepared, *report, common, figures);
   addFileFigure(figures, path);
   return {};
 }

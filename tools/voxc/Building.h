@@ -2,7 +2,9 @@
 #pragma once
 
 #include "BuildArguments.h"
+#include "ColourLoss.h"
 #include "InputArguments.h"
+#include "PayloadOption.h"
 
 #include "common/Command.h"
 #include "common/Json.h"
@@ -11,6 +13,7 @@
 #include "voxc/Support/Progress.h"
 #include "voxc/Volume/Volume.h"
 
+#include <optional>
 #include <string>
 
 namespace voxc::tool {
@@ -30,13 +33,14 @@ public:
   void defaultInput(CLI::App &app, const std::string &input);
 
   /// The format as FORMAT and the passes say.
-  Expected<Format> readFormat() const;
+  Expected<Format> readFormat();
   /// Compiles the format's constructor, opens the input and builds the volume; it is written to `path` unless
-  /// that is "". Its figures are added; `words` also if building fails.
-  Expected<Volume> build(const Format &format, const std::string &path, const CommonOptions &common,
+  /// that is "". The format gets its payload by the input, if that is asked for. Its figures are added;
+  /// `words` also if building fails.
+  Expected<Volume> build(Format &format, const std::string &path, const CommonOptions &common,
                          const Progress &progress, Json &figures) const;
   /// The same for one of several fragments of the volume.
-  Expected<void> buildFragment(const Format &format, std::uint64_t index, std::uint64_t count,
+  Expected<void> buildFragment(Format &format, std::uint64_t index, std::uint64_t count,
                                const std::string &path, const CommonOptions &common, const Progress &progress,
                                Json &figures) const;
 
@@ -46,13 +50,25 @@ private:
     Constructor constructor;
     Input input;
     BuildOptions options;
+    std::unique_ptr<RoundedSource> reduced; ///< The input in fewer colours, if that is asked for.
+
+    VoxelSource &source() { return reduced ? *reduced : *input.source; }
   };
-  Expected<Prepared> prepare(const Format &format, const CommonOptions &common, const Progress &progress,
+  Expected<Format> formOf(const PayloadChoice &choice) const;
+  Expected<void> choosePayload(Format &format, VoxelSource &source,
+                               const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
+                               const Progress &progress, Json &figures) const;
+  static void tellLoss(const Prepared &prepared, const BuildReport &report, const CommonOptions &common,
+                       Json &figures);
+  Expected<Prepared> prepare(Format &format, const CommonOptions &common, const Progress &progress,
                              Json &figures) const;
 
   std::string format_;
+  std::optional<Format> written_; ///< What FORMAT says, without passes.
   std::string input_;
   PassOptions passes_;
+  PayloadOption payload_;
+  bool lossy_ = false;
   InputArguments inputArguments_;
   BuildArguments buildArguments_;
 };

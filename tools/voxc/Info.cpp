@@ -4,6 +4,7 @@
 #include "VolumeArgument.h"
 
 #include "common/Statistics.h"
+#include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <cinttypes>
@@ -38,6 +39,11 @@ void print(const Volume &volume) {
                                            (std::uint64_t{volume.words()[1]} << volume.layout().log2Granule));
     std::printf("of these    %.3f a voxel for the shape, %.3f for values apart\n",
                 (bytes - valueBytes) / double(info.voxels), valueBytes / double(info.voxels));
+    const std::uint64_t few = paletteColours(WordReader(volume.words()), volume.words()[1]);
+    if (volume.layout().payload == Payload::Palette)
+      std::printf("colours     %" PRIu64 " in the palette\n", few);
+    if (volume.layout().payload == Payload::Material)
+      std::printf("labels      %" PRIu64 "\n", few);
   }
   for (const Stream &stream : volume.streams())
     std::printf("stream      %s: %zu bytes, %" PRIu64 " elements of %" PRIu32 "\n", stream.name.c_str(),

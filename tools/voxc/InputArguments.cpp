@@ -53,7 +53,8 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
                  "Samples of a dense volume from here up are voxels; default: all but 0")
       ->type_name("T");
   app.add_option("--colour-map", arguments.colourMap,
-                 "Colours of a dense volume: grey (default), heat, dusk or polar")
+                 "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the "
+                 "numbers of .vox colours, as they are")
       ->type_name("NAME");
   app.add_option("--window", arguments.window,
                  "Samples that have the first and last colour; default: the least and the greatest")

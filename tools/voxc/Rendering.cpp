@@ -58,6 +58,8 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const P
   // No picture needs faces, and a heatmap has counts in their place.
   if (Expected<void> checked = check_.run(volume, rays, hits, {}, progress, figures); !checked)
     return checked;
+  if (volume.layout().payload == Payload::Material && !heatmap_)
+    showLabels(hits);
   figures["width"] = camera->width;
   figures["height"] = camera->height;
   return writePng(output_, heatmap_ ? heatmap(hits, camera->width, camera->height)

@@ -1,4 +1,5 @@
 // voxc verify: a volume's structure, its losslessness, and its kernel against the exact oracle.
+#include "ColourLoss.h"
 #include "Comparison.h"
 #include "ErrorCheck.h"
 #include "Figures.h"
@@ -10,6 +11,7 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "testing/HardRays.h"
+#include "voxc/Layout/Values.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Source/Sources.h"
 
@@ -45,6 +47,16 @@ void printErrors(const ErrorFigures &error) {
               " %12.3g %12.3g %8.3g\n",
               error.rays, error.missed, error.ghost, error.wrong, error.colour, error.boundary, error.maxDt,
               error.rmsDt, error.maxUlpDt);
+}
+
+/// The input in the colours that the volume was to keep of it, if these are not all.
+Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,
+                                                const Progress &progress) {
+  if (const Rounding rounding = roundingOf(volume.layout().payload))
+    return std::make_unique<RoundedSource>(source, rounding);
+  if (volume.info().provenance.find(std::string("colours=") + kReducedColours) != std::string::npos)
+    return reduceToPalette(source, volume.format(), progress);
+  return std::unique_ptr<RoundedSource>();
 }
 
 class VerifyCommand final : public Subcommand {
@@ -99,7 +111,10 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   if (!input)
     return input.error();
   const std::unique_ptr<VoxelSource> decoded = makeVolumeSource(volume);
-  Expected<VoxelDifferences> found = compareVoxels(*decoded, *input->source, progress);
+  Expected<std::unique_ptr<RoundedSource>> kept = asKept(*volume, *input->source, progress);
+  if (!kept)
+    return kept.error();
+  Expected<VoxelDifferences> found = compareVoxels(*decoded, *kept ? **kept : *input->source, progress);
   if (!found)
     return found.error();
 
@@ -111,6 +126,12 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
                                    {"missing", found->missing},
                                    {"surplus", found->surplus},
                                    {"changed", found->changed}};
+  if (*kept) {
+    const ColourError error = (*kept)->error();
+    figures_["colour_error"] = errorFigures(error);
+    if (tellsOnStdout(common_))
+      std::printf("lossy        %s\n", errorText(error).c_str());
+  }
   if (!found->none())
     fail("the volume differs from '" + against_ + "', first at voxel (" + std::to_string(found->first->x) +
          ", " + std::to_string(found->first->y) + ", " + std::to_string(found->first->z) + ")");

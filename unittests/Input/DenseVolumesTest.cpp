@@ -92,6 +92,20 @@ TEST_F(DenseVolumes, AllButZeroAreVoxelsUnlessThereIsAThreshold) {
   EXPECT_EQ(raw("4x1x1:int8", samples).size(), 3u);
 }
 
+TEST_F(DenseVolumes, LabelsAreTheSamples) {
+  options_.colourMap = "labels";
+  EXPECT_EQ(
+      raw("4x1x1:uint16le", bytesOf<std::uint16_t>({1, 0, 300, 65535})),
+      (Voxels{{mortonCode({0, 0, 0}), 1}, {mortonCode({2, 0, 0}), 300}, {mortonCode({3, 0, 0}), 65535}}));
+  EXPECT_EQ(provenance_, "coverage=samples colour-map=labels up=y");
+  // What is no label is a voxel of none, which a build of labels refuses.
+  EXPECT_EQ(raw("4x1x1:float32le", bytesOf<float>({-1, 0.5F, 7, 65536})),
+            (Voxels{{mortonCode({0, 0, 0}), kWhite},
+                    {mortonCode({1, 0, 0}), kWhite},
+                    {mortonCode({2, 0, 0}), 7},
+                    {mortonCode({3, 0, 0}), kWhite}}));
+}
+
 TEST_F(DenseVolumes, WindowAndColourMapMakeColours) {
   options_.window = {{1, 3}};
   EXPECT_EQ(raw("4x1x1:uint8", bytesOf<std::uint8_t>({1, 2, 3, 200})),
@@ -103,7 +117,8 @@ TEST_F(DenseVolumes, WindowAndColourMapMakeColours) {
   EXPECT_THAT(open("a.nrrd", "").error().message, HasSubstr("NRRD"));
   const auto input = openInput("raw:1x1x1:uint8:" + folder_.file("b", "1"), options_);
   ASSERT_FALSE(input);
-  EXPECT_EQ(input.error().message, "there is no colour map 'rainbow'; there are grey, heat, dusk, polar");
+  EXPECT_EQ(input.error().message,
+            "there is no colour map 'rainbow'; there are grey, heat, dusk, polar and, for labels, labels");
   options_.colourMap = "grey";
   options_.window = {{3, 1}};
   EXPECT_THAT(openInput("raw:1x1x1:uint8:" + folder_.file("b", "1"), options_).error().message,

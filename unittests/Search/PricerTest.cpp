@@ -21,7 +21,7 @@ int side(const Format &format) { return longest(format.log2Extent()); }
 
 /// What equal cubes are, for the trees of a layout.
 SceneDag::Detail detailOf(const Layout &layout) {
-  return layout.payload == Payload::Rgba8 && layout.values == Values::InPlace ? SceneDag::Detail::Colours
+  return kindOf(layout.payload).varies && layout.values == Values::InPlace ? SceneDag::Detail::Colours
                                                                               : SceneDag::Detail::Shape;
 }
 
@@ -94,11 +94,11 @@ std::unique_ptr<VoxelSource> randomScene(std::mt19937 &random, int log2Side) {
 }
 
 /// A graph, and the words of the values of voxels where they stand apart.
-std::pair<SceneDag, std::uint64_t> look(VoxelSource &source, int log2Side, SceneDag::Detail detail) {
-  auto values = SceneValues::create(WorkingMemory::createDefault());
+std::pair<SceneDag, std::uint64_t> look(VoxelSource &source, int log2Side, const Layout &layout) {
+  auto values = SceneValues::create(WorkingMemory::createDefault(), layout.voxelFacts());
   EXPECT_TRUE(values) << values.error().message;
   auto dag = SceneDag::build(
-      source, {.detail = detail, .log2Side = log2Side, .look = [&](std::span<const std::uint32_t> cells) {
+      source, {.detail = detailOf(layout), .log2Side = log2Side, .look = [&](std::span<const std::uint32_t> cells) {
                  values->add(cells);
                }});
   EXPECT_TRUE(dag) << dag.error().message;
@@ -120,7 +120,7 @@ TEST(Pricer, RandomFormats) {
       const auto fits = extent.x >= 1 << log2Side && extent.y >= 1 << log2Side && extent.z >= 1 << log2Side;
       if (!fits)
         continue;
-      const auto [dag, valueWords] = look(*source->view(), side(format), detailOf(layout));
+      const auto [dag, valueWords] = look(*source->view(), side(format), layout);
       const auto price = Pricer(dag).price(layout, valueWords);
       ASSERT_TRUE(price) << price.error().message;
       const auto built = constructor->build(*source->view());

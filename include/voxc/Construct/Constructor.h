@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/Source/Rounding.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/WorkingMemory.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +55,8 @@ struct BuildReport {
   std::uint64_t voxels = 0;
   std::uint64_t scratchBytes = 0; ///< Largest size of the scratch file.
   std::vector<LevelReport> levels;
-  std::uint64_t valueWords = 0; ///< Of values that stand apart.
+  std::uint64_t valueWords = 0;           ///< Of values that stand apart.
+  std::optional<ColourError> colourError; ///< Of payloads that round colours, but not of `merge`.
 };
 
 struct Built {
@@ -89,6 +92,7 @@ public:
 
 private:
   struct State;
+  Expected<Built> buildVoxels(VoxelSource &source, const BuildOptions &options) const;
   explicit Constructor(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -27,6 +27,18 @@ struct AttributeKind {
   const AttributeList *list = nullptr; ///< Its values are then yes and no.
 };
 
+/// Values that differ by a number alone, and follow each other; or one value.
+struct ValueRange {
+  std::string_view first;
+  std::string_view last;
+
+  /// "first", or "first to last", each between `mark`s.
+  std::string text(std::string_view mark = "") const;
+};
+
+/// The values of a kind in their order, those that follow each other in one.
+std::vector<ValueRange> valueRanges(const AttributeKind &kind);
+
 /// The kinds that a level or a format takes, in the order in which they are printed.
 using AttributeKinds = std::span<const AttributeKind *const>;
 
@@ -37,7 +49,7 @@ extern const AttributeKind kWalkAttribute;      ///< walk: stack | restart | unr
 extern const AttributeKind kLeavesAttribute;    ///< leaves: apart | in-slot
 extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
-extern const AttributeKind kPointersAttribute;  ///< pointers: word | 16 | 17 | ... | 24
+extern const AttributeKind kPointersAttribute;  ///< pointers: word | 8 | 9 | ... | 24
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
@@ -48,9 +60,10 @@ extern const AttributeKind kVoxelAttribute;     ///< voxel: yes | no
 extern const AttributeKind kTAttribute;         ///< t: yes | no
 extern const AttributeKind kFaceAttribute;      ///< face: no | yes
 extern const AttributeKind kColourAttribute;    ///< colour: yes | no
-extern const AttributeKind kPayloadAttribute;   ///< payload: rgba8 | occupancy | constant
-extern const AttributeKind kAlphaAttribute;     ///< alpha: any | positive
-extern const AttributeKind kValuesAttribute;    ///< values: in-place | apart
+extern const AttributeKind
+    kPayloadAttribute; ///< payload: rgba8 | occupancy | constant | palette(n) | rgb565 | material(n)
+extern const AttributeKind kAlphaAttribute;  ///< alpha: any | positive
+extern const AttributeKind kValuesAttribute; ///< values: in-place | apart
 extern const AttributeKind kGranuleAttribute;   ///< granule: word | 2 | 4 | ... | 256
 
 /// The attributes that a format takes.

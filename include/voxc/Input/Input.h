@@ -34,7 +34,9 @@ struct InputOptions {
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
   bool zUp = false;                ///< The up of a mesh or a dense volume is +z: it is turned to +y.
   std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
-  std::string colourMap = "grey";  ///< How a dense volume's samples look: grey, heat, dusk or polar.
+  /// How a dense volume's samples look: grey, heat, dusk or polar; or "labels": words are the samples, or the
+  /// numbers of a MagicaVoxel model's colours, whole numbers below 2^16 that tell what is there.
+  std::string colourMap = "grey";
   std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
                                                ///< the least and the greatest.
   Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.

@@ -20,7 +20,22 @@ enum class Payload {
   Occupancy, ///< It is there, or not: all have the value `kOccupied`.
   Constant,  ///< It is there, or not: all have the colour in word 1 of the volume, and `kOccupied` in its
              ///< place.
+  Palette,   ///< One of at most 2^n colours, which stand in a table once (voxc/Layout/PaletteBlocks.h).
+  Rgb565,    ///< An opaque colour of 5, 6 and 5 bits (voxc/Layout/Rgb565.h).
+  Material,  ///< No colour but a label from 1 to 2^n - 1, which hits answer in place of one.
 };
+
+/// What a payload asks of a layout.
+struct PayloadKind {
+  bool varies;          ///< Voxels have values of their own, which may stand apart,
+  bool inPlace;         ///< or in the cells of the lowest stratum, as words.
+  int mostBits;         ///< The greatest n of those that have one; 0: none has.
+  std::string_view hit; ///< The file of shaders-runtime/payload that makes a hit's colour of a voxel's value,
+  std::string_view
+      blocks; ///< and that of shaders-runtime/values that decodes values apart; "": they never are.
+};
+
+const PayloadKind &kindOf(Payload payload);
 
 /// The value of a voxel of which no more is kept than that it is there; of `Payload::Occupancy` an opaque
 /// white.
@@ -35,13 +50,14 @@ enum class Alpha {
 /// Where the values of voxels stand.
 enum class Values {
   InPlace, ///< In the cells of the lowest stratum.
-  Apart, ///< In blocks behind all nodes, by rank (voxc/Layout/ValueBlocks.h); cells tell no more than that a
-         ///< voxel is there.
+  Apart,   ///< In blocks behind all nodes, by rank (voxc/Layout/Values.h); cells tell no more than that a
+           ///< voxel is there.
 };
 
 /// What is known of all voxels.
 struct VoxelFacts {
   Payload payload = Payload::Rgba8;
+  int payloadBits = 0; ///< The n of `Payload::Palette` and `Payload::Material`.
   Alpha alpha = Alpha::Any;
 };
 
@@ -54,6 +70,7 @@ struct Layout {
   std::string format;              ///< As a string of the grammar, for people.
   std::uint64_t storageDigest = 0; ///< Of the level IR that it comes from: what kernels and volumes agree on.
   Payload payload = Payload::Rgba8;
+  int payloadBits = 0; ///< The n of a payload that has one; 0 of others.
   Alpha alpha = Alpha::Any;
   Values values = Values::InPlace;
   /// log2 of the words of a granule, `kMaxLog2Granule` at most: references count granules, and what they lead
@@ -63,7 +80,11 @@ struct Layout {
 
   bool operator==(const Layout &) const = default;
 
-  VoxelFacts voxelFacts() const { return {payload, alpha}; }
+  VoxelFacts voxelFacts() const { return {payload, payloadBits, alpha}; }
+  /// The payload as IR and plans write it: "rgba8", "palette(4)".
+  std::string payloadText() const;
+  /// Takes such a text. False, and no change, if it is none.
+  bool setPayload(std::string_view text);
   /// Words before the first node: where the root is; with values apart, where their blocks begin, or the one
   /// colour of all voxels; where the array of indexed sub-volumes begins, if there is one; zeros up to a
   /// whole granule.
@@ -98,7 +119,8 @@ std::string granuleProblem(const Stratum &stratum, int log2Granule);
 void verify(const Layout &layout, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
 
 template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<Payload> = {"rgba8", "occupancy", "constant"};
+inline constexpr std::array<std::string_view, 6> kEnumNames<Payload> = {"rgba8",   "occupancy", "constant",
+                                                                        "palette", "rgb565",    "material"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Values> = {"in-place", "apart"};
 

@@ -1,6 +1,7 @@
 // What the values of a scene's voxels ask of a format, and how many words they take apart from their shape.
 #pragma once
 
+#include "voxc/Layout/Layout.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/WorkingMemory.h"
 
@@ -13,8 +14,8 @@ namespace voxc {
 
 class SceneValues {
 public:
-  /// Memory is that of a build that keeps the values.
-  static Expected<SceneValues> create(const std::shared_ptr<WorkingMemory> &memory);
+  /// Memory is that of a build that keeps the values as `facts` say.
+  static Expected<SceneValues> create(const std::shared_ptr<WorkingMemory> &memory, VoxelFacts facts = {});
   ~SceneValues();
   SceneValues(SceneValues &&) noexcept;
   SceneValues &operator=(SceneValues &&) noexcept;

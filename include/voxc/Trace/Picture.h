@@ -16,6 +16,10 @@ struct Picture {
   std::vector<std::uint32_t> pixels;
 };
 
+/// Gives hits of labels (payload=material) a colour for each label in place of it: neighbouring ones differ
+/// much.
+void showLabels(std::span<Hit> hits);
+
 /// The voxels' colours, shaded by the face that each ray entered so that shapes read; the sky elsewhere.
 Picture shade(std::span<const Ray> rays, std::span<const Hit> hits, int width, int height);
 

@@ -22,8 +22,9 @@ constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
 constexpr std::array<std::string_view, 2> kLeavesValues = {"apart", "in-slot"};
 constexpr std::array<std::string_view, 2> kDistancesValues = {"beside", "in-slot"};
 constexpr std::array<std::string_view, 2> kMetricValues = {"l1", "octant"};
-constexpr std::array<std::string_view, 10> kPointersValues = {"word", "16", "17", "18", "19",
-                                                              "20",   "21", "22", "23", "24"};
+constexpr std::array<std::string_view, 18> kPointersValues = {"word", "8",  "9",  "10", "11", "12",
+                                                              "13",   "14", "15", "16", "17", "18",
+                                                              "19",   "20", "21", "22", "23", "24"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "Kinds.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace voxc {
 
@@ -30,11 +31,11 @@ Layout layoutOf(const Format &format) {
   Layout layout;
   layout.format = toString(format);
   layout.storageDigest = storageDigest(format);
-  layout.payload = *fromString<Payload>(format.attributes.value(kPayloadAttribute));
+  layout.setPayload(format.attributes.value(kPayloadAttribute));
   layout.alpha = *fromString<Alpha>(format.attributes.value(kAlphaAttribute));
   layout.values = *fromString<Values>(format.attributes.value(kValuesAttribute));
   layout.log2Granule = format.log2Granule();
-  const bool voxelsAreEqual = layout.payload != Payload::Rgba8 || layout.values == Values::Apart;
+  const bool voxelsAreEqual = !kindOf(layout.payload).varies || layout.values == Values::Apart;
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     Stratum stratum = level.kind->lower(level);
@@ -47,7 +48,7 @@ Layout layoutOf(const Format &format) {
     stratum.ranked = layout.values == Values::Apart;
     layout.strata.push_back(std::move(stratum));
     if (const std::string_view bits = level.attribute(kPointersAttribute); bits != "word" && i > 0) {
-      layout.strata[i - 1].indexBits = (bits[0] - '0') * 10 + (bits[1] - '0');
+      std::from_chars(bits.data(), bits.data() + bits.size(), layout.strata[i - 1].indexBits);
       layout.strata[i - 1].arrayHead = static_cast<int>(layout.headWords()) - 1;
     }
   }

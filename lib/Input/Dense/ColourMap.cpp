@@ -50,7 +50,8 @@ Expected<std::array<std::uint32_t, 256>> colourMap(std::string_view name) {
       colours[i] = colourAt(map, static_cast<int>(i));
     return colours;
   }
-  return Error::usage("there is no colour map '" + std::string(name) + "'; there are " + names);
+  return Error::usage("there is no colour map '" + std::string(name) + "'; there are " + names +
+                      " and, for labels, " + std::string(kLabels));
 }
 
 } // namespace voxc

@@ -10,6 +10,9 @@
 
 namespace voxc {
 
+/// In place of a map: words are the samples, whole numbers that label what is there.
+inline constexpr std::string_view kLabels = "labels";
+
 /// The 256 opaque colours of the map `name`. Error: there is none, naming those there are.
 Expected<std::array<std::uint32_t, 256>> colourMap(std::string_view name);
 

@@ -43,7 +43,10 @@ Expected<SampleRange> rangeOf(const DenseVolume &volume, const SampleMap &map, c
 }
 
 Expected<SampleMap> mapOf(const DenseVolume &volume, const InputOptions &options) {
-  SampleMap map{volume.slope, volume.intercept, options.threshold, {}, {}};
+  SampleMap map{.slope = volume.slope, .intercept = volume.intercept, .threshold = options.threshold};
+  map.labels = options.colourMap == kLabels;
+  if (map.labels)
+    return map;
   auto colours = colourMap(options.colourMap);
   if (!colours)
     return colours.error();
@@ -68,6 +71,8 @@ std::string provenanceOf(const SampleMap &map, const InputOptions &options) {
   if (map.threshold)
     text += " threshold=" + toText(*map.threshold);
   text += " colour-map=" + options.colourMap;
+  if (map.labels)
+    return text + upProvenance(options);
   text += " window=" + toText(map.window.low) + "," + toText(map.window.high);
   return text + upProvenance(options);
 }

@@ -99,6 +99,10 @@ std::uint32_t SampleMap::word(double stored) const {
   const bool isVoxel = threshold ? value >= *threshold : value < 0 || value > 0;
   if (!isVoxel)
     return 0;
+  if (labels) {
+    const bool isLabel = value >= 1 && value < 1 << 16 && value == std::floor(value);
+    return isLabel ? static_cast<std::uint32_t>(value) : kNoLabel;
+  }
   if (!(value < window.high))
     return colours.back();
   // In this order a quotient that is NaN becomes 0.

@@ -54,6 +54,10 @@ struct SampleMap {
   std::optional<double> threshold;
   SampleRange window;                       ///< The values of the first and the last colour.
   std::array<std::uint32_t, 256> colours{}; ///< None of them 0.
+  bool labels = false; ///< A voxel's word is its value in place of a colour; `kNoLabel` if it is no label.
+
+  /// The word of a value that is no whole number from 1 to 2^16 - 1.
+  static constexpr std::uint32_t kNoLabel = 0xffffffff;
 
   std::uint32_t word(double stored) const;
 };

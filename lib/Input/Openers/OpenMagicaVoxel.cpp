@@ -1,6 +1,7 @@
 // Opening MagicaVoxel files: models placed by a scene graph, in axes whose up is +z.
 #include "Input/Openers/Openers.h"
 
+#include "Input/Dense/ColourMap.h"
 #include "Input/MagicaVoxel/VoxScene.h"
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
@@ -116,12 +117,14 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
   auto voxels = BinnedVoxels::create(extent, options.memory);
   if (!voxels)
     return voxels.error();
+  const bool isLabels = options.colourMap == kLabels;
+  const auto wordOf = [&](unsigned colour) { return isLabels ? colour : file->colours[colour]; };
   Dropped dropped;
   auto counted = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour) {
-    const std::uint32_t word = file->colours[colour];
+    const std::uint32_t word = wordOf(colour);
     dropped.noColour += colour == 0;
     dropped.wordZero += colour != 0 && word == 0;
-    dropped.clear += word != 0 && word >> 24 == 0;
+    dropped.clear += !isLabels && word != 0 && word >> 24 == 0;
     if (word != 0)
       voxels->count(voxel);
   });
@@ -130,7 +133,7 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
   if (auto allocated = voxels->allocate(); !allocated)
     return allocated.error();
   auto all = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour) {
-    if (const std::uint32_t word = file->colours[colour]; word != 0)
+    if (const std::uint32_t word = wordOf(colour); word != 0)
       voxels->place(voxel, word);
   });
   if (!all)
@@ -140,6 +143,8 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
   dropped.warn(input.warnings);
   input.source = std::move(*voxels).finish(placed.voxelToModel());
   input.provenance = "coverage=models";
+  if (isLabels)
+    input.provenance += " colour-map=" + options.colourMap;
   return input;
 }
 

@@ -1,0 +1,54 @@
+// Counting colours, and telling which is one too much.
+#include "ColourFact.h"
+
+#include <array>
+#include <cstdio>
+
+namespace voxc {
+namespace {
+
+std::size_t mostColours(VoxelFacts facts) {
+  if (facts.payload == Payload::Constant)
+    return 1;
+  return kindOf(facts.payload).mostBits > 0 ? std::size_t{1} << facts.payloadBits : 0;
+}
+
+/// "#rrggbbaa".
+std::string colourText(std::uint32_t word) {
+  std::array<char, 12> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x%02x", word & 255, word >> 8 & 255, word >> 16 & 255,
+                word >> 24);
+  return text.data();
+}
+
+bool isLabel(std::uint32_t word) { return word >> kindOf(Payload::Material).mostBits == 0; }
+
+std::string ofLabel(std::uint32_t word) {
+  return isLabel(word) ? " of label " + std::to_string(word)
+                       : " of a colour, or of a sample that is no whole number below 2^16";
+}
+
+} // namespace
+
+ColourFact::ColourFact(VoxelFacts facts)
+    : facts_(facts), most_(mostColours(facts)), colours_(mostColours(facts)) {}
+
+Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour) const {
+  if (facts_.payload == Payload::Material)
+    return Error::input(
+        whatIs + ofLabel(colour) + ", but the format states payload=material(" +
+        std::to_string(facts_.payloadBits) + "), labels from 1 to " + std::to_string(most_ - 1) +
+        (isLabel(colour) ? "; build it with more bits"
+                         : "; --colour-map labels takes labels from a dense volume or MagicaVoxel "
+                           "models, other inputs have none"));
+  const std::string is = whatIs + " " + colourText(colour) + ", others ";
+  if (facts_.payload == Payload::Constant)
+    return Error::input(is + "are " + colourText(one()) +
+                        ", but the format states payload=constant; build it without constant-colour");
+  return Error::input(is + "have " + std::to_string(colours_.colours().size()) +
+                      " colours, but the format states payload=palette(" +
+                      std::to_string(facts_.payloadBits) +
+                      "); build it without palette, or with a larger number");
+}
+
+} // namespace voxc
