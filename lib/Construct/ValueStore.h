@@ -23,6 +23,9 @@ public:
   /// colour for which a palette has no room: who knows the voxels has looked before.
   void put(std::span<const std::uint32_t> values);
 
+  /// Different colours so far, where they are in a palette; else 0.
+  std::size_t colours() const { return palette_ ? palette_->colours().size() : 0; }
+
   /// Appends the section of all blocks (voxc/Layout/Values.h) to words, of which there are then at most
   /// `maxWords`. Nothing can be put afterwards.
   void finish(WordStore &words, std::uint64_t maxWords);

@@ -51,10 +51,14 @@ std::vector<std::string> textsFor(int log2Side) {
 }
 
 /// The same format, if the pass does not apply.
-void apply(Candidate &candidate, const std::string &pass) {
+void applyPass(Candidate &candidate, const std::string &pass) {
   Format changed = candidate.format;
   Diagnostics diagnostics;
-  const PassResult result = findPass(pass)->run(changed, diagnostics);
+  const Pass &found = *findPass(pass);
+  const std::size_t number = pass.find('=');
+  const PassResult result = number == std::string::npos
+                                ? found.run(changed, diagnostics)
+                                : found.number->run(changed, std::stoi(pass.substr(number + 1)), diagnostics);
   if (result == PassResult::Changed)
     verify(changed, diagnostics);
   if (result != PassResult::Changed || diagnostics.hasErrors())
@@ -72,12 +76,14 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
     return format.error();
   Candidate candidate{text, {}, std::move(*format)};
   if (traits.visible)
-    apply(candidate, "visible-voxels");
+    applyPass(candidate, "visible-voxels");
   for (const char *pass : {"whole-level-dedup", "share-grids", "octant-distances", "df-packing"})
-    apply(candidate, pass);
-  apply(candidate, traits.oneColour ? "constant-colour" : "values-apart");
+    applyPass(candidate, pass);
+  applyPass(candidate, traits.oneColour         ? "constant-colour"
+                   : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
+                                            : "values-apart");
   if (shortPointers)
-    apply(candidate, "short-pointers");
+    applyPass(candidate, "short-pointers");
   return candidate;
 }
 

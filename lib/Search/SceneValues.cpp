@@ -3,15 +3,48 @@
 
 #include "Construct/ValueStore.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace voxc {
 
-/// A build's, of a layout without levels.
-struct SceneValues::Stores {
-  Stores(WordStore words, VoxelFacts facts, const std::shared_ptr<WorkingMemory> &memory)
+namespace {
+
+/// Of the largest palette.
+constexpr int kMostPaletteBits = 16;
+
+/// A build's stores, of a layout without levels.
+struct Store {
+  Store(WordStore words, VoxelFacts facts, const std::shared_ptr<WorkingMemory> &memory)
       : nodes(std::move(words), Layout{}, memory), values(nodes, facts, memory) {}
+
+  static Expected<std::unique_ptr<Store>> create(VoxelFacts facts,
+                                                 const std::shared_ptr<WorkingMemory> &memory) {
+    auto words = WordStore::create(memory);
+    if (!words)
+      return words.error();
+    return std::make_unique<Store>(std::move(*words), facts, memory);
+  }
+
+  /// Words of the values.
+  Expected<std::uint64_t> finish() {
+    WordStore &words = nodes.words();
+    const std::uint64_t before = words.size();
+    values.finish(words, kMaxWords);
+    if (nodes.failure())
+      return *nodes.failure();
+    return words.size() - before;
+  }
 
   NodeStore nodes;
   ValueStore values;
+};
+
+} // namespace
+
+struct SceneValues::Stores {
+  std::unique_ptr<Store> plain;
+  std::unique_ptr<Store> palette; ///< It fails where there are too many colours, which is no failure here.
 };
 
 SceneValues::SceneValues(std::unique_ptr<Stores> stores) : stores_(std::move(stores)) {}
@@ -19,11 +52,14 @@ SceneValues::~SceneValues() = default;
 SceneValues::SceneValues(SceneValues &&) noexcept = default;
 SceneValues &SceneValues::operator=(SceneValues &&) noexcept = default;
 
-Expected<SceneValues> SceneValues::create(const std::shared_ptr<WorkingMemory> &memory, VoxelFacts facts) {
-  auto words = WordStore::create(memory);
-  if (!words)
-    return words.error();
-  return SceneValues(std::make_unique<Stores>(std::move(*words), facts, memory));
+Expected<SceneValues> SceneValues::create(const std::shared_ptr<WorkingMemory> &memory) {
+  auto plain = Store::create({}, memory);
+  if (!plain)
+    return plain.error();
+  auto palette = Store::create({.payload = Payload::Palette, .payloadBits = kMostPaletteBits}, memory);
+  if (!palette)
+    return palette.error();
+  return SceneValues(std::make_unique<Stores>(Stores{std::move(*plain), std::move(*palette)}));
 }
 
 void SceneValues::add(std::span<const std::uint32_t> cells) {
@@ -35,17 +71,20 @@ void SceneValues::add(std::span<const std::uint32_t> cells) {
     isOne_ &= cell == *first_;
     isVisible_ &= cell >> 24 != 0;
     ++voxels_;
-    stores_->values.put({&cell, 1});
+    stores_->plain->values.put({&cell, 1});
+    stores_->palette->values.put({&cell, 1});
   }
 }
 
-Expected<std::uint64_t> SceneValues::finish() {
-  WordStore &words = stores_->nodes.words();
-  const std::uint64_t before = words.size();
-  stores_->values.finish(words, kMaxWords);
-  if (stores_->nodes.failure())
-    return *stores_->nodes.failure();
-  return words.size() - before;
+Expected<SceneValues::Cheapest> SceneValues::finish() {
+  const auto plain = stores_->plain->finish();
+  if (!plain)
+    return plain.error();
+  const auto colours = static_cast<std::uint32_t>(stores_->palette->values.colours());
+  const auto palette = stores_->palette->finish();
+  if (!palette || *palette >= *plain || colours == 0)
+    return Cheapest{*plain, 0};
+  return Cheapest{*palette, std::max(static_cast<int>(std::bit_width(colours - 1)), 1)};
 }
 
 } // namespace voxc

@@ -90,11 +90,13 @@ private:
     if (!scene)
       return scene.error();
     const SceneDag &dag = scene->shape;
-    const CandidateTraits traits{.oneColour = scene->values.isOne(), .visible = scene->values.isVisible()};
     suggestion.voxels = scene->values.voxels();
-    Expected<std::uint64_t> valueWords = scene->values.finish();
-    if (!valueWords)
-      return valueWords.error();
+    const Expected<SceneValues::Cheapest> values = scene->values.finish();
+    if (!values)
+      return values.error();
+    const CandidateTraits traits{.oneColour = scene->values.isOne(),
+                                 .paletteBits = values->paletteBits,
+                                 .visible = scene->values.isVisible()};
     if (dag.isEmpty())
       return Error::input("'" + input_ + "' has no voxels, so that any format would do");
     Expected<std::vector<Candidate>> candidates = makeCandidates(dag.log2Side(), traits);
@@ -106,9 +108,9 @@ private:
     const Stopwatch watch;
     for (const RaySet &set : *rays)
       suggestion.rays.push_back(set.name);
-    suggestion.valueWords = traits.oneColour ? 0 : *valueWords;
+    suggestion.valueWords = traits.oneColour ? 0 : values->words;
     suggestion.rated =
-        rateFormats({dag, scene->colours ? &*scene->colours : nullptr, *valueWords}, std::move(*candidates),
+        rateFormats({dag, scene->colours ? &*scene->colours : nullptr, values->words}, std::move(*candidates),
                     *rays, defaultSpeedModel(device_), wish_, progress_);
     figures["rate_seconds"] = watch.seconds();
     if (progress_.stopped())

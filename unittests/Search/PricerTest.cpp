@@ -22,7 +22,7 @@ int side(const Format &format) { return longest(format.log2Extent()); }
 /// What equal cubes are, for the trees of a layout.
 SceneDag::Detail detailOf(const Layout &layout) {
   return kindOf(layout.payload).varies && layout.values == Values::InPlace ? SceneDag::Detail::Colours
-                                                                              : SceneDag::Detail::Shape;
+                                                                           : SceneDag::Detail::Shape;
 }
 
 SceneDag dagOf(VoxelSource &source, int log2Side, SceneDag::Detail detail) {
@@ -94,15 +94,17 @@ std::unique_ptr<VoxelSource> randomScene(std::mt19937 &random, int log2Side) {
 }
 
 /// A graph, and the words of the values of voxels where they stand apart.
-std::pair<SceneDag, std::uint64_t> look(VoxelSource &source, int log2Side, const Layout &layout) {
-  auto values = SceneValues::create(WorkingMemory::createDefault(), layout.voxelFacts());
+std::pair<SceneDag, SceneValues::Cheapest> look(VoxelSource &source, int log2Side, const Layout &layout) {
+  auto values = SceneValues::create(WorkingMemory::createDefault());
   EXPECT_TRUE(values) << values.error().message;
-  auto dag = SceneDag::build(
-      source, {.detail = detailOf(layout), .log2Side = log2Side, .look = [&](std::span<const std::uint32_t> cells) {
-                 values->add(cells);
-               }});
+  auto dag =
+      SceneDag::build(source, {.detail = detailOf(layout),
+                               .log2Side = log2Side,
+                               .look = [&](std::span<const std::uint32_t> cells) { values->add(cells); }});
   EXPECT_TRUE(dag) << dag.error().message;
-  return {std::move(*dag), *values->finish()};
+  const auto cheapest = values->finish();
+  EXPECT_TRUE(cheapest) << cheapest.error().message;
+  return {std::move(*dag), *cheapest};
 }
 
 TEST(Pricer, RandomFormats) {
@@ -120,8 +122,11 @@ TEST(Pricer, RandomFormats) {
       const auto fits = extent.x >= 1 << log2Side && extent.y >= 1 << log2Side && extent.z >= 1 << log2Side;
       if (!fits)
         continue;
-      const auto [dag, valueWords] = look(*source->view(), side(format), layout);
-      const auto price = Pricer(dag).price(layout, valueWords);
+      const auto [dag, values] = look(*source->view(), side(format), layout);
+      const bool isCheapest = (layout.payload == Payload::Palette) == (values.paletteBits > 0);
+      if (layout.values == Values::Apart && !isCheapest)
+        continue; // Those of another payload are not counted.
+      const auto price = Pricer(dag).price(layout, values.words);
       ASSERT_TRUE(price) << price.error().message;
       const auto built = constructor->build(*source->view());
       ASSERT_TRUE(built) << built.error().message;

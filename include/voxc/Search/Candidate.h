@@ -17,6 +17,7 @@ struct Candidate {
 /// What all candidates for a scene have in common.
 struct CandidateTraits {
   bool oneColour = false; ///< All voxels have one: it is kept once, else values stand apart.
+  int paletteBits = 0;    ///< Else, of a palette for values apart; 0: none.
   bool visible = false;   ///< No voxel has an alpha of 0.
 };
 

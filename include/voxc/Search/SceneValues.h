@@ -1,7 +1,6 @@
 // What the values of a scene's voxels ask of a format, and how many words they take apart from their shape.
 #pragma once
 
-#include "voxc/Layout/Layout.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/WorkingMemory.h"
 
@@ -14,8 +13,8 @@ namespace voxc {
 
 class SceneValues {
 public:
-  /// Memory is that of a build that keeps the values as `facts` say.
-  static Expected<SceneValues> create(const std::shared_ptr<WorkingMemory> &memory, VoxelFacts facts = {});
+  /// Memory is that of a build that keeps the values, twice.
+  static Expected<SceneValues> create(const std::shared_ptr<WorkingMemory> &memory);
   ~SceneValues();
   SceneValues(SceneValues &&) noexcept;
   SceneValues &operator=(SceneValues &&) noexcept;
@@ -29,9 +28,14 @@ public:
   /// No voxel has an alpha of 0.
   bool isVisible() const { return isVisible_; }
 
-  /// Words of the values, as a build writes them apart. Nothing can be added afterwards. Errors: those of a
-  /// build.
-  Expected<std::uint64_t> finish();
+  /// The payload, without loss, whose values take the fewest words apart, and those words.
+  struct Cheapest {
+    std::uint64_t words = 0;
+    int paletteBits = 0; ///< Of `palette(n)`; 0: there is no palette.
+  };
+
+  /// Nothing can be added afterwards. Errors: those of a build.
+  Expected<Cheapest> finish();
 
 private:
   struct Stores;
