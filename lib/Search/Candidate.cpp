@@ -80,8 +80,8 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
   for (const char *pass : {"whole-level-dedup", "share-grids", "octant-distances", "df-packing"})
     applyPass(candidate, pass);
   applyPass(candidate, traits.oneColour         ? "constant-colour"
-                   : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
-                                            : "values-apart");
+                       : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
+                                                : "values-apart");
   if (shortPointers)
     applyPass(candidate, "short-pointers");
   return candidate;

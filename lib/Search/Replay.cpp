@@ -5,9 +5,12 @@
 // what it reads on the way.
 #include "voxc/Search/Replay.h"
 
+#include "LineSet.h"
 #include "LookUp.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace voxc {
 
@@ -16,11 +19,11 @@ namespace {
 /// The walk of one ray.
 class ReplayedWalk {
 public:
-  ReplayedWalk(const SceneDag &dag, const Plan &plan, const std::vector<LevelView> &levels, const Ray &ray,
-               RayCost &cost)
-      : levels_(levels), isDirect_(plan.walk == Walk::Direct), countsVisits_(plan.walk == Walk::Nested),
-        at_(ray, 1 << levels.front().top), path_(dag, levels.front().top), height_(levels.front().top),
-        cost_(cost) {}
+  ReplayedWalk(const SceneDag &dag, LineSet &lines, const Plan &plan, const std::vector<LevelView> &levels,
+               const Ray &ray, RayCost &cost)
+      : lines_(lines), levels_(levels), isDirect_(plan.walk == Walk::Direct),
+        countsVisits_(plan.walk == Walk::Nested), at_(ray, 1 << levels.front().top),
+        path_(dag, levels.front().top), height_(levels.front().top), cost_(cost) {}
 
   /// Adds what the ray costs. Returns its turns.
   double run() {
@@ -47,15 +50,40 @@ private:
       const bool isEmpty = empty >= level.bottom;
       const bool isVoxel = !isEmpty && i + 1 == levels_.size();
       const bool resumes = !isDirect_ && i == level_ && level.descent != Descent::Restart;
-      const int layers =
-          level.layers(resumes ? std::min(height_, level.top) : level.top, isEmpty ? empty : level.bottom);
+      const int from = resumes ? std::min(height_, level.top) : level.top;
+      const int layers = level.layers(from, isEmpty ? empty : level.bottom);
       cost_.layers += layers;
       cost_.words += wordsRead(level, layers, isEmpty, isVoxel);
+      cost_.lines += linesRead(i, from, layers);
       level_ = i;
       if (isEmpty || isVoxel)
         break;
     }
     cost_.lookups += countsVisits_ ? visits : 1;
+    cost_.switches += countsVisits_ ? visits - 1 : 0;
+  }
+
+  /// Lines that no ray of the packet has read: those of the nodes from a height down, or of the cell of a
+  /// grid.
+  int linesRead(std::size_t index, int from, int layers) {
+    const LevelView &level = levels_[index];
+    const auto node = [&](int height) {
+      return (std::uint64_t{path_.number(height)} << 10 | static_cast<std::uint64_t>(height) << 4 | index);
+    };
+    if (!level.stratum.isGrid()) {
+      int lines = 0;
+      for (int layer = 0; layer < layers; ++layer)
+        lines += lines_.add(node(from - layer * level.branch)) ? 1 : 0;
+      return lines;
+    }
+    const Int3 voxel = at_.voxel();
+    const auto row = [&](int place) {
+      return static_cast<std::uint64_t>(place >> level.bottom & ((1 << (level.top - level.bottom)) - 1));
+    };
+    const std::uint64_t cell =
+        level.tellsGroups ? 0
+                          : (row(voxel.x) >> kLog2LineWords) + (row(voxel.y) << 16) + (row(voxel.z) << 32);
+    return lines_.add(node(level.top) ^ cell << 20) ? 1 : 0;
   }
 
   /// Leaves what is empty, for the level that the walk goes on from.
@@ -89,6 +117,9 @@ private:
     }
   }
 
+  static constexpr int kLog2LineWords = 4;
+
+  LineSet &lines_;
   const std::vector<LevelView> &levels_;
   bool isDirect_;
   bool countsVisits_; ///< Look-ups are counted level by level, else turn by turn.
@@ -101,25 +132,49 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Of neighbours that go any way, so many have another octant than the one before.
+constexpr double kAnyWay = 7.0 / 8;
+
+double scatterOf(std::span<const Ray> rays) {
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < rays.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::signbit(rays[i].direction[axis]) != std::signbit(rays[i - 1].direction[axis])) {
+        ++changes;
+        break;
+      }
+  return std::min(static_cast<double>(changes) /
+                      (kAnyWay * static_cast<double>(std::max<std::size_t>(rays.size(), 1))),
+                  1.0);
+}
+
+} // namespace
+
 RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) {
   std::vector<LevelView> levels;
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
     levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
   RayCost cost;
+  const auto lines = std::make_unique<LineSet>();
   const std::size_t packets = all.size() / kReplayPacket;
   for (std::size_t packet = 0; packet < packets; ++packet) {
     double most = 0;
+    lines->clear();
     for (std::size_t lane = 0; lane < kReplayPacket; ++lane) {
       const Ray &ray = all[packet * kReplayPacket + lane];
-      const double turns = ReplayedWalk(dag, plan, levels, ray, cost).run();
+      const double turns = ReplayedWalk(dag, *lines, plan, levels, ray, cost).run();
       cost.turns += turns;
       most = std::max(most, turns);
     }
     cost.waits += most * kReplayPacket;
   }
   const auto rays = static_cast<double>(std::max<std::size_t>(packets * kReplayPacket, 1));
-  for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.marches, &cost.waits})
+  for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.marches, &cost.waits,
+                       &cost.switches, &cost.lines})
     *part /= rays;
+  cost.scatter = scatterOf(all);
   return cost;
 }
 

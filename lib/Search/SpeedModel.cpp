@@ -13,15 +13,27 @@ constexpr int kSweeps = 4000;
 /// How strongly a model is drawn to its prior: as by so many samples.
 constexpr double kPriorWeight = 0.02;
 
-/// Fitted by scripts/fit-speed.sh; docs/search.md tells from what, and how well.
-constexpr SpeedModel kCpu{{30, 2, 2, 2, 0.5, 0, 1}};
-constexpr SpeedModel kLavapipe{{40, 4, 4, 8, 0.5, 0, 2}};
+/// In the order of `SpeedTerm`; docs/search.md tells from what they were fitted, and how well. No L1
+/// distances were among that: the time of a march is that of a look-up in a grid.
+constexpr SpeedModel kCpu{{41, 0.62, 0.88, 1.5, 2, 5.9, 4.0, 1.3, 51, 0, 0}};
+constexpr SpeedModel kLavapipe{{106, 2.7, 2.4, 2.9, 5, 13, 0, 0, 136, 18, 2.4}};
 
 } // namespace
 
 SpeedTerms speedTerms(const RayCost &cost, std::uint64_t bytes) {
   const double far = std::log2(1 + static_cast<double>(bytes) / kMebibyte);
-  return {1, cost.turns, cost.waits, cost.words, cost.words * far, cost.layers, cost.marches};
+  const double waits = cost.turns > 0 ? cost.waits / cost.turns : 1;
+  return {1,
+          cost.waits,
+          cost.words,
+          cost.layers,
+          cost.marches,
+          cost.switches * waits,
+          cost.lines * waits,
+          cost.lines * far,
+          cost.scatter,
+          cost.lines * cost.scatter,
+          cost.words * cost.scatter};
 }
 
 double SpeedModel::predict(const SpeedTerms &terms) const {

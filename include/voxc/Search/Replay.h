@@ -19,6 +19,10 @@ struct RayCost {
   double layers = 0;  ///< Layers of trees that are gone down.
   double marches = 0; ///< Steps from cell to cell within an L1 distance.
   double waits = 0;   ///< Turns of the ray of a packet that has the most.
+  double switches =
+      0;            ///< Look-ups beyond those of turns: changes of level, where levels are walked one by one.
+  double lines = 0; ///< Different cache lines that a packet reads, its share of them.
+  double scatter = 0; ///< How the rays are ordered: 0 if neighbours go the same way, 1 if they go any way.
 };
 
 /// Rays of a packet: neighbours, which wait for each other.

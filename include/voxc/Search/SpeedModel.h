@@ -13,17 +13,22 @@
 
 namespace voxc {
 
-/// What the time of a ray is a sum of.
+/// What the time of a ray is a sum of. Some parts are taken as often as a packet has to wait for its slowest
+/// ray: times `RayCost::waits` / `RayCost::turns`.
 enum class SpeedTerm : std::size_t {
-  Ray,      ///< Once a ray.
-  Turns,    ///< `RayCost::turns`.
-  Waits,    ///< `RayCost::waits`.
-  Words,    ///< `RayCost::words`.
-  FarWords, ///< Words, times log2(1 + the volume's bytes / 1 MiB).
-  Layers,   ///< `RayCost::layers`.
-  Marches,  ///< `RayCost::marches`.
+  Ray,            ///< Once a ray.
+  Waits,          ///< `RayCost::waits`.
+  Words,          ///< `RayCost::words`.
+  Layers,         ///< `RayCost::layers`.
+  Marches,        ///< `RayCost::marches`.
+  Switches,       ///< `RayCost::switches`, as often as a packet waits.
+  Lines,          ///< `RayCost::lines`, as often as a packet waits.
+  FarLines,       ///< Lines, times log2(1 + the volume's bytes / 1 MiB).
+  Scatter,        ///< `RayCost::scatter`.
+  ScatteredLines, ///< Lines, times scatter.
+  ScatteredWords, ///< Words, times scatter.
 };
-inline constexpr std::size_t kSpeedTerms = 7;
+inline constexpr std::size_t kSpeedTerms = 11;
 
 using SpeedTerms = std::array<double, kSpeedTerms>;
 
