@@ -31,6 +31,9 @@ std::optional<Int3> beforeHit(const SceneDag &dag, const Ray &ray) {
   return std::nullopt;
 }
 
+/// A number that has nothing in common with the widths of pictures.
+constexpr std::size_t kSpread = 40503;
+
 /// Any direction, all alike. By integers, so that a seed means the same everywhere.
 glm::vec3 anyDirection(std::mt19937 &random) {
   for (;;) {
@@ -51,7 +54,10 @@ std::vector<Ray> sampleCamera(const Camera &camera, std::size_t count) {
   const std::size_t packets = std::min(count, all.size()) / kPacket;
   std::vector<Ray> rays;
   for (std::size_t packet = 0; packet < packets; ++packet) {
-    const std::size_t first = all.size() / packets * packet / kPacket * kPacket;
+    // One in each of as many runs of pixels, not at the same place of each: runs may be whole rows.
+    const std::size_t run = all.size() / packets;
+    const std::size_t within = packet * kSpread % run;
+    const std::size_t first = std::min((run * packet + within) / kPacket * kPacket, all.size() - kPacket);
     rays.insert(rays.end(), all.begin() + static_cast<std::ptrdiff_t>(first),
                 all.begin() + static_cast<std::ptrdiff_t>(first + kPacket));
   }

@@ -143,16 +143,17 @@ private:
         tables_[static_cast<std::size_t>(height)].intern(words, layer.words, layer.begins);
     nodes_ += layer.count() - before;
     if (nodes_ > options_.mostNodes)
-      error_ =
-          Error::input("the scene has more than " + std::to_string(options_.mostNodes) +
-                       " different cubes, the most that are looked at; a lower resolution would have less");
+      error_ = Error::environment(
+          "the scene has more than " + std::to_string(options_.mostNodes) +
+          " different cubes, the most that are looked at; a lower resolution would have less");
     return number;
   }
 
   void report(const Cube &cube) {
     const double codes = static_cast<double>(std::uint64_t{1} << 3 * dag_.log2Side());
     progress_.at("read", static_cast<double>(mortonCode(cube.low)) / codes);
-    error_ = progress_.stopped() ? Error::interrupted() : source_.failure();
+    if (!error_)
+      error_ = progress_.stopped() ? Error::interrupted() : source_.failure();
   }
 
   VoxelSource &source_;
