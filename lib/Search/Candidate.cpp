@@ -83,7 +83,7 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
                        : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
                                                 : "values-apart");
   if (shortPointers)
-    applyPass(candidate, "short-pointers");
+    applyPass(candidate, "short-pointers=" + std::to_string(traits.pointerBits));
   return candidate;
 }
 

@@ -127,8 +127,13 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
       words = wordsOf(stratum, equalCells ? tables_->tree(shape, top, stratum.sharing)
                                           : treeOfUniqueCells(dag_, shape, top));
     }
-    if (layout.isIndexed(i))
+    if (layout.isIndexed(i)) {
+      const std::uint64_t numbers = shares ? dag_.count(top) : occurrencesAt(top);
+      if (const int bits = layout.strata[i - 1].indexBits; numbers >> bits != 0)
+        return Error::input("there are " + std::to_string(numbers) +
+                            " sub-volumes to be numbered, more than " + std::to_string(bits) + " bits tell");
       words += kIndexedWords; // Number 0, which is none.
+    }
     equalCells = shares;
   }
   return price;

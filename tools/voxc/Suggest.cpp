@@ -13,6 +13,7 @@
 #include "voxc/Support/File.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <map>
 #include <sstream>
@@ -33,6 +34,13 @@ constexpr int kHeight = 720;
 const std::map<std::string, Wish::Objective> kObjectives = {{"balanced", Wish::Objective::Balanced},
                                                             {"fastest", Wish::Objective::Fastest},
                                                             {"smallest", Wish::Objective::Smallest}};
+
+/// Of a number of each different grid of 4^3 voxels, within what short pointers may have.
+int bitsOfGrids(const SceneDag &dag) {
+  constexpr int kHeight = 2;
+  const std::uint64_t grids = dag.log2Side() < kHeight ? 0 : dag.count(kHeight);
+  return std::clamp(static_cast<int>(std::bit_width(grids)), 8, 24);
+}
 
 class SuggestCommand final : public Subcommand {
 public:
@@ -96,7 +104,8 @@ private:
       return values.error();
     const CandidateTraits traits{.oneColour = scene->values.isOne(),
                                  .paletteBits = values->paletteBits,
-                                 .visible = scene->values.isVisible()};
+                                 .visible = scene->values.isVisible(),
+                                 .pointerBits = bitsOfGrids(dag)};
     if (dag.isEmpty())
       return Error::input("'" + input_ + "' has no voxels, so that any format would do");
     Expected<std::vector<Candidate>> candidates = makeCandidates(dag.log2Side(), traits);

@@ -32,7 +32,8 @@ std::string speedsOf(const Suggestion &suggestion, const RatedFormat &format) {
 }
 
 std::string nameOf(const Candidate &candidate) {
-  const bool isShort = std::ranges::find(candidate.passes, "short-pointers") != candidate.passes.end();
+  const bool isShort = std::ranges::any_of(
+      candidate.passes, [](const std::string &pass) { return pass.starts_with("short-pointers"); });
   return candidate.text + (isShort ? " with short pointers" : "");
 }
 

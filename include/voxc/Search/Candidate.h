@@ -19,6 +19,7 @@ struct CandidateTraits {
   bool oneColour = false; ///< All voxels have one: it is kept once, else values stand apart.
   int paletteBits = 0;    ///< Else, of a palette for values apart; 0: none.
   bool visible = false;   ///< No voxel has an alpha of 0.
+  int pointerBits = 20;   ///< Of short pointers: 8 to 24, enough for the different grids of 4^3 voxels.
 };
 
 /// A candidate of this text, with the passes that make any format smaller or faster, and with short pointers
