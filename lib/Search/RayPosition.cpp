@@ -15,14 +15,16 @@ constexpr std::size_t kNoAxis = 3;
 } // namespace
 
 RayPosition::RayPosition(const Ray &ray, int side) : side_(side) {
+  bool isFinite = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    isFinite &= std::isfinite(ray.origin[axis]) && std::isfinite(ray.direction[axis]);
     origin_[axis] = static_cast<double>(ray.origin[axis]);
     direction_[axis] = static_cast<double>(ray.direction[axis]);
     if (direction_[axis] > 0)
       octant_ |= 1u << axis;
   }
   std::size_t entered = kNoAxis;
-  const double t = enter(entered);
+  const double t = isFinite ? enter(entered) : kNever;
   for (std::size_t axis = 0; axis < 3; ++axis)
     cell_[axis] = !(t < kNever)     ? -1
                   : axis == entered ? (rises(axis) ? 0 : side - 1)

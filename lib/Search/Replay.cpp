@@ -30,7 +30,9 @@ public:
     double turns = 0;
     if (at_.isInside())
       ++cost_.words; // Where the root is.
-    while (at_.isInside()) {
+                     // No ray crosses more cells; one that float64 cannot place might come back to some.
+    const double mostTurns = 3 * std::ldexp(1.0, levels_.front().top);
+    while (at_.isInside() && turns < mostTurns) {
       ++turns;
       const int empty = path_.find(at_.voxel());
       lookUp(empty);

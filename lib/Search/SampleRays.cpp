@@ -20,7 +20,7 @@ std::optional<Int3> beforeHit(const SceneDag &dag, const Ray &ray) {
   RayPosition at(ray, 1 << dag.log2Side());
   ScenePath path(dag, dag.log2Side());
   std::optional<Int3> before;
-  while (at.isInside()) {
+  for (int turns = 3 << dag.log2Side(); at.isInside() && turns > 0; --turns) {
     const int empty = path.find(at.voxel());
     if (empty < 0)
       return before;

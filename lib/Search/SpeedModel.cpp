@@ -14,7 +14,8 @@ constexpr int kSweeps = 4000;
 constexpr double kPriorWeight = 0.02;
 
 /// In the order of `SpeedTerm`; docs/search.md tells from what they were fitted, and how well. No L1
-/// distances were among that: the time of a march is that of a look-up in a grid.
+/// distances were among that, so that the weight of a march is a guess; no candidate of `candidatesFor` has
+/// any.
 constexpr SpeedModel kCpu{{41, 0.62, 0.88, 1.5, 2, 5.9, 4.0, 1.3, 51, 0, 0}};
 constexpr SpeedModel kLavapipe{{106, 2.7, 2.4, 2.9, 5, 13, 0, 0, 136, 18, 2.4}};
 

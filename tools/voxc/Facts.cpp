@@ -15,9 +15,6 @@ namespace voxc::tool {
 
 namespace {
 
-/// Voxels on the longest axis of a model, where no format says how many it holds.
-constexpr int kDefaultResolution = 512;
-
 class FactsCommand final : public Subcommand {
 public:
   void declare(CLI::App &app) override {

@@ -26,6 +26,9 @@ struct InputArguments {
   bool crop = false;
 };
 
+/// Voxels on the longest axis of a model, where no format says how many it holds.
+inline constexpr int kDefaultResolution = 512;
+
 /// What INPUT is, for the help texts of commands.
 inline constexpr const char *kInputHelp =
     "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]";

@@ -22,7 +22,6 @@ namespace voxc::tool {
 
 namespace {
 
-constexpr int kDefaultResolution = 512;
 /// Of a node of a graph, about.
 constexpr std::uint64_t kNodeBytes = 48;
 /// Of each kind: more do not change which format it is.
@@ -196,11 +195,16 @@ private:
       Expected<std::vector<Ray>> rays = readRays(path);
       if (!rays)
         return rays.error();
+      if (rays->size() < kReplayPacket)
+        return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
+                            std::to_string(kReplayPacket) + " or more tell what a packet costs");
       sets.push_back({path, spread(*rays)});
     }
     if (sets.empty()) {
       sets.push_back({"camera", sampleCamera(frameExtent(extent, kWidth, kHeight), kSampledRays)});
-      sets.push_back({"bounced", sampleBounces(dag, sets.front().rays, 1)});
+      std::vector<Ray> bounces = sampleBounces(dag, sets.front().rays, 1);
+      if (!bounces.empty()) // Something is seen.
+        sets.push_back({"bounced", std::move(bounces)});
     }
     return sets;
   }
