@@ -58,7 +58,8 @@ std::function<std::uint32_t(std::uint32_t)> roundingOf(Payload payload) {
 }
 
 void checkValues(WordReader &words, const Layout &layout, std::uint64_t voxels) {
-  codingOf(layout.payload).check(words, words.wordOf(words[1]), voxels, std::uint64_t{1} << layout.payloadBits);
+  codingOf(layout.payload)
+      .check(words, words.wordOf(words[1]), voxels, std::uint64_t{1} << layout.payloadBits);
 }
 
 } // namespace voxc

@@ -62,9 +62,9 @@ extern const AttributeKind kFaceAttribute;      ///< face: no | yes
 extern const AttributeKind kColourAttribute;    ///< colour: yes | no
 extern const AttributeKind
     kPayloadAttribute; ///< payload: rgba8 | occupancy | constant | palette(n) | rgb565 | material(n)
-extern const AttributeKind kAlphaAttribute;  ///< alpha: any | positive
-extern const AttributeKind kValuesAttribute; ///< values: in-place | apart
-extern const AttributeKind kGranuleAttribute;   ///< granule: word | 2 | 4 | ... | 256
+extern const AttributeKind kAlphaAttribute;   ///< alpha: any | positive
+extern const AttributeKind kValuesAttribute;  ///< values: in-place | apart
+extern const AttributeKind kGranuleAttribute; ///< granule: word | 2 | 4 | ... | 256
 
 /// The attributes that a format takes.
 AttributeKinds formatAttributes();
