@@ -58,7 +58,7 @@ bool read(const Json &json, std::uint64_t &value) {
 bool read(const Json &json, double &value) {
   return json.is_number() && std::isfinite(value = json.get<double>());
 }
-bool read(const Json &json, std::vector<std::string> &values) {
+template <typename Value> bool read(const Json &json, std::vector<Value> &values) {
   const auto take = [&](const Json &element) { return read(element, values.emplace_back()); };
   return json.is_array() && std::ranges::all_of(json, take);
 }

@@ -67,6 +67,15 @@ struct Failure {
 struct VolumePart {
   Count words, bytes, fileBytes;
   Figure bytesPerVoxel;
+  std::optional<std::vector<std::uint64_t>> levelWords; ///< Of each level, the highest first.
+};
+
+/// What `voxc search` expected before it measured.
+struct PredictedPart {
+  Count words;
+  Figure mraysPerS; ///< In what the device's clock counts, as the speed that counts.
+  Figure turns;     ///< Steps of a ray over what is empty, and one for what it hits.
+  Figure lines;     ///< Different cache lines that neighbouring rays read, a ray's share of them.
 };
 
 /// Making the volume, in a process of its own.
@@ -127,6 +136,7 @@ struct Record {
   SpeedPart speed;
   WorkPart work;
   ErrorPart error;
+  std::optional<PredictedPart> predicted;
   MadeByPart madeBy;
 
   bool isMeasured() const { return !failure; }

@@ -53,6 +53,14 @@ void fields(FieldVisitor auto &v, auto &volume, const VolumePart *) {
   v.optional("bytes", volume.bytes);
   v.optional("bytes_per_voxel", volume.bytesPerVoxel);
   v.optional("file_bytes", volume.fileBytes);
+  v.optional("level_words", volume.levelWords);
+}
+
+void fields(FieldVisitor auto &v, auto &predicted, const PredictedPart *) {
+  v.optional("words", predicted.words);
+  v.optional("mrays_per_s", predicted.mraysPerS);
+  v.optional("turns", predicted.turns);
+  v.optional("lines", predicted.lines);
 }
 
 void fields(FieldVisitor auto &v, auto &build, const BuildPart *) {
@@ -129,6 +137,7 @@ void fields(FieldVisitor auto &v, auto &record, const Record *) {
   v.section("speed", record.speed);
   v.section("work", record.work);
   v.section("error", record.error);
+  v.optionalSection("predicted", record.predicted);
   v.section("made_by", record.madeBy);
 }
 

@@ -22,7 +22,8 @@ Record makeRecord(const std::string &cell) {
   record.precision = "exact";
   record.device = {"llvmpipe", "vulkan", "Mesa", 2, "cpu"};
   record.rays = {"sponza", "camera", 12, std::array<std::uint64_t, 2>{4, 3}, "89ab"};
-  record.volume = {.words = 10, .bytes = 40, .fileBytes = {}, .bytesPerVoxel = 0.5};
+  record.volume = {.words = 10, .bytes = 40, .fileBytes = {}, .bytesPerVoxel = 0.5, .levelWords = {{7, 2}}};
+  record.predicted = {.words = 10, .mraysPerS = 3.5, .turns = {}, .lines = 1.25};
   record.speed.rounds = 3;
   record.speed.mraysPerCpuS = Speed{1, 2, 3, 1};
   record.speed.steady = false;
