@@ -70,11 +70,14 @@ void applyPass(Candidate &candidate, const std::string &pass) {
 } // namespace
 
 Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
-                                  bool shortPointers) {
+                                  const FormatChoices &choices) {
   auto format = parseFormat(text);
   if (!format)
     return format.error();
-  Candidate candidate{text, {}, std::move(*format)};
+  Candidate candidate{text, {}, std::move(*format), {}};
+  candidate.composition = compositionOf(candidate.format);
+  if (candidate.composition)
+    candidate.composition->choices = choices;
   if (traits.visible)
     applyPass(candidate, "visible-voxels");
   for (const char *pass : {"whole-level-dedup", "share-grids", "octant-distances", "df-packing"})
@@ -82,8 +85,10 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
   applyPass(candidate, traits.oneColour         ? "constant-colour"
                        : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
                                                 : "values-apart");
-  if (shortPointers)
+  if (choices.shortPointers)
     applyPass(candidate, "short-pointers=" + std::to_string(traits.pointerBits));
+  if (!choices.walk.empty())
+    applyPass(candidate, std::string(choices.walk));
   return candidate;
 }
 
@@ -92,7 +97,7 @@ std::vector<Candidate> candidatesFor(int log2Side, const CandidateTraits &traits
   std::set<std::string> known;
   for (const std::string &text : textsFor(log2Side))
     for (const bool shortPointers : {false, true})
-      if (auto candidate = makeCandidate(text, traits, shortPointers))
+      if (auto candidate = makeCandidate(text, traits, {.shortPointers = shortPointers}))
         if (known.insert(printIr(candidate->format)).second)
           candidates.push_back(std::move(*candidate));
   return candidates;

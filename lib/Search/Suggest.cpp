@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace voxc {
@@ -29,36 +30,15 @@ double regret(const RatedFormat &rated, Wish::Objective objective) {
 
 } // namespace
 
-double RatedFormat::time() const {
-  return std::accumulate(nanoseconds.begin(), nanoseconds.end(), 0.0) /
-         static_cast<double>(std::max<std::size_t>(nanoseconds.size(), 1));
-}
-
 std::vector<RatedFormat> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
                                      const std::vector<RaySet> &rays, const SpeedModel &model,
                                      const Wish &wish, const Progress &progress) {
-  Pricer shapes(scene.shape);
-  std::optional<Pricer> colours;
-  if (scene.colours)
-    colours.emplace(*scene.colours);
+  Rater rater(scene);
   std::vector<RatedFormat> rated;
   for (std::size_t i = 0; i < candidates.size() && !progress.stopped(); ++i) {
     progress.at("rate", static_cast<double>(i) / static_cast<double>(candidates.size()));
-    const Layout layout = layoutOf(candidates[i].format);
-    const bool inPlace = kindOf(layout.payload).varies && layout.values == Values::InPlace;
-    if (inPlace && !colours)
-      continue;
-    auto price = inPlace ? colours->price(layout) : shapes.price(layout, scene.valueWords);
-    const auto plan = makePlan(candidates[i].format, kCpuPlan);
-    if (!price || !plan ||
-        price->words() > std::min(layout.maxWords(), wish.maxBytes / sizeof(std::uint32_t)))
-      continue;
-    RatedFormat format{std::move(candidates[i]), std::move(*price), {}, {}};
-    for (const RaySet &set : rays) {
-      format.costs.push_back(replay(scene.shape, set.rays, *plan));
-      format.nanoseconds.push_back(model.predict(speedTerms(format.costs.back(), format.bytes())));
-    }
-    rated.push_back(std::move(format));
+    if (auto format = rater.rate(std::move(candidates[i]), rays, model, wish.maxBytes))
+      rated.push_back(std::move(*format));
   }
   return rated;
 }

@@ -35,6 +35,7 @@ std::unique_ptr<Subcommand> makeBenchReportCommand();
 std::unique_ptr<Subcommand> makeExportCommand();
 std::unique_ptr<Subcommand> makeFactsCommand();
 std::unique_ptr<Subcommand> makeSuggestCommand();
+std::unique_ptr<Subcommand> makeSearchCommand();
 std::unique_ptr<Subcommand> makeInfoCommand();
 std::unique_ptr<Subcommand> makeDevicesCommand();
 

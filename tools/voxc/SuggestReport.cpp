@@ -1,7 +1,7 @@
 // What voxc suggest says.
 #include "SuggestReport.h"
 
-#include "sweep/Model.h"
+#include "search/BuildCommand.h"
 
 #include <algorithm>
 #include <array>
@@ -31,32 +31,12 @@ std::string speedsOf(const Suggestion &suggestion, const RatedFormat &format) {
   return text;
 }
 
-std::string nameOf(const Candidate &candidate) {
-  const bool isShort = std::ranges::any_of(
-      candidate.passes, [](const std::string &pass) { return pass.starts_with("short-pointers"); });
-  return candidate.text + (isShort ? " with short pointers" : "");
-}
-
 /// What another format has more and less of.
 std::string besides(const char *what, const RatedFormat &other, const RatedFormat &choice) {
   return print("  the %s, %s, would take %.2f times the bytes and have %.2f times the speed\n", what,
                nameOf(other.candidate).c_str(),
                static_cast<double>(other.bytes()) / static_cast<double>(choice.bytes()),
                choice.time() / other.time());
-}
-
-/// As a shell takes it.
-std::string quoted(const std::string &word) {
-  return word.find_first_of(" ;()'*$&|<>#") == std::string::npos ? word : "\"" + word + "\"";
-}
-
-std::string command(const Suggestion &suggestion, const Candidate &candidate) {
-  std::string text = "voxc build " + quoted(candidate.text) + " " + quoted(suggestion.input);
-  for (const std::string &word : bench::toWords(suggestion.arguments))
-    text += " " + word;
-  for (const std::string &pass : candidate.passes)
-    text += " --" + pass;
-  return text + " -o scene.hvx\n";
 }
 
 std::string table(const Suggestion &suggestion) {
@@ -93,7 +73,7 @@ std::string suggestReport(const Suggestion &suggestion, bool all) {
                 suggestion.rated.size());
   if (all)
     text += table(suggestion);
-  return text + "\n" + command(suggestion, choice.candidate);
+  return text + "\n" + buildCommand(suggestion.input, suggestion.arguments, choice.candidate) + "\n";
 }
 
 void addSuggestFigures(Json &figures, const Suggestion &suggestion) {

@@ -35,6 +35,7 @@ constexpr CommandKind kCommands[] = {
      makeExportCommand},
     {"facts", "Measure what an input is like, to choose a format by", makeFactsCommand},
     {"suggest", "Say which format an input asks for, and why", makeSuggestCommand},
+    {"search", "Find the best formats for an input by measuring those that promise most", makeSearchCommand},
     {"info", "Describe a volume", makeInfoCommand},
     {"devices", "List the devices that can trace", makeDevicesCommand},
 };

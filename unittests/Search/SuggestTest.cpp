@@ -24,15 +24,15 @@ TEST(Candidates, AllHaveTheSizeAndDiffer) {
 }
 
 TEST(Candidates, PassesAreThoseThatApply) {
-  const auto candidate = makeCandidate("G(6)", {.paletteBits = 5, .visible = true}, true);
+  const auto candidate = makeCandidate("G(6)", {.paletteBits = 5, .visible = true}, {.shortPointers = true});
   ASSERT_TRUE(candidate) << candidate.error().message;
   EXPECT_EQ(std::ranges::count(candidate->passes, "palette=5"), 1);
   EXPECT_EQ(std::ranges::count(candidate->passes, "octant-distances"), 0);
   EXPECT_EQ(std::ranges::count(candidate->passes, "short-pointers=20"), 0);
-  const auto constant = makeCandidate("D(4^3, 15) M(2^3)", {.oneColour = true}, false);
+  const auto constant = makeCandidate("D(4^3, 15) M(2^3)", {.oneColour = true}, {});
   ASSERT_TRUE(constant) << constant.error().message;
   EXPECT_EQ(std::ranges::count(constant->passes, "constant-colour"), 1);
-  EXPECT_FALSE(makeCandidate("Q(6)", {}, false));
+  EXPECT_FALSE(makeCandidate("Q(6)", {}, {}));
 }
 
 class SuggestTest : public testing::Test {

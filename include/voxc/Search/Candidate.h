@@ -2,16 +2,19 @@
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/Search/Composition.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace voxc {
 
 struct Candidate {
-  std::string text;                ///< Of the grammar.
-  std::vector<std::string> passes; ///< By name, in order; those that change nothing are left out.
-  Format format;                   ///< What the passes make of it.
+  std::string text;                       ///< Of the grammar.
+  std::vector<std::string> passes;        ///< By name, in order; those that change nothing are left out.
+  Format format;                          ///< What the passes make of it.
+  std::optional<Composition> composition; ///< None if its levels have other shapes than a search knows.
 };
 
 /// What all candidates for a scene have in common.
@@ -22,9 +25,10 @@ struct CandidateTraits {
   int pointerBits = 20;   ///< Of short pointers: 8 to 24, enough for the different grids of 4^3 voxels.
 };
 
-/// A candidate of this text, with the passes that make any format smaller or faster, and with short pointers
-/// if `shortPointers` and its levels allow it. Errors: those of the text.
-Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits, bool shortPointers);
+/// A candidate of this text, with the passes that make any format smaller or faster, and with those of the
+/// choices as far as its levels allow it. Errors: those of the text.
+Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
+                                  const FormatChoices &choices);
 
 /// The formats of 2^log2Side voxels a side that `voxc suggest` chooses from: a grid, or one with distances,
 /// of any size that is no larger than some, and below it grids with masks, DAGs or an octree; and the same

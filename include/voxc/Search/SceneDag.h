@@ -53,6 +53,8 @@ public:
   std::size_t count(int height) const { return layer(height).count(); }
   /// One of them; height 1 or more.
   Node node(int height, std::size_t number) const { return layer(height).node(number); }
+  /// The colour of a voxel of a graph that has colours, by its number.
+  std::uint32_t voxel(std::size_t number) const { return layer(0).words[number]; }
   /// How often each of them is there in the whole scene.
   std::span<const std::uint64_t> occurrences(int height) const { return layer(height).occurrences; }
 

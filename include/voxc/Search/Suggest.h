@@ -2,10 +2,7 @@
 // rays.
 #pragma once
 
-#include "voxc/Search/Candidate.h"
-#include "voxc/Search/Pricer.h"
-#include "voxc/Search/Replay.h"
-#include "voxc/Search/SpeedModel.h"
+#include "voxc/Search/Rater.h"
 
 #include <cstdint>
 #include <optional>
@@ -13,24 +10,6 @@
 #include <vector>
 
 namespace voxc {
-
-/// Rays of one kind, and what they count.
-struct RaySet {
-  std::string name; ///< Such as "camera".
-  std::vector<Ray> rays;
-};
-
-/// One candidate, and what is to be expected of it.
-struct RatedFormat {
-  Candidate candidate;
-  Price price;
-  std::vector<RayCost> costs;      ///< Of each set of rays.
-  std::vector<double> nanoseconds; ///< A ray of each set takes so many, as the model has it.
-
-  std::uint64_t bytes() const { return 4 * price.words(); }
-  /// The mean of all sets.
-  double time() const;
-};
 
 /// What is wanted of a format.
 struct Wish {
@@ -41,13 +20,6 @@ struct Wish {
   };
   Objective objective = Objective::Balanced;
   std::uint64_t maxBytes = ~std::uint64_t{0};
-};
-
-/// What candidates are priced on.
-struct PricedScene {
-  const SceneDag &shape;
-  const SceneDag *colours = nullptr; ///< Null: formats with colours in place are left out.
-  std::uint64_t valueWords = 0;      ///< Of values apart.
 };
 
 /// Prices the candidates and replays the rays on them. Those that are larger than the wish allows, or than

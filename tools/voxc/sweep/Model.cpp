@@ -23,16 +23,6 @@ bool isName(std::string_view name) {
   return !name.empty() && name[0] != '.' && std::ranges::all_of(name, isNameCharacter);
 }
 
-/// "dir/sponza.obj" is sponza, "builtin:terrain:64" is terrain-64.
-std::string nameOf(const std::string &input) {
-  constexpr std::string_view kBuiltin = "builtin:";
-  std::string name = input.starts_with(kBuiltin)
-                         ? input.substr(kBuiltin.size())
-                         : fs::path(input.substr(input.rfind(':') + 1)).stem().string();
-  std::ranges::replace_if(name, [](char c) { return !isNameCharacter(c); }, '-');
-  return isName(name) ? name : "model";
-}
-
 Expected<void> parseOptions(const std::string &text, InputArguments &arguments) {
   CLI::App app;
   addInputArguments(app, arguments);
@@ -63,6 +53,15 @@ std::string joined(const std::vector<double> &numbers) {
 }
 
 } // namespace
+
+std::string nameOfInput(const std::string &input) {
+  constexpr std::string_view kBuiltin = "builtin:";
+  std::string name = input.starts_with(kBuiltin)
+                         ? input.substr(kBuiltin.size())
+                         : fs::path(input.substr(input.rfind(':') + 1)).stem().string();
+  std::ranges::replace_if(name, [](char c) { return !isNameCharacter(c); }, '-');
+  return isName(name) ? name : "model";
+}
 
 std::vector<std::string> toWords(const InputArguments &arguments) {
   std::vector<std::string> words;
@@ -96,7 +95,7 @@ Expected<Model> readModel(const std::string &text, const InputArguments &default
       return Error::usage("'" + model.name +
                           "' is no name of a model; use letters, digits, '-', '_' and '.'");
   } else {
-    model.name = nameOf(model.input);
+    model.name = nameOfInput(model.input);
   }
   if (Expected<void> parsed = parseOptions(text.substr(options), model.arguments); !parsed)
     return parsed.error();

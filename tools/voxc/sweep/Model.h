@@ -15,6 +15,9 @@ struct Model {
   std::string digest; ///< Of the input's content and of the arguments.
 };
 
+/// What an input is called: "dir/sponza.obj" is sponza, "builtin:terrain:64" is terrain-64.
+std::string nameOfInput(const std::string &input);
+
 /// Reads a model as it is written on the command line: "[NAME=]INPUT [OPTION...]", where the options are
 /// those of inputs, in place of `defaults`. The name is what the input is called where none is given. Errors:
 /// `Usage` for a name or option that cannot be, `Input` for a file that cannot be read.

@@ -80,12 +80,7 @@ Expected<RaySet> readRayFile(const std::string &path) {
     return rays.error();
   if (rays->empty())
     return Error::input("ray file '" + path + "' is empty; it should hold one ray at least");
-  const auto bytes = std::as_bytes(std::span(*rays));
-  RaySet set;
-  set.part = {std::filesystem::path(path).stem().string(), "file", rays->size(), {}, ""};
-  set.part.digest = Digest().add({reinterpret_cast<const char *>(bytes.data()), bytes.size()}).hex();
-  set.rays = std::move(*rays);
-  return set;
+  return makeRaySet(std::filesystem::path(path).stem().string(), std::move(*rays));
 }
 
 Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, const std::string &model) {
@@ -100,6 +95,15 @@ Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, 
 }
 
 } // namespace
+
+RaySet makeRaySet(const std::string &name, std::vector<Ray> rays) {
+  const auto bytes = std::as_bytes(std::span(rays));
+  RaySet set;
+  set.part = {name, "file", rays.size(), {}, ""};
+  set.part.digest = Digest().add({reinterpret_cast<const char *>(bytes.data()), bytes.size()}).hex();
+  set.rays = std::move(rays);
+  return set;
+}
 
 std::string kindOf(const RaysPart &part) {
   if (part.kind != "camera" || !part.size)

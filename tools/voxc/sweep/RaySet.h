@@ -23,6 +23,9 @@ struct RaySet {
   std::vector<Ray> raysFor(Int3 extent) const { return camera ? cameraRays(camera(extent)) : rays; }
 };
 
+/// Rays as those of a file of this name. Precondition: there is one at least.
+RaySet makeRaySet(const std::string &name, std::vector<Ray> rays);
+
 /// What a machine needs to make the rays again: a "camera" of a file, the "overview" of a whole volume, or
 /// the rays of a "file".
 std::string kindOf(const RaysPart &part);

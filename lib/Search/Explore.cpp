@@ -1,0 +1,144 @@
+// Going through the space of formats along its frontier.
+#include "voxc/Search/Explore.h"
+
+#include "voxc/Search/Frontier.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace voxc {
+namespace {
+
+/// The first packets of each set.
+std::vector<RaySet> fewOf(std::span<const RaySet> rays, std::size_t count) {
+  std::vector<RaySet> few;
+  for (const RaySet &set : rays) {
+    // Packets from all over the set, as they stand for the whole of a picture.
+    const std::size_t packets = set.rays.size() / kReplayPacket;
+    const std::size_t wanted =
+        std::clamp<std::size_t>(count / kReplayPacket, 1, std::max<std::size_t>(packets, 1));
+    RaySet some{set.name, {}};
+    for (std::size_t i = 0; i < std::min(wanted, packets); ++i) {
+      const auto first = set.rays.begin() + static_cast<std::ptrdiff_t>(i * packets / wanted * kReplayPacket);
+      some.rays.insert(some.rays.end(), first, first + kReplayPacket);
+    }
+    few.push_back(std::move(some));
+  }
+  return few;
+}
+
+class Explorer {
+public:
+  Explorer(Rater &rater, const CandidateTraits &traits, std::span<const RaySet> rays, const SpeedModel &model,
+           const Wish &wish, const ExploreOptions &options, const Progress &progress)
+      : rater_(rater), traits_(traits), few_(fewOf(rays, options.sampledRays)), model_(model), wish_(wish),
+        options_(options), progress_(progress) {}
+
+  Explored run(std::vector<Candidate> seeds, std::span<const RaySet> rays) {
+    for (Candidate &seed : seeds)
+      take(std::move(seed));
+    while (!isOver()) {
+      const std::vector<std::size_t> near = nearest();
+      if (near.empty()) {
+        explored_.isComplete = true;
+        break;
+      }
+      for (const std::size_t i : near)
+        expand(i);
+    }
+    keep(rays);
+    return std::move(explored_);
+  }
+
+private:
+  bool isOver() const { return progress_.stopped() || explored_.rated >= options_.mostFormats; }
+
+  void take(Candidate candidate) {
+    if (!known_.insert(printIr(candidate.format)).second || isOver())
+      return;
+    progress_.at("explore",
+                 static_cast<double>(++explored_.rated) / static_cast<double>(options_.mostFormats));
+    if (auto format = rater_.rate(std::move(candidate), few_, model_, wish_.maxBytes))
+      formats_.push_back({std::move(*format)});
+  }
+
+  void expand(std::size_t index) {
+    formats_[index].isExpanded = true;
+    if (!formats_[index].format.candidate.composition)
+      return;
+    const Composition from = *formats_[index].format.candidate.composition;
+    for (const Composition &to : rewritesOf(from, options_.maxLevels))
+      if (!isOver() && tried_.insert(to).second)
+        if (auto candidate = makeCandidate(toString(to), traits_, to.choices))
+          take(std::move(*candidate));
+  }
+
+  /// For each format how many times the frontier's time at its size it takes.
+  std::vector<double> distances() const {
+    std::vector<std::size_t> order(formats_.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return formats_[i].format.bytes(); });
+    std::vector<double> distances(formats_.size());
+    double fastest = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : order) {
+      const double time = formats_[i].format.time();
+      fastest = std::min(fastest, time);
+      distances[i] = time / fastest;
+    }
+    return distances;
+  }
+
+  /// Those near the frontier whose rewrites were not looked at yet.
+  std::vector<std::size_t> nearest() const {
+    const std::vector<double> far = distances();
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < far.size(); ++i)
+      if (far[i] <= options_.near && !formats_[i].isExpanded)
+        near.push_back(i);
+    std::ranges::stable_sort(near, {}, [&](std::size_t i) { return far[i]; });
+    // A few at a time, since what they lead to moves the frontier.
+    constexpr std::size_t kAtATime = 8;
+    near.resize(std::min(near.size(), kAtATime));
+    return near;
+  }
+
+  void keep(std::span<const RaySet> rays) {
+    const std::vector<double> far = distances();
+    for (std::size_t i = 0; i < far.size(); ++i)
+      if (far[i] <= options_.kept) {
+        if (far[i] <= options_.replayed)
+          rater_.replayAgain(formats_[i].format, rays, model_);
+        explored_.formats.push_back(std::move(formats_[i].format));
+      }
+  }
+
+  struct Known {
+    RatedFormat format;
+    bool isExpanded = false;
+  };
+
+  Rater &rater_;
+  const CandidateTraits &traits_;
+  std::vector<RaySet> few_;
+  const SpeedModel &model_;
+  const Wish &wish_;
+  const ExploreOptions &options_;
+  const Progress &progress_;
+  std::vector<Known> formats_;
+  std::set<Composition> tried_;
+  std::set<std::string> known_; ///< Their IR: so that equal formats are priced once.
+  Explored explored_;
+};
+
+} // namespace
+
+Explored explore(Rater &rater, std::vector<Candidate> seeds, const CandidateTraits &traits,
+                 std::span<const RaySet> rays, const SpeedModel &model, const Wish &wish,
+                 const ExploreOptions &options, const Progress &progress) {
+  return Explorer(rater, traits, rays, model, wish, options, progress).run(std::move(seeds), rays);
+}
+
+} // namespace voxc

@@ -1,0 +1,51 @@
+// Pricing and replaying.
+#include "voxc/Search/Rater.h"
+
+#include "voxc/Layout/SlotKind.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace voxc {
+
+double RatedFormat::time() const {
+  return std::accumulate(nanoseconds.begin(), nanoseconds.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(nanoseconds.size(), 1));
+}
+
+void predictAgain(RatedFormat &format, const SpeedModel &model) {
+  for (std::size_t i = 0; i < format.costs.size(); ++i)
+    format.nanoseconds[i] = model.predict(speedTerms(format.costs[i], format.bytes()));
+}
+
+Rater::Rater(const PricedScene &scene) : scene_(scene), shapes_(scene.shape) {
+  if (scene.colours)
+    colours_.emplace(*scene.colours);
+}
+
+std::optional<RatedFormat> Rater::rate(Candidate candidate, std::span<const RaySet> rays,
+                                       const SpeedModel &model, std::uint64_t maxBytes) {
+  const Layout layout = layoutOf(candidate.format);
+  const bool inPlace = kindOf(layout.payload).varies && layout.values == Values::InPlace;
+  if (inPlace && !colours_)
+    return std::nullopt;
+  auto price = inPlace ? colours_->price(layout) : shapes_.price(layout, scene_.valueWords);
+  if (!price || price->words() > std::min(layout.maxWords(), maxBytes / sizeof(std::uint32_t)))
+    return std::nullopt;
+  RatedFormat format{std::move(candidate), std::move(*price), {}, {}};
+  replayAgain(format, rays, model);
+  return format.costs.size() == rays.size() ? std::optional(std::move(format)) : std::nullopt;
+}
+
+void Rater::replayAgain(RatedFormat &format, std::span<const RaySet> rays, const SpeedModel &model) const {
+  format.costs.clear();
+  const auto plan = makePlan(format.candidate.format, kCpuPlan);
+  if (!plan)
+    return;
+  for (const RaySet &set : rays)
+    format.costs.push_back(replay(scene_.shape, set.rays, *plan));
+  format.nanoseconds.resize(format.costs.size());
+  predictAgain(format, model);
+}
+
+} // namespace voxc

@@ -1,0 +1,328 @@
+// Building and tracing the formats of a search.
+#include "search/Arena.h"
+
+#include "Building.h"
+
+#include "bench/Digest.h"
+#include "common/Files.h"
+#include "sweep/Group.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Search/SceneSource.h"
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+namespace voxc::tool {
+
+namespace fs = std::filesystem;
+using bench::Failure;
+using bench::Record;
+
+namespace {
+
+/// Rounds after which a format may be beaten: a first time alone may be bad luck.
+constexpr unsigned kLeastRounds = 2;
+/// What a name of a volume ends with, and that of what `voxc build --stats` would tell of it.
+constexpr const char *kVolumeEnding = ".hvx", *kFormatEnding = ".vir", *kFiguresEnding = ".json";
+
+/// The times of one set of rays.
+struct SetTimes {
+  Repeats cpuSeconds, seconds, deviceSeconds;
+};
+
+/// What the device's clock counts.
+const Repeats &clockOf(const SetTimes &times, const bench::DevicePart &device) {
+  return device.clock == "gpu" ? times.deviceSeconds : times.cpuSeconds;
+}
+
+void takeLast(Repeats &from, Repeats &to) {
+  if (!from.empty())
+    to.push_back(from.back());
+  from.clear();
+}
+
+} // namespace
+
+/// A format on its way through the rounds.
+struct Arena::Entrant {
+  const RatedFormat *format;
+  std::vector<Record> records; ///< Of each set.
+  std::optional<Volume> volume;
+  std::unique_ptr<Contestant> contestant;
+  std::vector<SetTimes> times;
+  std::optional<Failure> failure;
+  bool isBeaten = false;
+
+  bool runs() const { return contestant && !failure && !isBeaten; }
+  void fail(const char *stage, const Error &error) {
+    failure = {stage, error.message, {}};
+    contestant.reset();
+  }
+  /// Nanoseconds a ray of a set, by its quickest round or its median.
+  double nanoseconds(std::size_t set, double seconds) const {
+    return 1e9 * seconds / static_cast<double>(records[set].rays.count);
+  }
+};
+
+Expected<Arena> Arena::create(const Scene &scene, bench::SweepAxes &axes, ArenaOptions options,
+                              const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
+  Arena arena(scene, axes, std::move(options), memory);
+  const auto source = makeSceneSource(*scene.colours, scene.extent, scene.voxelToModel);
+  Expected<Oracle> oracle = Oracle::of(*source, progress);
+  if (!oracle)
+    return oracle.error();
+  arena.oracle_ = std::make_unique<Oracle>(std::move(*oracle));
+  for (bench::RaySet &set : axes.models.front().rays) {
+    bench::GroupRays rays = bench::makeGroupRays(set.raysFor(scene.extent), arena.options_.check);
+    auto exact = arena.oracle_->trace(rays.sample, 0, progress);
+    if (!exact)
+      return exact.error();
+    arena.rays_.push_back({std::move(rays.rays), std::move(rays.sample), std::move(*exact)});
+  }
+  return arena;
+}
+
+std::vector<Record> Arena::recordsOf(const RatedFormat &format) const {
+  auto made = bench::makeFormats({{"", format.candidate.text}}, {format.candidate.passes});
+  axes_->formats = made ? std::move(*made) : std::vector<bench::SweepFormat>();
+  std::vector<Record> records;
+  for (bench::Cell &cell : bench::makeCells(*axes_, options_.madeBy))
+    records.push_back(std::move(cell.record));
+  return records;
+}
+
+std::string Arena::volumePath(const RatedFormat &format) const {
+  const std::string storage = printIr(storageFormat(format.candidate.format));
+  const std::string key = bench::Digest().add(axes_->models.front().model.digest).add(storage).hex();
+  return (fs::path(options_.folder) / "cache" / key).string() + kVolumeEnding;
+}
+
+void Arena::forget(const RatedFormat &format) const {
+  fs::path path = volumePath(format);
+  std::error_code ignored;
+  for (const char *ending : {kVolumeEnding, kFormatEnding, kFiguresEnding})
+    fs::remove(path.replace_extension(ending), ignored);
+}
+
+namespace {
+
+/// What a record tells of a volume, by the figures that are kept beside it.
+void addVolume(const Json &figures, Record &record) {
+  const auto count = [&](const char *key) { return figures.value(key, std::uint64_t{0}); };
+  const auto seconds = [&](const char *key) { return figures.value(key, 0.0); };
+  const std::uint64_t voxels = count("voxels");
+  std::vector<std::uint64_t> levelWords;
+  for (const Json &level : figures.value("levels", Json::array()))
+    levelWords.push_back(level.value("words", std::uint64_t{0}));
+  record.volume = {count("words"), count("bytes"), count("file_bytes"),
+                   static_cast<double>(count("bytes")) /
+                       static_cast<double>(std::max<std::uint64_t>(voxels, 1)),
+                   std::move(levelWords)};
+  record.build = {{},
+                  seconds("compile_seconds"),
+                  seconds("build_seconds"),
+                  seconds("build_cpu_seconds"),
+                  seconds("write_seconds"),
+                  {}};
+  record.model.voxels = voxels;
+  record.model.size = figures.value("extent", std::array<std::uint64_t, 3>{});
+}
+
+/// Of a volume that was built before; none if there is none, or it is broken.
+std::optional<Volume> loadKept(const std::string &path, const std::string &figuresPath, Json &figures) {
+  const auto text = readTextFile(figuresPath);
+  figures = text ? Json::parse(*text, nullptr, false) : Json();
+  if (!figures.is_object())
+    return std::nullopt;
+  auto volume = Volume::load(path, {.trusted = true});
+  return volume ? std::optional(std::move(*volume)) : std::nullopt;
+}
+
+} // namespace
+
+Expected<Volume> Arena::build(const RatedFormat &format, Record &record, const Progress &progress) const {
+  const std::string path = volumePath(format);
+  const std::string figuresPath = fs::path(path).replace_extension(kFiguresEnding).string();
+  Json figures;
+  if (auto kept = loadKept(path, figuresPath, figures)) {
+    addVolume(figures, record);
+    return std::move(*kept);
+  }
+  const Format storage = storageFormat(format.candidate.format);
+  const auto constructor = Constructor::compile(storage);
+  if (!constructor)
+    return constructor.error();
+  const auto source = makeSceneSource(*scene_->colours, scene_->extent, scene_->voxelToModel);
+  Expected<Built> built =
+      constructor->build(*source, {.provenance = scene_->provenance,
+                                   .threads = options_.threads,
+                                   .memory = memory_,
+                                   .path = path,
+                                   .progress = {.stop = progress.stop},
+                                   .maxWords = options_.maxBytes / sizeof(std::uint32_t)});
+  if (!built)
+    return built.error();
+  const VolumeInfo &info = built->volume.info();
+  figures = {{"words", built->volume.words().size()},
+             {"bytes", built->volume.bytes()},
+             {"voxels", info.voxels},
+             {"extent", {info.extent.x, info.extent.y, info.extent.z}},
+             {"compile_seconds", constructor->compileSeconds()}};
+  addBuildFigures(figures, built->report);
+  addFileFigure(figures, path);
+  for (const auto &[name, text] :
+       {std::pair(kFormatEnding, printIr(storage)), {kFiguresEnding, figures.dump() + "\n"}})
+    if (auto written = writeText(fs::path(path).replace_extension(name).string(), text); !written)
+      return written.error();
+  addVolume(figures, record);
+  return std::move(built->volume);
+}
+
+Expected<void> Arena::prepare(Entrant &entrant, const Progress &progress) const {
+  entrant.times.resize(rays_.size());
+  Record &first = entrant.records.front();
+  Expected<Volume> volume = build(*entrant.format, first, progress);
+  if (progress.stopped())
+    return Error::interrupted();
+  if (!volume) {
+    entrant.fail("build", volume.error());
+    return {};
+  }
+  for (Record &record : entrant.records) {
+    record.volume = first.volume;
+    record.build = first.build;
+    record.model = first.model;
+  }
+  entrant.volume = std::move(*volume);
+  Format kernel = entrant.format->candidate.format;
+  kernel.setAttribute(kPrecisionAttribute, axes_->precisions.front());
+  auto contestant = tool::prepare({.precision = axes_->precisions.front(),
+                                   .device = axes_->devices.front().asked,
+                                   .format = std::move(kernel)},
+                                  *entrant.volume, options_.threads);
+  if (contestant)
+    entrant.contestant = std::move(*contestant);
+  else
+    entrant.fail("compile", contestant.error());
+  return {};
+}
+
+Expected<void> Arena::traceRound(Entrant &entrant, bool counted, const Progress &progress) const {
+  for (std::size_t set = 0; set < rays_.size(); ++set) {
+    Contestant &contestant = *entrant.contestant;
+    const auto traced = traceOnce(contestant, rays_[set].rays, counted, progress.stop);
+    if (progress.stopped())
+      return Error::interrupted();
+    if (!traced) {
+      entrant.fail("trace", traced.error());
+      return {};
+    }
+    SetTimes &times = entrant.times[set];
+    takeLast(contestant.cpuSeconds, times.cpuSeconds);
+    takeLast(contestant.seconds, times.seconds);
+    takeLast(contestant.deviceSeconds, times.deviceSeconds);
+    if (counted)
+      continue;
+    // The round that warms leaves the hits.
+    const MeasuredRays &rays = rays_[set];
+    std::vector<Hit> hits(rays.sample.size());
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      hits[i] = contestant.hits[i * rays.rays.size() / hits.size()];
+    entrant.records[set].error = bench::partOf(compare(*oracle_, rays.sample, rays.exact, hits));
+    entrant.records[set].work.hits =
+        static_cast<std::uint64_t>(std::ranges::count_if(contestant.hits, &Hit::isHit));
+  }
+  return {};
+}
+
+Expected<void> Arena::examine(Entrant &entrant, bool countsWork) const {
+  if (!countsWork)
+    return {};
+  Json ignored;
+  Tracing &tracing = entrant.contestant->tracing;
+  const auto countOn = [&](const TraceOptions &options,
+                           bench::Figure bench::WorkPart::*figure) -> Expected<void> {
+    for (std::size_t set = 0; set < rays_.size(); ++set) {
+      std::vector<Hit> hits(rays_[set].sample.size());
+      if (auto traced = tracing.trace(rays_[set].sample, hits, options, ignored); !traced)
+        return traced;
+      entrant.records[set].work.rays = hits.size();
+      entrant.records[set].work.*figure = bench::meanSteps(hits);
+    }
+    return {};
+  };
+  if (auto counted = countOn({.countSteps = true}, &bench::WorkPart::stepsPerRay); !counted)
+    return counted;
+  if (auto prepared = tracing.prepareToCountWords(*entrant.volume, entrant.contestant->variant.format);
+      !prepared)
+    return prepared;
+  return countOn({.countWords = true}, &bench::WorkPart::wordsPerRay);
+}
+
+Finding Arena::finish(Entrant &entrant) const {
+  Finding finding{std::move(entrant.records), {}};
+  for (std::size_t set = 0; set < finding.records.size(); ++set) {
+    Record &record = finding.records[set];
+    record.failure = entrant.failure;
+    if (entrant.failure)
+      continue;
+    const SetTimes &times = entrant.times[set];
+    const std::uint64_t count = record.rays.count;
+    const Json &setup = entrant.contestant->setup;
+    const auto figure = [&](const char *key) {
+      return setup.contains(key) ? bench::Figure(setup[key].get<double>()) : std::nullopt;
+    };
+    record.kernel = {figure("kernel_seconds"), figure("upload_seconds"),
+                     entrant.contestant->firstDispatchSeconds};
+    record.speed = {times.seconds.size(),
+                    bench::speedOf(count, times.seconds),
+                    bench::speedOf(count, times.cpuSeconds),
+                    bench::speedOf(count, times.deviceSeconds),
+                    {}};
+    constexpr double kSteady = 0.1;
+    record.speed.steady = spread(clockOf(times, record.device)) <= kSteady;
+    finding.nanoseconds.push_back(1e9 * median(clockOf(times, record.device)) / static_cast<double>(count));
+  }
+  return finding;
+}
+
+Expected<std::vector<Finding>> Arena::measure(std::span<const RatedFormat *const> formats,
+                                              std::span<const std::vector<double>> predicted,
+                                              const Heat &heat, const Progress &progress) {
+  std::vector<Entrant> entrants;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    Entrant &entrant = entrants.emplace_back(Entrant{formats[i], recordsOf(*formats[i]), {}, {}, {}, {}});
+    for (std::size_t set = 0; set < entrant.records.size(); ++set)
+      entrant.records[set].predicted = {formats[i]->price.words(), 1000 / predicted[i][set],
+                                        formats[i]->costs[set].turns, formats[i]->costs[set].lines};
+    if (Expected<void> prepared = prepare(entrant, progress); !prepared)
+      return prepared.error();
+  }
+  for (unsigned round = 0; round <= heat.rounds; ++round)
+    for (Entrant &entrant : entrants) {
+      if (!entrant.runs())
+        continue;
+      if (Expected<void> traced = traceRound(entrant, round > 0, progress); !traced)
+        return traced.error();
+      if (round < kLeastRounds || !heat.isBeaten || !entrant.runs())
+        continue;
+      double least = 0;
+      for (std::size_t set = 0; set < rays_.size(); ++set)
+        least += entrant.nanoseconds(
+            set, std::ranges::min(clockOf(entrant.times[set], entrant.records[set].device)));
+      entrant.isBeaten = heat.isBeaten(static_cast<double>(entrant.format->bytes()),
+                                       least / static_cast<double>(rays_.size()));
+    }
+  std::vector<Finding> findings;
+  for (Entrant &entrant : entrants) {
+    if (entrant.contestant && !entrant.failure)
+      if (const auto examined = examine(entrant, heat.countsWork); !examined)
+        entrant.fail("trace", examined.error());
+    findings.push_back(finish(entrant));
+  }
+  return findings;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,91 @@
+// Where formats of a search are built, traced in turn and checked.
+#pragma once
+
+#include "search/Scene.h"
+#include "sweep/Cells.h"
+
+#include "accuracy/Variant.h"
+#include "bench/Record.h"
+#include "voxc/Oracle/Oracle.h"
+#include "voxc/Search/Rater.h"
+#include "voxc/Volume/Volume.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+/// What is measured by: rays with the oracle's hits of a sample.
+struct MeasuredRays {
+  std::vector<Ray> rays;
+  std::vector<Ray> sample; ///< Of them, evenly spread.
+  std::vector<Hit> exact;  ///< The oracle's hits of the sample.
+};
+
+/// How long, and how closely, formats are looked at.
+struct Heat {
+  unsigned rounds = 3;
+  bool countsWork = false; ///< Finds steps and words a ray, for which another kernel may be compiled.
+  /// True if a format that takes so many bytes, and at best so many nanoseconds a ray, need not be traced on.
+  std::function<bool(double bytes, double nanoseconds)> isBeaten;
+};
+
+/// What was found of a format.
+struct Finding {
+  std::vector<bench::Record> records; ///< For each set of rays; all have failed, or none.
+  std::vector<double> nanoseconds;    ///< Of each set, by what the device's clock counts; empty if it failed.
+};
+
+struct ArenaOptions {
+  unsigned threads = 0; ///< That build, and of a device that is this processor; 0: all.
+  std::size_t check = 2000;
+  std::uint64_t maxBytes = 0;
+  std::string folder; ///< Its cache/ keeps volumes.
+  bench::MadeByPart madeBy;
+};
+
+class Arena {
+public:
+  /// `axes` has one model with its rays, one precision and one device. The oracle is asked at once. Scene and
+  /// axes must outlive the arena. Errors: of the oracle.
+  static Expected<Arena> create(const Scene &scene, bench::SweepAxes &axes, ArenaOptions options,
+                                const std::shared_ptr<WorkingMemory> &memory, const Progress &progress);
+
+  /// Builds the formats, traces them in turn and checks them. `predicted` are nanoseconds of each format and
+  /// set. Error: `Interrupted`; what goes wrong with a format is its finding.
+  Expected<std::vector<Finding>> measure(std::span<const RatedFormat *const> formats,
+                                         std::span<const std::vector<double>> predicted, const Heat &heat,
+                                         const Progress &progress);
+
+  /// The records that a format would have, without figures: to find what an earlier search found.
+  std::vector<bench::Record> recordsOf(const RatedFormat &format) const;
+  /// Where its volume is kept.
+  std::string volumePath(const RatedFormat &format) const;
+  /// Removes the volume of a format.
+  void forget(const RatedFormat &format) const;
+
+private:
+  struct Entrant;
+
+  Arena(const Scene &scene, bench::SweepAxes &axes, ArenaOptions options,
+        const std::shared_ptr<WorkingMemory> &memory)
+      : scene_(&scene), axes_(&axes), options_(std::move(options)), memory_(memory) {}
+
+  Expected<Volume> build(const RatedFormat &format, bench::Record &record, const Progress &progress) const;
+  Expected<void> prepare(Entrant &entrant, const Progress &progress) const;
+  Expected<void> traceRound(Entrant &entrant, bool counted, const Progress &progress) const;
+  Expected<void> examine(Entrant &entrant, bool countsWork) const;
+  Finding finish(Entrant &entrant) const;
+
+  const Scene *scene_;
+  bench::SweepAxes *axes_;
+  ArenaOptions options_;
+  std::shared_ptr<WorkingMemory> memory_;
+  std::vector<MeasuredRays> rays_;
+  std::unique_ptr<Oracle> oracle_;
+};
+
+} // namespace voxc::tool

@@ -1,0 +1,22 @@
+// A candidate in words: what it is called, and the command that builds it.
+#pragma once
+
+#include "InputArguments.h"
+
+#include "voxc/Search/Candidate.h"
+
+#include <string>
+
+namespace voxc::tool {
+
+/// "G(7) M(2^3) with short pointers, direct-walk": what sets it apart from other candidates of a scene.
+std::string nameOf(const Candidate &candidate);
+
+/// As a shell takes it.
+std::string quoted(const std::string &word);
+
+/// "voxc build "G(9)" scene.ply --resolution=512 --whole-level-dedup -o scene.hvx".
+std::string buildCommand(const std::string &input, const InputArguments &arguments,
+                         const Candidate &candidate);
+
+} // namespace voxc::tool

@@ -1,0 +1,145 @@
+// Batches, and the last rounds.
+#include "search/Contest.h"
+
+#include <algorithm>
+#include <set>
+
+namespace voxc::tool {
+
+using bench::Record;
+
+namespace {
+
+/// A format whose best time is so many times the frontier's at its size is not traced on.
+constexpr double kBeaten = 1.25;
+/// The last rounds are more than those of a batch, and count words by a kernel of their own.
+constexpr double kLastCost = 1.5;
+
+/// What a record says of the time of a ray.
+std::optional<double> nanosecondsOf(const Record &record) {
+  const auto &speed = bench::speedOf(record);
+  return record.isMeasured() && speed ? std::optional(1000 / speed->median) : std::nullopt;
+}
+
+} // namespace
+
+void Contest::takeKnown(const std::vector<Record> &records) {
+  std::map<std::string, const Record *> known;
+  for (const Record &record : records)
+    known[record.cell] = &record;
+  for (std::size_t i = 0; i < race_.formats().size() && !known.empty(); ++i) {
+    Finding finding;
+    for (const Record &record : arena_.recordsOf(race_.formats()[i]))
+      if (const auto before = known.find(record.cell); before != known.end()) {
+        finding.records.push_back(*before->second);
+        if (const auto time = nanosecondsOf(*before->second))
+          finding.nanoseconds.push_back(*time);
+      }
+    if (finding.nanoseconds.size() != race_.formats()[i].costs.size())
+      continue; // Those that failed are tried again.
+    race_.take(i, finding.nanoseconds);
+    findings_[i] = std::move(finding);
+  }
+}
+
+std::vector<double> Contest::predict(std::size_t index) const {
+  const RatedFormat &format = race_.formats()[index];
+  const double correction = race_.expect(index).nanoseconds / format.time();
+  std::vector<double> times;
+  for (const double nanoseconds : format.nanoseconds)
+    times.push_back(nanoseconds * correction);
+  return times;
+}
+
+Expected<void> Contest::measure(const std::vector<std::size_t> &formats, const Heat &heat,
+                                const Progress &progress) {
+  const Stopwatch watch;
+  std::vector<const RatedFormat *> rated;
+  std::vector<std::vector<double>> predicted;
+  for (const std::size_t i : formats) {
+    rated.push_back(&race_.formats()[i]);
+    predicted.push_back(predict(i));
+  }
+  auto found = arena_.measure(rated, predicted, heat, progress);
+  if (!found)
+    return found.error();
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    Finding &finding = (*found)[i];
+    for (Record &record : finding.records) {
+      // What was foretold before anything was known of the format stays.
+      if (const auto before = findings_.find(formats[i]); before != findings_.end())
+        record.predicted =
+            before->second.records[static_cast<std::size_t>(&record - finding.records.data())].predicted;
+      if (Expected<void> written = writer_.append(record); !written)
+        return written;
+    }
+    if (finding.nanoseconds.empty())
+      race_.drop(formats[i]);
+    else
+      race_.take(formats[i], finding.nanoseconds);
+    findings_[formats[i]] = std::move(finding);
+  }
+  measuredSeconds_ += watch.seconds();
+  measuredCount_ += formats.size();
+  return {};
+}
+
+std::vector<std::size_t> Contest::frontier() const {
+  std::vector<std::size_t> order;
+  for (const auto &[index, finding] : findings_)
+    if (race_.timeOf(index))
+      order.push_back(index);
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t i) { return std::pair(race_.formats()[i].bytes(), *race_.timeOf(i)); });
+  std::vector<std::size_t> leading;
+  for (const std::size_t i : order)
+    if (leading.empty() || *race_.timeOf(i) < *race_.timeOf(leading.back()))
+      leading.push_back(i);
+  return leading;
+}
+
+/// Volumes of formats that are not on the frontier any more make room.
+void Contest::forgetBeaten() const {
+  std::set<std::string> needed;
+  for (const std::size_t i : frontier())
+    needed.insert(arena_.volumePath(race_.formats()[i]));
+  for (const auto &[index, finding] : findings_)
+    if (!needed.contains(arena_.volumePath(race_.formats()[index])))
+      arena_.forget(race_.formats()[index]);
+}
+
+double Contest::reserve() const {
+  return measuredCount_ == 0 ? 0
+                             : kLastCost * measuredSeconds_ / static_cast<double>(measuredCount_) *
+                                   static_cast<double>(frontier().size());
+}
+
+Expected<void> Contest::measureFrontier(const Progress &progress) {
+  const std::vector<std::size_t> leading = frontier();
+  return leading.empty() ? Expected<void>() : measure(leading, {options_.lastRounds, true, {}}, progress);
+}
+
+Expected<void> Contest::run(const Progress &progress) {
+  const Progress stop{.stop = progress.stop};
+  while (watch_.seconds() + reserve() < options_.seconds) {
+    const std::vector<std::size_t> batch = race_.next(options_.together, options_.leastGain);
+    isComplete_ = batch.empty();
+    if (isComplete_)
+      break;
+    progress.at("measure", std::min(watch_.seconds() / options_.seconds, 1.0), findings_.size());
+    const Frontier leading = race_.frontier();
+    const auto isBeaten = [&](double bytes, double nanoseconds) {
+      return nanoseconds > kBeaten * 1000 / std::max(leading.speedAt(bytes), 1e-9);
+    };
+    if (Expected<void> measured = measure(batch, {options_.rounds, false, isBeaten}, stop); !measured)
+      return measured;
+    forgetBeaten();
+  }
+  progress.at("measure the frontier", 1);
+  if (Expected<void> measured = measureFrontier(stop); !measured)
+    return measured;
+  forgetBeaten();
+  return {};
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,63 @@
+// A search's measurements: batches chosen by what is expected of them, for as long as there is time, and at
+// the end the frontier once more, in turn.
+#pragma once
+
+#include "search/Arena.h"
+
+#include "bench/RecordFile.h"
+#include "voxc/Search/Race.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace voxc::tool {
+
+struct ContestOptions {
+  double seconds = 0;        ///< Wall time that may pass until the end, from the contest's beginning.
+  std::size_t together = 4;  ///< Formats of a batch.
+  unsigned rounds = 3;       ///< In which each is traced.
+  unsigned lastRounds = 7;   ///< The same of the frontier.
+  double leastGain = 0.0005; ///< Of the area below the frontier, that a format must promise.
+};
+
+class Contest {
+public:
+  /// Both must outlive it.
+  Contest(Race &race, Arena &arena, bench::RecordWriter &writer, const ContestOptions &options)
+      : race_(race), arena_(arena), writer_(writer), options_(options) {}
+
+  /// Takes in what an earlier search measured.
+  void takeKnown(const std::vector<bench::Record> &records);
+
+  /// Errors: `Interrupted`, with which everything that was found is there; `Environment`.
+  Expected<void> run(const Progress &progress);
+
+  /// Nothing was left that promised enough.
+  bool isComplete() const { return isComplete_; }
+  /// What was found of each format, by its number in the race.
+  const std::map<std::size_t, Finding> &findings() const { return findings_; }
+  /// Numbers of measured formats that no other beats in both size and speed, from small to large.
+  std::vector<std::size_t> frontier() const;
+
+private:
+  Expected<void> measure(const std::vector<std::size_t> &formats, const Heat &heat, const Progress &progress);
+  Expected<void> measureFrontier(const Progress &progress);
+  void forgetBeaten() const;
+  std::vector<double> predict(std::size_t index) const;
+  /// Seconds that the last rounds are expected to take.
+  double reserve() const;
+
+  Race &race_;
+  Arena &arena_;
+  bench::RecordWriter &writer_;
+  ContestOptions options_;
+  std::map<std::size_t, Finding> findings_;
+  Stopwatch watch_;
+  double measuredSeconds_ = 0;    ///< Of batches,
+  std::size_t measuredCount_ = 0; ///< and their formats.
+  bool isComplete_ = false;
+};
+
+} // namespace voxc::tool

@@ -1,0 +1,137 @@
+// Reading an input into a graph.
+#include "search/Scene.h"
+
+#include "Building.h"
+
+#include "voxc/Search/SceneValues.h"
+#include "voxc/Support/File.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <algorithm>
+#include <bit>
+#include <sstream>
+
+namespace voxc::tool {
+
+namespace {
+
+/// Of a node of a graph, about.
+constexpr std::uint64_t kNodeBytes = 48;
+
+/// Of a number of each different grid of 4^3 voxels, within what short pointers may have.
+int bitsOfGrids(const SceneDag &dag) {
+  constexpr int kHeight = 2;
+  const std::uint64_t grids = dag.log2Side() < kHeight ? 0 : dag.count(kHeight);
+  return std::clamp(static_cast<int>(std::bit_width(grids)), 8, 24);
+}
+
+class Reader {
+public:
+  Reader(const std::string &input, const InputArguments &arguments,
+         const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common, const Progress &progress)
+      : input_(input), options_(makeInputOptions(arguments, {kMost, kMost, kMost})), common_(common) {
+    options_.memory = memory;
+    options_.progress = progress;
+  }
+
+  Expected<Scene> read() {
+    Expected<Scene> scene = readWith(SceneDag::Detail::Colours);
+    // Shapes alone are far fewer.
+    if (!scene && scene.error().kind == ErrorKind::Environment)
+      return readWith(SceneDag::Detail::Shape);
+    return scene;
+  }
+
+private:
+  static constexpr int kMost = 1 << kMaxLog2Extent;
+
+  Expected<Scene> readWith(SceneDag::Detail detail) {
+    Expected<Input> input = openInput(input_, options_);
+    if (!input)
+      return input.error();
+    tellWarnings(*input, common_);
+    Expected<SceneValues> values = SceneValues::create(options_.memory);
+    if (!values)
+      return values.error();
+    const auto look = [&](std::span<const std::uint32_t> cells) { values->add(cells); };
+    Expected<SceneDag> dag = SceneDag::build(
+        *input->source, {.detail = detail, .mostNodes = options_.memory->bound() / kNodeBytes, .look = look},
+        options_.progress);
+    if (!dag)
+      return dag.error();
+    const bool hasColours = detail == SceneDag::Detail::Colours;
+    SceneDag shape = hasColours ? dag->shape() : std::move(*dag);
+    return finish({.shape = std::move(shape),
+                   .colours = hasColours ? std::optional(std::move(*dag)) : std::nullopt,
+                   .extent = input->source->extent(),
+                   .voxelToModel = input->source->voxelToModel(),
+                   .provenance = input->provenance,
+                   .traits = {}},
+                  *values);
+  }
+
+  Expected<Scene> finish(Scene scene, SceneValues &values) const {
+    if (scene.shape.isEmpty())
+      return Error::input("'" + input_ + "' has no voxels, so that any format would do");
+    const Expected<SceneValues::Cheapest> cheapest = values.finish();
+    if (!cheapest)
+      return cheapest.error();
+    scene.voxels = values.voxels();
+    scene.valueWords = values.isOne() ? 0 : cheapest->words;
+    scene.traits = {.oneColour = values.isOne(),
+                    .paletteBits = cheapest->paletteBits,
+                    .visible = values.isVisible(),
+                    .pointerBits = bitsOfGrids(scene.shape)};
+    return scene;
+  }
+
+  const std::string &input_;
+  InputOptions options_;
+  const CommonOptions &common_;
+};
+
+} // namespace
+
+Expected<Scene> readScene(const std::string &input, const InputArguments &arguments,
+                          const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
+                          const Progress &progress, Json &figures) {
+  const Stopwatch watch;
+  Expected<Scene> scene = Reader(input, arguments, memory, common, progress).read();
+  figures["read_seconds"] = watch.seconds();
+  return scene;
+}
+
+Expected<std::vector<Candidate>> readCandidates(const std::string &path, const Scene &scene) {
+  if (path.empty())
+    return candidatesFor(scene.shape.log2Side(), scene.traits);
+  Expected<std::string> text = readTextFile(path);
+  if (!text)
+    return text.error();
+  std::vector<Candidate> candidates;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.starts_with('#'))
+      continue;
+    for (const bool shortPointers : {false, true}) {
+      Expected<Candidate> candidate = makeCandidate(line, scene.traits, {.shortPointers = shortPointers});
+      if (!candidate)
+        return candidate.error();
+      if (!shortPointers || candidate->format != candidates.back().format)
+        candidates.push_back(std::move(*candidate));
+    }
+  }
+  return candidates;
+}
+
+std::vector<Ray> spreadPackets(const std::vector<Ray> &rays) {
+  constexpr std::size_t kPacket = kReplayPacket;
+  const std::size_t packets = std::min(rays.size(), kReplayedRays) / kPacket;
+  std::vector<Ray> some;
+  for (std::size_t packet = 0; packet < packets; ++packet) {
+    const auto first = rays.begin() + static_cast<std::ptrdiff_t>(rays.size() / packets * packet);
+    some.insert(some.end(), first, first + kPacket);
+  }
+  return some;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,52 @@
+// What suggest and search know of an input: it is read once, into a graph.
+#pragma once
+
+#include "InputArguments.h"
+
+#include "common/Command.h"
+#include "common/Json.h"
+#include "voxc/Search/Candidate.h"
+#include "voxc/Search/Rater.h"
+#include "voxc/Search/SceneDag.h"
+#include "voxc/Support/Progress.h"
+#include "voxc/Support/Transform.h"
+#include "voxc/Support/WorkingMemory.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+struct Scene {
+  SceneDag shape;
+  std::optional<SceneDag> colours; ///< If there was memory for them.
+  Int3 extent;
+  Transform voxelToModel;
+  std::string provenance; ///< As volumes of the input have it.
+  std::uint64_t voxels = 0;
+  std::uint64_t valueWords = 0; ///< Of values apart; 0 if all have one.
+  CandidateTraits traits;
+
+  PricedScene priced() const { return {shape, colours ? &*colours : nullptr, valueWords}; }
+};
+
+/// Reads an input, twice if its colours are more than the memory holds. Figures of reading are added. Errors:
+/// those of inputs; an input without a voxel.
+Expected<Scene> readScene(const std::string &input, const InputArguments &arguments,
+                          const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
+                          const Progress &progress, Json &figures);
+
+/// The formats of a file, one a line, each with and without short pointers if that differs; those that voxc
+/// suggest knows if `path` is "". Errors: a file that cannot be read, a line that is no format.
+Expected<std::vector<Candidate>> readCandidates(const std::string &path, const Scene &scene);
+
+/// Of each kind: more do not change which format it is.
+inline constexpr std::size_t kReplayedRays = 1024;
+
+/// Packets from all over a file of rays.
+std::vector<Ray> spreadPackets(const std::vector<Ray> &rays);
+
+} // namespace voxc::tool
