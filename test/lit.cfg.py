@@ -38,6 +38,9 @@ if config.sanitized:
     config.available_features.add("sanitized")
     config.environment["ASAN_OPTIONS"] = "detect_leaks=0"
 
+# What a search keeps of devices is not the user's.
+config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
+
 # Kernels run on lavapipe, whatever else this machine has, under the validation layer, whose messages go to stdout.
 lavapipe = "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"
 config.environment["MESA_SHADER_CACHE_DISABLE"] = "true"

@@ -13,7 +13,7 @@ namespace {
 /// A format whose best time is so many times the frontier's at its size is not traced on.
 constexpr double kBeaten = 1.25;
 /// The last rounds are more than those of a batch, and count words by a kernel of their own.
-constexpr double kLastCost = 1.5;
+constexpr double kLastCost = 2;
 
 /// What a record says of the time of a ray.
 std::optional<double> nanosecondsOf(const Record &record) {

@@ -1,0 +1,42 @@
+// What the command line says to voxc search.
+#pragma once
+
+#include "BuildArguments.h"
+#include "InputArguments.h"
+
+#include "common/Command.h"
+#include "sweep/RaySet.h"
+#include "voxc/Search/Explore.h"
+#include "voxc/Search/Suggest.h"
+
+#include <cstdint>
+#include <string>
+
+namespace voxc::tool {
+
+struct SearchOptions {
+  std::string input, folder;
+  InputArguments inputArguments; ///< After `read` with a resolution.
+  double budget = 0;             ///< In seconds; set by `read`.
+  Wish wish;                     ///< Set by `read`.
+  double leastSpeed = 0;         ///< Million rays a second.
+  std::string device, precision = "exact";
+  bench::RayArguments rays;
+  std::string formatsPath; ///< "": all of the space.
+  ExploreOptions explore;
+  std::size_t check = 2000;
+  std::uint32_t seed = 1;
+  BuildArguments building;
+  CommonOptions common;
+
+  void declare(CLI::App &app);
+  /// Reads what is written in words. Error: `Usage`.
+  Expected<void> read();
+  /// What was typed, as far as it matters to who reads the records.
+  std::string commandText() const;
+
+private:
+  std::string budgetText_ = "180s", objective_ = "balanced";
+};
+
+} // namespace voxc::tool

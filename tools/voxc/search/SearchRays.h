@@ -1,0 +1,19 @@
+// The rays of a search: those that formats are measured by, and some of them to be replayed.
+#pragma once
+
+#include "search/Scene.h"
+#include "search/SearchOptions.h"
+#include "sweep/Cells.h"
+
+#include <vector>
+
+namespace voxc::tool {
+
+/// One model with its rays, one precision and one device; formats are still to be named. What a machine needs
+/// to make the rays again is kept in the cache of the folder. Errors: those of cameras, rays and devices.
+Expected<bench::SweepAxes> makeSearchAxes(const SearchOptions &options, const Scene &scene);
+
+/// Rays that stand for the measured ones.
+std::vector<RaySet> replayedRays(const Scene &scene, const std::vector<bench::RaySet> &measured);
+
+} // namespace voxc::tool
