@@ -27,11 +27,11 @@ public:
   Expected<void> run() override {
     if (Expected<void> writable = checkOutputFile(output_); !writable)
       return writable;
-    Expected<Format> format = building_.readFormat();
-    if (!format)
-      return format.error();
     Json figures;
     ProgressBar bar(common_.quiet);
+    Expected<Format> format = building_.readFormat("cpu", common_, bar.progress(), figures);
+    if (!format)
+      return format.error();
     if (Expected<void> built = build(*format, bar.progress(), figures); !built) {
       // How far it came; that this cannot be written as well is no news.
       figures["failed"] = built.error().message;

@@ -3,14 +3,26 @@
 
 #include "common/Statistics.h"
 #include "frontend/FormatArgument.h"
+#include "search/BuildCommand.h"
+#include "search/Suggestion.h"
 #include "voxc/Layout/Layout.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace voxc::tool {
 
+namespace {
+
+constexpr const char *kAutoFormat = "auto";
+
+} // namespace
+
 void Building::declare(CLI::App &app) {
-  app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
+  app_ = &app;
+  app.add_option("FORMAT", format_,
+                 "Format string, .vir file, or - for standard input; auto: as voxc suggest chooses")
       ->required()
       ->type_name("");
   app.add_option("INPUT", input_, kInputHelp)->required()->type_name("");
@@ -30,11 +42,49 @@ void Building::declareCompress(CLI::App &app) { addCompressArgument(app, buildAr
 void Building::declareMaxBytes(CLI::App &app) { addMaxBytesArgument(app, buildArguments_); }
 
 void Building::defaultInput(CLI::App &app, const std::string &input) {
-  input_ = input;
+  input_ = usualInput_ = input;
   app.get_option("INPUT")->required(false)->capture_default_str();
+  format_ = kAutoFormat;
+  app.get_option("FORMAT")->required(false)->capture_default_str();
 }
 
-Expected<Format> Building::readFormat() {
+/// True if the one argument is a file that holds no format, or a kind of input with its colon.
+bool Building::hasInputAlone() const {
+  if (usualInput_.empty() || app_->get_option("INPUT")->count() > 0 || format_ == kAutoFormat)
+    return false;
+  const bool isFormat = format_ == "-" || format_.ends_with(".vir") || tool::readFormat(format_);
+  std::error_code ignored;
+  return !isFormat && ((format_.find(':') != std::string::npos && !format_.starts_with("format")) ||
+                       std::filesystem::exists(format_, ignored));
+}
+
+/// The passes are those of the candidate; more can only be said of a format that one knows.
+Expected<Format> Building::suggestFormat(const std::string &device, const CommonOptions &common,
+                                         const Progress &progress, Json &figures) {
+  if (!passes_.names().empty() || payload_.isAuto())
+    return Error::usage("passes and payloads are chosen with the format; name a FORMAT to choose them");
+  SuggestRequest request{.input = input_, .arguments = inputArguments_, .device = device};
+  request.wish.maxBytes = std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t);
+  request.memory = makeWorkingMemory(buildArguments_);
+  Expected<Suggestion> suggestion = makeSuggestion(request, common, progress, figures);
+  if (!suggestion)
+    return suggestion.error();
+  const Candidate &candidate = suggestion->rated[*suggestion->choice].candidate;
+  inputArguments_ = suggestion->arguments;
+  format_ = candidate.text;
+  suggestedPasses_ = candidate.passes;
+  figures["format"] = candidate.text;
+  if (!common.quiet)
+    printNote("format: " + buildCommand(input_, inputArguments_, candidate));
+  return candidate.format;
+}
+
+Expected<Format> Building::readFormat(const std::string &device, const CommonOptions &common,
+                                      const Progress &progress, Json &figures) {
+  if (hasInputAlone())
+    input_ = std::exchange(format_, kAutoFormat);
+  if (format_ == kAutoFormat)
+    return suggestFormat(device, common, progress, figures);
   Expected<Format> format = tool::readFormat(format_);
   if (!format)
     return format;
@@ -177,7 +227,7 @@ Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptio
   }
   if (reduced)
     options.provenance += std::string(" colours=") + kReducedColours;
-  figures["passes"] = passes_.names();
+  figures["passes"] = suggestedPasses_.empty() ? passes_.names() : suggestedPasses_;
   figures["threads"] = threads;
   figures["memory_bound_bytes"] = options.memory->bound();
   figures["compile_seconds"] = constructor->compileSeconds();

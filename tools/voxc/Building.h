@@ -15,6 +15,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace voxc::tool {
 
@@ -29,11 +30,14 @@ public:
   void declareCompress(CLI::App &app);
   /// Adds --max-bytes.
   void declareMaxBytes(CLI::App &app);
-  /// Lets INPUT be left out in favour of `input`.
+  /// Lets INPUT be left out in favour of `input`, and FORMAT in favour of `auto`: one argument alone is the
+  /// format, unless it names an input.
   void defaultInput(CLI::App &app, const std::string &input);
 
-  /// The format as FORMAT and the passes say.
-  Expected<Format> readFormat();
+  /// The format as FORMAT and the passes say; or, if that is `auto` or left out, as voxc suggest would choose
+  /// for the input and a device of this name, which a note tells.
+  Expected<Format> readFormat(const std::string &device, const CommonOptions &common,
+                              const Progress &progress, Json &figures);
   /// Compiles the format's constructor, opens the input and builds the volume; it is written to `path` unless
   /// that is "". The format gets its payload by the input, if that is asked for. Its figures are added;
   /// `words` also if building fails.
@@ -54,6 +58,8 @@ private:
 
     VoxelSource &source() { return reduced ? *reduced : *input.source; }
   };
+  Expected<Format> suggestFormat(const std::string &device, const CommonOptions &common,
+                                 const Progress &progress, Json &figures);
   Expected<Format> formOf(const PayloadChoice &choice) const;
   Expected<void> choosePayload(Format &format, VoxelSource &source,
                                const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
@@ -63,10 +69,15 @@ private:
   Expected<Prepared> prepare(Format &format, const CommonOptions &common, const Progress &progress,
                              Json &figures) const;
 
+  bool hasInputAlone() const;
+
+  const CLI::App *app_ = nullptr;
   std::string format_;
+  std::string usualInput_;        ///< "": an input has to be named.
   std::optional<Format> written_; ///< What FORMAT says, without passes.
   std::string input_;
   PassOptions passes_;
+  std::vector<std::string> suggestedPasses_; ///< In their place, of a format that was suggested.
   PayloadOption payload_;
   bool lossy_ = false;
   InputArguments inputArguments_;

@@ -41,15 +41,16 @@ public:
 
 private:
   Expected<void> buildAndRender(ProgressBar &bar, Json &figures) {
-    Expected<Format> format = building_.readFormat();
+    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
+      return opened;
+    Expected<Format> format =
+        building_.readFormat(tracing_.deviceInfo().name, common_, bar.progress(), figures);
     if (!format)
       return format.error();
     if (Expected<void> applied = attributes_.apply(*format); !applied)
       return applied;
     if (Expected<void> applied = rendering_.applyTo(*format); !applied)
       return applied;
-    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
-      return opened;
     building_.useThreads(tracing_.threads());
     Expected<Volume> volume = building_.build(*format, volumePath_, common_, bar.progress(), figures);
     if (!volume)

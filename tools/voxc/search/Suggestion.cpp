@@ -1,0 +1,71 @@
+// Suggesting a format.
+#include "search/Suggestion.h"
+
+#include "common/Files.h"
+#include "search/KeptWeights.h"
+#include "voxc/Search/SampleRays.h"
+#include "voxc/Support/Stopwatch.h"
+
+namespace voxc::tool {
+
+namespace {
+
+/// A picture in which neighbours are as close as in one of the usual size, and packets lie everywhere.
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+
+Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scene &scene) {
+  std::vector<RaySet> sets;
+  for (const std::string &path : request.rayFiles) {
+    Expected<std::vector<Ray>> rays = readRays(path);
+    if (!rays)
+      return rays.error();
+    if (rays->size() < kReplayPacket)
+      return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
+                          std::to_string(kReplayPacket) + " or more tell what a packet costs");
+    sets.push_back({path, spreadPackets(*rays)});
+  }
+  if (sets.empty()) {
+    sets.push_back({"camera", sampleCamera(frameExtent(scene.extent, kWidth, kHeight), kReplayedRays)});
+    std::vector<Ray> bounces = sampleBounces(scene.shape, sets.front().rays, 1);
+    if (!bounces.empty()) // Something is seen.
+      sets.push_back({"bounced", std::move(bounces)});
+  }
+  return sets;
+}
+
+} // namespace
+
+Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonOptions &common,
+                                    const Progress &progress, Json &figures) {
+  Suggestion suggestion{
+      .input = request.input, .arguments = request.arguments, .device = request.device, .wish = request.wish};
+  if (suggestion.arguments.resolution == 0)
+    suggestion.arguments.resolution = kDefaultResolution;
+  Expected<Scene> scene =
+      readScene(request.input, suggestion.arguments, request.memory, common, progress, figures);
+  if (!scene)
+    return scene.error();
+  Expected<std::vector<Candidate>> candidates = readCandidates(request.formatsPath, *scene);
+  if (!candidates)
+    return candidates.error();
+  Expected<std::vector<RaySet>> rays = makeRays(request, *scene);
+  if (!rays)
+    return rays.error();
+  const Stopwatch watch;
+  for (const RaySet &set : *rays)
+    suggestion.rays.push_back(set.name);
+  suggestion.voxels = scene->voxels;
+  suggestion.valueWords = scene->valueWords;
+  suggestion.rated = rateFormats(scene->priced(), std::move(*candidates), *rays,
+                                 speedModelFor(request.device), request.wish, progress);
+  figures["rate_seconds"] = watch.seconds();
+  if (progress.stopped())
+    return Error::interrupted();
+  suggestion.choice = choose(suggestion.rated, request.wish);
+  if (!suggestion.choice)
+    return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
+  return suggestion;
+}
+
+} // namespace voxc::tool
