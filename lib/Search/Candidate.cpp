@@ -92,6 +92,16 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
   return candidate;
 }
 
+FormatChoices choicesOf(const std::vector<std::string> &passes) {
+  FormatChoices choices;
+  for (const std::string &pass : passes) {
+    choices.shortPointers |= pass.starts_with("short-pointers");
+    if (const auto walk = std::ranges::find(searchedWalks(), pass); walk != searchedWalks().end())
+      choices.walk = *walk;
+  }
+  return choices;
+}
+
 std::vector<Candidate> candidatesFor(int log2Side, const CandidateTraits &traits) {
   std::vector<Candidate> candidates;
   std::set<std::string> known;

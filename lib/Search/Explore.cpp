@@ -1,7 +1,7 @@
 // Going through the space of formats along its frontier.
 #include "voxc/Search/Explore.h"
 
-#include "voxc/Search/Frontier.h"
+#include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
 #include <limits>
@@ -38,7 +38,8 @@ public:
 
   Explored run(std::vector<Candidate> seeds, std::span<const RaySet> rays) {
     for (Candidate &seed : seeds)
-      take(std::move(seed));
+      if (!progress_.stopped())
+        take(std::move(seed));
     while (!isOver()) {
       const std::vector<std::size_t> near = nearest();
       if (near.empty()) {
@@ -53,10 +54,13 @@ public:
   }
 
 private:
-  bool isOver() const { return progress_.stopped() || explored_.rated >= options_.mostFormats; }
+  bool isOver() const {
+    return progress_.stopped() || explored_.rated >= options_.mostFormats ||
+           watch_.seconds() > options_.seconds;
+  }
 
   void take(Candidate candidate) {
-    if (!known_.insert(printIr(candidate.format)).second || isOver())
+    if (!known_.insert(printIr(candidate.format)).second)
       return;
     progress_.at("explore",
                  static_cast<double>(++explored_.rated) / static_cast<double>(options_.mostFormats));
@@ -131,6 +135,7 @@ private:
   std::set<Composition> tried_;
   std::set<std::string> known_; ///< Their IR: so that equal formats are priced once.
   Explored explored_;
+  Stopwatch watch_;
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "voxc/Search/SceneDag.h"
 
 #include "InternTable.h"
+#include "OctantMask.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ int log2SideFor(Int3 extent) {
 SceneDag::Node SceneDag::Layer::node(std::size_t number) const {
   const std::uint64_t begin = begins[number];
   const std::uint32_t mask = words[begin];
-  return {mask, std::span(words).subspan(begin + 1, static_cast<std::size_t>(std::popcount(mask)))};
+  return {mask, std::span(words).subspan(begin + 1, octantsIn(mask))};
 }
 
 /// From the root down: a child is there as often as all its parents.

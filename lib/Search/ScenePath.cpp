@@ -1,6 +1,8 @@
 // The cubes that lead to a voxel.
 #include "ScenePath.h"
 
+#include "OctantMask.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -22,8 +24,8 @@ int ScenePath::find(Int3 voxel) {
                                              (voxel.z >> below & 1) << 2);
     if ((node.mask >> child & 1) == 0)
       return found_ = below;
-    const int before = std::popcount(node.mask & ((1u << child) - 1));
-    numbers_[static_cast<std::size_t>(below)] = node.children[static_cast<std::size_t>(before)];
+    const std::size_t before = octantsBefore(node.mask, child);
+    numbers_[static_cast<std::size_t>(below)] = node.children[before];
   }
   return found_ = -1;
 }

@@ -1,6 +1,8 @@
 // Reading a graph as a source.
 #include "voxc/Search/SceneSource.h"
 
+#include "OctantMask.h"
+
 #include <algorithm>
 #include <bit>
 #include <optional>
@@ -43,7 +45,7 @@ private:
                                                (cube.low.z >> below & 1) << 2);
       if ((node.mask >> child & 1) == 0)
         return std::nullopt;
-      number = node.children[static_cast<std::size_t>(std::popcount(node.mask & ((1u << child) - 1)))];
+      number = node.children[octantsBefore(node.mask, child)];
     }
     return number;
   }

@@ -24,6 +24,9 @@ namespace {
 /// Volumes of more than so many times the bytes of the smallest are not looked for.
 constexpr double kSizesOfUse = 64;
 
+/// Of the budget, that foretelling may take.
+constexpr double kExploringShare = 0.25;
+
 class SearchCommand final : public Subcommand {
 public:
   void declare(CLI::App &app) override { options_.declare(app); }
@@ -36,18 +39,21 @@ private:
   Expected<void> measure(Scene &scene, bench::SweepAxes &axes, Explored explored, const SpeedModel &model,
                          Json &figures);
   Expected<void> tell(const SearchResult &result, Json &figures);
+  void addKnown(const Scene &scene, std::vector<Candidate> &seeds) const;
 
   SearchOptions options_;
   Progress progress_;
   ProgressBar *bar_ = nullptr;
   Stopwatch watch_;
   std::shared_ptr<WorkingMemory> memory_;
+  std::vector<bench::Record> known_; ///< What earlier searches found.
 };
 
 Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
                                  std::vector<Candidate> seeds) const {
   Rater rater(scene.priced());
   ExploreOptions options = options_.explore;
+  options.seconds = kExploringShare * options_.budget;
   if (!options_.formatsPath.empty()) {
     // They and no others: nothing is rewritten, nothing left out.
     options.mostFormats = seeds.size();
@@ -80,9 +86,6 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
   auto writer = bench::RecordWriter::open(options_.folder + "/" + bench::kResultsName);
   if (!writer)
     return writer.error();
-  const auto known = bench::readRecords(options_.folder);
-  if (!known)
-    return known.error();
   auto arena = Arena::create(scene, axes,
                              {.threads = threadsOf(options_.building),
                               .check = options_.check,
@@ -93,7 +96,7 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
   if (!arena)
     return arena.error();
   Contest contest(race, *arena, *writer, {.seconds = options_.budget - watch_.seconds()});
-  contest.takeKnown(*known);
+  contest.takeKnown(known_);
   const Expected<void> measured = contest.run(progress_);
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
   if (!measured && !isInterrupted)
@@ -114,6 +117,14 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
   return told ? measured : told;
 }
 
+/// Formats that an earlier search came to are rated whatever the budget is, so that none is forgotten.
+void SearchCommand::addKnown(const Scene &scene, std::vector<Candidate> &seeds) const {
+  for (const bench::Record &record : known_)
+    if (auto candidate = makeCandidate(record.format.name, scene.traits, choicesOf(record.format.passes)))
+      if (candidate->passes == record.format.passes)
+        seeds.push_back(std::move(*candidate));
+}
+
 Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   if (!scene.colours)
     return Error::environment("the scene with its colours takes more than the memory that may be used; "
@@ -124,6 +135,12 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   auto seeds = readCandidates(options_.formatsPath, scene);
   if (!seeds)
     return seeds.error();
+  auto known = bench::readRecords(options_.folder);
+  if (!known)
+    return known.error();
+  known_ = std::move(*known);
+  if (options_.formatsPath.empty())
+    addKnown(scene, *seeds);
   const SpeedModel model = speedModelFor(axes->devices.front().part.name);
   const Stopwatch exploring;
   Explored explored =

@@ -30,6 +30,9 @@ struct CandidateTraits {
 Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
                                   const FormatChoices &choices);
 
+/// The choices that passes of a candidate tell of.
+FormatChoices choicesOf(const std::vector<std::string> &passes);
+
 /// The formats of 2^log2Side voxels a side that `voxc suggest` chooses from: a grid, or one with distances,
 /// of any size that is no larger than some, and below it grids with masks, DAGs or an octree; and the same
 /// without a grid. Each differs from all others. Precondition: log2Side is 1 to 21.

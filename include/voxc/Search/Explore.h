@@ -6,6 +6,7 @@
 #include "voxc/Search/Suggest.h"
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace voxc {
 
 struct ExploreOptions {
   std::size_t maxLevels = 4;
-  std::size_t mostFormats = 6000; ///< That are rated.
+  std::size_t mostFormats = 6000; ///< That are rated, but for seeds.
+  /// Wall time that rating may take. If it ends the exploring, what was found depends on the machine.
+  double seconds = std::numeric_limits<double>::infinity();
   /// Rays of each set that are replayed; those of all are, where a format comes near the frontier.
   std::size_t sampledRays = 192;
   /// Formats that take up to so many times the time of the frontier at their size are near it.
@@ -29,7 +32,8 @@ struct Explored {
   bool isComplete = false;          ///< No rewrite of what is near the frontier was left.
 };
 
-/// Begins with `seeds`. The same for the same arguments. Stops early, with what it has, if told to.
+/// Begins with `seeds`, all of which are rated. The same for the same arguments, if there is time. Stops
+/// early, with what it has, if told to.
 Explored explore(Rater &rater, std::vector<Candidate> seeds, const CandidateTraits &traits,
                  std::span<const RaySet> rays, const SpeedModel &model, const Wish &wish,
                  const ExploreOptions &options = {}, const Progress &progress = {});

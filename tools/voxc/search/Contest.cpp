@@ -25,9 +25,14 @@ std::optional<double> nanosecondsOf(const Record &record) {
 
 void Contest::takeKnown(const std::vector<Record> &records) {
   std::map<std::string, const Record *> known;
-  for (const Record &record : records)
+  std::set<std::string> names;
+  for (const Record &record : records) {
     known[record.cell] = &record;
-  for (std::size_t i = 0; i < race_.formats().size() && !known.empty(); ++i) {
+    names.insert(record.format.name);
+  }
+  for (std::size_t i = 0; i < race_.formats().size(); ++i) {
+    if (!names.contains(race_.formats()[i].candidate.text))
+      continue;
     Finding finding;
     for (const Record &record : arena_.recordsOf(race_.formats()[i]))
       if (const auto before = known.find(record.cell); before != known.end()) {
@@ -135,6 +140,8 @@ Expected<void> Contest::run(const Progress &progress) {
       return measured;
     forgetBeaten();
   }
+  if (measuredCount_ == 0)
+    return {}; // All is known from before.
   progress.at("measure the frontier", 1);
   if (Expected<void> measured = measureFrontier(stop); !measured)
     return measured;
