@@ -18,7 +18,7 @@ void addPeak(Tables &tables, const Entry &entry) {
   const double bytes = *entry.peakBytes;
   Bar &bar = table.bars[{table.row(entry.look.name), table.column(entry.cell->model.name)}];
   if (bytes >= bar.value)
-    bar = {bytes, bytesText(bytes), "passes: " + entry.passes};
+    bar = {bytes, bytesText(bytes), wholeName(entry)};
 }
 
 /// Marks the largest of each column.
