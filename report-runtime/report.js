@@ -83,7 +83,6 @@
     const start = order.find(point => point.classList.contains("on")) ?? order[0];
     for (const point of own)
       point.tabIndex = point === start ? 0 : -1;
-    chart.classList.toggle("crowded", own.length > 40);
 
     const pointAt = event => {
       const point = nearest(own, event.clientX, event.clientY);

@@ -42,6 +42,21 @@ std::string axes(const plot::Scale &x, const plot::Scale &y, const std::string &
                         xName + " →");
 }
 
-std::string markReference(std::size_t family) { return "#m" + std::to_string(family); }
+bool isCrowded(std::size_t points) {
+  constexpr std::size_t kCrowd = 60;
+  return points > kCrowd;
+}
+
+std::string chartElement(std::size_t points, const std::string &content) {
+  return tag("svg",
+             {{"class", isCrowded(points) ? "chart crowded" : "chart"},
+              {"height", coordinate(kChartHeight)},
+              {"role", "group"}},
+             content);
+}
+
+std::string markReference(std::size_t family, bool isSmall) {
+  return (isSmall ? "#s" : "#m") + std::to_string(family);
+}
 
 } // namespace voxc::report

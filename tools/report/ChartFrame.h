@@ -4,6 +4,7 @@
 
 #include "plot/Scale.h"
 
+#include <cstddef>
 #include <string>
 
 namespace voxc::report {
@@ -19,7 +20,12 @@ std::string fineShare(double value);
 std::string axes(const plot::Scale &x, const plot::Scale &y, const std::string &xName,
                  const std::string &yName);
 
-/// The reference to a family's mark: "#m2".
-std::string markReference(std::size_t family);
+/// Whether a chart of so many points draws them small.
+bool isCrowded(std::size_t points);
+/// The svg element of a chart with so many points.
+std::string chartElement(std::size_t points, const std::string &content);
+
+/// A reference to a family's mark: "#m2", or "#s2" for the small one.
+std::string markReference(std::size_t family, bool isSmall = false);
 
 } // namespace voxc::report

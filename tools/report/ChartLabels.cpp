@@ -19,7 +19,7 @@ using plot::Scale;
 
 constexpr double kLetters = 12.5, kSmallLetters = 11;
 /// The share of a label that may cover something; one for which there is no better place is left out.
-constexpr double kMostCovered = 0.35;
+constexpr double kMostCovered = 0.25;
 /// What a point takes, from its middle.
 constexpr double kReach = 7;
 
@@ -28,7 +28,9 @@ struct LabelSet {
   double width;
   std::size_t mostOthers; ///< More names of points that do not lead would hide the frontier.
 };
-constexpr std::array<LabelSet, 2> kLabelSets = {{{"wide", 470, 14}, {"narrow", 286, 4}}};
+constexpr double kFullWidth = 1060;
+constexpr std::array<LabelSet, 3> kLabelSets = {
+    {{"wide", 470, 14}, {"narrow", 286, 4}, {"full", kFullWidth, 40}}};
 
 class Labelling {
 public:
@@ -130,8 +132,9 @@ private:
 std::string chartLabels(const Chart &chart, const Scale &x, const Scale &y) {
   std::string text;
   for (const LabelSet &set : kLabelSets)
-    text += tag("g", {{"class", std::string(set.name)}, {"aria-hidden", "true"}},
-                Labelling(chart, x, y, set).draw());
+    if (set.width < kFullWidth || chart.isAlone)
+      text += tag("g", {{"class", std::string(set.name)}, {"aria-hidden", "true"}},
+                  Labelling(chart, x, y, set).draw());
   return text;
 }
 

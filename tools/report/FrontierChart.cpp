@@ -36,7 +36,7 @@ public:
     const std::string content = textTag("title", {}, chart_.title) +
                                 axes(x_, y_, "Size, logarithmic", chart_.speedLabel) + frontier() +
                                 chartLabels(chart_, x_, y_) + points();
-    return tag("svg", {{"class", "chart"}, {"height", coordinate(kChartHeight)}, {"role", "group"}}, content);
+    return chartElement(chart_.points.size(), content);
   }
 
 private:
@@ -79,10 +79,11 @@ private:
 
   std::string drawPoint(const ChartPoint &point) const {
     const std::string x = fineShare(x_.place(point.bytes)), y = coordinate(y_.place(point.speed.median));
+    const bool isSmall = isCrowded(chart_.points.size()) && point.place == Place::Beaten;
     std::string content = textTag("title", {}, point.note) + rounds(point, x);
     if (point.hasErrors)
       content += tag("circle", {{"class", "ring"}, {"cx", x}, {"cy", y}, {"r", "10"}}, "");
-    content += tag("use", {{"href", markReference(point.family)}, {"x", x}, {"y", y}}, "");
+    content += tag("use", {{"href", markReference(point.family, isSmall)}, {"x", x}, {"y", y}}, "");
     const std::string style =
         "point f" + std::to_string(point.family) + kPlaceStyles[static_cast<std::size_t>(point.place)];
     return tag("a",
@@ -109,9 +110,13 @@ std::string markDefinitions() {
       "M-5-5H5V5H-5Z",
       "M-2-6H2V-2H6V2H2V6H-2V2H-6V-2H-2Z"};
   std::string marks;
-  for (std::size_t family = 0; family < kOutlines.size(); ++family)
+  for (std::size_t family = 0; family < kOutlines.size(); ++family) {
+    const std::string outline(kOutlines[family]);
+    marks += tag("path", {{"id", markReference(family).substr(1)}, {"d", outline}}, "");
     marks +=
-        tag("path", {{"id", markReference(family).substr(1)}, {"d", std::string(kOutlines[family])}}, "");
+        tag("path",
+            {{"id", markReference(family, true).substr(1)}, {"d", outline}, {"transform", "scale(.65)"}}, "");
+  }
   return tag("svg", {{"class", "definitions"}, {"width", "0"}, {"height", "0"}, {"aria-hidden", "true"}},
              tag("defs", {}, marks));
 }

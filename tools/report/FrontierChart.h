@@ -33,6 +33,7 @@ struct ChartRange {
 struct Chart {
   std::string title; ///< For readers who do not see it.
   std::string speedLabel;
+  bool isAlone = false; ///< No chart stands beside it: it has the whole width of the page.
   ChartRange range;
   std::vector<ChartPoint> points; ///< One at least, with positive sizes, from small to large.
 };

@@ -14,8 +14,9 @@ namespace voxc::report {
 std::string verdictHtml(const Catalogue &catalogue, const std::vector<const Stage *> &stages);
 
 /// The chart of a stage, the table of its leaders, and what else is to be said of it; nothing if it has no
-/// points.
-std::string stageFigure(const Catalogue &catalogue, const Stage &stage, const ChartRange &range);
+/// points. `isAlone`: no other figure stands beside it.
+std::string stageFigure(const Catalogue &catalogue, const Stage &stage, const ChartRange &range,
+                        bool isAlone);
 
 /// The leaders of a stage from small to large, and why each stands where it does: lookups and words a ray,
 /// and the bytes of each level.

@@ -110,7 +110,7 @@ std::string verdicts(const Catalogue &catalogue, const Group &group, bool isOnly
 std::string figures(const Catalogue &catalogue, const Group &group, const std::vector<ChartRange> &ranges) {
   std::string text;
   for (const std::size_t i : group.stages)
-    text += stageFigure(catalogue, catalogue.stages[i], ranges[i]);
+    text += stageFigure(catalogue, catalogue.stages[i], ranges[i], group.stages.size() == 1);
   return text.empty() ? "" : tag("div", {{"class", "stages"}}, "\n" + text);
 }
 

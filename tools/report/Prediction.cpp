@@ -82,12 +82,12 @@ WordPredictions wordPredictionsOf(const Catalogue &catalogue, const Stage &stage
   for (const std::size_t i : stage.entries) {
     const Cell &cell = *catalogue.entries[i].cell;
     const tool::bench::Count foretold = cell.predicted ? cell.predicted->words : tool::bench::Count();
-    if (!foretold || cell.volume.words.value_or(0) == 0)
+    if (!foretold || !cell.volume.words)
       continue;
-    const double built = double(*cell.volume.words);
+    const auto [least, most] = std::minmax(*foretold, *cell.volume.words);
     ++found.all;
-    found.exact += *foretold == *cell.volume.words;
-    found.worst = std::max(found.worst, std::abs(double(*foretold) - built) / built);
+    found.exact += least == most;
+    found.worst = std::max(found.worst, most - least);
   }
   return found;
 }

@@ -30,7 +30,7 @@ std::optional<double> rankCorrelation(const std::vector<Prediction> &predictions
 /// Sizes that were foretold and built.
 struct WordPredictions {
   std::size_t all = 0, exact = 0;
-  double worst = 0; ///< The largest error as a share of the words that were built.
+  std::uint64_t worst = 0; ///< The largest difference in words.
 };
 WordPredictions wordPredictionsOf(const Catalogue &catalogue, const Stage &stage);
 

@@ -31,7 +31,7 @@ public:
                           axes(x_, y_, "foretold", unit + " measured") + band();
     for (const Prediction &prediction : predictions_)
       content += point(prediction);
-    return tag("svg", {{"class", "chart"}, {"height", coordinate(kChartHeight)}, {"role", "group"}}, content);
+    return chartElement(predictions_.size(), content);
   }
 
 private:
@@ -71,7 +71,11 @@ private:
                 {"href", "#" + rowId(catalogue_, entry)},
                 {"data-variant", std::to_string(entry.variant)}},
                textTag("title", {}, note) +
-                   tag("use", {{"href", markReference(entry.look.family)}, {"x", x}, {"y", y}}, ""));
+                   tag("use",
+                       {{"href", markReference(entry.look.family, isCrowded(predictions_.size()))},
+                        {"x", x},
+                        {"y", y}},
+                       ""));
   }
 
   const Catalogue &catalogue_;
@@ -93,7 +97,7 @@ std::string wordSentence(const WordPredictions &words) {
   if (words.exact == words.all)
     return " All " + plural(words.all, "size") + " are as foretold, to the word.";
   return " Of " + plural(words.all, "size") + " " + countText(double(words.exact)) +
-         " are as foretold, to the word; the others are off by " + percentText(words.worst) + " at most.";
+         " are as foretold, to the word; the others are off by " + plural(words.worst, "word") + " at most.";
 }
 
 /// Who was misjudged most, for a reader who wants to know where not to trust it.

@@ -27,9 +27,12 @@ ChartPoint makePoint(const Catalogue &catalogue, const Entry &entry) {
           .target = "#" + rowId(catalogue, entry)};
 }
 
-Chart makeChart(const Catalogue &catalogue, const Stage &stage, const ChartRange &range) {
-  Chart chart{
-      stage.model + ", " + stageTitle(stage) + ": size against speed", speedUnit(stage.hasClock), range, {}};
+Chart makeChart(const Catalogue &catalogue, const Stage &stage, const ChartRange &range, bool isAlone) {
+  Chart chart{stage.model + ", " + stageTitle(stage) + ": size against speed",
+              speedUnit(stage.hasClock),
+              isAlone,
+              range,
+              {}};
   for (const std::size_t i : stage.entries)
     if (catalogue.entries[i].hasPoint())
       chart.points.push_back(makePoint(catalogue, catalogue.entries[i]));
@@ -61,8 +64,9 @@ std::string remarks(const Catalogue &catalogue, const Stage &stage) {
 
 } // namespace
 
-std::string stageFigure(const Catalogue &catalogue, const Stage &stage, const ChartRange &range) {
-  const Chart chart = makeChart(catalogue, stage, range);
+std::string stageFigure(const Catalogue &catalogue, const Stage &stage, const ChartRange &range,
+                        bool isAlone) {
+  const Chart chart = makeChart(catalogue, stage, range, isAlone);
   if (chart.points.empty())
     return {};
   const std::string caption =
