@@ -99,9 +99,11 @@ std::string leaderTable(const Catalogue &catalogue, const Stage &stage) {
       row += textTag("td", {{"class", "n"}}, figureText(column->value(*leader)));
     body += tag("tr", {}, row) + "\n";
   }
-  return tag(
-      "div", {{"class", "scroll"}},
-      tag("table", {{"class", "leaders"}}, tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body)));
+  constexpr std::size_t kMany = 3;
+  const std::string style = columns.size() >= kMany ? "leaders many" : "leaders";
+  return tag("div", {{"class", "scroll"}},
+             tag("table", {{"class", style}, {"style", "--figures:" + std::to_string(columns.size() + 2)}},
+                 tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body)));
 }
 
 } // namespace voxc::report

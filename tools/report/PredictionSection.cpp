@@ -113,7 +113,7 @@ std::string figure(const Catalogue &catalogue, const Stage &stage) {
     return {};
   const std::string words = speedSentence(predictions) + wordSentence(wordPredictionsOf(catalogue, stage)) +
                             worstSentence(predictions);
-  return tag("figure", {{"class", "stage"}},
+  return tag("figure", {{"class", "stage prediction"}},
              tag("figcaption", {}, textTag("b", {}, stage.model + ", " + stageTitle(stage))) +
                  Drawing(catalogue, stage, predictions).draw() +
                  textTag("p", {{"class", "remarks"}}, words)) +
