@@ -79,7 +79,7 @@
   function makeChart(chart) {
     const own = [...chart.querySelectorAll(".point")];
     const place = axis => point => point.querySelector("use")[axis].baseVal.valueInSpecifiedUnits;
-    const order = own.toSorted((a, b) => place("x")(a) - place("x")(b) || place("y")(b) - place("y")(a));
+    const order = [...own].sort((a, b) => place("x")(a) - place("x")(b) || place("y")(b) - place("y")(a));
     const start = order.find(point => point.classList.contains("on")) ?? order[0];
     for (const point of own)
       point.tabIndex = point === start ? 0 : -1;

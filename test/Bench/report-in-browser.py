@@ -74,7 +74,7 @@ class Report(unittest.TestCase):
         self.assertEqual(lines[3], "missed 0, ghost 0, wrong 0 of 20,000 rays")
         same = self.browser.evaluate("[...document.querySelectorAll('.point.same')].map(p => p.getAttribute('aria-label').split(';')[0])")
         self.assertEqual(same, 4 * ["R(3³) G(8)"])
-        self.assertRegex(lines[5], r"^(On the frontier|As good as .*|As fast .*|[0-9.]+× as fast at .*)$")
+        self.assertRegex(lines[5], r"^(On the frontier|As good as .*|Beaten by .*, ([0-9.]+× )?as fast at .* size)$")
         self.browser.point_at("document.querySelector('h1')")
         self.assertFalse(self.is_shown(TIP))
 

@@ -29,7 +29,7 @@ constexpr Column kColumns[] = {
     {"Format", false, [](const Entry &e) { return e.look.name; }},
     {"Label", false, [](const Entry &e) { return e.cell->format.label; }},
     {"Model", false, [](const Entry &e) { return e.column; }},
-    {"Side", true, [](const Entry &e) { return numberText(e.resolution); }},
+    {"Side", true, [](const Entry &e) { return std::to_string(e.cell->resolution.value_or(0)); }},
     {"Device", false, [](const Entry &e) { return e.device; }},
     {"Steps", false, [](const Entry &e) { return e.cell->precision; }},
     {"Passes", false, [](const Entry &e) { return passList(e.cell->format.passes); }},

@@ -101,10 +101,18 @@ std::vector<Row> makeRows(const Catalogue &catalogue, const Round &round) {
   return order;
 }
 
-void append(std::string &list, const std::string &name) { list += (list.empty() ? "" : ", ") + name; }
+/// The first of these names: a search has hundreds that are on no frontier.
+std::string nameWords(const std::vector<std::string> &names) {
+  constexpr std::size_t kMost = 30;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > kMost ? text + " and " + countText(double(names.size() - kMost)) + " more" : text;
+}
 
 std::string roundHtml(const Catalogue &catalogue, const Round &round) {
-  std::string head = textTag("th", {{"scope", "col"}}, "Format"), body, winners, losers;
+  std::string head = textTag("th", {{"scope", "col"}}, "Format"), body;
+  std::vector<std::string> winners, losers;
   for (const Stage *stage : round.stages)
     head += textTag("th", {{"scope", "col"}}, stage->column);
   for (const Row &row : makeRows(catalogue, round)) {
@@ -112,20 +120,23 @@ std::string roundHtml(const Catalogue &catalogue, const Round &round) {
     if (row.wins > 0)
       body += tag("tr", {{"class", style}}, textTag("th", {{"scope", "row"}}, row.name) + row.cells) + "\n";
     if (row.isEverywhere)
-      append(winners, row.name);
+      winners.push_back(row.name);
     if (row.wins == 0)
-      append(losers, row.name);
+      losers.push_back(row.name);
   }
   const Stage &first = *round.stages.front();
-  const std::string sentence = winners.empty() ? "No format is on the frontier of every model."
-                                               : "On the frontier of every model: " + winners + ".";
+  const std::string sentence = winners.empty()
+                                   ? "No format is on the frontier of every model."
+                                   : "On the frontier of every model: " + nameWords(winners) + ".";
   const std::string caption = textTag("b", {}, sideText(first.resolution) + " on " + first.device) + " " +
                               textTag("span", {}, roundConditions(round)) + textTag("p", {}, sentence);
   const std::string table =
       tag("table", {{"class", "dots"}}, tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body));
   return tag("figure", {{"class", "round"}},
              tag("figcaption", {}, caption) + tag("div", {{"class", "scroll"}}, table) +
-                 (losers.empty() ? "" : textTag("p", {{"class", "remarks"}}, "On none: " + losers + ".")));
+                 (losers.empty()
+                      ? ""
+                      : textTag("p", {{"class", "remarks"}}, "On none: " + nameWords(losers) + ".")));
 }
 
 } // namespace

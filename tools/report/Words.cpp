@@ -3,6 +3,9 @@
 
 #include "report/Html.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace voxc::report {
 namespace {
 
@@ -48,12 +51,11 @@ std::string standingWords(const Catalogue &catalogue, const Entry &entry) {
     break;
   }
   const std::string speed = areEqual(*rival.speed, *entry.speed)
-                                ? "As fast"
+                                ? "as fast"
                                 : numberText(rival.speed->median / entry.speed->median) + "× as fast";
-  const std::string size = *rival.bytes == *entry.bytes
-                               ? "at the same size"
-                               : "at " + numberText(*rival.bytes / *entry.bytes) + "× the size";
-  return speed + " " + size + ": " + rival.name;
+  const std::string size =
+      *rival.bytes == *entry.bytes ? "the same size" : numberText(*rival.bytes / *entry.bytes) + "× the size";
+  return "Beaten by " + rival.name + ", " + speed + " at " + size;
 }
 
 std::string pointNote(const Catalogue &catalogue, const Entry &entry) {
@@ -67,7 +69,9 @@ std::string pointNote(const Catalogue &catalogue, const Entry &entry) {
   return note + "\n" + standingWords(catalogue, entry);
 }
 
-std::string sideText(double resolution) { return resolution > 0 ? numberText(resolution) + "³" : ""; }
+std::string sideText(double resolution) {
+  return resolution > 0 ? std::to_string(std::llround(std::min(resolution, 1e15))) + "³" : "";
+}
 
 std::string resolutionTitle(const Stage &stage) {
   const std::string rays =

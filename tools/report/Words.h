@@ -14,7 +14,7 @@ std::string speedWords(const Entry &entry);
 std::string errorWords(const Entry &entry);
 /// "G(8), with whole-level-dedup, restart-sv".
 std::string wholeName(const Entry &entry);
-/// How an entry stands to the frontier: "1.3 times as fast in 0.8 times the memory: G(8)".
+/// How an entry stands to the frontier: "Beaten by G(8), 1.30× as fast at 0.800× the size".
 std::string standingWords(const Catalogue &catalogue, const Entry &entry);
 /// What is shown of a point: a line each for its name, size, speed, errors, work and standing.
 std::string pointNote(const Catalogue &catalogue, const Entry &entry);

@@ -30,7 +30,7 @@ struct Action {
 constexpr Action kActions[] = {
     {"export", "Pack measured cells for a machine that has voxc-trace alone", makeBenchExportCommand},
     {"import", "Take in what such a machine found", makeBenchImportCommand},
-    {"report", "Make one HTML file of the records of sweeps", makeBenchReportCommand},
+    {"report", "Make a page of the records of sweeps, and their figures as CSV", makeBenchReportCommand},
 };
 
 /// Lets an option be given several times, a value each time.
