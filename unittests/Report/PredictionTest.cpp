@@ -72,11 +72,9 @@ TEST(ChartRanges, AreSharedByChartsThatAreCompared) {
   const Catalogue catalogue = makeCatalogue(cells);
   const std::vector<ChartRange> ranges = chartRanges(catalogue);
   ASSERT_THAT(ranges, SizeIs(5));
-  double slowest = 1e9;
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(ranges[i].leastBytes, 50);
     EXPECT_EQ(ranges[i].mostBytes, 900);
-    slowest = std::min(slowest, ranges[i].mostSpeed);
   }
   const auto speedOf = [&](const std::string &device, bool hasClock) {
     for (std::size_t i = 0; i < 4; ++i)
@@ -85,7 +83,7 @@ TEST(ChartRanges, AreSharedByChartsThatAreCompared) {
     return 0.0;
   };
   EXPECT_DOUBLE_EQ(speedOf("llvmpipe", false), speedOf("cpu", false));
-  EXPECT_DOUBLE_EQ(speedOf("slow", false), slowest); // It would lie flat on the others' axis.
+  EXPECT_LT(speedOf("slow", false), 0.3); // It would lie flat on the others' axis.
   EXPECT_DOUBLE_EQ(speedOf("llvmpipe", true), 700);
   EXPECT_EQ(ranges[4].mostBytes, 5);
 }

@@ -90,7 +90,7 @@ TEST(BuildCommand, TakesTheOptionsOfTheInput) {
 }
 
 TEST(BuildCommand, QuotesWhatAShellWouldTakeForMore) {
-  EXPECT_EQ(built("a';rm -r x", "").substr(0, 42), "voxc build 'R(4^3) G(7)' 'a'\\'';rm -r x' ");
+  EXPECT_EQ(built("a';rm -r x", "").substr(0, 41), "voxc build 'R(4^3) G(7)' 'a'\\'';rm -r x' ");
   EXPECT_EQ(built("-x.obj", "").substr(0, 34), "voxc build 'R(4^3) G(7)' ./-x.obj ");
 }
 
