@@ -24,10 +24,16 @@
     }));
   }
 
+  const boxOf = point => point.querySelector("use").getBoundingClientRect();
+
+  function middleOf(point) {
+    const box = boxOf(point);
+    return {x: box.left + box.width / 2, y: box.top + box.height / 2};
+  }
+
   // Above the point if there is room, else below; never beyond the window.
   function placeTip(point) {
-    const mark = point.querySelector("use").getBoundingClientRect();
-    const gap = 12, edge = 8;
+    const mark = boxOf(point), gap = 12, edge = 8;
     const above = mark.top - tip.offsetHeight - gap;
     const left = mark.left + mark.width / 2 - tip.offsetWidth / 2;
     tip.style.top = `${above > edge ? above : mark.bottom + gap}px`;
@@ -37,9 +43,11 @@
   let shown = null;
 
   function show(point) {
+    if (point === shown)
+      return;
     shown = point;
     for (const other of points)
-      other.classList.toggle("same", other.dataset.format === point.dataset.format);
+      other.classList.toggle("same", other.dataset.variant === point.dataset.variant);
     document.body.classList.add("pointing");
     fillTip(notes.get(point));
     tip.hidden = false;
@@ -54,13 +62,62 @@
       point.classList.remove("same");
   }
 
+  // The point of a chart that is nearest to a place of the window, if any is near.
+  function nearest(points, x, y) {
+    const reach = 60;
+    let best = null, least = reach * reach;
+    for (const point of points) {
+      const middle = middleOf(point), distance = (middle.x - x) ** 2 + (middle.y - y) ** 2;
+      if (distance < least)
+        [best, least] = [point, distance];
+    }
+    return best;
+  }
+
+  // A chart is one stop of the tab key; the arrows go through its points from left to right. A tap shows a point's
+  // figures, and another one on the same point follows it.
+  function makeChart(chart) {
+    const own = [...chart.querySelectorAll(".point")];
+    const place = axis => point => point.querySelector("use")[axis].baseVal.valueInSpecifiedUnits;
+    const order = [...own].sort((a, b) => place("x")(a) - place("x")(b) || place("y")(b) - place("y")(a));
+    const start = order.find(point => point.classList.contains("on")) ?? order[0];
+    for (const point of own)
+      point.tabIndex = point === start ? 0 : -1;
+
+    const pointAt = event => {
+      const point = nearest(own, event.clientX, event.clientY);
+      point ? show(point) : hide();
+    };
+    let before = null;
+    chart.addEventListener("pointerdown", event => {
+      before = event.pointerType === "mouse" ? nearest(own, event.clientX, event.clientY) : shown;
+      pointAt(event);
+    });
+    chart.addEventListener("pointermove", pointAt);
+    chart.addEventListener("pointerleave", event => event.pointerType === "mouse" && hide());
+    chart.addEventListener("click", event => {
+      if (event.detail === 0)
+        return; // The return key, on the point that has the focus.
+      event.preventDefault();
+      if (shown && shown === before)
+        location.hash = shown.getAttribute("href");
+    });
+    chart.addEventListener("keydown", event => {
+      const step = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+      const next = step && order[order.indexOf(document.activeElement) + step];
+      if (step)
+        event.preventDefault();
+      if (next)
+        next.focus();
+    });
+  }
+
   for (const point of points) {
     takeNote(point);
-    point.addEventListener("pointerenter", () => show(point));
-    point.addEventListener("pointerleave", hide);
-    point.addEventListener("focus", () => show(point));
+    point.addEventListener("focus", () => point.matches(":focus-visible") && show(point));
     point.addEventListener("blur", hide);
   }
+  document.querySelectorAll(".chart").forEach(makeChart);
   addEventListener("keydown", event => event.key === "Escape" && hide());
   // The tab key may scroll to a point after it is shown.
   addEventListener("scroll", () => shown && placeTip(shown), {passive: true});

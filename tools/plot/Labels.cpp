@@ -8,6 +8,8 @@ namespace voxc::plot {
 namespace {
 
 constexpr double kPointRadius = 0.55; ///< Of what a point takes, in font sizes.
+constexpr double kHeight = 1.2;       ///< Of a line of text, in font sizes.
+constexpr double kDescent = 0.3;      ///< From the bottom of a line to its baseline, likewise.
 
 double overlap(const Box &a, const Box &b) {
   const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
@@ -23,7 +25,7 @@ double outside(const Box &box, const Box &frame) {
 /// Where labels are tried, best first: right, left, above, below, beside and a little up or down, then
 /// further up and down on both sides.
 std::vector<Box> places(const LabelRequest &request, double width, double size) {
-  const double gap = 0.9 * size, height = 1.2 * size;
+  const double gap = 0.9 * size, height = kHeight * size;
   std::vector<Box> boxes;
   const auto add = [&](double left, double middle) {
     boxes.push_back({left, middle - height / 2, left + width, middle + height / 2});
@@ -53,8 +55,8 @@ struct Candidate {
 };
 
 Candidate makeCandidate(const LabelRequest &request, const Box &box, double size) {
-  Candidate candidate{{request.text, box.left, box.bottom - 0.3 * size, request.x, request.y, 0, 0, false, 0},
-                      {box}};
+  Candidate candidate{
+      {request.text, box.left, box.bottom - kDescent * size, request.x, request.y, 0, 0, false, 0}, {box}};
   PlacedLabel &label = candidate.label;
   label.hasLeader = std::abs((box.top + box.bottom) / 2 - request.y) > 1.5 * size;
   label.leaderX = std::clamp(request.x, box.left + 0.5 * size, box.right - 0.5 * size);
@@ -96,6 +98,13 @@ Candidate bestPlace(const LabelRequest &request, const std::vector<Box> &taken, 
                                    [](const Candidate &candidate) { return candidate.label.cost; });
 }
 
+/// What the points of labels take is not free for others.
+void addPoints(const std::vector<LabelRequest> &requests, double size, std::vector<Box> &obstacles) {
+  const double radius = kPointRadius * size;
+  for (const LabelRequest &request : requests)
+    obstacles.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
+}
+
 } // namespace
 
 double textWidth(const std::string &text, double fontSize) {
@@ -104,11 +113,34 @@ double textWidth(const std::string &text, double fontSize) {
   return 0.56 * fontSize * static_cast<double>(characters);
 }
 
+Box textBox(const PlacedLabel &label, double fontSize) {
+  const double bottom = label.baseline + kDescent * fontSize;
+  return {label.x, bottom - kHeight * fontSize, label.x + textWidth(label.text, fontSize), bottom};
+}
+
+std::vector<PlacedLabel> placeWhereFree(const std::vector<LabelRequest> &requests, const Box &frame,
+                                        double fontSize, std::vector<Box> obstacles) {
+  constexpr std::size_t kClosePlaces = 4;
+  addPoints(requests, fontSize, obstacles);
+  std::vector<PlacedLabel> labels;
+  for (const LabelRequest &request : requests) {
+    std::vector<Box> boxes = places(request, textWidth(request.text, fontSize), fontSize);
+    boxes.resize(kClosePlaces);
+    const auto isFree = [&](const Box &box) {
+      return outside(box, frame) <= 0 &&
+             std::ranges::none_of(obstacles, [&](const Box &other) { return overlap(box, other) > 0; });
+    };
+    if (const auto box = std::ranges::find_if(boxes, isFree); box != boxes.end()) {
+      labels.push_back(makeCandidate(request, *box, fontSize).label);
+      obstacles.push_back(*box);
+    }
+  }
+  return labels;
+}
+
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
                                      double fontSize, std::vector<Box> obstacles) {
-  const double radius = kPointRadius * fontSize;
-  for (const LabelRequest &request : requests)
-    obstacles.push_back({request.x - radius, request.y - radius, request.x + radius, request.y + radius});
+  addPoints(requests, fontSize, obstacles);
   std::vector<Candidate> placed(requests.size());
   // Each is placed anew, now that it knows where the others went, until they have settled.
   constexpr int kRounds = 4;

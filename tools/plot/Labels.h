@@ -33,4 +33,12 @@ double textWidth(const std::string &text, double fontSize);
 std::vector<PlacedLabel> placeLabels(const std::vector<LabelRequest> &requests, const Box &frame,
                                      double fontSize, std::vector<Box> obstacles = {});
 
+/// The labels for which there is room right beside their points: one that would cover a label, a point or an
+/// obstacle, or leave the frame, is left out. Earlier ones take their places first.
+std::vector<PlacedLabel> placeWhereFree(const std::vector<LabelRequest> &requests, const Box &frame,
+                                        double fontSize, std::vector<Box> obstacles);
+
+/// What the text of a label takes.
+Box textBox(const PlacedLabel &label, double fontSize);
+
 } // namespace voxc::plot

@@ -2,21 +2,14 @@
 #include "report/Catalogue.h"
 
 #include "report/DeviceNames.h"
-#include "report/Pareto.h"
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace voxc::report {
 namespace {
-
-std::string joined(const std::vector<std::string> &parts) {
-  std::string text;
-  for (const std::string &part : parts)
-    text += (text.empty() ? "" : ", ") + part;
-  return text.empty() ? kNoPasses : text;
-}
 
 /// The place of a value in a list, or behind its end.
 std::size_t placeIn(const std::vector<std::string> &list, const std::string &value) {
@@ -38,10 +31,20 @@ std::optional<Errors> errorsOf(const Cell &cell) {
   return Errors{double(*error.rays), double(*error.missed), double(*error.ghost), double(*error.wrong)};
 }
 
+constexpr double kMostSpeed = 1e12;
+
 /// Whether a speed is one that a machine may have; what is computed of it stays finite.
 bool isDrawable(const tool::bench::Speed &speed) {
-  constexpr double kLeast = 1e-12, kMost = 1e12, kMostSpread = 1e6;
-  return speed.median >= kLeast && speed.median <= kMost && speed.spread >= 0 && speed.spread <= kMostSpread;
+  constexpr double kLeast = 1e-12, kMostSpread = 1e6;
+  return speed.median >= kLeast && speed.median <= kMostSpeed && speed.spread >= 0 &&
+         speed.spread <= kMostSpread;
+}
+
+/// The rounds in order, whatever a record says of them.
+tool::bench::Speed inOrder(tool::bench::Speed speed) {
+  speed.min = std::clamp(speed.min, 0.0, speed.median);
+  speed.max = std::clamp(speed.max, speed.median, kMostSpeed);
+  return speed;
 }
 
 /// The figures of a cell, as far as they make sense.
@@ -53,12 +56,35 @@ Entry makeEntry(const Cell &cell) {
     entry.peakBytes = double(*cell.build.peakRssBytes);
   entry.resolution = double(cell.resolution.value_or(0));
   if (const auto &speed = speedOf(cell); cell.isMeasured() && speed && isDrawable(*speed))
-    entry.speed = speed;
+    entry.speed = inOrder(*speed);
   entry.hasClock = cell.device.clock == "gpu";
   entry.isSteady = cell.speed.steady.value_or(true);
   entry.errors = errorsOf(cell);
-  entry.passes = joined(cell.format.passes);
   return entry;
+}
+
+/// The usual passes of each resolution, so that a name is the same on all models and devices.
+std::map<double, Passes> usualPassesOf(const std::vector<Entry> &entries) {
+  std::map<double, std::vector<const Passes *>> lists;
+  for (const Entry &entry : entries)
+    if (entry.cell->isMeasured())
+      lists[entry.resolution].push_back(&entry.cell->format.passes);
+  std::map<double, Passes> usual;
+  for (const auto &[resolution, passes] : lists)
+    usual[resolution] = usualPasses(passes);
+  return usual;
+}
+
+/// Names that tell formats with their passes apart.
+void nameEntries(std::vector<Entry> &entries) {
+  auto usual = usualPassesOf(entries);
+  std::map<std::pair<std::string, Passes>, std::size_t> variants;
+  for (Entry &entry : entries) {
+    Passes passes = entry.cell->format.passes;
+    entry.name = entry.look.name + passDifference(passes, usual[entry.resolution]);
+    std::ranges::sort(passes);
+    entry.variant = variants.try_emplace({entry.look.name, passes}, variants.size()).first->second;
+  }
 }
 
 std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalogue) {
@@ -68,10 +94,10 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
     if (!cell.rays.name.empty())
       addTo(raysOfModels[cell.model.name], cell.rays.name);
   std::vector<Entry> entries;
-  std::vector<std::string> formats;
+  std::set<std::string> formats;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Entry entry = makeEntry(cells[i]);
-    entry.format = addTo(formats, entry.look.name);
+    formats.insert(entry.look.name);
     entry.device = devices[i];
     const std::string &model = cells[i].model.name;
     entry.column = raysOfModels[model].size() > 1 ? model + ", " + cells[i].rays.name : model;
@@ -81,44 +107,37 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
     entries.push_back(std::move(entry));
   }
   catalogue.formats = formats.size();
+  nameEntries(entries);
   return entries;
 }
 
-/// The passes that most of these entries have; of several such those with whole-level-dedup, then the
-/// shortest.
-std::string commonPasses(const std::vector<Entry> &entries, const std::vector<std::size_t> &indices) {
-  std::map<std::string, std::size_t> counts;
-  for (const std::size_t i : indices)
-    ++counts[entries[i].passes];
-  const auto rank = [](const auto &row) {
-    const bool deduplicates = row.first.find("whole-level-dedup") != std::string::npos;
-    return std::tuple(row.second, deduplicates, -static_cast<long>(row.first.size()));
-  };
-  return std::ranges::max_element(counts, {}, rank)->first;
-}
-
-void markFrontier(const Stage &stage, std::vector<Entry> &entries) {
-  std::vector<SizeSpeed> points;
+void rank(const Stage &stage, std::vector<Entry> &entries) {
+  std::vector<MeasuredPoint> points;
   std::vector<std::size_t> indices;
   for (const std::size_t i : stage.entries)
     if (entries[i].hasPoint()) {
-      points.push_back({*entries[i].bytes, entries[i].speed->median});
+      points.push_back({*entries[i].bytes, *entries[i].speed});
       indices.push_back(i);
     }
-  const std::vector<bool> isOn = paretoFrontier(points);
+  const std::vector<Standing> found = standings(points);
   for (std::size_t i = 0; i < indices.size(); ++i)
-    entries[indices[i]].onFrontier = isOn[i];
+    entries[indices[i]].standing = {found[i].place, indices[found[i].rival]};
 }
 
-Stage makeStage(const std::vector<Entry> &entries, const std::vector<std::size_t> &indices) {
+Stage makeStage(const std::vector<Entry> &entries, const std::vector<std::size_t> &indices, Passes usual) {
   const Entry &first = entries[indices.front()];
-  Stage stage{first.cell->model.name,         first.column,     first.device,  first.cell->precision,
-              commonPasses(entries, indices), first.resolution, first.hasClock};
-  for (const std::size_t i : indices)
-    if (entries[i].passes == stage.passes)
-      stage.entries.push_back(i);
-  stage.otherPasses = indices.size() - stage.entries.size();
-  return stage;
+  const bool hasOthers = std::ranges::any_of(indices, [&](std::size_t i) {
+    return entries[i].hasPoint() && entries[i].name != entries[i].look.name;
+  });
+  return {first.cell->model.name,
+          first.column,
+          first.device,
+          first.cell->precision,
+          first.resolution,
+          first.hasClock,
+          indices,
+          std::move(usual),
+          hasOthers};
 }
 
 std::vector<Stage> makeStages(const Catalogue &catalogue) {
@@ -133,8 +152,9 @@ std::vector<Stage> makeStages(const Catalogue &catalogue) {
   }
   std::vector<Stage> stages;
   stages.reserve(groups.size());
+  auto usual = usualPassesOf(catalogue.entries);
   for (const auto &[key, indices] : groups)
-    stages.push_back(makeStage(catalogue.entries, indices));
+    stages.push_back(makeStage(catalogue.entries, indices, usual[-std::get<2>(key)]));
   return stages;
 }
 
@@ -149,7 +169,7 @@ Catalogue makeCatalogue(const std::vector<Cell> &cells) {
   catalogue.entries = makeEntries(cells, catalogue);
   catalogue.stages = makeStages(catalogue);
   for (const Stage &stage : catalogue.stages)
-    markFrontier(stage, catalogue.entries);
+    rank(stage, catalogue.entries);
   return catalogue;
 }
 

@@ -4,6 +4,8 @@
 
 #include "report/Cells.h"
 #include "report/FormatLook.h"
+#include "report/Pareto.h"
+#include "report/PassNames.h"
 
 #include <cstddef>
 #include <optional>
@@ -11,9 +13,6 @@
 #include <vector>
 
 namespace voxc::report {
-
-/// What stands in place of passes where there are none.
-inline constexpr const char *kNoPasses = "none";
 
 /// Rays checked against the exact oracle, and those of them that differ.
 struct Errors {
@@ -28,32 +27,34 @@ using Figure = std::optional<double>;
 struct Entry {
   const Cell *cell = nullptr;
   FormatLook look;
-  std::size_t format = 0; ///< The same for all entries of one format.
-  std::string passes;     ///< "whole-level-dedup, restart-sv", or `kNoPasses`.
-  std::string device;     ///< Short, and different for different devices.
-  std::string column;     ///< The model, with the rays where it is traced by several.
-  bool onFrontier = false;
+  std::string name; ///< Of the format, and of the passes in which it differs from most: "G(8) +restart-sv".
+  std::size_t variant = 0; ///< The same for all entries of one format with the same passes.
+  std::string device;      ///< Short, and different for different devices.
+  std::string column;      ///< The model, with the rays where it is traced by several.
+  Standing standing;       ///< In its stage; the rival is an index into the entries.
 
   Figure bytes;     ///< Of the volume; more than 0.
   Figure peakBytes; ///< Of building it.
   double resolution = 0;
-  std::optional<tool::bench::Speed> speed; ///< In what its device counts; of no absurd size.
+  std::optional<tool::bench::Speed> speed; ///< In what its device counts; of no absurd size, and in order.
   bool hasClock = false;                   ///< Its device counts its own timestamps, others CPU seconds.
   bool isSteady = true;
   std::optional<Errors> errors;
 
   bool hasPoint() const { return bytes && speed; }
+  bool isLeading() const { return hasPoint() && standing.place == Place::Leading; }
+  bool isAsGood() const { return hasPoint() && standing.place == Place::AsGood; }
   bool hasPass(std::string_view pass) const;
 };
 
-/// One competition: formats on the same model, rays, device, resolution and precision, with the same passes,
-/// those that most formats were measured with.
+/// One competition: formats, each with its passes, on the same model, rays, device, resolution and precision.
 struct Stage {
-  std::string model, column, device, precision, passes;
+  std::string model, column, device, precision;
   double resolution = 0;
   bool hasClock = false;
   std::vector<std::size_t> entries;
-  std::size_t otherPasses = 0; ///< Cells of the same competition that had other passes.
+  Passes usualPasses;          ///< Those of most cells of this resolution, which names do not say.
+  bool hasOtherPasses = false; ///< Some of its cells have others.
 };
 
 struct Catalogue {

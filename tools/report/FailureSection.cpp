@@ -17,7 +17,7 @@ std::string reasonText(const tool::bench::Failure &failure) {
 std::string cellsOf(const Entry &entry) {
   const tool::bench::Failure &failure = *entry.cell->failure;
   return textTag("th", {{"scope", "row"}}, entry.look.name) + textTag("td", {}, entry.column) +
-         textTag("td", {}, entry.passes) + textTag("td", {}, failure.stage) +
+         textTag("td", {}, passList(entry.cell->format.passes)) + textTag("td", {}, failure.stage) +
          textTag("td", {{"class", "words"}}, reasonText(failure));
 }
 

@@ -50,11 +50,12 @@ std::string parametersText(const Level &level) {
 FormatLook lookOf(const std::string &text) {
   const Expected<Format> format = parseFormat(text);
   if (!format || format->levels.empty())
-    return {text, kFamilies.size() - 1};
+    return {text, kFamilies.size() - 1, {}};
   FormatLook look;
-  for (const Level &level : format->levels)
-    look.name += (look.name.empty() ? "" : " ") + std::string(1, level.kind->letter) + "(" +
-                 parametersText(level) + ")";
+  for (const Level &level : format->levels) {
+    look.levels.push_back(std::string(1, level.kind->letter) + "(" + parametersText(level) + ")");
+    look.name += (look.name.empty() ? "" : " ") + look.levels.back();
+  }
   look.family = static_cast<std::size_t>(
       std::ranges::find_if(kConditions, [&](const auto &condition) { return condition(*format); }) -
       kConditions.begin());

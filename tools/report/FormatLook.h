@@ -5,12 +5,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voxc::report {
 
 struct FormatLook {
-  std::string name;       ///< "R(4³) G(7)": one spelling for each format, however it was written.
-  std::size_t family = 0; ///< Index into `families()`.
+  std::string name;                  ///< "R(4³) G(7)": one spelling for each format, however it was written.
+  std::size_t family = 0;            ///< Index into `families()`.
+  std::vector<std::string> levels{}; ///< "R(4³)", "G(7)": the name in parts; none if it cannot be parsed.
 };
 
 /// The look of a format string; one that cannot be parsed keeps its text and belongs to the last family.

@@ -25,7 +25,7 @@ std::vector<Round> makeRounds(const Catalogue &catalogue) {
   for (const Stage &stage : catalogue.stages) {
     if (!hasPoints(catalogue, stage))
       continue;
-    const std::string key = sideText(stage.resolution) + "\n" + stage.device + "\n" + stageConditions(stage);
+    const std::string key = sideText(stage.resolution) + "\n" + stage.device + "\n" + stage.precision;
     const auto [found, isNew] = places.try_emplace(key, rounds.size());
     if (isNew)
       rounds.emplace_back();
@@ -35,9 +35,9 @@ std::vector<Round> makeRounds(const Catalogue &catalogue) {
   return rounds;
 }
 
-const Entry *entryOf(const Catalogue &catalogue, const Stage &stage, std::size_t format) {
+const Entry *entryOf(const Catalogue &catalogue, const Stage &stage, std::size_t variant) {
   for (const std::size_t i : stage.entries)
-    if (catalogue.entries[i].format == format)
+    if (catalogue.entries[i].variant == variant)
       return &catalogue.entries[i];
   return nullptr;
 }
@@ -47,11 +47,22 @@ std::string dot(const Entry *entry) {
     return tag("td", {}, "");
   if (!entry->hasPoint())
     return textTag("td", {{"class", "failed"}, {"title", "failed"}}, "failed");
-  return entry->onFrontier ? textTag("td", {{"class", "on"}, {"title", "on the frontier"}}, "●")
+  if (entry->isLeading())
+    return textTag("td", {{"class", "on"}, {"title", "on the frontier"}}, "●");
+  return entry->isAsGood() ? textTag("td", {{"class", "good"}, {"title", "as good as the frontier"}}, "≈")
                            : textTag("td", {{"class", "off"}, {"title", "dominated"}}, "·");
 }
 
-/// A format in one round.
+/// "exact steps; whole-level-dedup, unless a name says otherwise".
+std::string roundConditions(const Round &round) {
+  const Stage &first = *round.stages.front();
+  const bool hasOthers = std::ranges::any_of(round.stages, &Stage::hasOtherPasses);
+  return (first.precision.empty() ? "" : first.precision + " steps; ") +
+         (first.usualPasses.empty() ? "no passes" : passList(first.usualPasses)) +
+         (hasOthers ? ", unless a name says otherwise" : "");
+}
+
+/// A format with its passes in one round.
 struct Row {
   std::string name;
   std::string cells;
@@ -59,14 +70,14 @@ struct Row {
   bool isEverywhere = false;
 };
 
-Row makeRow(const Catalogue &catalogue, const Round &round, std::size_t format) {
+Row makeRow(const Catalogue &catalogue, const Round &round, std::size_t variant) {
   Row row;
   for (const Stage *stage : round.stages) {
-    const Entry *entry = entryOf(catalogue, *stage, format);
+    const Entry *entry = entryOf(catalogue, *stage, variant);
     row.cells += dot(entry);
-    row.wins += entry && entry->onFrontier;
+    row.wins += entry && (entry->isLeading() || entry->isAsGood());
     if (entry)
-      row.name = entry->look.name;
+      row.name = entry->name;
   }
   row.isEverywhere = row.wins == round.stages.size();
   return row;
@@ -74,14 +85,14 @@ Row makeRow(const Catalogue &catalogue, const Round &round, std::size_t format) 
 
 /// Formats that win most first, others in their order.
 std::vector<Row> makeRows(const Catalogue &catalogue, const Round &round) {
-  std::set<std::size_t> formats;
+  std::set<std::size_t> variants;
   for (const Stage *stage : round.stages)
     for (const std::size_t i : stage->entries)
-      formats.insert(catalogue.entries[i].format);
+      variants.insert(catalogue.entries[i].variant);
   std::map<std::pair<std::size_t, std::size_t>, Row> rows;
-  for (const std::size_t format : formats) {
-    Row row = makeRow(catalogue, round, format);
-    rows.emplace(std::pair(round.stages.size() - row.wins, format), std::move(row));
+  for (const std::size_t variant : variants) {
+    Row row = makeRow(catalogue, round, variant);
+    rows.emplace(std::pair(round.stages.size() - row.wins, variant), std::move(row));
   }
   std::vector<Row> order;
   order.reserve(rows.size());
@@ -90,10 +101,18 @@ std::vector<Row> makeRows(const Catalogue &catalogue, const Round &round) {
   return order;
 }
 
-void append(std::string &list, const std::string &name) { list += (list.empty() ? "" : ", ") + name; }
+/// The first of these names: a search has hundreds that are on no frontier.
+std::string nameWords(const std::vector<std::string> &names) {
+  constexpr std::size_t kMost = 30;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > kMost ? text + " and " + countText(double(names.size() - kMost)) + " more" : text;
+}
 
 std::string roundHtml(const Catalogue &catalogue, const Round &round) {
-  std::string head = textTag("th", {{"scope", "col"}}, "Format"), body, winners, losers;
+  std::string head = textTag("th", {{"scope", "col"}}, "Format"), body;
+  std::vector<std::string> winners, losers;
   for (const Stage *stage : round.stages)
     head += textTag("th", {{"scope", "col"}}, stage->column);
   for (const Row &row : makeRows(catalogue, round)) {
@@ -101,20 +120,23 @@ std::string roundHtml(const Catalogue &catalogue, const Round &round) {
     if (row.wins > 0)
       body += tag("tr", {{"class", style}}, textTag("th", {{"scope", "row"}}, row.name) + row.cells) + "\n";
     if (row.isEverywhere)
-      append(winners, row.name);
+      winners.push_back(row.name);
     if (row.wins == 0)
-      append(losers, row.name);
+      losers.push_back(row.name);
   }
   const Stage &first = *round.stages.front();
-  const std::string sentence = winners.empty() ? "No format is on the frontier of every model."
-                                               : "On the frontier of every model: " + winners + ".";
+  const std::string sentence = winners.empty()
+                                   ? "No format is on the frontier of every model."
+                                   : "On the frontier of every model: " + nameWords(winners) + ".";
   const std::string caption = textTag("b", {}, sideText(first.resolution) + " on " + first.device) + " " +
-                              textTag("span", {}, stageConditions(first)) + textTag("p", {}, sentence);
+                              textTag("span", {}, roundConditions(round)) + textTag("p", {}, sentence);
   const std::string table =
       tag("table", {{"class", "dots"}}, tag("thead", {}, tag("tr", {}, head)) + tag("tbody", {}, body));
   return tag("figure", {{"class", "round"}},
              tag("figcaption", {}, caption) + tag("div", {{"class", "scroll"}}, table) +
-                 (losers.empty() ? "" : textTag("p", {{"class", "remarks"}}, "On none: " + losers + ".")));
+                 (losers.empty()
+                      ? ""
+                      : textTag("p", {{"class", "remarks"}}, "On none: " + nameWords(losers) + ".")));
 }
 
 } // namespace

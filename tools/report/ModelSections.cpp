@@ -1,77 +1,15 @@
-// A section a model: its picture, its facts, and size against speed on each device at each resolution.
-#include "report/FrontierChart.h"
+// A section a model: the verdict, and size against speed on each device at each resolution.
+#include "report/ChartRanges.h"
 #include "report/Html.h"
+#include "report/ModelParts.h"
 #include "report/Sections.h"
 #include "report/Words.h"
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 namespace voxc::report {
 namespace {
-
-Chart makeChart(const Catalogue &catalogue, const Stage &stage) {
-  Chart chart{stage.model + ", " + stageTitle(stage) + ": size against speed", speedUnit(stage.hasClock), {}};
-  for (const std::size_t i : stage.entries) {
-    const Entry &entry = catalogue.entries[i];
-    if (entry.hasPoint())
-      chart.points.push_back({*entry.bytes, entry.speed->median, entry.look.family, entry.format,
-                              entry.onFrontier, entry.errors && entry.errors->sum() > 0, entry.look.name,
-                              pointNote(entry), "#" + rowId(catalogue, entry)});
-  }
-  std::ranges::sort(chart.points, {}, [](const ChartPoint &point) {
-    return std::tuple(point.bytes, point.speed, point.format);
-  });
-  return chart;
-}
-
-std::string failedNames(const Catalogue &catalogue, const Stage &stage) {
-  std::string names;
-  for (const std::size_t i : stage.entries)
-    if (const Entry &entry = catalogue.entries[i]; !entry.cell->isMeasured())
-      names += (names.empty() ? "" : ", ") + entry.look.name;
-  return names;
-}
-
-/// The frontier in words, for labels may crowd: "On the frontier, small ones first: G(9), 12.9 MiB, 1.12;
-/// ...".
-std::string frontierWords(const Chart &chart) {
-  std::string items;
-  for (const ChartPoint &point : chart.points)
-    if (point.onFrontier)
-      items += (items.empty() ? "" : "; ") + textTag("b", {}, point.label) + " " + bytesText(point.bytes) +
-               ", " + numberText(point.speed);
-  return "On the frontier, small ones first: " + items + ".";
-}
-
-/// What stands below a chart: what was wrong, what failed, and what is elsewhere.
-std::string remarks(const Catalogue &catalogue, const Stage &stage) {
-  std::string text = "Errors: " + errorSummary(catalogue, stage.entries) + ".";
-  const auto unsteady = std::ranges::count_if(stage.entries, [&](std::size_t i) {
-    return catalogue.entries[i].hasPoint() && !catalogue.entries[i].isSteady;
-  });
-  if (unsteady > 0)
-    text += " Not steady: " + plural(static_cast<std::size_t>(unsteady), "speed") + ".";
-  if (const std::string failed = failedNames(catalogue, stage); !failed.empty())
-    text += " Failed: " + failed + ".";
-  if (stage.otherPasses > 0)
-    text += " With other passes: " + plural(stage.otherPasses, "cell") + ", in the table.";
-  return text;
-}
-
-std::string figure(const Catalogue &catalogue, const Stage &stage) {
-  const Chart chart = makeChart(catalogue, stage);
-  if (chart.points.empty())
-    return {};
-  const std::string caption =
-      textTag("b", {}, stageTitle(stage)) + " " + textTag("span", {}, stageConditions(stage));
-  return tag("figure", {{"class", "stage"}},
-             tag("figcaption", {}, caption) + toSvg(chart) +
-                 tag("p", {{"class", "remarks"}}, frontierWords(chart)) +
-                 textTag("p", {{"class", "remarks"}}, remarks(catalogue, stage))) +
-         "\n";
-}
 
 /// "2048 × 857 × 1260 voxels, 12,345,678 of them not empty"; nothing if the size is not known.
 std::string sizeWords(const tool::bench::ModelPart &model) {
@@ -127,24 +65,77 @@ std::string note(const ModelNotes &notes, const std::string &model) {
   return found == notes.end() ? "" : textTag("p", {{"class", "note"}}, found->second);
 }
 
+/// Stages whose charts stand side by side: of one model at one resolution.
+struct Group {
+  std::vector<std::size_t> stages;
+};
+
+std::vector<Group> groupsOf(const Catalogue &catalogue, const std::string &model) {
+  std::vector<Group> groups;
+  double resolution = -1;
+  for (std::size_t i = 0; i < catalogue.stages.size(); ++i) {
+    const Stage &stage = catalogue.stages[i];
+    if (stage.model != model)
+      continue;
+    if (groups.empty() || stage.resolution != resolution)
+      groups.emplace_back();
+    resolution = stage.resolution;
+    groups.back().stages.push_back(i);
+  }
+  return groups;
+}
+
+/// The verdicts of a group, one for each set of rays, with their names where there are several.
+std::string verdicts(const Catalogue &catalogue, const Group &group, bool isOnly) {
+  std::vector<std::string> columns;
+  std::vector<std::vector<const Stage *>> stages;
+  for (const std::size_t i : group.stages) {
+    const Stage &stage = catalogue.stages[i];
+    const auto place = static_cast<std::size_t>(std::ranges::find(columns, stage.column) - columns.begin());
+    if (place == columns.size()) {
+      columns.push_back(stage.column);
+      stages.emplace_back();
+    }
+    stages[place].push_back(&stage);
+  }
+  std::string text;
+  for (const auto &ofRays : stages) {
+    const std::string verdict = verdictHtml(catalogue, ofRays);
+    const bool needsTitle = !verdict.empty() && (!isOnly || stages.size() > 1);
+    text += (needsTitle ? textTag("h3", {}, resolutionTitle(*ofRays.front())) : "") + verdict;
+  }
+  return text;
+}
+
+std::string figures(const Catalogue &catalogue, const Group &group, const std::vector<ChartRange> &ranges) {
+  std::string text;
+  for (const std::size_t i : group.stages)
+    text += stageFigure(catalogue, catalogue.stages[i], ranges[i], group.stages.size() == 1);
+  return text.empty() ? "" : tag("div", {{"class", "stages"}}, "\n" + text);
+}
+
 } // namespace
 
 std::string modelSections(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes) {
+  const std::vector<ChartRange> ranges = chartRanges(catalogue);
   std::string text;
   for (std::size_t model = 0; model < catalogue.models.size(); ++model) {
     const std::string &name = catalogue.models[model];
-    std::string figures;
-    for (const Stage &stage : catalogue.stages)
-      if (stage.model == name)
-        figures += figure(catalogue, stage);
-    if (!figures.empty())
+    const std::vector<Group> groups = groupsOf(catalogue, name);
+    std::string answers, charts;
+    for (const Group &group : groups) {
+      answers += verdicts(catalogue, group, groups.size() == 1);
+      charts += figures(catalogue, group, ranges);
+    }
+    if (!charts.empty())
       text += fill("section/model.html", {{"id", anchor(model)},
                                           {"name", escaped(name)},
+                                          {"verdict", answers},
                                           {"picture", picture(pictures, name)},
                                           {"note", note(notes, name)},
                                           {"facts", facts(catalogue, name)},
                                           {"legend", legend(catalogue, name)},
-                                          {"figures", figures}});
+                                          {"figures", charts}});
   }
   return text;
 }

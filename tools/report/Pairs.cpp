@@ -2,7 +2,6 @@
 #include "report/Pairs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace voxc::report {
@@ -61,11 +60,7 @@ double speedUp(const Pair &pair) {
 }
 
 bool isAsFast(const Pair &pair) {
-  if (speedUp(pair) <= 0)
-    return false;
-  const tool::bench::Speed &with = *pair.with->speed, &without = *pair.without->speed;
-  return std::abs(with.median - without.median) <=
-         std::max(with.median * with.spread, without.median * without.spread);
+  return speedUp(pair) > 0 && areEqual(*pair.with->speed, *pair.without->speed);
 }
 
 } // namespace voxc::report

@@ -1,6 +1,7 @@
 // Putting the sections into the page.
 #include "report/Report.h"
 
+#include "report/Csv.h"
 #include "report/Html.h"
 #include "report/RuntimeFile.h"
 #include "report/Sections.h"
@@ -47,17 +48,19 @@ struct Section {
   std::string html;
 };
 
-std::string makePage(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes) {
+std::string makePage(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes,
+                     const std::string &csvName) {
   const Section sections[] = {
       {"models", "Models", modelSections(catalogue, pictures, notes)},
       {"frontier", "Frontiers", frontierSection(catalogue)},
+      {"predictions", "Predictions", predictionSection(catalogue)},
       {"dedup", "Sharing", dedupSection(catalogue)},
       {"restart", "Restarting", restartSection(catalogue)},
       {"unroll", "Unrolling", unrollSection(catalogue)},
       {"precision", "Exactness", precisionSection(catalogue)},
       {"memory", "Memory", memorySection(catalogue)},
       {"failures", "Failures", failureSection(catalogue)},
-      {"cells", "All figures", cellSection(catalogue)},
+      {"cells", "All figures", cellSection(catalogue, csvName)},
       {"method", "Method", methodSection(catalogue)},
   };
   std::string contents, body;
@@ -75,12 +78,13 @@ std::string makePage(const Catalogue &catalogue, const Pictures &pictures, const
 
 } // namespace
 
-Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes) {
+Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes, const std::string &csvName) {
   Report report;
   const Catalogue catalogue = makeCatalogue(cells);
-  const std::size_t taken = makePage(catalogue, {}, modelNotes).size();
+  const std::size_t taken = makePage(catalogue, {}, modelNotes, csvName).size();
   const std::size_t left = taken < kPageBytes ? kPageBytes - taken : 0;
-  report.html = makePage(catalogue, loadPictures(cells, left, report.notes), modelNotes);
+  report.html = makePage(catalogue, loadPictures(cells, left, report.notes), modelNotes, csvName);
+  report.csv = toCsv(catalogue);
   return report;
 }
 

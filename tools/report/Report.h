@@ -14,10 +14,13 @@ using ModelNotes = std::map<std::string, std::string>;
 
 struct Report {
   std::string html;
+  std::string csv;                ///< The cells as comma-separated values, to be written beside the page.
   std::vector<std::string> notes; ///< What could not be shown, and why.
 };
 
-/// The report of these cells; pictures are read from where the records say.
-Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes = {});
+/// The report of these cells; pictures are read from where the records say. `csvName` is what the page's
+/// link to the comma-separated values says; without it there is no link.
+Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes = {},
+                  const std::string &csvName = {});
 
 } // namespace voxc::report

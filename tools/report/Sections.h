@@ -15,10 +15,12 @@ using Pictures = std::map<std::string, std::string>;
 
 /// What is compared, and how to read the charts.
 std::string introductionSection(const Catalogue &catalogue);
-/// For each model its picture, its note and a chart for each stage.
+/// For each model the verdict, its picture, its note and a chart for each stage.
 std::string modelSections(const Catalogue &catalogue, const Pictures &pictures, const ModelNotes &notes);
 /// Which formats are on the frontier of which models.
 std::string frontierSection(const Catalogue &catalogue);
+/// Speeds and sizes that a search foretold beside those that were measured.
+std::string predictionSection(const Catalogue &catalogue);
 /// How much smaller whole-level-dedup makes volumes.
 std::string dedupSection(const Catalogue &catalogue);
 /// How much faster restart-sv makes kernels.
@@ -31,8 +33,9 @@ std::string precisionSection(const Catalogue &catalogue);
 std::string memorySection(const Catalogue &catalogue);
 /// Cells that failed, and why.
 std::string failureSection(const Catalogue &catalogue);
-/// Every cell, in a table that can be sorted.
-std::string cellSection(const Catalogue &catalogue);
+/// Every cell, in a table that can be sorted, with a link to the same as comma-separated values if they have
+/// a name.
+std::string cellSection(const Catalogue &catalogue, const std::string &csvName);
 /// How it was measured, on what, and by which commands.
 std::string methodSection(const Catalogue &catalogue);
 

@@ -30,7 +30,7 @@ struct Action {
 constexpr Action kActions[] = {
     {"export", "Pack measured cells for a machine that has voxc-trace alone", makeBenchExportCommand},
     {"import", "Take in what such a machine found", makeBenchImportCommand},
-    {"report", "Make one HTML file of the records of sweeps", makeBenchReportCommand},
+    {"report", "Make a page of the records of sweeps, and their figures as CSV", makeBenchReportCommand},
 };
 
 /// Lets an option be given several times, a value each time.
@@ -181,6 +181,8 @@ Expected<std::vector<FormatLine>> BenchCommand::readFormats() const {
       return list;
     lines.insert(lines.end(), list->begin(), list->end());
   }
+  if (const Expected<void> checked = checkFormats(lines); !checked)
+    return checked.error();
   return lines;
 }
 
@@ -272,8 +274,17 @@ Expected<void> BenchCommand::tell(const Sweep &sweep) const {
     failed += !cell.record.isMeasured();
     kept += cell.isKept;
   }
-  return writeStatistics(common_.stats,
-                         {{"cells", sweep.cells().size()}, {"kept", kept}, {"failed", failed}});
+  const std::size_t cells = sweep.cells().size();
+  if (Expected<void> written =
+          writeStatistics(common_.stats, {{"cells", cells}, {"kept", kept}, {"failed", failed}});
+      !written)
+    return written;
+  if (!common_.quiet)
+    printNote("'voxc bench report " + folder_ + "' makes a page of these records");
+  if (failed > 0)
+    return Error::input(std::to_string(failed) + " of " + std::to_string(cells) +
+                        " cells failed; the table and the records say why, and --retry tries them again");
+  return {};
 }
 
 Expected<void> BenchCommand::run() {

@@ -1,4 +1,4 @@
-// voxc bench report: one HTML file of the records of voxc bench.
+// voxc bench report: one HTML file of the records of voxc bench, and their figures as CSV beside it.
 #include "Subcommand.h"
 
 #include "common/Files.h"
@@ -26,6 +26,12 @@ public:
   Expected<void> run() override;
 
 private:
+  struct Paths {
+    std::string page, csv; ///< No CSV where the page goes to standard output or a device.
+  };
+
+  Paths outputPaths() const;
+  Expected<void> write(const report::Report &report, const Paths &paths) const;
   Expected<report::ModelNotes> readModelNotes(const std::vector<report::Cell> &cells) const;
 
   std::vector<std::string> folders_, modelNotes_;
@@ -35,8 +41,10 @@ private:
 
 void BenchReportCommand::declare(CLI::App &app) {
   app.add_option("DIR", folders_, "Folders of records, as voxc bench writes them")->required()->type_name("");
-  app.add_option("-o,--output", output_,
-                 "The file; the default is report.html in the first folder, - standard output")
+  app.add_option(
+         "-o,--output", output_,
+         "The page, with its figures as CSV beside it; the default is report.html in the first folder, "
+         "- standard output, without CSV")
       ->type_name("FILE");
   app.add_option("--note", modelNotes_, "A sentence on a model; may be given several times")
       ->type_name("MODEL=TEXT")
@@ -67,15 +75,37 @@ Expected<void> BenchReportCommand::run() {
   const auto modelNotes = readModelNotes(*cells);
   if (!modelNotes)
     return modelNotes.error();
-  report::Report report = report::makeReport(*cells, *modelNotes);
+  const Paths paths = outputPaths();
+  if (paths.csv == paths.page)
+    return Error::usage("-o '" + output_ +
+                        "' should be the page, such as report.html; the figures go into a .csv beside it");
+  const std::string csvName = std::filesystem::path(paths.csv).filename().string();
+  report::Report report = report::makeReport(*cells, *modelNotes, csvName);
   if (report.html.size() > kLargePage)
     report.notes.push_back("the report has " + std::to_string(report.html.size()) +
                            " bytes; fewer folders would make a page that opens faster");
   if (!quiet_)
     tellNotes(report.notes);
-  const std::string path =
-      output_.empty() ? (std::filesystem::path(folders_.front()) / "report.html").string() : output_;
-  return writeText(path, report.html);
+  return write(report, paths);
+}
+
+BenchReportCommand::Paths BenchReportCommand::outputPaths() const {
+  namespace fs = std::filesystem;
+  const fs::path page = output_.empty() ? fs::path(folders_.front()) / "report.html" : fs::path(output_);
+  std::error_code ignored;
+  const bool isFile = output_ != "-" && (!fs::exists(page, ignored) || fs::is_regular_file(page, ignored));
+  return {page.string(), isFile ? fs::path(page).replace_extension(".csv").string() : ""};
+}
+
+Expected<void> BenchReportCommand::write(const report::Report &report, const Paths &paths) const {
+  if (!paths.csv.empty())
+    if (Expected<void> written = writeText(paths.csv, report.csv); !written)
+      return written;
+  if (Expected<void> written = writeText(paths.page, report.html); !written)
+    return written;
+  if (!quiet_ && !paths.csv.empty())
+    printNote("wrote " + paths.page + " and " + paths.csv);
+  return {};
 }
 
 } // namespace

@@ -31,22 +31,45 @@ TEST(Catalogue, HasAStageForEachModelDeviceResolutionAndPrecision) {
   EXPECT_EQ(catalogue.stages[3].resolution, 512);
 }
 
-TEST(Catalogue, ComparesFormatsWithThePassesThatMostHave) {
+TEST(Catalogue, ComparesAllMeasuredPasses) {
   const std::vector<Cell> cells = {makeCell("R(4^3) G(7)", 100, 1), makeCell("R(4^3) G(7)", 50, 1, kDedup),
                                    makeCell("G(11)", 40, 0.5, kDedup), makeCell("G(11)", 40, 5, kBoth)};
   const Catalogue catalogue = makeCatalogue(cells);
   ASSERT_THAT(catalogue.stages, SizeIs(1));
-  EXPECT_EQ(catalogue.stages[0].passes, "whole-level-dedup");
-  EXPECT_THAT(catalogue.stages[0].entries, ElementsAre(1, 2));
-  EXPECT_EQ(catalogue.stages[0].otherPasses, 2u);
-  EXPECT_TRUE(catalogue.entries[1].onFrontier && catalogue.entries[2].onFrontier);
-  EXPECT_FALSE(catalogue.entries[0].onFrontier || catalogue.entries[3].onFrontier);
+  EXPECT_THAT(catalogue.stages[0].entries, ElementsAre(0, 1, 2, 3));
+  EXPECT_TRUE(catalogue.stages[0].hasOtherPasses);
+  EXPECT_THAT(catalogue.stages[0].usualPasses, ElementsAre("whole-level-dedup"));
+  EXPECT_TRUE(catalogue.entries[3].isLeading());
+  for (const std::size_t beaten : {0u, 1u, 2u}) {
+    EXPECT_EQ(catalogue.entries[beaten].standing.place, Place::Beaten);
+    EXPECT_EQ(catalogue.entries[beaten].standing.rival, 3u);
+  }
 }
 
-TEST(Catalogue, TakesNoPassesWhereMostHaveNone) {
-  const std::vector<Cell> cells = {makeCell("S(11)", 100, 1), makeCell("R(4^3) G(7)", 50, 1, kDedup),
-                                   makeCell("R(4^3) G(7)", 60, 1)};
-  EXPECT_EQ(makeCatalogue(cells).stages.at(0).passes, kNoPasses);
+TEST(Catalogue, NamesSayThePassesThatDifferFromMost) {
+  std::vector<Cell> cells = {makeCell("G(11)", 40, 1, kDedup), makeCell("G(11)", 40, 1, kBoth),
+                             makeCell("G(11)", 90, 1), makeCell("G(11)", 40, 1, {kBoth[1], kBoth[0]}),
+                             makeCell("G(9)", 4, 1)};
+  cells[4].resolution = 512;
+  const Catalogue catalogue = makeCatalogue(cells);
+  std::vector<std::string> names;
+  for (const Entry &entry : catalogue.entries)
+    names.push_back(entry.name);
+  EXPECT_THAT(names, ElementsAre("G(11)", "G(11) +restart-sv", "G(11) −whole-level-dedup",
+                                 "G(11) +restart-sv", "G(9)"));
+  EXPECT_EQ(catalogue.entries[1].variant, catalogue.entries[3].variant);
+  EXPECT_NE(catalogue.entries[0].variant, catalogue.entries[1].variant);
+  EXPECT_EQ(catalogue.formats, 2u);
+}
+
+TEST(PassNames, AreThoseOfMoreThanHalf) {
+  const Passes none, dedup = kDedup, both = kBoth;
+  const std::vector<const Passes *> half = {&dedup, &none};
+  EXPECT_THAT(usualPasses(half), IsEmpty());
+  const std::vector<const Passes *> most = {&dedup, &both, &none};
+  EXPECT_THAT(usualPasses(most), ElementsAre("whole-level-dedup"));
+  EXPECT_EQ(passDifference({"short-pointers=9"}, dedup), " +short-pointers=9 −whole-level-dedup");
+  EXPECT_EQ(passDifference({"restart-sv", "whole-level-dedup"}, both), "");
 }
 
 TEST(Catalogue, NamesTheRaysWhereAModelHasSeveral) {
@@ -63,6 +86,15 @@ TEST(Catalogue, DrawsNoFiguresThatMakeNoSense) {
   const Catalogue catalogue = makeCatalogue(cells);
   for (const Entry &entry : catalogue.entries)
     EXPECT_FALSE(entry.hasPoint());
+}
+
+TEST(Catalogue, PutsRoundsInOrder) {
+  std::vector<Cell> cells = {makeCell("G(11)", 1, 2)};
+  cells[0].speed.mraysPerCpuS = tool::bench::Speed{-3, 2, 1e300, 0.1};
+  const Catalogue catalogue = makeCatalogue(cells);
+  ASSERT_TRUE(catalogue.entries[0].hasPoint());
+  EXPECT_EQ(catalogue.entries[0].speed->min, 0);
+  EXPECT_LE(catalogue.entries[0].speed->max, 1e12);
 }
 
 TEST(DeviceNames, AreAsShortAsTellsThemApart) {
@@ -98,7 +130,7 @@ TEST(Pairs, AreAsFastWithinTheWiderSpread) {
   cells[1].precision = "fast";
   const auto isEqual = [&] { return isAsFast(pairsByPrecision(makeCatalogue(cells)).at(0)); };
   EXPECT_FALSE(isEqual());
-  cells[0].speed.mraysPerCpuS->spread = 0.06;
+  cells[0].speed.mraysPerCpuS = makeSpeed(1, 0.06);
   EXPECT_TRUE(isEqual());
 }
 

@@ -9,6 +9,11 @@
 
 namespace voxc::report {
 
+/// Rounds about a median, from the slowest to the fastest by a share of it.
+inline tool::bench::Speed makeSpeed(double median, double spread) {
+  return {median * (1 - spread / 2), median, median * (1 + spread / 2), spread};
+}
+
 /// A measured cell with this size and speed, and all of its errors looked for.
 inline Cell makeCell(const std::string &format, std::uint64_t bytes, double speed,
                      std::vector<std::string> passes = {}) {
@@ -21,7 +26,7 @@ inline Cell makeCell(const std::string &format, std::uint64_t bytes, double spee
   cell.device = {"llvmpipe (LLVM)", "vulkan", "Mesa", 2, "cpu"};
   cell.rays = {"front", "camera", 100, {}, ""};
   cell.volume.bytes = bytes;
-  cell.speed.mraysPerCpuS = tool::bench::Speed{speed, speed, speed, 0.02};
+  cell.speed.mraysPerCpuS = makeSpeed(speed, 0.02);
   cell.error.rays = 1000;
   cell.error.missed = cell.error.ghost = cell.error.wrong = 0;
   return cell;

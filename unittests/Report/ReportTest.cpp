@@ -35,7 +35,8 @@ TEST(Report, HasAPointForEachSpeedAndARowForEachCell) {
   const std::string html = page({makeCell("G(11)", 100, 1), makeCell("S(11)", 500, 0.5),
                                  makeCell("R(4^3) G(7)", 200, 2), makeFailure("R(8^3) G(3)", "too large")});
   EXPECT_EQ(count(html, "<a class=\"point"), 3u);
-  EXPECT_EQ(count(html, " on\" href=\"#r"), 2u);
+  EXPECT_EQ(count(html, " on\" href=\"#r"), 2u); // G(11) and R(4^3) G(7)
+  EXPECT_EQ(count(html, "<line class=\"rounds\""), 3u);
   EXPECT_EQ(count(html, "<tr id=r"), 4u);
   EXPECT_THAT(html, HasSubstr("missed 0, ghost 0, wrong 0 of 1,000 rays"));
   EXPECT_THAT(html, HasSubstr("too large (it reached 12,345 words)"));
@@ -66,6 +67,59 @@ TEST(Report, ComparesFrontiersOfModelsThatHaveSpeeds) {
   EXPECT_THAT(page(cells), Not(HasSubstr("<div id=\"frontier\">")));
 }
 
+TEST(Report, BeginsEachModelWithTheVerdict) {
+  Cell small = makeCell("G(11)", 5 << 20, 1), large = makeCell("R(9^3)", 100 << 20, 4);
+  small.model.input = large.model.input = "hut.obj";
+  const std::string html = page({small, large, makeCell("D(9^3, 6)", 120 << 20, 3.99)});
+  EXPECT_LT(html.find("<dt>Smallest</dt>"), html.find("<svg class=\"chart"));
+  EXPECT_THAT(html, HasSubstr("<b>G(11)</b>, 5.00 MiB: 1.00 Mrays/CPU s on llvmpipe."));
+  EXPECT_THAT(html, HasSubstr("<code>voxc build 'G(11)' hut.obj -o hut.hvx</code>"));
+  EXPECT_THAT(html, HasSubstr("As fast, within the spread: <span class=\"name\">D(9³, 6)</span>."));
+}
+
+TEST(Report, NamesSpeedsThatAreNotSteady) {
+  Cell cell = makeCell("G(11)", 100, 1);
+  cell.speed.steady = false;
+  EXPECT_THAT(page({cell}), HasSubstr("Not steady: <span class=\"name\">G(11)</span>."));
+}
+
+TEST(Report, TellsWhatASearchForetold) {
+  std::vector<Cell> cells = {makeCell("G(11)", 400, 1), makeCell("S(11)", 800, 2)};
+  EXPECT_THAT(page(cells), Not(HasSubstr("<div id=\"predictions\">")));
+  for (Cell &cell : cells) {
+    cell.predicted = {
+        .words = 100, .mraysPerS = cell.speed.mraysPerCpuS->median * 1.1, .turns = {}, .lines = {}};
+    cell.volume.words = 100;
+  }
+  EXPECT_THAT(page(cells), HasSubstr("2 speeds: median error 10.0 %, rank correlation 1.00."));
+  EXPECT_THAT(page(cells), HasSubstr("All 2 sizes are as foretold, to the word."));
+  cells[1].volume.words = 103;
+  EXPECT_THAT(page(cells), HasSubstr("the others are off by 3 words at most."));
+}
+
+TEST(Report, TellsTheBytesOfEachLevelOfALeader) {
+  Cell cell = makeCell("R(4^3) G(7)", 4096, 1);
+  cell.volume.levelWords = {{24, 1000}};
+  EXPECT_THAT(page({cell}), HasSubstr("<small>R(4³) 96.0 B · G(7) 3.91 KiB</small>"));
+  cell.volume.levelWords = {{24}};
+  EXPECT_THAT(page({cell}), Not(HasSubstr("levels-bar\"")));
+}
+
+TEST(Report, LinksToItsFigures) {
+  const std::vector<Cell> cells = {makeCell("G(11)", 100, 1)};
+  EXPECT_THAT(page(cells), Not(HasSubstr(".csv")));
+  EXPECT_THAT(makeReport(cells, {}, "a b.csv").html, HasSubstr("<a href=\"./a%20b.csv\">a b.csv</a>"));
+}
+
+TEST(Report, PaintsNoMemoryThatIsAboutTheSame) {
+  std::vector<Cell> cells = {makeCell("G(11)", 100, 1), makeCell("S(11)", 100, 1)};
+  cells[0].build.peakRssBytes = 169 << 20;
+  cells[1].build.peakRssBytes = 174 << 20;
+  EXPECT_THAT(page(cells), HasSubstr("all of 2 formats need about the same, 169 MiB to 174 MiB."));
+  cells[1].build.peakRssBytes = 400 << 20;
+  EXPECT_THAT(page(cells), HasSubstr("class=\"bar worse\""));
+}
+
 TEST(Report, RingsPointsWithErrors) {
   Cell cell = makeCell("G(11)", 100, 1);
   EXPECT_THAT(page({cell}), Not(HasSubstr("class=\"ring\"")));
@@ -88,6 +142,7 @@ TEST(Report, EscapesWhatRecordsSay) {
   EXPECT_EQ(count(html, "<script>"), 1u);
   EXPECT_EQ(count(html, "</script>"), 1u);
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(1)"));
+  EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
 }
 
 TEST(Report, LoadsNothing) {

@@ -60,6 +60,26 @@ TEST(Labels, DoNotCoverEachOtherNorLeaveTheFrame) {
   }
 }
 
+TEST(Labels, AreLeftOutWhereThereIsNoRoomBesideTheirPoints) {
+  const Box frame = {0, 0, 400, 300};
+  const auto names = [&](const std::vector<LabelRequest> &requests, const std::vector<Box> &obstacles) {
+    std::string text;
+    for (const PlacedLabel &label : placeWhereFree(requests, frame, 12, obstacles)) {
+      EXPECT_FALSE(label.hasLeader);
+      text += label.text;
+    }
+    return text;
+  };
+  EXPECT_EQ(names({{"a", 100, 100}, {"b", 300, 200}}, {}), "ab");
+  EXPECT_EQ(names({{"a", 100, 100}, {"b", 300, 200}}, {{50, 50, 150, 150}}), "b");
+  EXPECT_EQ(
+      names({{"far too long for a frame that is as narrow as this one is, in letters of this size", 5, 5}},
+            {}),
+      "");
+  // Points in a pile: the four places about them are soon taken.
+  EXPECT_LT(names(std::vector<LabelRequest>(9, {"x", 200, 150}), {}).size(), 5u);
+}
+
 TEST(Plot, EscapesTextAndLeavesOutWhatIsNotFinite) {
   Plot plot{"a < b & c", "", {"x"}, {"y"}, {{"s", {{1, std::numeric_limits<double>::infinity(), "gone"}}}}};
   plot.series.push_back({"\"t\"", {{1, 2, "<note>"}}});

@@ -17,15 +17,15 @@ double ratioTo(const Contestant &first, const Contestant &contestant) {
 }
 
 void printVariants(const Findings &findings) {
-  std::printf("%-28s %7s %6s %6s %8s %9s %9s %8s %10s %7s %7s\n", "variant", "missed", "ghost", "wrong",
-              "boundary", "max_dt", "rms_dt", "max_ulp", "Mrays/cpu", "spread", "ratio");
+  std::printf("%-28s %7s %6s %6s %8s %9s %9s %8s %11s %7s %7s\n", "variant", "missed", "ghost", "wrong",
+              "boundary", "max_dt", "rms_dt", "max_ulp", "Mrays/CPU s", "spread", "ratio");
   const std::vector<std::string> names = labels(findings);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Contestant &contestant = *findings.contestants[i];
     const ErrorFigures &error = contestant.error;
     const bool equal = areEqual(findings.contestants[0]->cpuSeconds, contestant.cpuSeconds);
     std::printf("%-28s %7" PRIu64 " %6" PRIu64 " %6" PRIu64 " %8" PRIu64
-                " %9.3g %9.3g %8.3g %10.4g %6.1f%% %6.3f%s\n",
+                " %9.3g %9.3g %8.3g %11.4g %6.1f%% %6.3f%s\n",
                 names[i].c_str(), error.missed, error.ghost, error.wrong, error.boundary, error.maxDt,
                 error.rmsDt, error.maxUlpDt, mraysPerCpuSecond(contestant),
                 100 * spread(contestant.cpuSeconds), ratioTo(*findings.contestants[0], contestant),
@@ -38,9 +38,9 @@ void printVariants(const Findings &findings) {
 }
 
 void printLods(const std::vector<LodFinding> &lods) {
-  std::printf("\n%-8s %10s %9s %9s %6s %9s\n", "lod", "Mrays/cpu", "speed-up", "psnr", "worst", "changed");
+  std::printf("\n%-8s %11s %9s %9s %6s %9s\n", "lod", "Mrays/CPU s", "speed-up", "psnr", "worst", "changed");
   for (const LodFinding &lod : lods)
-    std::printf("%-8g %10.4g %8.3f%s %6.2f dB %6d %8.2f%%\n", lod.pixels, lod.mraysPerCpuSecond, lod.speedUp,
+    std::printf("%-8g %11.4g %8.3f%s %6.2f dB %6d %8.2f%%\n", lod.pixels, lod.mraysPerCpuSecond, lod.speedUp,
                 lod.equal ? "=" : " ", lod.picture.psnr, lod.picture.worst, 100 * lod.picture.changed);
 }
 
@@ -51,7 +51,7 @@ void printSeries(const char *name, const std::vector<SeriesPoint> &series,
     std::printf(" %28s", label.c_str());
   std::printf("\n%-12s", "voxels");
   for (std::size_t i = 0; i < names.size(); ++i)
-    std::printf(" %15s %12s", "errors/million", "Mrays/cpu");
+    std::printf(" %15s %12s", "errors/million", "Mrays/CPU s");
   for (const SeriesPoint &point : series) {
     std::printf("\n%-12g", point.at);
     for (const Score &score : point.scores)

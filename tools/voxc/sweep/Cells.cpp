@@ -75,6 +75,17 @@ Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &
 
 } // namespace
 
+Expected<void> checkFormats(const std::vector<FormatLine> &lines) {
+  std::string problems;
+  for (const FormatLine &line : lines)
+    if (const Expected<Format> format = parseFormat(line.text); !format)
+      problems += (problems.empty() ? "'" : "\n  '") + line.text +
+                  "' is no format: " + firstMessage(format.error().message);
+  if (!problems.empty())
+    return Error::input(problems);
+  return {};
+}
+
 Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &lines,
                                                const std::vector<std::vector<std::string>> &passLists) {
   for (const auto &passes : passLists)

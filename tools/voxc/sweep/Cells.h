@@ -54,6 +54,10 @@ struct Cell {
   bool isKept = false;          ///< Was finished by an earlier run.
 };
 
+/// Whether every line of a list is a format, so that a slip of the pen is told before anything is built.
+/// Error: `Input` with a line for each that is none.
+Expected<void> checkFormats(const std::vector<FormatLine> &lines);
+
 /// Every format with every list of passes. A format that is wrong, or a pass that goes wrong on it, is kept
 /// with its problem. Error: `Usage` for a pass that there is not.
 Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &lines,

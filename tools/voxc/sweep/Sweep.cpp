@@ -15,6 +15,20 @@ namespace fs = std::filesystem;
 constexpr double kStepsOfBuild = 5; ///< How many rounds a build counts for in the progress.
 constexpr int kMostPictureWidth = 640;
 
+/// The words of each level, as a build tells them, or none.
+std::optional<std::vector<std::uint64_t>> levelWords(const Json &figures) {
+  const auto levels = figures.find("levels");
+  if (levels == figures.end() || !levels->is_array())
+    return std::nullopt;
+  std::vector<std::uint64_t> words;
+  for (const Json &level : *levels) {
+    if (!level.is_object() || !level.contains("words") || !level["words"].is_number_unsigned())
+      return std::nullopt;
+    words.push_back(level["words"].get<std::uint64_t>());
+  }
+  return words;
+}
+
 /// A build's figures as parts of a record.
 void addBuild(const CachedVolume &volume, Record &record) {
   const Json &figures = volume.figures;
@@ -27,7 +41,7 @@ void addBuild(const CachedVolume &volume, Record &record) {
     return entry != figures.end() && entry->is_number_unsigned() ? Count(entry->get<std::uint64_t>())
                                                                  : std::nullopt;
   };
-  record.volume = {count("words"), count("bytes"), count("file_bytes"), {}};
+  record.volume = {count("words"), count("bytes"), count("file_bytes"), {}, levelWords(figures)};
   record.model.voxels = count("voxels");
   if (record.volume.bytes && record.model.voxels.value_or(0) > 0)
     record.volume.bytesPerVoxel = double(*record.volume.bytes) / double(*record.model.voxels);
