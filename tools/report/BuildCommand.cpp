@@ -1,9 +1,10 @@
 // Commands out of records.
 #include "report/BuildCommand.h"
 
+#include "common/ShellWord.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -18,20 +19,6 @@ constexpr std::array<std::string_view, 9> kInputOptions = {"--resolution", "--bo
                                                            "--coverage",   "--threshold", "--colour-map",
                                                            "--window",     "--interior",  "--fill-colour"};
 constexpr std::string_view kCrop = "--crop";
-
-bool isPlain(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) ||
-         std::string_view("-_.,:/=+@").find(c) != std::string_view::npos;
-}
-
-std::string quoted(const std::string &word) {
-  if (!word.empty() && std::ranges::all_of(word, isPlain))
-    return word;
-  std::string text = "'";
-  for (const char c : word)
-    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 /// The words of a command, of which some stand in single quotes.
 Words wordsOf(std::string_view command) {
@@ -116,13 +103,14 @@ ModelArgument findModel(const Cell &cell) {
 std::string buildCommand(const Cell &cell) {
   const ModelArgument model = findModel(cell);
   const bool looksLikeOption = model.input.starts_with("-");
-  std::string text =
-      "voxc build " + quoted(cell.format.name) + " " + quoted((looksLikeOption ? "./" : "") + model.input);
+  std::string text = "voxc build " + tool::shellWord(cell.format.name) + " " +
+                     tool::shellWord((looksLikeOption ? "./" : "") + model.input);
   for (const std::string &option : model.options)
-    text += " " + quoted(option);
+    text += " " + tool::shellWord(option);
   for (const std::string &pass : cell.format.passes)
-    text += " " + quoted("--" + pass);
-  return text + " -o " + quoted((cell.model.name.starts_with("-") ? "./" : "") + cell.model.name + ".hvx");
+    text += " " + tool::shellWord("--" + pass);
+  return text + " -o " +
+         tool::shellWord((cell.model.name.starts_with("-") ? "./" : "") + cell.model.name + ".hvx");
 }
 
 } // namespace voxc::report

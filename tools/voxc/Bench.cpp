@@ -5,6 +5,7 @@
 #include "Outputs.h"
 #include "Subcommand.h"
 
+#include "common/ShellWord.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "sweep/Machine.h"
@@ -253,16 +254,14 @@ SweepOptions BenchCommand::options() const {
 
 /// The options that were given, so that a reader can run the same; quoted where a shell would split them.
 std::string BenchCommand::commandText() const {
-  const auto quoted = [](const std::string &word) {
-    return word.find_first_of(" ;()\t*$&|<>\"") == std::string::npos ? word : "'" + word + "'";
-  };
   std::string text = "voxc bench";
   for (const std::string &input : inputs_)
-    text += " " + quoted(input);
+    text += " " + shellWord(input);
   for (const CLI::Option *option : app_->get_options())
     if (option->count() > 0 && !option->get_lnames().empty())
       for (const std::string &value : option->results())
-        text += " " + option->get_name() + (option->get_items_expected_max() > 0 ? " " + quoted(value) : "");
+        text +=
+            " " + option->get_name() + (option->get_items_expected_max() > 0 ? " " + shellWord(value) : "");
   return text;
 }
 

@@ -69,11 +69,13 @@ Expected<void> SearchCommand::tell(const SearchResult &result, Json &figures) {
   const auto cells = report::readCells({options_.folder});
   if (!cells)
     return cells.error();
-  const report::Report report = report::makeReport(*cells, {});
-  if (Expected<void> written = writeText(options_.folder + "/report.html", report.html); !written)
-    return written;
+  const report::Report report = report::makeReport(*cells, {}, "report.csv");
+  for (const auto &[name, text] : {std::pair("/report.html", &report.html), {"/report.csv", &report.csv}})
+    if (Expected<void> written = writeText(options_.folder + name, *text); !written)
+      return written;
   if (!options_.common.quiet)
-    printNote("wrote " + options_.folder + "/report.html and " + options_.folder + "/" + bench::kResultsName);
+    printNote("wrote report.html, report.csv and " + std::string(bench::kResultsName) + " in " +
+              options_.folder);
   return writeStatistics(options_.common.stats, figures);
 }
 

@@ -1,6 +1,7 @@
 // Candidates in words.
 #include "search/BuildCommand.h"
 
+#include "common/ShellWord.h"
 #include "sweep/Model.h"
 
 #include <algorithm>
@@ -30,13 +31,9 @@ std::string nameOf(const Candidate &candidate) {
   return name;
 }
 
-std::string quoted(const std::string &word) {
-  return word.find_first_of(" ;()'*$&|<>#") == std::string::npos ? word : "\"" + word + "\"";
-}
-
 std::string buildCommand(const std::string &input, const InputArguments &arguments,
                          const Candidate &candidate) {
-  std::string text = "voxc build " + quoted(candidate.text) + " " + quoted(input);
+  std::string text = "voxc build " + shellWord(candidate.text) + " " + shellWord(input);
   for (const std::string &word : bench::toWords(arguments))
     text += " " + word;
   for (const std::string &pass : candidate.passes)

@@ -12,10 +12,7 @@ namespace voxc::tool {
 /// "G(7) M(2^3) with short pointers, direct-walk": what sets it apart from other candidates of a scene.
 std::string nameOf(const Candidate &candidate);
 
-/// As a shell takes it.
-std::string quoted(const std::string &word);
-
-/// "voxc build "G(9)" scene.ply --resolution=512 --whole-level-dedup -o scene.hvx".
+/// "voxc build 'G(9)' scene.ply --resolution=512 --whole-level-dedup -o scene.hvx".
 std::string buildCommand(const std::string &input, const InputArguments &arguments,
                          const Candidate &candidate);
 

@@ -1,7 +1,7 @@
 // The options of voxc search.
 #include "search/SearchOptions.h"
 
-#include "search/BuildCommand.h"
+#include "common/ShellWord.h"
 #include "sweep/Machine.h"
 #include "sweep/Model.h"
 
@@ -109,10 +109,10 @@ Expected<void> SearchOptions::read() {
 }
 
 std::string SearchOptions::commandText() const {
-  std::string text = "voxc search " + quoted(input);
+  std::string text = "voxc search " + shellWord(input);
   for (const std::string &word : bench::toWords(inputArguments))
     text += " " + word;
-  return text + " --budget " + budgetText_ + " -o " + quoted(folder);
+  return text + " --budget " + budgetText_ + " -o " + shellWord(folder);
 }
 
 } // namespace voxc::tool
