@@ -21,8 +21,9 @@ void report(const std::string &file, const std::string &problem) {
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
   TemplateNames names = layerNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
-  for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB",
-                           "LAYERS_DOWN", "symbol", "PREFIX", "DIGEST", "count-words"})
+  for (const char *hole :
+       {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "LAYERS_DOWN", "symbol",
+        "PREFIX", "DIGEST", "count-words", "prefix", "glsl-in-cpp", "what-colour-is"})
     names.holes[hole] = "";
   return names;
 }

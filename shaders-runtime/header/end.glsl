@@ -1,0 +1,28 @@
+
+#undef VOXC_IN
+#undef VOXC_INOUT
+#undef VOXC_OUT
+#undef VOXC_FUNCTION
+#undef VOXC_SELDOM
+#undef VOXC_INDEX
+
+#ifdef __cplusplus
+
+#undef VOXC_INLINE
+#undef VOXC_CONSTANT
+#undef VOXC_OPERATOR
+#undef OUT_OF_LINE
+#undef VOXC_BEGIN_INLINE
+#undef VOXC_END_INLINE
+
+} // namespace ${prefix}text
+
+using ${prefix}text::${prefix}Hit;
+using ${prefix}text::${prefix}any;
+using ${prefix}text::${prefix}closest;
+using ${prefix}text::${prefix}next;
+using ${prefix}text::${prefix}normal;
+
+#endif
+
+#endif
