@@ -39,6 +39,7 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   TemplateNames names = planNames(plan);
   const std::string prefix = headerPrefix(name);
   names.holes["prefix"] = prefix;
+  names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
   names.holes["PREFIX"] = upperCase(prefix);
   names.holes["glsl-in-cpp"] = glslInCpp();
   names.holes["what-colour-is"] =
@@ -68,6 +69,8 @@ std::string headerName(const Layout &layout) {
 
 std::string headerPrefix(std::string_view name) { return "voxc_" + std::string(name) + "_"; }
 
+std::string headerFile(std::string_view name) { return "voxc_" + std::string(name) + ".h"; }
+
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
   const auto file = [&](std::string_view path) {
@@ -77,6 +80,10 @@ std::string emitHeader(const Plan &plan, std::string_view name) {
                                 fillFile(shaderFiles(), "walk_on.glsl", names) + "\n" + file("bounds.glsl") +
                                 "\n" + file("queries.glsl");
   return file("begin.glsl") + embedded(functions, names.holes.at("prefix")) + file("end.glsl");
+}
+
+std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {
+  return fillFile(shaderFiles(), "header/" + std::string(toString(stage)) + ".glsl", headerNames(plan, name));
 }
 
 } // namespace voxc

@@ -36,6 +36,18 @@ public:
   const KernelChoices &choices() const { return choices_; }
   const std::string &name() const { return name_; }
 
+  Expected<const Plan *> headerPlan() {
+    if (plan_.detail != Detail::Full)
+      return Error::input("the functions of a header stop at voxels alone: leave out --detail cone");
+    if (!headerPlan_) {
+      Expected<Plan> plan = makePlan(format_, kHeaderPlan);
+      if (!plan)
+        return plan.error();
+      headerPlan_ = std::move(*plan);
+    }
+    return &*headerPlan_;
+  }
+
   Expected<const Kernel *> kernel() {
     if (!kernel_) {
       Expected<Kernel> kernel = compileGlsl(emitIntersect(plan_), plan_, choices_.optimise);
@@ -56,6 +68,7 @@ private:
   Plan cpuPlan_; ///< The same for this processor.
   KernelChoices choices_;
   std::string name_; ///< Of what is in a header.
+  std::optional<Plan> headerPlan_;
   std::optional<Kernel> kernel_;
 };
 
@@ -85,35 +98,50 @@ Expected<std::string> makeCpuObject(Generator &generator) {
 }
 
 Expected<std::string> makeHeader(Generator &generator) {
-  if (generator.plan().detail != Detail::Full)
-    return Error::input("the functions of a header stop at voxels alone: leave out --detail cone");
-  Expected<Plan> plan = makePlan(generator.format(), kHeaderPlan);
-  return plan ? emitHeader(*plan, generator.name()) : Expected<std::string>(plan.error());
+  Expected<const Plan *> plan = generator.headerPlan();
+  return plan ? emitHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
 }
 
-std::vector<Artefact> noCompanions(const Generator &) { return {}; }
+Expected<std::string> makeIntersection(Generator &generator) {
+  Expected<const Plan *> plan = generator.headerPlan();
+  if (!plan)
+    return plan.error();
+  for (const RayStage stage : {RayStage::Intersection, RayStage::ClosestHit})
+    if (const auto module = compileRayShader(**plan, generator.name(), stage); !module)
+      return module.error();
+  return emitRayShader(**plan, generator.name(), RayStage::Intersection);
+}
+
+std::vector<Artefact> noCompanions(Generator &) { return {}; }
 
 // So that a plain compiler finds what the texts include.
-std::vector<Artefact> constructCompanions(const Generator &) {
+std::vector<Artefact> constructCompanions(Generator &) {
   return {{"voxc_construct.h", std::string(constructHeader())}};
 }
 
-std::vector<Artefact> cppCompanions(const Generator &) {
+std::vector<Artefact> cppCompanions(Generator &) {
   std::vector<Artefact> files;
   for (const EmbeddedFile &header : intersectHeaders())
     files.push_back({std::string(header.path), std::string(header.text)});
   return files;
 }
 
-std::vector<Artefact> cpuCompanions(const Generator &generator) {
+std::vector<Artefact> cpuCompanions(Generator &generator) {
   return {{"intersect.h", emitIntersectHeader(generator.cpuPlan(), generator.choices().cpu.symbol)}};
+}
+
+std::vector<Artefact> intersectionCompanions(Generator &generator) {
+  const Plan &plan = **generator.headerPlan(); // There is one: the shader was made of it.
+  const std::string &name = generator.name();
+  return {{headerFile(name), emitHeader(plan, name)},
+          {"voxc_" + name + ".rchit", emitRayShader(plan, name, RayStage::ClosestHit)}};
 }
 
 struct ArtefactKind {
   const char *name; ///< As given to --emit.
   const char *file; ///< A * stands for the name of what is in a header.
   Expected<std::string> (*make)(Generator &generator);
-  std::vector<Artefact> (*companions)(const Generator &generator);
+  std::vector<Artefact> (*companions)(Generator &generator);
 };
 
 constexpr ArtefactKind kArtefacts[] = {
@@ -126,6 +154,7 @@ constexpr ArtefactKind kArtefacts[] = {
     {"cpp", "intersect.cpp", makeCpp, cppCompanions},
     {"cpu", "intersect.o", makeCpuObject, cpuCompanions},
     {"header", "voxc_*.h", makeHeader, noCompanions},
+    {"rint", "voxc_*.rint", makeIntersection, intersectionCompanions},
 };
 
 const ArtefactKind &findArtefact(const std::string &name) {

@@ -49,9 +49,9 @@ void CompileCommand::declare(CLI::App &app) {
   app.add_option("-o,--output", folder_, "Folder to write to, or - to print one kind")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option(
-         "--emit", kinds_,
-         "What to write, of ir, plan, construct, glsl, spirv, spvasm, cpp, cpu, header, separated by commas")
+  app.add_option("--emit", kinds_,
+                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, cpp, cpu, header, rint, "
+                 "separated by commas")
       ->delimiter(',')
       ->type_name("KINDS")
       ->check(CLI::IsMember(artefactNames()).description(""))
