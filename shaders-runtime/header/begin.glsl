@@ -4,6 +4,7 @@
 //     bool ${prefix}next(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmax, inout ${prefix}Hit hit)
 //     bool ${prefix}any(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax)
 //     vec3 ${prefix}normal(const ${prefix}Hit hit)
+//     vec3 ${prefix}outside(vec3 origin, vec3 direction, const ${prefix}Hit hit)
 //
 // A volume is what you take for one: before you include this, say its type, and how a word of it is loaded.
 //

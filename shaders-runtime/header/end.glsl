@@ -22,6 +22,7 @@ using ${prefix}text::${prefix}any;
 using ${prefix}text::${prefix}closest;
 using ${prefix}text::${prefix}next;
 using ${prefix}text::${prefix}normal;
+using ${prefix}text::${prefix}outside;
 
 #endif
 

@@ -73,3 +73,15 @@ bool ${prefix}any(vec3 origin, vec3 direction, float tmin, float tmax) {
 vec3 ${prefix}normal(const ${prefix}Hit hit) {
   return vec3(ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2))) * hit.side);
 }
+
+// Where the ray of a hit enters the voxel, just outside of it, and within its face: rays that go on from there begin in the cell
+// before that face, and need no tmin to leave the voxel. In a voxel in which the ray begins, that is where it begins.
+vec3 ${prefix}outside(vec3 origin, vec3 direction, const ${prefix}Hit hit) {
+  if (hit.axis < 0)
+    return origin;
+  vec3 low = vec3(hit.voxel);
+  vec3 high = low + 1.0f;
+  vec3 within = clamp(origin + hit.t * direction, low, high - high / 8388608.0f);
+  vec3 beyond = hit.side > 0 ? high : low - max(low, 1.0f) / 8388608.0f;
+  return mix(within, beyond, equal(ivec3(hit.axis), ivec3(0, 1, 2)));
+}
