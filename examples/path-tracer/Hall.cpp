@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 namespace {
 
@@ -86,13 +87,17 @@ std::uint32_t innerVoxel(voxc::Int3 c) {
 } // namespace
 
 std::uint32_t hallVoxel(voxc::Int3 cell) {
-  if (cell.y < 8)
-    if (const std::uint32_t floor = floorVoxel(cell))
-      return floor;
-  if (cell.y >= 96)
-    return cell.y < 112 ? roofVoxel(cell) | wallVoxel(cell) * (roofVoxel(cell) == 0) : 0;
-  if (const std::uint32_t wall = wallVoxel(cell))
-    return wall;
-  const std::uint32_t column = columnVoxel(cell);
-  return column ? column : innerVoxel(cell);
+  using Part = std::uint32_t (*)(voxc::Int3);
+  constexpr Part kLow[] = {floorVoxel, wallVoxel, columnVoxel, innerVoxel};
+  constexpr Part kMiddle[] = {wallVoxel, columnVoxel, innerVoxel};
+  constexpr Part kHigh[] = {roofVoxel, wallVoxel};
+  const auto firstOf = [&](std::span<const Part> parts) {
+    for (const Part part : parts)
+      if (const std::uint32_t voxel = part(cell))
+        return voxel;
+    return 0u;
+  };
+  if (cell.y >= 112)
+    return 0;
+  return cell.y < 8 ? firstOf(kLow) : cell.y < 96 ? firstOf(kMiddle) : firstOf(kHigh);
 }
