@@ -31,10 +31,9 @@ using namespace voxc::glsl;
 #define VOXC_FUNCTION static inline
 #define VOXC_SELDOM [[gnu::noinline, gnu::cold, maybe_unused]] static
 #define VOXC_INDEX (unsigned long long)
-#ifndef VOXC_VOLUME
+#if !defined(VOXC_VOLUME) && !defined(VOXC_LOAD)
+#define VOXC_OWN_VOLUME
 #define VOXC_VOLUME const unsigned int *
-#endif
-#ifndef VOXC_LOAD
 #define VOXC_LOAD(volume, index) volume[index]
 #endif
 

@@ -8,6 +8,11 @@
 
 #ifdef __cplusplus
 
+#ifdef VOXC_OWN_VOLUME
+#undef VOXC_OWN_VOLUME
+#undef VOXC_VOLUME
+#undef VOXC_LOAD
+#endif
 #undef VOXC_INLINE
 #undef VOXC_CONSTANT
 #undef VOXC_OPERATOR
@@ -18,6 +23,7 @@
 } // namespace ${prefix}text
 
 using ${prefix}text::${prefix}Hit;
+using ${prefix}text::${prefix}VOLUME_SIZE;
 using ${prefix}text::${prefix}any;
 using ${prefix}text::${prefix}closest;
 using ${prefix}text::${prefix}next;
