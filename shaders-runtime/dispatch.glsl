@@ -12,24 +12,6 @@ bool loops_are_whole() {
 }
 
 %end
-// Goes on with a walk to its end, or until it is left.
-bool walk_on(const Ray ray, inout Walk walk, uint root) {
-%if exact
-  bool hit = false;
-  bool goes_on = true;
-  while (goes_on) {
-    while (SETTLES && walk.open >= 0)
-      settle_step(ray, walk);
-    // What was settled may have been the last step inside.
-    hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
-    goes_on = SETTLES && walk.open >= 0;
-  }
-  return hit;
-%else
-  return intersect_level_1(ray, walk, root);
-%end
-}
-
 // Traces a ray, from where it was left if it `goes_on`. True if it is left, again.
 bool trace_ray(uint ray_number, bool goes_on) {
   uint at = 6u * ray_number;

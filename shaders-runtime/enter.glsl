@@ -62,23 +62,29 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
   bound_errors(ray, cell, error, 2.0f * max(max(slack.x, slack.y), slack.z));
 }
 
-// Finds the cell in which the ray enters the volume, in exact arithmetic: through the last of the faces that it must pass.
-OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, ivec3 cell, bvec3 enters, ivec3 face, bool starts_far) {
-  int axis = last_entered(ray, enters, face);
-  if (starts_far)
-    start_at(ray, cell, axis, face[axis]);
+// Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the coordinates that
+// never change.
+Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   Crossing crossing;
-  crossing.t = (float(face[axis]) - ray.origin[axis]) * ray.inverse[axis];
+  crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis];
   crossing.axis = axis;
-  crossing.face = face[axis];
+  crossing.face = face;
   crossing.rising = !ray.falls[axis];
   Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
-  range.least[axis] = range.most[axis] = face[axis] - (ray.falls[axis] ? 1 : 0);
+  range.least[axis] = range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
   walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
 %if arrival
   walk.axis = axis;
 %end
   return walk;
+}
+
+// Finds the cell in which the ray enters the volume, in exact arithmetic: through the last of the faces that it must pass.
+OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, ivec3 cell, bvec3 enters, ivec3 face, bool starts_far) {
+  int axis = last_entered(ray, enters, face);
+  if (starts_far)
+    start_at(ray, cell, axis, face[axis]);
+  return behind_face(ray, walk, cell, axis, face[axis]);
 }
 
 // The same by ${real-name}. Not sure if that cannot tell which face is the last, or which cell is behind it.

@@ -42,6 +42,10 @@ struct Walk {
   uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
   int open; // The step over a gap around ~cell is left to be settled: 32 times its count, and its log2_side. Else CLOSED.
+%if bounded
+  ivec3 begin; // A walk ends where it leaves the box of `size` cells from `begin` on.
+  ivec3 size;
+%end
 };
 
 const int CLOSED = -1;
@@ -68,7 +72,7 @@ const float ROUNDINGS = 12.0f / 8388608.0f;
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell) {
-  return Walk(cell, ${no-axis}${no-voxel}0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED);
+  return Walk(cell, ${no-axis}${no-voxel}0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED${and-all-of-the-volume});
 }
 
 // Ends a walk that takes more steps than any can.
@@ -89,7 +93,11 @@ bool goes_on(const Walk walk) {
 %if packets
   return is_in_volume(walk.cell) && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
 %else
+%if bounded
+  return all(lessThan(uvec3(walk.cell - walk.begin), uvec3(walk.size)));
+%else
   return is_in_volume(walk.cell);
+%end
 %end
 }
 

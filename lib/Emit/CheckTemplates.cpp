@@ -3,6 +3,7 @@
 // ends the build.
 #include "Names.h"
 
+#include "voxc/Emit/Emit.h"
 #include "voxc/Layout/SlotKind.h"
 
 #include <cstdio>
@@ -21,8 +22,9 @@ void report(const std::string &file, const std::string &problem) {
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
   TemplateNames names = layerNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
-  for (const char *hole : {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB",
-                           "LAYERS_DOWN", "symbol", "PREFIX", "DIGEST", "count-words"})
+  for (const char *hole :
+       {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "LAYERS_DOWN", "symbol",
+        "PREFIX", "DIGEST", "count-words", "prefix", "prefix-", "glsl-in-cpp", "what-colour-is"})
     names.holes[hole] = "";
   return names;
 }
@@ -58,6 +60,7 @@ int main() {
   demandEach<Descent>("walk");
   demandEach<Predicate>("step");
   demandEach<Addressing>("memory");
+  demandEach<RayStage>("header");
   for (std::size_t i = 0; i < kEnumNames<Payload>.size(); ++i) {
     const PayloadKind &kind = kindOf(static_cast<Payload>(i));
     demand("shaders-runtime", shaderFiles(), "payload/" + std::string(kind.hit) + ".glsl");

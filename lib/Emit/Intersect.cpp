@@ -24,8 +24,9 @@ std::string emitIntersect(const Plan &plan) {
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
          (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
          file("memory/" + std::string(toString(plan.addressing)) + ".glsl") + kernelFunctions(plan) +
-         (plan.query == Query::Occupancy ? file("point/answer.glsl") + file("point/dispatch.glsl")
-                                         : file("buffers.glsl") + file("dispatch.glsl"));
+         (plan.query == Query::Occupancy
+              ? file("point/answer.glsl") + file("point/dispatch.glsl")
+              : file("buffers.glsl") + file("walk_on.glsl") + file("dispatch.glsl"));
 }
 
 } // namespace voxc

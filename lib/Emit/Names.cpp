@@ -256,6 +256,8 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
   names.holes["no-axis"] = hasArrival ? "-1, " : "";
   names.holes["no-voxel"] = outputs.colour ? "0u, " : "";
+  names.holes["and-all-of-the-volume"] = plan.bounded ? ", ivec3(0), VOLUME_SIZE" : "";
+  names.conditions["bounded"] = plan.bounded;
   names.holes["sixth-word"] = outputs.face ? "lookups or words read, else a face" : "lookups or words read";
   names.conditions["point"] = isPoint;
   names.conditions["arrival"] = hasArrival;

@@ -8,7 +8,7 @@
 namespace voxc {
 
 Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise) {
-  auto module = glslToSpirv(glsl);
+  auto module = glslToSpirv({.glsl = glsl});
   if (module && optimise)
     module = optimiseSpirv(*module);
   if (!module)
@@ -25,6 +25,20 @@ Expected<Kernel> compileKernel(const Format &format, const KernelOptions &option
   if (!plan)
     return plan.error();
   return compileGlsl(emitIntersect(*plan), *plan, options.optimise);
+}
+
+Expected<std::vector<std::uint32_t>> compileRayShader(const Plan &plan, std::string_view name,
+                                                      RayStage stage) {
+  constexpr EShLanguage kStages[] = {EShLangIntersect, EShLangClosestHit};
+  const std::string glsl = emitRayShader(plan, name, stage);
+  const std::string header = emitHeader(plan, name);
+  const std::string headerName = headerFile(name);
+  auto module = glslToSpirv({kStages[static_cast<std::size_t>(stage)], glsl, headerName, header});
+  if (!module)
+    return module;
+  if (auto valid = validateSpirv(*module); !valid)
+    return valid.error();
+  return module;
 }
 
 Expected<std::string> disassemble(const Kernel &kernel) { return disassembleSpirv(kernel.spirv); }

@@ -3,6 +3,8 @@
 
 #include "voxc/Support/Error.h"
 
+#include <glslang/Public/ShaderLang.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,8 +14,16 @@ namespace voxc {
 
 using SpirvWords = std::vector<std::uint32_t>;
 
-/// GLSL of a compute shader to SPIR-V 1.5 for Vulkan 1.2 (glslang).
-Expected<SpirvWords> glslToSpirv(std::string_view glsl);
+/// A shader, and a file that it may include.
+struct Shader {
+  EShLanguage stage = EShLangCompute;
+  std::string_view glsl;
+  std::string_view headerName = {};
+  std::string_view header = {};
+};
+
+/// GLSL to SPIR-V 1.5 for Vulkan 1.2 (glslang).
+Expected<SpirvWords> glslToSpirv(const Shader &shader);
 
 /// Makes the module say `facts` in an OpModuleProcessed of its own.
 SpirvWords addModuleProcessed(const SpirvWords &module, std::string_view facts);

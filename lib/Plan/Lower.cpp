@@ -10,7 +10,8 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.loops = options.loops;
   plan.arithmetic = options.arithmetic;
   plan.packing = options.packing;
-  const Question question = questionOf(format);
+  plan.bounded = options.bounded;
+  const Question question = options.question.value_or(questionOf(format));
   plan.query = question.query;
   plan.outputs = question.outputs;
   for (const Level &level : format.levels)

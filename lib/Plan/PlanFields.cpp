@@ -108,7 +108,7 @@ bool parseGranule(Plan &plan, std::string_view text) {
   return isNumber;
 }
 
-constexpr std::array<Field<Plan>, 18> kPlanFields = {{
+constexpr std::array<Field<Plan>, 19> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload,
      "rgba8, occupancy, constant, palette(1) to palette(16), rgb565, material(1) to material(16)"},
@@ -128,6 +128,7 @@ constexpr std::array<Field<Plan>, 18> kPlanFields = {{
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
     field<Plan, &Plan::packing>("packing", "device, packets"),
+    field<Plan, &Plan::bounded>("bounded", "yes, no"),
 }};
 
 using S = PlannedStratum;

@@ -22,13 +22,31 @@ public:
     auto cpuPlan = makePlan(format, kCpuPlan);
     if (!plan || !cpuPlan)
       return plan ? cpuPlan.error() : plan.error();
-    return Generator(format, std::move(*plan), std::move(*cpuPlan), choices);
+    if (choices.name.empty())
+      return Generator(format, std::move(*plan), std::move(*cpuPlan), choices, headerName(plan->layout));
+    if (!isHeaderName(choices.name))
+      return Error::usage("--name takes letters, digits and single underscores between them, not '" +
+                          choices.name + "'");
+    return Generator(format, std::move(*plan), std::move(*cpuPlan), choices, choices.name);
   }
 
   const Format &format() const { return format_; }
   const Plan &plan() const { return plan_; }
   const Plan &cpuPlan() const { return cpuPlan_; }
   const KernelChoices &choices() const { return choices_; }
+  const std::string &name() const { return name_; }
+
+  Expected<const Plan *> headerPlan() {
+    if (plan_.detail != Detail::Full)
+      return Error::input("the functions of a header stop at voxels alone: leave out --detail cone");
+    if (!headerPlan_) {
+      Expected<Plan> plan = makePlan(format_, kHeaderPlan);
+      if (!plan)
+        return plan.error();
+      headerPlan_ = std::move(*plan);
+    }
+    return &*headerPlan_;
+  }
 
   Expected<const Kernel *> kernel() {
     if (!kernel_) {
@@ -41,13 +59,16 @@ public:
   }
 
 private:
-  Generator(Format format, Plan plan, Plan cpuPlan, const KernelChoices &choices)
-      : format_(std::move(format)), plan_(std::move(plan)), cpuPlan_(std::move(cpuPlan)), choices_(choices) {}
+  Generator(Format format, Plan plan, Plan cpuPlan, const KernelChoices &choices, std::string name)
+      : format_(std::move(format)), plan_(std::move(plan)), cpuPlan_(std::move(cpuPlan)), choices_(choices),
+        name_(std::move(name)) {}
 
   Format format_;
   Plan plan_;
   Plan cpuPlan_; ///< The same for this processor.
   KernelChoices choices_;
+  std::string name_; ///< Of what is in a header.
+  std::optional<Plan> headerPlan_;
   std::optional<Kernel> kernel_;
 };
 
@@ -76,29 +97,51 @@ Expected<std::string> makeCpuObject(Generator &generator) {
   return compileCpuObject(generator.format(), generator.choices().cpu);
 }
 
-std::vector<Artefact> noCompanions(const Generator &) { return {}; }
+Expected<std::string> makeHeader(Generator &generator) {
+  Expected<const Plan *> plan = generator.headerPlan();
+  return plan ? emitHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
+}
+
+Expected<std::string> makeIntersection(Generator &generator) {
+  Expected<const Plan *> plan = generator.headerPlan();
+  if (!plan)
+    return plan.error();
+  for (const RayStage stage : {RayStage::Intersection, RayStage::ClosestHit})
+    if (const auto module = compileRayShader(**plan, generator.name(), stage); !module)
+      return module.error();
+  return emitRayShader(**plan, generator.name(), RayStage::Intersection);
+}
+
+std::vector<Artefact> noCompanions(Generator &) { return {}; }
 
 // So that a plain compiler finds what the texts include.
-std::vector<Artefact> constructCompanions(const Generator &) {
+std::vector<Artefact> constructCompanions(Generator &) {
   return {{"voxc_construct.h", std::string(constructHeader())}};
 }
 
-std::vector<Artefact> cppCompanions(const Generator &) {
+std::vector<Artefact> cppCompanions(Generator &) {
   std::vector<Artefact> files;
   for (const EmbeddedFile &header : intersectHeaders())
     files.push_back({std::string(header.path), std::string(header.text)});
   return files;
 }
 
-std::vector<Artefact> cpuCompanions(const Generator &generator) {
+std::vector<Artefact> cpuCompanions(Generator &generator) {
   return {{"intersect.h", emitIntersectHeader(generator.cpuPlan(), generator.choices().cpu.symbol)}};
+}
+
+std::vector<Artefact> intersectionCompanions(Generator &generator) {
+  const Plan &plan = **generator.headerPlan(); // There is one: the shader was made of it.
+  const std::string &name = generator.name();
+  return {{headerFile(name), emitHeader(plan, name)},
+          {"voxc_" + name + ".rchit", emitRayShader(plan, name, RayStage::ClosestHit)}};
 }
 
 struct ArtefactKind {
   const char *name; ///< As given to --emit.
-  const char *file;
+  const char *file; ///< A * stands for the name of what is in a header.
   Expected<std::string> (*make)(Generator &generator);
-  std::vector<Artefact> (*companions)(const Generator &generator);
+  std::vector<Artefact> (*companions)(Generator &generator);
 };
 
 constexpr ArtefactKind kArtefacts[] = {
@@ -110,10 +153,19 @@ constexpr ArtefactKind kArtefacts[] = {
     {"spvasm", "intersect.spvasm", makeSpirvText, noCompanions},
     {"cpp", "intersect.cpp", makeCpp, cppCompanions},
     {"cpu", "intersect.o", makeCpuObject, cpuCompanions},
+    {"header", "voxc_*.h", makeHeader, noCompanions},
+    {"rint", "voxc_*.rint", makeIntersection, intersectionCompanions},
 };
 
 const ArtefactKind &findArtefact(const std::string &name) {
   return *std::ranges::find_if(kArtefacts, [&](const ArtefactKind &kind) { return name == kind.name; });
+}
+
+std::string fileOf(const ArtefactKind &kind, const std::string &name) {
+  std::string file = kind.file;
+  if (const std::size_t star = file.find('*'); star != file.npos)
+    file.replace(star, 1, name);
+  return file;
 }
 
 } // namespace
@@ -136,7 +188,7 @@ Expected<std::vector<Artefact>> makeArtefacts(const Format &format, const std::v
     Expected<std::string> contents = kind.make(*generator);
     if (!contents)
       return contents.error();
-    artefacts.push_back({kind.file, std::move(*contents)});
+    artefacts.push_back({fileOf(kind, generator->name()), std::move(*contents)});
     if (!alone)
       std::ranges::move(kind.companions(*generator), std::back_inserter(artefacts));
   }

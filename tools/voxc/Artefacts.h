@@ -15,6 +15,7 @@ struct KernelChoices {
   Addressing addressing = Addressing::Buffer;
   bool optimise = false; ///< spirv-opt.
   CpuObjectOptions cpu;
+  std::string name; ///< Of the functions in a header; "" takes one made of the format.
 };
 
 struct Artefact {

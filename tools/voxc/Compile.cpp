@@ -39,6 +39,7 @@ private:
   std::string addressing_{toString(Addressing::Buffer)};
   bool optimise_ = false;
   CpuObjectOptions cpu_;
+  std::string name_;
 };
 
 void CompileCommand::declare(CLI::App &app) {
@@ -49,7 +50,8 @@ void CompileCommand::declare(CLI::App &app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--emit", kinds_,
-                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, cpp, cpu, separated by commas")
+                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, cpp, cpu, header, rint, "
+                 "separated by commas")
       ->delimiter(',')
       ->type_name("KINDS")
       ->check(CLI::IsMember(artefactNames()).description(""))
@@ -68,6 +70,10 @@ void CompileCommand::declare(CLI::App &app) {
          "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
          "architecture, as fast as each can")
       ->type_name("NAME");
+  app.add_option(
+         "--name", name_,
+         "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
+      ->type_name("NAME");
   attributes_.declare(app);
   passes_.declare(app, PassChoice::All);
   addCommonOptions(app, common_);
@@ -75,7 +81,8 @@ void CompileCommand::declare(CLI::App &app) {
 
 Expected<std::vector<Artefact>> CompileCommand::generate(const Format &format) const {
   const bool segments = addressing_ == toString(Addressing::Segments);
-  const KernelChoices choices = {segments ? Addressing::Segments : Addressing::Buffer, optimise_, cpu_};
+  const KernelChoices choices = {segments ? Addressing::Segments : Addressing::Buffer, optimise_, cpu_,
+                                 name_};
   return makeArtefacts(format, kinds_, choices, folder_ == "-");
 }
 

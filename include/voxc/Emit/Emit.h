@@ -27,6 +27,32 @@ std::string emitDispatchCpp(std::string_view symbol);
 /// intersect.h: declares that function in C, with the format and its storage digest.
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol);
 
+/// Functions that trace rays, for the shaders and programs of others: GLSL and C++20 in one text, which says
+/// how it is used. All that it declares has a name that begins with `headerPrefix(name)`. `plan` is made with
+/// `kHeaderPlan`, of a format that stops at voxels alone; `name` is one that `isHeaderName` takes.
+std::string emitHeader(const Plan &plan, std::string_view name);
+
+/// A shader of a pipeline that traces rays. Each value is a file of shaders-runtime/header.
+enum class RayStage { Intersection, ClosestHit };
+
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<RayStage> = {"rint", "rchit"};
+
+/// voxc_NAME.rint and voxc_NAME.rchit: shaders of GL_EXT_ray_tracing that include what `emitHeader` makes of
+/// the same plan and name, as "voxc_NAME.h".
+std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage);
+
+/// Letters, digits, and single underscores between them: GLSL keeps others to itself.
+bool isHeaderName(std::string_view name);
+
+/// A name made of the format: "r4_4_4_g8" of "R(4, 4, 4) G(8)".
+std::string headerName(const Layout &layout);
+
+/// "voxc_r4_4_4_g8_".
+std::string headerPrefix(std::string_view name);
+
+/// "voxc_r4_4_4_g8.h".
+std::string headerFile(std::string_view name);
+
 /// The text of voxc_construct.h, the one header that construct.cpp includes.
 std::string_view constructHeader();
 

@@ -1,6 +1,7 @@
 // From a format to a kernel: GLSL to SPIR-V, validated always, optimised by choice.
 #pragma once
 
+#include "voxc/Emit/Emit.h"
 #include "voxc/Plan/Plan.h"
 #include "voxc/Trace/Kernel.h"
 
@@ -21,6 +22,11 @@ Expected<Kernel> compileKernel(const Format &format, const KernelOptions &option
 
 /// Compiles GLSL that `emitIntersect` made of `plan`.
 Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise = false);
+
+/// Compiles what `emitRayShader` makes of a plan of `kHeaderPlan` to SPIR-V 1.5, and validates it. An error
+/// here is a defect of voxc and says so.
+Expected<std::vector<std::uint32_t>> compileRayShader(const Plan &plan, std::string_view name,
+                                                      RayStage stage);
 
 /// The module as SPIR-V assembly.
 Expected<std::string> disassemble(const Kernel &kernel);

@@ -9,6 +9,7 @@
 #include "voxc/Support/EnumText.h"
 #include "voxc/Support/Error.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -92,6 +93,7 @@ struct Plan {
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
+  bool bounded = false;              ///< A walk ends beyond the t that it is given.
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
 
   bool operator==(const Plan &) const = default;
@@ -103,11 +105,18 @@ struct PlanOptions {
   Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
+  bool bounded = false;
+  std::optional<Question> question = {}; ///< Asked in place of what the format asks.
 };
 
 /// What the kernels of this processor are made for.
 inline constexpr PlanOptions kCpuPlan = {
     .loops = Loops::Whole, .arithmetic = Arithmetic::Ieee, .packing = Packing::Packets};
+
+/// What functions for the shaders and programs of others are made for, which answer all that can be asked of
+/// a ray.
+inline constexpr PlanOptions kHeaderPlan = {
+    .loops = Loops::Whole, .bounded = true, .question = Question{Query::Closest, {.face = true}}};
 
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
 /// that.

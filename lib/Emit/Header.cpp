@@ -1,0 +1,89 @@
+// Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text.
+#include "Embedded.h"
+#include "KernelFunctions.h"
+#include "Names.h"
+
+#include "voxc/Emit/Emit.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace voxc {
+namespace {
+
+/// The text of a C++ header to be pasted into another: without what ties it to its file.
+std::string pasted(std::string_view header) {
+  std::string text;
+  for (std::size_t begin = 0; begin < header.size();) {
+    const std::size_t end = std::min(header.find('\n', begin), header.size() - 1) + 1;
+    const std::string_view line = header.substr(begin, end - begin);
+    if (!line.starts_with("#pragma once") && !line.starts_with("#include \""))
+      text += line;
+    begin = end;
+  }
+  return text;
+}
+
+std::string glslInCpp() {
+  return "\n" + pasted(runtimeFile(intersectHeaders(), "voxc_vector.h")) + "\n" +
+         pasted(runtimeFile(intersectHeaders(), "voxc_glsl.h"));
+}
+
+std::string upperCase(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::toupper(c); });
+  return result;
+}
+
+TemplateNames headerNames(const Plan &plan, std::string_view name) {
+  TemplateNames names = planNames(plan);
+  const std::string prefix = headerPrefix(name);
+  names.holes["prefix"] = prefix;
+  names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
+  names.holes["PREFIX"] = upperCase(prefix);
+  names.holes["glsl-in-cpp"] = glslInCpp();
+  names.holes["what-colour-is"] =
+      plan.layout.payload == Payload::Material ? "a label" : "R in the lowest byte, then G, B and A";
+  return names;
+}
+
+} // namespace
+
+bool isHeaderName(std::string_view name) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  return !name.empty() && std::ranges::all_of(name, fits) && !name.starts_with('_') && !name.ends_with('_') &&
+         name.find("__") == name.npos;
+}
+
+std::string headerName(const Layout &layout) {
+  std::string name;
+  for (const char c : layout.format) {
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (c != '(' && !name.empty() && name.back() != '_')
+      name += '_';
+  }
+  name.resize(name.find_last_not_of('_') + 1);
+  return name;
+}
+
+std::string headerPrefix(std::string_view name) { return "voxc_" + std::string(name) + "_"; }
+
+std::string headerFile(std::string_view name) { return "voxc_" + std::string(name) + ".h"; }
+
+std::string emitHeader(const Plan &plan, std::string_view name) {
+  const TemplateNames names = headerNames(plan, name);
+  const auto file = [&](std::string_view path) {
+    return fillFile(shaderFiles(), "header/" + std::string(path), names);
+  };
+  const std::string functions = volumeSize(plan) + "\n" + file("load.glsl") + kernelFunctions(plan) + "\n" +
+                                fillFile(shaderFiles(), "walk_on.glsl", names) + "\n" + file("bounds.glsl") +
+                                "\n" + file("queries.glsl");
+  return file("begin.glsl") + embedded(functions, names.holes.at("prefix")) + file("end.glsl");
+}
+
+std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {
+  return fillFile(shaderFiles(), "header/" + std::string(toString(stage)) + ".glsl", headerNames(plan, name));
+}
+
+} // namespace voxc

@@ -1,0 +1,392 @@
+// The functions of headers, as C++ and as GLSL: what they find of a ray between two moments, to the bit.
+#include "TestLength.h"
+
+#include "Emit/Names.h"
+#include "Jit/Jit.h"
+#include "Oracle/BruteForce.h"
+#include "testing/HardRays.h"
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Emit/Emit.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Oracle/Oracle.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace voxc {
+namespace {
+
+constexpr const char *kKindsOfSlots[] = {
+    "R(4^3)",
+    "D(4^3, 6)",
+    "S(4)",
+    "G(4, 2)",
+    "M(2^3) M(2^3)",
+    "H(2^3) H(2^3)",
+    "S(0)",
+    "R(1,2,0) G(2)",
+    "format { level 1: svdag(4) walk=restart }",
+    "format { level 1: svo(3) walk=unrolled level 2: raw(1, 1, 1) }",
+    "format levels=flat { level 1: svdag(2) level 2: distance(2, 2, 2, 5) }",
+    "format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
+    "masked(2, 2, 2) }",
+    "format granule=4 { level 1: raw(2, 2, 2) level 2: svdag(2) }",
+    "format query=any payload=occupancy { level 1: svdag(2) level 2: masked(2, 2, 2) }",
+    "format payload=palette(16) values=apart { level 1: raw(1, 1, 1) level 2: svdag(3) }",
+    "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }"};
+
+/// What is asked: a ray, and the moments between which it is looked at. Two records of a kernel's rays.
+struct Query {
+  Ray ray;
+  float tmin, tmax;
+  float unused[4] = {};
+};
+
+/// A hit as headers have it.
+struct HeaderHit {
+  std::int32_t voxel[3] = {-1, -1, -1};
+  float t = 0;
+  std::uint32_t colour = 0;
+  std::int32_t axis = -1, side = 0;
+
+  bool operator==(const HeaderHit &other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
+};
+
+std::ostream &operator<<(std::ostream &stream, const HeaderHit &hit) {
+  return stream << '(' << hit.voxel[0] << ", " << hit.voxel[1] << ", " << hit.voxel[2]
+                << ") t=" << std::hexfloat << hit.t << std::hex << " colour=" << hit.colour << std::dec
+                << " axis=" << hit.axis << " side=" << hit.side;
+}
+
+/// A voxel on a ray, and when that enters it.
+struct Entry {
+  test::End moment;
+  HeaderHit hit;
+};
+
+/// The cells on a ray, axis by axis, so that few are looked at.
+std::vector<std::pair<test::End, Int3>> cellsOf(Int3 extent, const Ray &ray) {
+  std::vector<std::pair<test::End, Int3>> cells;
+  const auto within = [&](const test::Interval &times, int axis, int cell) {
+    const auto own = test::timesIn(ray.origin[axis], ray.direction[axis], cell);
+    return own ? test::intersection(times, *own) : test::Interval{{test::Rational(1)}, {test::Rational(0)}};
+  };
+  for (int x = 0; x < extent.x; ++x)
+    if (const auto inX = within({}, 0, x); !isEmpty(inX))
+      for (int y = 0; y < extent.y; ++y)
+        if (const auto inY = within(inX, 1, y); !isEmpty(inY))
+          for (int z = 0; z < extent.z; ++z)
+            if (const auto times = within(inY, 2, z); !isEmpty(times))
+              cells.emplace_back(times.low, Int3{x, y, z});
+  std::ranges::sort(cells, test::startsSooner, &std::pair<test::End, Int3>::first);
+  return cells;
+}
+
+/// All voxels on a ray, in order.
+std::vector<Entry> entriesOf(const Oracle &oracle, Int3 extent, const Ray &ray) {
+  std::vector<Entry> entries;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(ray.origin[axis]) || !std::isfinite(ray.direction[axis]))
+      return entries;
+  for (const auto &[moment, cell] : cellsOf(extent, ray)) {
+    const std::uint32_t word = oracle.voxel(cell);
+    const Face face = word != 0 ? test::bruteForceFace(ray, cell) : Face{};
+    if (word != 0)
+      entries.push_back(
+          {moment, {{cell.x, cell.y, cell.z}, test::roundToFloat(*moment.t), word, face.axis, face.side}});
+  }
+  return entries;
+}
+
+/// Those between the moments, by the definition.
+std::vector<HeaderHit> expectedHits(const std::vector<Entry> &entries, const Query &query) {
+  std::vector<HeaderHit> hits;
+  if (std::isnan(query.tmin) || std::isnan(query.tmax))
+    return hits;
+  const auto isBefore = [](const Entry &entry, float t) {
+    return t == std::numeric_limits<float>::infinity() ||
+           (std::isfinite(t) && *entry.moment.t < test::Rational(t));
+  };
+  const auto isAfter = [](const Entry &entry, float t) {
+    return t == -std::numeric_limits<float>::infinity() ||
+           (std::isfinite(t) && *entry.moment.t > test::Rational(t));
+  };
+  for (const Entry &entry : entries)
+    if (!isBefore(entry, query.tmin) && !isAfter(entry, query.tmax))
+      hits.push_back(entry.hit);
+  return hits;
+}
+
+/// Moments that hurt: those of entries and their neighbours, and what is no moment.
+float randomMoment(std::mt19937 &random, const std::vector<Entry> &entries) {
+  constexpr float kOdd[] = {0.0f,
+                            -0.0f,
+                            -1.0f,
+                            1e-40f,
+                            1e-30f,
+                            3e38f,
+                            std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity(),
+                            std::numeric_limits<float>::quiet_NaN()};
+  const int kind = test::pick(random, 0, 7);
+  if (kind == 0)
+    return kOdd[test::pick(random, 0, 8)];
+  if (kind == 1 || entries.empty())
+    return static_cast<float>(test::pick(random, 0, 4000)) / 100.0f;
+  const float t = entries[test::pick(random, 0, static_cast<int>(entries.size()) - 1)].hit.t;
+  return kind < 5 ? t : std::nextafter(t, kind < 7 ? 1e38f : 0.0f);
+}
+
+Query randomQuery(std::mt19937 &random, const Ray &ray, const std::vector<Entry> &entries) {
+  const int kind = test::pick(random, 0, 3);
+  const float infinity = std::numeric_limits<float>::infinity();
+  return {ray, kind < 2 ? 0.0f : randomMoment(random, entries),
+          kind % 2 == 0 ? infinity : randomMoment(random, entries)};
+}
+
+Volume build(const Format &format, const test::HardScene &scene) {
+  const auto constructor = Constructor::compile(format);
+  EXPECT_TRUE(constructor) << constructor.error().message;
+  auto built = constructor->build(*scene.source());
+  EXPECT_TRUE(built) << built.error().message;
+  return std::move(built->volume);
+}
+
+std::string headerOf(const Format &format) {
+  const auto plan = makePlan(format, kHeaderPlan);
+  EXPECT_TRUE(plan) << plan.error().message;
+  return emitHeader(*plan, "test");
+}
+
+/// A header's functions in this process.
+class Functions {
+public:
+  explicit Functions(const Format &format) : code_(compiled(format)) {
+    all_ = reinterpret_cast<All>(*code_.find("all"));
+    any_ = reinterpret_cast<Any>(*code_.find("any"));
+    outside_ = reinterpret_cast<Outside>(*code_.find("outside"));
+  }
+
+  std::vector<HeaderHit> hits(const Volume &volume, const Query &query) const {
+    std::vector<HeaderHit> hits(64);
+    hits.resize(all_(volume.words().data(), &query, hits.data()));
+    return hits;
+  }
+  /// The cell of the point from which rays go on.
+  Int3 cellOutside(const Query &query, const HeaderHit &hit) const {
+    float point[3];
+    outside_(&query, &hit, point);
+    return {static_cast<int>(std::floor(point[0])), static_cast<int>(std::floor(point[1])),
+            static_cast<int>(std::floor(point[2]))};
+  }
+  bool any(const Volume &volume, const Query &query) const { return any_(volume.words().data(), &query); }
+
+private:
+  using All = unsigned (*)(const std::uint32_t *, const Query *, HeaderHit *);
+  using Any = bool (*)(const std::uint32_t *, const Query *);
+  using Outside = void (*)(const Query *, const HeaderHit *, float *);
+
+  static JitCode compiled(const Format &format) {
+    const std::string header = headerOf(format);
+    constexpr const char *kText = R"(
+#include "header.h"
+struct Query { float o[3], d[3], tmin, tmax; };
+extern "C" unsigned all(const unsigned *words, const Query *q, voxc_test_Hit *hits) {
+  unsigned count = 0;
+  voxc_test_Hit hit;
+  bool found = voxc_test_closest(words, {q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, q->tmin, q->tmax, hit);
+  for (; found && count < 64; found = voxc_test_next(words, {q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, q->tmax, hit))
+    hits[count++] = hit;
+  return count;
+}
+extern "C" void outside(const Query *q, const voxc_test_Hit *hit, float *p) {
+  const auto point = voxc_test_outside({q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, *hit);
+  p[0] = point.x;
+  p[1] = point.y;
+  p[2] = point.z;
+}
+extern "C" bool any(const unsigned *words, const Query *q) {
+  return voxc_test_any(words, {q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, q->tmin, q->tmax);
+}
+)";
+    auto code = JitCode::compile({{"test.cpp", kText}, {"header.h", header}},
+                                 {.optimisation = 2, .processor = "native"});
+    EXPECT_TRUE(code) << code.error().message;
+    return std::move(*code);
+  }
+
+  JitCode code_;
+  All all_;
+  Any any_;
+  Outside outside_;
+};
+
+std::vector<Ray> raysThrough(Int3 extent, const Oracle &oracle, int count, std::uint32_t seed) {
+  const std::vector<Int3> voxels = oracle.sampleVoxels(16);
+  const auto classes = test::hardRayClasses();
+  std::vector<Ray> rays = test::verifyRays(extent, count, seed);
+  for (const test::HardRayClass &kind : classes) {
+    const auto hard = test::hardRays({extent, voxels}, kind.name, 1 + count / classes.size(), seed);
+    rays.insert(rays.end(), hard.begin(), hard.end());
+  }
+  return rays;
+}
+
+/// The cell on the other side of the face by which a voxel is entered.
+Int3 cellBefore(const HeaderHit &hit) {
+  Int3 cell{hit.voxel[0], hit.voxel[1], hit.voxel[2]};
+  cell[hit.axis] += hit.side;
+  return cell;
+}
+
+void expectDefinedHits(const Format &format, std::uint32_t seed) {
+  SCOPED_TRACE(printIr(format));
+  std::mt19937 random(seed);
+  const Functions functions(format);
+  const auto scenes = test::hardScenes(format.extent());
+  const test::HardScene &scene = scenes[random() % scenes.size()];
+  const Volume volume = build(format, scene);
+  const Oracle oracle = *Oracle::of(volume);
+  for (const Ray &ray : raysThrough(format.extent(), oracle, test::rounds(60), seed)) {
+    if (testing::Test::HasFailure())
+      return; // One is enough to look at.
+    const std::vector<Entry> entries = entriesOf(oracle, format.extent(), ray);
+    const Query query = randomQuery(random, ray, entries);
+    const std::vector<HeaderHit> expected = expectedHits(entries, query);
+    EXPECT_EQ(functions.hits(volume, query), expected)
+        << scene.name << std::hexfloat << " o " << ray.origin[0] << ' ' << ray.origin[1] << ' '
+        << ray.origin[2] << " d " << ray.direction[0] << ' ' << ray.direction[1] << ' ' << ray.direction[2]
+        << " t " << query.tmin << ' ' << query.tmax;
+    EXPECT_EQ(functions.any(volume, query), !expected.empty());
+    for (const HeaderHit &hit : expected) {
+      if (hit.axis >= 0 && std::isfinite(hit.t)) {
+        EXPECT_EQ(functions.cellOutside(query, hit), cellBefore(hit));
+      }
+    }
+  }
+}
+
+TEST(Header, FindsWhatIsDefinedInEveryKindOfLevel) {
+  std::uint32_t seed = 1;
+  for (const char *text : kKindsOfSlots)
+    expectDefinedHits(*parseFormat(text), seed++);
+}
+
+TEST(Header, FindsWhatIsDefinedInRandomFormats) {
+  for (int i = 0; i < test::rounds(6); ++i) {
+    std::mt19937 random(100 + i);
+    expectDefinedHits(test::randomFormat(random, 4), 100 + i);
+  }
+}
+
+/// A kernel as tracers take it, around a header: of two records of rays it makes a query, and of that the
+/// first hit, and beside it whether there is any, how many there are, and a number made of all of them.
+Kernel queryKernel(const Format &format) {
+  Plan plan = *makePlan(format, kHeaderPlan);
+  const std::string text = "#version 460\n" + fillFile(shaderFiles(), "interface.glsl", planNames(plan)) + R"(
+layout(std430, set = 0, binding = 2) readonly buffer Words { uint words[]; };
+#define VOXC_VOLUME uint
+#define VOXC_LOAD(volume, index) words[index]
+)" + headerOf(format) + R"(
+uint mixed(uint a, uint b) { return (a ^ b) * 0x01000193u; }
+float number(uint at) { return uintBitsToFloat(ray_words[at]); }
+
+void main() {
+  if (task != ALL || gl_GlobalInvocationID.x >= ray_count || (first_ray + gl_GlobalInvocationID.x) % 2u != 0u)
+    return;
+  uint at = 6u * (first_ray + gl_GlobalInvocationID.x);
+  vec3 origin = vec3(number(at), number(at + 1u), number(at + 2u));
+  vec3 direction = vec3(number(at + 3u), number(at + 4u), number(at + 5u));
+  float tmin = number(at + 6u), tmax = number(at + 7u);
+  voxc_test_Hit hit;
+  bool found = voxc_test_closest(0u, origin, direction, tmin, tmax, hit);
+  hit_words[at] = uint(hit.voxel.x);
+  hit_words[at + 1u] = uint(hit.voxel.y);
+  hit_words[at + 2u] = uint(hit.voxel.z);
+  hit_words[at + 3u] = hit.colour;
+  hit_words[at + 4u] = floatBitsToUint(hit.t);
+  hit_words[at + 5u] = uint(4 * hit.axis + hit.side);
+  hit_words[at + 6u] = voxc_test_any(0u, origin, direction, tmin, tmax) ? 1u : 0u;
+  uint count = 0u, all = 0u;
+  for (; found; found = voxc_test_next(0u, origin, direction, tmax, hit)) {
+    count++;
+    all = mixed(mixed(all, uint(hit.voxel.x + 16 * hit.voxel.y + 256 * hit.voxel.z)), floatBitsToUint(hit.t));
+  }
+  hit_words[at + 7u] = count;
+  hit_words[at + 8u] = all & 0x7fffffffu;
+}
+)";
+  plan.loops = Loops::Cut; // The scenes are so small that no device cuts anything.
+  auto kernel = compileGlsl(text, plan);
+  EXPECT_TRUE(kernel) << kernel.error().message;
+  return std::move(*kernel);
+}
+
+/// What that kernel answers, by the same text in C++.
+std::vector<Hit> answers(const std::vector<HeaderHit> &hits) {
+  const HeaderHit first = hits.empty() ? HeaderHit{} : hits[0];
+  const auto mixed = [](std::uint32_t a, std::uint32_t b) { return (a ^ b) * 0x01000193u; };
+  std::uint32_t all = 0;
+  for (const HeaderHit &hit : hits)
+    all = mixed(mixed(all, hit.voxel[0] + 16 * hit.voxel[1] + 256 * hit.voxel[2]),
+                std::bit_cast<std::uint32_t>(hit.t));
+  Hit record{{}, first.colour, first.t, static_cast<std::uint32_t>(4 * first.axis + first.side)};
+  std::copy_n(first.voxel, 3, record.voxel);
+  return {
+      record,
+      {{!hits.empty(), static_cast<std::int32_t>(hits.size()), static_cast<std::int32_t>(all & 0x7fffffff)},
+       0,
+       0,
+       0}};
+}
+
+void expectTheHitsOfCpp(Device &device, const Format &format, std::uint32_t seed) {
+  SCOPED_TRACE(printIr(format));
+  std::mt19937 random(seed);
+  const Volume volume = build(format, test::hardScenes(format.extent())[7]);
+  const Oracle oracle = *Oracle::of(volume);
+  const Functions functions(format);
+  std::vector<Query> queries;
+  std::vector<Hit> expected;
+  for (const Ray &ray : raysThrough(format.extent(), oracle, 1000, seed)) {
+    const auto all = functions.hits(volume, {ray, 0, std::numeric_limits<float>::infinity()});
+    std::vector<Entry> entries;
+    for (const HeaderHit &hit : all)
+      entries.push_back({{}, hit});
+    queries.push_back(randomQuery(random, ray, entries));
+    const std::vector<Hit> answer = answers(functions.hits(volume, queries.back()));
+    expected.insert(expected.end(), answer.begin(), answer.end());
+  }
+  std::vector<Hit> hits(expected.size());
+  auto tracer = createTracer(device, queryKernel(format), volume);
+  ASSERT_TRUE(tracer) << tracer.error().message;
+  const std::span<const Ray> records(reinterpret_cast<const Ray *>(queries.data()), hits.size());
+  const auto report = (*tracer)->trace(records, hits, {.order = RayOrder::Given});
+  ASSERT_TRUE(report) << report.error().message;
+  int wrong = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    wrong += std::memcmp(&hits[2 * i], &expected[2 * i], sizeof(Hit)) != 0 ||
+             std::memcmp(&hits[2 * i + 1], &expected[2 * i + 1], 12) != 0;
+  EXPECT_EQ(wrong, 0) << "of " << queries.size();
+}
+
+TEST(Header, FindsTheSameOnADevice) {
+  auto device = Device::open("llvmpipe");
+  if (!device)
+    GTEST_SKIP() << device.error().message;
+  std::uint32_t seed = 30;
+  for (const char *text :
+       {"R(1,2,0) G(2)", "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }"})
+    expectTheHitsOfCpp(*device, *parseFormat(text), seed++);
+}
+
+} // namespace
+} // namespace voxc
