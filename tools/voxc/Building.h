@@ -32,6 +32,9 @@ public:
   /// Lets INPUT be left out in favour of `input`.
   void defaultInput(CLI::App &app, const std::string &input);
 
+  /// INPUT as it was written.
+  const std::string &input() const { return input_; }
+
   /// The format as FORMAT and the passes say.
   Expected<Format> readFormat();
   /// Compiles the format's constructor, opens the input and builds the volume; it is written to `path` unless

@@ -100,7 +100,7 @@ private:
   std::string rays_;
   std::string output_;
   TraceOptions options_;
-  ErrorCheck check_;
+  ErrorCheck check_{1000};
   Tracing tracing_;
   CommonOptions common_;
 };

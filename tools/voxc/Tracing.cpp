@@ -101,14 +101,19 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
   return tracer;
 }
 
-Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
-                              Json &figures) {
+Expected<TraceReport> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                     const TraceOptions &options) {
   TraceOptions ordered = options;
   ordered.order = rayOrderFrom(order_);
-  Expected<TraceReport> report = tracer_->trace(rays, hits, ordered);
+  return tracer_->trace(rays, hits, ordered);
+}
+
+Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+                              Json &figures) {
+  Expected<TraceReport> report = trace(rays, hits, options);
   if (!report)
     return report.error();
-  addTraceFigures(figures, *report, hits, deviceInfo().name, options.countSteps);
+  addTraceFigures(figures, *report, countsOf(hits), deviceInfo().name, options.countSteps);
   return {};
 }
 
