@@ -45,7 +45,8 @@ void addOptions(CLI::App &app, Options &options) {
   app.add_flag("--count", options.count, "Count each ray's lookups");
   app.add_option("--repeat", options.repeat, "Trace so often; the speeds are those of the fastest time")
       ->check(CLI::Range(1u, 1000000u));
-  app.add_option("--device", options.device, "Trace on the device whose name contains this")
+  app.add_option("--device", options.device,
+                 "Trace on the device whose name contains this, or with this number or UUID")
       ->type_name("NAME");
   app.add_flag("--trusted", options.trusted, "Skip the check of every offset in the volume");
   addCommonOptions(app, options.common);

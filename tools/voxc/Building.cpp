@@ -1,6 +1,8 @@
 // Building volumes for the driver.
 #include "Building.h"
 
+#include "Figures.h"
+
 #include "common/Statistics.h"
 #include "frontend/FormatArgument.h"
 #include "voxc/Layout/Layout.h"
@@ -36,6 +38,8 @@ void Building::defaultInput(CLI::App &app, const std::string &input) {
 
 Expected<Format> Building::readFormat() {
   Expected<Format> format = tool::readFormat(format_);
+  if (!format && parseFormat(input_))
+    return Error::usage("FORMAT comes first, then INPUT: write \"" + input_ + "\" before " + format_);
   if (!format)
     return format;
   written_ = *format;
@@ -147,6 +151,8 @@ void Building::tellLoss(const Prepared &prepared, const BuildReport &report, con
 
 Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptions &common,
                                                const Progress &progress, Json &figures) const {
+  if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
+    return checked.error();
   const unsigned threads = threadsOf(buildArguments_);
   BuildOptions options{"", threads, makeWorkingMemory(buildArguments_), "", progress};
 
@@ -177,6 +183,7 @@ Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptio
   }
   if (reduced)
     options.provenance += std::string(" colours=") + kReducedColours;
+  figures["input"] = input_;
   figures["passes"] = passes_.names();
   figures["threads"] = threads;
   figures["memory_bound_bytes"] = options.memory->bound();
@@ -203,8 +210,13 @@ Expected<Volume> Building::build(Format &format, const std::string &path, const 
   addVolumeFigures(figures, built->volume);
   addBuildFigures(figures, built->report);
   tellLoss(*prepared, built->report, common, figures);
-  if (!path.empty())
+  if (!path.empty()) {
     addFileFigure(figures, path);
+    addWritten(figures, path);
+  }
+  if (built->volume.info().voxels == 0 && !common.quiet)
+    printNote("warning: the volume is empty: the input has no voxel" +
+              std::string(inputArguments_.bounds.empty() ? "" : " within --bounds"));
   return std::move(built->volume);
 }
 
@@ -230,6 +242,7 @@ Expected<void> Building::buildFragment(Format &format, std::uint64_t index, std:
   figures["scratch_bytes"] = report->scratchBytes;
   tellLoss(*prepared, *report, common, figures);
   addFileFigure(figures, path);
+  addWritten(figures, path);
   return {};
 }
 

@@ -1,6 +1,7 @@
 // Pictures for the driver.
 #include "Rendering.h"
 
+#include "Figures.h"
 #include "Outputs.h"
 
 #include "common/PictureFile.h"
@@ -88,7 +89,7 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const C
   figures["median_voxels"] = taken->rendering.middle;
   if (Expected<void> written = writeTaken(output_, *taken); !written)
     return written;
-  figures["output"] = output_;
+  addWritten(figures, output_);
   figures["render_seconds"] = watch.seconds();
   bar.clear();
   if (const auto warning = cameraWarning(*taken, volume); warning && !common.quiet)

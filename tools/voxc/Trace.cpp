@@ -93,6 +93,7 @@ private:
             check_.run(*volume, *rays, hits, questionOfHits(*format), options_.progress, figures);
         !checked)
       return checked;
+    addWritten(figures, output_);
     return writeHits(output_, hits);
   }
 
