@@ -24,9 +24,9 @@ Json describe(const DeviceInfo &device) {
           {"device_addresses", device.deviceAddresses}};
 }
 
-/// `number`: what --device takes for it.
+/// `number`: what --device takes for it beside its name.
 void print(const DeviceInfo &device, const std::string &number) {
-  std::printf("%s: %s (%s)\n", number.c_str(), device.name.c_str(), device.kind.c_str());
+  std::printf("%s%s (%s)\n", number.c_str(), device.name.c_str(), device.kind.c_str());
   if (device.apiVersion.empty()) {
     std::printf("  %s, without Vulkan; %.1f GiB of memory\n", device.driver.c_str(),
                 double(device.memoryBytes) / (1 << 30));
@@ -56,7 +56,7 @@ public:
     for (const DeviceInfo &device : devices) {
       figures["devices"].push_back(describe(device));
       if (tellsOnStdout(common_))
-        print(device, device.apiVersion.empty() ? device.name : std::to_string(number));
+        print(device, device.apiVersion.empty() ? "" : std::to_string(number) + ": ");
       ++number;
     }
     return writeStatistics(common_.stats, figures);

@@ -33,10 +33,10 @@ Expected<void> Rendering::check(const std::string &source, const CommonOptions &
     const std::string stem = std::filesystem::path(source.substr(source.rfind(':') + 1)).stem().string();
     output_ = (stem.empty() ? "picture" : stem) + "-" + std::string(toString(styleOf(picture_))) + ".png";
   }
-  if (Expected<void> named = checkPictureName(output_); !named)
-    return named;
   if (Expected<void> writable = checkOutput(output_, common); !writable)
     return writable;
+  if (Expected<void> named = checkPictureName(output_); !named)
+    return named;
   return checkPictureOptions(picture_);
 }
 
