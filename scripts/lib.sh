@@ -38,9 +38,11 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install --no-install-recommends --yes $missing
 }
 
-# build PRESET: configures and builds build/PRESET.
+# build PRESET [TARGET...]: configures and builds build/PRESET, all of it or these targets.
 build() {
-  say "Building build/$1"
-  cmake --preset "$1" >/dev/null
-  cmake --build --preset "$1"
+  local preset=$1
+  shift
+  say "Building ${*:-everything} in build/$preset; the first time takes minutes, later ones a moment"
+  cmake --preset "$preset" >/dev/null
+  NINJA_STATUS="  file %f of %t, after %es: " cmake --build --preset "$preset" ${1:+--target "$@"}
 }

@@ -3,6 +3,7 @@ set(VOXC_INPUT_READERS
   Dense/ColourMap.cpp
   Dense/DenseVolume.cpp
   Dense/GzipReader.cpp
+  Dense/Histogram.cpp
   Dense/NiftiHeader.cpp
   Dense/NrrdHeader.cpp
   Dense/Samples.cpp

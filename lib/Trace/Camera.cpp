@@ -98,16 +98,18 @@ double pixelSpread(const Camera &camera) {
   return 2 * std::tan(glm::radians(camera.verticalFov / 2)) / camera.height;
 }
 
-std::vector<Ray> cameraRays(const Camera &camera) {
+std::vector<Ray> cameraRays(const Camera &camera) { return cameraRays(camera, 0, camera.height, {0.5, 0.5}); }
+
+std::vector<Ray> cameraRays(const Camera &camera, int firstRow, int rows, glm::dvec2 place) {
   View view = viewOf(camera.look - camera.eye, camera.up);
   double tangent = std::tan(glm::radians(camera.verticalFov / 2));
   double aspect = double(camera.width) / camera.height;
   std::vector<Ray> rays;
-  rays.reserve(std::size_t(std::max(camera.width, 0)) * std::size_t(std::max(camera.height, 0)));
-  for (int row = 0; row < camera.height; ++row) {
-    double y = tangent * (1 - 2 * (row + 0.5) / camera.height);
+  rays.reserve(std::size_t(std::max(camera.width, 0)) * std::size_t(std::max(rows, 0)));
+  for (int row = firstRow; row < firstRow + rows; ++row) {
+    double y = tangent * (1 - 2 * (row + place.y) / camera.height);
     for (int column = 0; column < camera.width; ++column) {
-      double x = tangent * aspect * (2 * (column + 0.5) / camera.width - 1);
+      double x = tangent * aspect * (2 * (column + place.x) / camera.width - 1);
       glm::dvec3 direction = normalized(view.front + view.right * x + view.up * y, view.front);
       rays.push_back(makeRay(camera.eye, direction));
     }

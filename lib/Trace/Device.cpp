@@ -15,15 +15,44 @@ bool containsIgnoringCase(std::string_view text, std::string_view part) {
   return part.empty() || !std::ranges::search(text, part, equal).empty();
 }
 
+bool isNumber(std::string_view text) {
+  return !text.empty() && text.size() < 4 &&
+         std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c); });
+}
+
+/// The hexadecimal digits of a UUID, in lower case; empty if the text is none.
+std::string uuidOf(std::string_view text) {
+  std::string digits;
+  for (const unsigned char c : text)
+    if (std::isxdigit(c))
+      digits += char(std::tolower(c));
+    else if (c != '-')
+      return {};
+  constexpr std::size_t kDigits = 32;
+  return digits.size() == kDigits ? digits : std::string();
+}
+
+/// Whether the device at this place is asked for by its number, UUID or name.
+bool isCalled(const PhysicalDevice &device, std::size_t place, std::string_view name) {
+  if (isNumber(name))
+    return name == std::to_string(place);
+  if (const std::string uuid = uuidOf(name); !uuid.empty())
+    return device.info.uuid == uuid;
+  return containsIgnoringCase(device.info.name, name);
+}
+
 Error noSuchDevice(std::string_view name, const std::vector<PhysicalDevice> &devices) {
   if (devices.empty())
     return Error::environment("there is no Vulkan device: install a driver, such as Mesa's lavapipe");
   std::string names;
-  for (const PhysicalDevice &device : devices)
-    names += (names.empty() ? "\"" : ", \"") + device.info.name +
-             (device.info.usable ? "\"" : "\" (not usable: no Vulkan 1.2 with compute)");
-  std::string wanted = name.empty() ? "no usable Vulkan device"
-                                    : "no usable Vulkan device named \"" + std::string(name) + "\"";
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    names += (i == 0 ? "" : ", ") + std::to_string(i) + " \"" + devices[i].info.name +
+             (devices[i].info.usable ? "\"" : "\" (not usable: no Vulkan 1.2 with compute)");
+  std::string wanted = "no usable Vulkan device" +
+                       std::string(name.empty()     ? ""
+                                   : isNumber(name) ? " of number "
+                                                    : " named \"") +
+                       std::string(name) + (name.empty() || isNumber(name) ? "" : "\"");
   return Error::environment("there is " + wanted + "; there are: " + names);
 }
 
@@ -60,10 +89,9 @@ Expected<Device> Device::open(std::string_view name) {
   auto instance = Instance::create();
   auto devices = instance ? physicalDevices(*instance) : std::vector<PhysicalDevice>{};
   const PhysicalDevice *best = nullptr;
-  for (const PhysicalDevice &device : devices)
-    if (device.info.usable && containsIgnoringCase(device.info.name, name) &&
-        (!best || device.rank < best->rank))
-      best = &device;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    if (devices[i].info.usable && isCalled(devices[i], i, name) && (!best || devices[i].rank < best->rank))
+      best = &devices[i];
   if (!best)
     return noSuchDevice(name, devices);
   auto state = std::make_unique<State>(std::move(*instance), *best);

@@ -55,14 +55,25 @@ void describeMemory(PhysicalDevice &device) {
 }
 
 /// What only a device of Vulkan 1.2 answers.
+std::string hexadecimal(const std::uint8_t (&bytes)[VK_UUID_SIZE]) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes)
+    text += {kDigits[byte >> 4], kDigits[byte & 15]};
+  return text;
+}
+
 void describeVersion12(PhysicalDevice &device) {
   VkPhysicalDeviceMaintenance3Properties maintenance{
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   driver.pNext = &maintenance;
+  VkPhysicalDeviceIDProperties identity{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
+  identity.pNext = &driver;
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-  properties.pNext = &driver;
+  properties.pNext = &identity;
   vkGetPhysicalDeviceProperties2(device.handle, &properties);
+  device.info.uuid = hexadecimal(identity.deviceUUID);
   device.info.loops = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE ? Loops::Cut : Loops::Whole;
   device.info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
   device.info.maxAllocationBytes = maintenance.maxMemoryAllocationSize;

@@ -1,5 +1,6 @@
 // Pictures shaded by face.
 #include "Colour.h"
+#include "EntryFace.h"
 
 #include "voxc/Trace/Picture.h"
 
@@ -18,24 +19,10 @@ constexpr Colour kZenith = {0.36f, 0.56f, 0.84f};
 constexpr Colour kHorizon = {0.86f, 0.91f, 0.96f};
 constexpr Colour kNadir = {0.46f, 0.45f, 0.44f};
 
-/// Light on the face through which `ray` entered the voxel: that of the axis whose slab it entered last.
+/// Light on the face through which `ray` entered the voxel.
 float faceLight(const Ray &ray, const Hit &hit) {
-  if (hit.t == 0)
-    return kInsideLight;
-  int face = -1;
-  double latest = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    double direction = ray.direction[axis];
-    if (direction == 0)
-      continue;
-    double boundary = hit.voxel[axis] + (direction < 0 ? 1.0 : 0.0);
-    double entry = (boundary - ray.origin[axis]) / direction;
-    if (entry > latest) {
-      latest = entry;
-      face = axis;
-    }
-  }
-  return face < 0 ? kInsideLight : kFaceLight[face][ray.direction[face] < 0];
+  const EntryFace face = entryFace(ray, hit);
+  return face.axis < 0 ? kInsideLight : kFaceLight[face.axis][face.high];
 }
 
 /// The sky in a direction; the horizon's colour where the direction is none.

@@ -3,14 +3,17 @@
 
 #include "CameraFile.h"
 
+#include <glm/matrix.hpp>
+
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 
 namespace voxc::tool {
 namespace {
 
-constexpr const char *kCameraForms = "EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ] or FILE.json:NAME";
+constexpr const char *kCameraForms = "[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ] or FILE.json:NAME";
 
 /// Splits at each separator; n separators give n + 1 parts.
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -43,14 +46,27 @@ std::optional<glm::dvec3> parsePoint(std::string_view text) {
   return point;
 }
 
+/// A camera in the units of the model, in voxels.
+Camera toVoxels(const Camera &camera, const Transform &voxelToModel) {
+  glm::dmat4 matrix(1.0);
+  for (int column = 0; column < 4; ++column)
+    matrix[column] = glm::dvec4(voxelToModel[column], column == 3 ? 1 : 0);
+  const glm::dmat4 toVoxels = glm::inverse(matrix);
+  Camera moved = camera;
+  moved.eye = glm::dvec3(toVoxels * glm::dvec4(camera.eye, 1));
+  moved.look = glm::dvec3(toVoxels * glm::dvec4(camera.look, 1));
+  moved.up = glm::dvec3(toVoxels * glm::dvec4(camera.up, 0));
+  return moved;
+}
+
 /// The camera of "eye:look" or "eye:look:up"; nothing if the text is not of this form.
-std::optional<Camera> parsePoints(std::string_view text) {
+std::optional<Camera> parsePoints(std::string_view text, const glm::dvec3 &defaultUp) {
   std::vector<std::string_view> parts = split(text, ':');
   if (parts.size() != 2 && parts.size() != 3)
     return std::nullopt;
   auto eye = parsePoint(parts[0]);
   auto look = parsePoint(parts[1]);
-  auto up = parts.size() == 3 ? parsePoint(parts[2]) : glm::dvec3{0, 1, 0};
+  auto up = parts.size() == 3 ? parsePoint(parts[2]) : defaultUp;
   if (!eye || !look || !up)
     return std::nullopt;
   return Camera{.eye = *eye, .look = *look, .up = *up};
@@ -71,10 +87,18 @@ Expected<Camera> cameraFromFile(const std::string &text, Int3 extent, std::array
                           size[1]);
 }
 
-Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, std::array<int, 2> size) {
+Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel,
+                             std::array<int, 2> size) {
   if (options.camera.empty())
     return frameExtent(extent, size[0], size[1]);
-  if (auto camera = parsePoints(options.camera)) {
+  const bool inModel = isInModelUnits(options);
+  const std::string_view points =
+      std::string_view(options.camera).substr(inModel ? std::strlen(kModelUnits) : 0);
+  // Voxels are turned so that +y is up; the model's way up is what becomes of it.
+  const glm::dvec3 up = inModel ? glm::dvec3(voxelToModel[1]) : glm::dvec3(0, 1, 0);
+  if (auto camera = parsePoints(points, up)) {
+    if (inModel)
+      camera = toVoxels(*camera, voxelToModel);
     if (camera->eye == camera->look)
       return Error::usage("--camera \"" + options.camera + "\" looks nowhere: its two points should differ");
     camera->width = size[0];
@@ -86,12 +110,15 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, std::arr
 
 } // namespace
 
+bool isInModelUnits(const CameraOptions &options) { return options.camera.starts_with(kModelUnits); }
+
 void addCameraOptions(CLI::App &command, CameraOptions &options) {
   command
-      .add_option("--camera", options.camera,
-                  "Eye, a point looked at and the way up (default 0,1,0), in voxels, or a camera of a camera "
-                  "file; the default sees the whole volume")
-      ->type_name("EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
+      .add_option(
+          "--camera", options.camera,
+          "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
+          "units of the model; or a camera of a camera file; the default sees the whole volume")
+      ->type_name("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
   command
       .add_option("--size", options.size,
                   "Pixels of the picture; the default is the camera file's, or 1280x720")
@@ -100,7 +127,7 @@ void addCameraOptions(CLI::App &command, CameraOptions &options) {
       ->type_name("DEGREES");
 }
 
-Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent) {
+Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {
   Camera defaults;
   std::array<int, 2> size = {defaults.width, defaults.height};
   if (!options.size.empty()) {
@@ -111,7 +138,7 @@ Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent) {
   }
   if (options.fov != 0 && !(options.fov > 0 && options.fov < 180))
     return Error::usage("--fov should lie between 0 and 180 degrees");
-  auto camera = placeCamera(options, extent, size);
+  auto camera = placeCamera(options, extent, voxelToModel, size);
   if (camera && options.fov != 0)
     camera->verticalFov = options.fov;
   return camera;

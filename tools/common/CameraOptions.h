@@ -3,6 +3,7 @@
 
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
+#include "voxc/Support/Transform.h"
 #include "voxc/Trace/Camera.h"
 
 #include <CLI/CLI.hpp>
@@ -14,19 +15,25 @@ namespace voxc::tool {
 
 /// As they were written; empty or 0 is the default.
 struct CameraOptions {
-  /// "EX,EY,EZ:LX,LY,LZ" (eye and a point looked at, in voxels) or "FILE.json:NAME" (see CameraFile.h); by
-  /// default the camera frames the whole volume.
+  /// "EX,EY,EZ:LX,LY,LZ" (eye and a point looked at, in voxels, or after `kModelUnits` in those of the model)
+  /// or "FILE.json:NAME" (see CameraFile.h); by default the camera frames the whole volume.
   std::string camera;
   std::string size; ///< "WIDTHxHEIGHT"; by default the camera file's, or 1280x720.
   double fov = 0;   ///< Vertical field of view in degrees; by default the camera's, 90 in files, else 60.
 };
 
+/// What stands before the points of a camera in the units of the model.
+inline constexpr const char *kModelUnits = "model:";
+
+/// Whether the camera is given in them.
+bool isInModelUnits(const CameraOptions &options);
+
 /// Adds --camera, --size and --fov to a command.
 void addCameraOptions(CLI::App &command, CameraOptions &options);
 
-/// The camera for a volume of `extent` voxels. Errors: `Usage` for a malformed option, `Input` for a camera
-/// file that is missing or broken, naming the cameras there are.
-Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent);
+/// The camera for a volume of `extent` voxels whose units are the model's by `voxelToModel`. Errors: `Usage`
+/// for a malformed option, `Input` for a camera file that is missing or broken, naming the cameras there are.
+Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel = {});
 
 /// "WIDTHxHEIGHT" as two integers from 1 to 32768. Error: `Usage`.
 Expected<std::array<int, 2>> parseSize(const std::string &text);

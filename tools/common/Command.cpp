@@ -1,8 +1,12 @@
 // How every command is run.
 #include "Command.h"
 
+#include "Misspelling.h"
+
+#include <algorithm>
 #include <csignal>
 #include <iostream>
+#include <vector>
 
 namespace voxc::tool {
 namespace {
@@ -22,8 +26,22 @@ constexpr ExitCode kExitCodes[] = {
     {ErrorKind::Interrupted, 130},
 };
 
+/// Of words that nobody takes, the first option, or else the first.
+const std::string &firstOption(const std::vector<std::string> &words) {
+  const auto option =
+      std::ranges::find_if(words, [](const std::string &word) { return word.starts_with('-'); });
+  return option == words.end() ? words.front() : *option;
+}
+
 /// CLI11 tells of wrong arguments, but also of --help and --version, by throwing.
 int parseFailure(CLI::App &app, const CLI::ParseError &failure) {
+  if (const std::vector<std::string> words = app.remaining(true);
+      !words.empty() && dynamic_cast<const CLI::ExtrasError *>(&failure)) {
+    const std::vector<CLI::App *> commands = app.get_subcommands();
+    printError(
+        Error::usage(explainUnknown(app, commands.empty() ? app : *commands.front(), firstOption(words))));
+    return kUsageExit;
+  }
   return app.exit(failure, std::cout, std::cerr) == 0 ? 0 : kUsageExit;
 }
 
@@ -44,6 +62,8 @@ int runTool(CLI::App &app, int argc, char **argv, const std::function<Expected<v
   }
   // A closed pipe is an error of one write, and is told as such.
   std::signal(SIGPIPE, SIG_IGN);
+  // So is a file that may not grow, which would else end the process and leave a temporary file.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     Expected<void> outcome = body();
     if (outcome)

@@ -8,6 +8,9 @@
 
 namespace voxc::tool {
 
+/// The picture as the bytes of a PNG file; empty if memory is out.
+std::string encodePng(const Picture &picture);
+
 /// Writes `picture` to `path` ("-" is standard output), whole or not at all. Errors: `Environment`.
 Expected<void> writePng(const std::string &path, const Picture &picture);
 

@@ -20,13 +20,6 @@ double smallest(const std::vector<TraceTime> &repeats, double TraceTime::*clock)
   return std::ranges::min(repeats, {}, clock).*clock;
 }
 
-double stepsPerRay(std::span<const Hit> hits) {
-  double steps = 0;
-  for (const Hit &hit : hits)
-    steps += hit.steps;
-  return hits.empty() ? 0 : steps / static_cast<double>(hits.size());
-}
-
 } // namespace
 
 void addVolumeFigures(Json &figures, const Volume &volume) {
@@ -38,15 +31,24 @@ void addVolumeFigures(Json &figures, const Volume &volume) {
   figures["voxels"] = volume.info().voxels;
 }
 
-void addTraceFigures(Json &figures, const TraceReport &report, std::span<const Hit> hits,
+RayCounts countsOf(std::span<const Hit> hits) {
+  RayCounts counts{.rays = hits.size()};
+  for (const Hit &hit : hits) {
+    counts.hits += hit.isHit();
+    counts.steps += hit.steps;
+  }
+  return counts;
+}
+
+void addTraceFigures(Json &figures, const TraceReport &report, const RayCounts &counts,
                      const std::string &device, bool counted) {
-  double rays = static_cast<double>(hits.size());
+  double rays = static_cast<double>(counts.rays);
   double seconds = smallest(report.repeats, &TraceTime::wall);
   double cpuSeconds = smallest(report.repeats, &TraceTime::cpu);
   double deviceSeconds = smallest(report.repeats, &TraceTime::device);
   figures["device"] = device;
-  figures["rays"] = hits.size();
-  figures["hits"] = std::ranges::count_if(hits, &Hit::isHit);
+  figures["rays"] = counts.rays;
+  figures["hits"] = counts.hits;
   figures["order"] = report.binned ? "binned" : "given";
   figures["repeats"] = report.repeats.size();
   figures["seconds"] = seconds;
@@ -60,7 +62,7 @@ void addTraceFigures(Json &figures, const TraceReport &report, std::span<const H
   figures["first_dispatch_seconds"] = report.firstDispatch;
   figures["transfer_seconds"] = report.transfer;
   if (counted)
-    figures["steps_per_ray"] = stepsPerRay(hits);
+    figures["steps_per_ray"] = counts.rays > 0 ? static_cast<double>(counts.steps) / rays : 0.0;
 }
 
 std::uint64_t peakResidentBytes() {

@@ -17,10 +17,18 @@ namespace voxc::tool {
 /// Adds format, extent, words, bytes and voxels.
 void addVolumeFigures(Json &figures, const Volume &volume);
 
+/// What rays came to.
+struct RayCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t hits = 0;
+  std::uint64_t steps = 0; ///< Lookups of all rays, if they were counted.
+};
+RayCounts countsOf(std::span<const Hit> hits);
+
 /// Adds device, rays, hits, repeats, seconds, cpu_seconds, device_seconds where the device has a clock, the
 /// three speeds that follow from them, first_dispatch_seconds, transfer_seconds and, if lookups were
 /// `counted`, steps_per_ray. Each time is the smallest of the repeats.
-void addTraceFigures(Json &figures, const TraceReport &report, std::span<const Hit> hits,
+void addTraceFigures(Json &figures, const TraceReport &report, const RayCounts &counts,
                      const std::string &device, bool counted);
 
 /// The largest memory of this process so far, in bytes.

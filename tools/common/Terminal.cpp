@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace voxc::tool {
@@ -14,6 +15,13 @@ namespace {
 constexpr int kBarCells = 30;
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr const char *kEraseLine = "\r\x1b[K";
+
+/// Columns of the terminal, or a usual number if it does not say.
+int terminalColumns() {
+  winsize size{};
+  constexpr int kUsual = 80;
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+}
 
 } // namespace
 
@@ -50,8 +58,11 @@ void ProgressBar::draw(std::string_view stage, double fraction, std::uint64_t do
   int filled = static_cast<int>(shown * kBarCells);
   std::string bar = std::string(std::size_t(filled), '#') + std::string(std::size_t(kBarCells - filled), '.');
   double seconds = std::chrono::duration<double>(now - stageBegin_).count();
-  std::fprintf(stderr, "%s%-12s [%s] %3d%%%s", kEraseLine, stage_.c_str(), bar.c_str(),
-               static_cast<int>(shown * 100), paceText(seconds, shown, done).c_str());
+  char text[160];
+  std::snprintf(text, sizeof text, "%-12s [%s] %3d%%%s", stage_.c_str(), bar.c_str(),
+                static_cast<int>(shown * 100), paceText(seconds, shown, done).c_str());
+  // A line that wraps could not be erased.
+  std::fprintf(stderr, "%s%.*s", kEraseLine, std::max(terminalColumns() - 1, 1), text);
 }
 
 std::string paceText(double seconds, double fraction, std::uint64_t done) {

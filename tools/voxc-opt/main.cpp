@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -44,7 +45,8 @@ constexpr DescriptionRow kDescriptions[] = {
 
 void declare(CLI::App &app, Options &options) {
   app.set_version_flag("--version", versionText());
-  app.add_option("INPUT", options.input, "File with IR, a plan or a format string; - for standard input")
+  app.add_option("INPUT", options.input,
+                 "A format string, or a file with one, with IR or with a plan; - for standard input")
       ->type_name("")
       ->capture_default_str();
   app.add_flag("--print-after-all", options.plan.printAfterAll,
@@ -70,10 +72,16 @@ void tellPass(const Options &options, const Pass &pass, const Format &format, Pa
     std::fprintf(stderr, "%10.6f s  %s\n", seconds, std::string(pass.name).c_str());
 }
 
+/// A format string has brackets, and no file has its name.
+bool isFormatString(const std::string &input) {
+  std::error_code ignored;
+  return input.find('(') != std::string::npos && !std::filesystem::exists(input, ignored);
+}
+
 Expected<std::string> readText(const std::string &input) {
   if (input == "-")
     return std::string{std::istreambuf_iterator<char>(std::cin), {}};
-  return readTextFile(input);
+  return isFormatString(input) ? Expected<std::string>(input) : readTextFile(input);
 }
 
 /// The passes over formats that are to run: those that were given, up to `until` if it is one of them.
@@ -107,7 +115,9 @@ Expected<void> optimise(const Options &options) {
     std::fputs(options.description().c_str(), stdout);
     return {};
   }
-  const std::string name = options.input == "-" ? "<stdin>" : options.input;
+  const std::string name = options.input == "-"            ? "<stdin>"
+                           : isFormatString(options.input) ? "format"
+                                                           : options.input;
   const Expected<std::string> text = readText(options.input);
   if (!text)
     return text.error();

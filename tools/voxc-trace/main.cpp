@@ -1,12 +1,12 @@
 // voxc-trace: traces rays or takes a picture with a kernel that was compiled elsewhere.
-#include "common/CameraOptions.h"
 #include "common/Command.h"
 #include "common/Files.h"
-#include "common/Png.h"
+#include "common/PictureFile.h"
+#include "common/PictureOptions.h"
+#include "common/RayTally.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include "voxc/Trace/Picture.h"
 #include "voxc/Trace/Tracer.h"
 
 namespace {
@@ -16,14 +16,13 @@ using namespace voxc::tool;
 
 struct Options {
   CommonOptions common;
-  CameraOptions camera;
+  PictureOptions picture;
   std::string volume;
   std::string kernel;
   std::string rays;
   std::string output;
   std::string device;
   unsigned repeat = 1;
-  bool heatmap = false;
   bool count = false;
   bool trusted = false;
 };
@@ -38,79 +37,83 @@ void addOptions(CLI::App &app, Options &options) {
          "Rays to trace: float32 origin and direction, 24 bytes each; without them a picture is taken")
       ->type_name("RAYS.bin");
   app.add_option("-o,--output", options.output,
-                 "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps; or the picture")
+                 "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps; or the picture, as " +
+                     pictureEndings())
       ->required()
-      ->type_name("HITS.bin|PICTURE.png");
-  addCameraOptions(app, options.camera);
-  app.add_flag("--heatmap", options.heatmap, "Show the lookups that each ray took, with a legend");
+      ->type_name("HITS.bin|PICTURE");
+  addPictureOptions(app, options.picture);
   app.add_flag("--count", options.count, "Count each ray's lookups");
   app.add_option("--repeat", options.repeat, "Trace so often; the speeds are those of the fastest time")
       ->check(CLI::Range(1u, 1000000u));
-  app.add_option("--device", options.device, "Trace on the device whose name contains this")
+  app.add_option("--device", options.device,
+                 "Trace on the device whose name contains this, or with this number or UUID")
       ->type_name("NAME");
   app.add_flag("--trusted", options.trusted, "Skip the check of every offset in the volume");
   addCommonOptions(app, options.common);
 }
 
-Expected<void> checkUsage(const Options &options) {
-  const CameraOptions &camera = options.camera;
-  bool pictureOptions = options.heatmap || !camera.camera.empty() || !camera.size.empty() || camera.fov != 0;
-  if (!options.rays.empty() && pictureOptions)
-    return Error::usage("--rays writes hits: --camera, --size, --fov and --heatmap are for pictures");
+Expected<void> checkUsage(const CLI::App &app, const Options &options) {
   if (options.output == "-" && options.common.stats == "-")
     return Error::usage("-o and --stats cannot both write to standard output");
+  if (options.rays.empty()) {
+    if (options.repeat > 1 || options.count)
+      return Error::usage("--repeat and --count are for --rays; --heatmap shows the lookups of a picture");
+    Expected<void> named = checkPictureName(options.output);
+    return named ? checkPictureOptions(options.picture) : named;
+  }
+  CLI::App forPictures;
+  PictureOptions unused;
+  addPictureOptions(forPictures, unused);
+  for (const CLI::Option *option : forPictures.get_options())
+    if (const CLI::Option *given = app.get_option_no_throw(option->get_name());
+        given && given->count() > 0 && option->get_name() != "--help")
+      return Error::usage("--rays writes hits: " + option->get_name() + " is for pictures");
   return {};
 }
 
-/// The rays to trace, and the size of the picture that they make; 0 if they come from a file.
-struct Job {
-  std::vector<Ray> rays;
-  int width = 0;
-  int height = 0;
-};
-
-Expected<Job> makeJob(const Options &options, Int3 extent) {
-  if (!options.rays.empty()) {
-    auto rays = readRays(options.rays);
-    if (!rays)
-      return rays.error();
-    return Job{std::move(*rays)};
-  }
-  auto camera = makeCamera(options.camera, extent);
-  if (!camera)
-    return camera.error();
-  return Job{cameraRays(*camera), camera->width, camera->height};
+/// Traces rays and counts them in `tally`.
+auto tracingInto(RayTally &tally, Tracer &tracer) {
+  return [&tally, &tracer](std::span<const Ray> rays, std::span<Hit> hits,
+                           const TraceOptions &options) -> Expected<void> {
+    const Expected<TraceReport> report = tracer.trace(rays, hits, options);
+    if (!report)
+      return report.error();
+    tally.add(rays, hits, *report, options.countSteps);
+    return {};
+  };
 }
 
-Expected<void> writeResult(const Options &options, const Job &job, const Volume &volume,
-                           std::span<Hit> hits) {
-  if (!options.rays.empty())
-    return writeHits(options.output, hits);
-  if (volume.layout().payload == Payload::Material && !options.heatmap)
-    showLabels(hits);
-  Picture picture =
-      options.heatmap ? heatmap(hits, job.width, job.height) : shade(job.rays, hits, job.width, job.height);
-  return writePng(options.output, picture);
+/// Traces the rays of a file, and writes their hits.
+Expected<void> traceRays(const Options &options, Tracer &tracer, RayTally &tally, const Progress &progress) {
+  const auto rays = readRays(options.rays);
+  if (!rays)
+    return rays.error();
+  std::vector<Hit> hits(rays->size());
+  const TraceOptions how{.countSteps = options.count, .repeat = options.repeat, .progress = progress};
+  if (auto traced = tracingInto(tally, tracer)(*rays, hits, how); !traced)
+    return traced;
+  return writeHits(options.output, hits);
 }
 
-Expected<TraceReport> traceJob(const Options &options, Device &device, const Kernel &kernel,
-                               const Volume &volume, const Job &job, std::vector<Hit> &hits, Json &figures) {
-  Stopwatch upload;
-  auto tracer = createTracer(device, kernel, volume);
-  if (!tracer)
-    return tracer.error();
-  figures["upload_seconds"] = upload.seconds();
-  ProgressBar bar(options.common.quiet);
-  hits.resize(job.rays.size());
-  return (*tracer)->trace(
-      job.rays, hits,
-      {.countSteps = options.count || options.heatmap, .repeat = options.repeat, .progress = bar.progress()});
+/// Takes the picture, and writes it.
+Expected<void> takePicture(const Options &options, const Volume &volume, Tracer &tracer, RayTally &tally,
+                           ProgressBar &bar, Json &figures) {
+  RayTally others;
+  const auto camera = tracingInto(tally, tracer), other = tracingInto(others, tracer);
+  const auto taken = tool::takePicture(options.picture, volume, {camera, other}, other, 0, bar.progress());
+  if (!taken)
+    return taken.error();
+  bar.clear();
+  if (const auto warning = cameraWarning(*taken, volume); warning && !options.common.quiet)
+    printNote("warning: " + *warning);
+  figures["camera"] = cameraText(options.picture, taken->camera, volume);
+  return writeTaken(options.output, *taken);
 }
 
 /// The times of every repeat, for who wants more than the fastest.
-void addRounds(Json &figures, const TraceReport &report) {
+void addRounds(Json &figures, const std::vector<TraceTime> &times) {
   Json seconds = Json::array(), cpuSeconds = Json::array(), deviceSeconds = Json::array();
-  for (const TraceTime &time : report.repeats) {
+  for (const TraceTime &time : times) {
     seconds.push_back(time.wall);
     cpuSeconds.push_back(time.cpu);
     if (time.device > 0)
@@ -119,8 +122,8 @@ void addRounds(Json &figures, const TraceReport &report) {
   figures["rounds"] = {{"seconds", seconds}, {"cpu_seconds", cpuSeconds}, {"device_seconds", deviceSeconds}};
 }
 
-Expected<void> run(const Options &options) {
-  if (auto usage = checkUsage(options); !usage)
+Expected<void> run(const CLI::App &app, const Options &options) {
+  if (auto usage = checkUsage(app, options); !usage)
     return usage;
   Stopwatch loading;
   auto volume = Volume::load(options.volume, {.trusted = options.trusted});
@@ -132,22 +135,24 @@ Expected<void> run(const Options &options) {
   Json figures;
   addVolumeFigures(figures, *volume);
   figures["load_seconds"] = loading.seconds();
-  auto job = makeJob(options, volume->info().extent);
-  if (!job)
-    return job.error();
   auto device = Device::open(options.device);
   if (!device)
     return device.error();
-  std::vector<Hit> hits;
-  auto report = traceJob(options, *device, *kernel, *volume, *job, hits, figures);
-  if (!report)
-    return report.error();
-  addTraceFigures(figures, *report, hits, device->info().name, options.count || options.heatmap);
+  Stopwatch upload;
+  auto tracer = createTracer(*device, *kernel, *volume);
+  if (!tracer)
+    return tracer.error();
+  figures["upload_seconds"] = upload.seconds();
+  RayTally tally;
+  ProgressBar bar(options.common.quiet);
+  const auto done = options.rays.empty() ? takePicture(options, *volume, **tracer, tally, bar, figures)
+                                         : traceRays(options, **tracer, tally, bar.progress());
+  if (!done)
+    return done;
+  tally.addFigures(figures, device->info().name);
   figures["driver"] = device->info().driver;
   figures["device_kind"] = device->info().kind;
-  addRounds(figures, *report);
-  if (auto written = writeResult(options, *job, *volume, hits); !written)
-    return written;
+  addRounds(figures, tally.times());
   return writeStatistics(options.common.stats, std::move(figures));
 }
 
@@ -158,5 +163,5 @@ int main(int argc, char **argv) {
                "voxc-trace");
   Options options;
   addOptions(app, options);
-  return runTool(app, argc, argv, [&options] { return run(options); });
+  return runTool(app, argc, argv, [&] { return run(app, options); });
 }

@@ -1,6 +1,8 @@
 // Building volumes for the driver.
 #include "Building.h"
 
+#include "Figures.h"
+
 #include "common/Statistics.h"
 #include "frontend/FormatArgument.h"
 #include "search/BuildCommand.h"
@@ -86,6 +88,8 @@ Expected<Format> Building::readFormat(const std::string &device, const CommonOpt
   if (format_ == kAutoFormat)
     return suggestFormat(device, common, progress, figures);
   Expected<Format> format = tool::readFormat(format_);
+  if (!format && parseFormat(input_))
+    return Error::usage("FORMAT comes first, then INPUT: write \"" + input_ + "\" before " + format_);
   if (!format)
     return format;
   written_ = *format;
@@ -197,6 +201,8 @@ void Building::tellLoss(const Prepared &prepared, const BuildReport &report, con
 
 Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptions &common,
                                                const Progress &progress, Json &figures) const {
+  if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
+    return checked.error();
   const unsigned threads = threadsOf(buildArguments_);
   BuildOptions options{"", threads, makeWorkingMemory(buildArguments_), "", progress};
 
@@ -227,6 +233,7 @@ Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptio
   }
   if (reduced)
     options.provenance += std::string(" colours=") + kReducedColours;
+  figures["input"] = input_;
   figures["passes"] = suggestedPasses_.empty() ? passes_.names() : suggestedPasses_;
   figures["threads"] = threads;
   figures["memory_bound_bytes"] = options.memory->bound();
@@ -253,8 +260,13 @@ Expected<Volume> Building::build(Format &format, const std::string &path, const 
   addVolumeFigures(figures, built->volume);
   addBuildFigures(figures, built->report);
   tellLoss(*prepared, built->report, common, figures);
-  if (!path.empty())
+  if (!path.empty()) {
     addFileFigure(figures, path);
+    addWritten(figures, path);
+  }
+  if (built->volume.info().voxels == 0 && !common.quiet)
+    printNote("warning: the volume is empty: the input has no voxel" +
+              std::string(inputArguments_.bounds.empty() ? "" : " within --bounds"));
   return std::move(built->volume);
 }
 
@@ -280,6 +292,7 @@ Expected<void> Building::buildFragment(Format &format, std::uint64_t index, std:
   figures["scratch_bytes"] = report->scratchBytes;
   tellLoss(*prepared, *report, common, figures);
   addFileFigure(figures, path);
+  addWritten(figures, path);
   return {};
 }
 

@@ -34,6 +34,9 @@ public:
   /// format, unless it names an input.
   void defaultInput(CLI::App &app, const std::string &input);
 
+  /// INPUT as it was written.
+  const std::string &input() const { return input_; }
+
   /// The format as FORMAT and the passes say; or, if that is `auto` or left out, as voxc suggest would choose
   /// for the input and a device of this name, which a note tells.
   Expected<Format> readFormat(const std::string &device, const CommonOptions &common,

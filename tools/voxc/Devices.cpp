@@ -13,6 +13,7 @@ namespace {
 
 Json describe(const DeviceInfo &device) {
   return {{"name", device.name},
+          {"uuid", device.uuid},
           {"kind", device.kind},
           {"driver", device.driver},
           {"vulkan", device.apiVersion},
@@ -23,8 +24,9 @@ Json describe(const DeviceInfo &device) {
           {"device_addresses", device.deviceAddresses}};
 }
 
-void print(const DeviceInfo &device) {
-  std::printf("%s (%s)\n", device.name.c_str(), device.kind.c_str());
+/// `number`: what --device takes for it beside its name.
+void print(const DeviceInfo &device, const std::string &number) {
+  std::printf("%s%s (%s)\n", number.c_str(), device.name.c_str(), device.kind.c_str());
   if (device.apiVersion.empty()) {
     std::printf("  %s, without Vulkan; %.1f GiB of memory\n", device.driver.c_str(),
                 double(device.memoryBytes) / (1 << 30));
@@ -34,6 +36,8 @@ void print(const DeviceInfo &device) {
   std::printf("  %.1f GiB of memory; one storage buffer holds %.1f MiB; device addresses: %s\n",
               double(device.memoryBytes) / (1 << 30), double(device.maxStorageBufferBytes) / (1 << 20),
               device.deviceAddresses ? "yes" : "no");
+  if (!device.uuid.empty())
+    std::printf("  UUID %s\n", device.uuid.c_str());
   if (!device.usable)
     std::printf("  not usable: voxc needs Vulkan 1.2 and a compute queue\n");
 }
@@ -48,10 +52,12 @@ public:
       printNote("there is no Vulkan device; a driver, such as Debian's mesa-vulkan-drivers, brings one");
     devices.push_back(cpuDeviceInfo());
     Json figures{{"devices", Json::array()}};
+    std::size_t number = 0;
     for (const DeviceInfo &device : devices) {
       figures["devices"].push_back(describe(device));
       if (tellsOnStdout(common_))
-        print(device);
+        print(device, device.apiVersion.empty() ? "" : std::to_string(number) + ": ");
+      ++number;
     }
     return writeStatistics(common_.stats, figures);
   }

@@ -18,8 +18,14 @@ Json errorJson(const ErrorFigures &error);
 
 class ErrorCheck {
 public:
+  /// Checks so many rays if nobody says how many.
+  explicit ErrorCheck(std::size_t sample) : sample_(sample) {}
+
   /// Adds --check to a command.
   void declare(CLI::App &app);
+
+  /// How many rays are checked.
+  std::size_t rays() const { return sample_; }
 
   /// Checks the sample, evenly spread over the rays, for what was asked, and adds `error`; with --check 0
   /// nothing. Errors: as `Oracle::of`.
@@ -27,7 +33,7 @@ public:
                      const Question &question, const Progress &progress, Json &figures) const;
 
 private:
-  std::size_t sample_ = 1000;
+  std::size_t sample_;
 };
 
 } // namespace voxc::tool

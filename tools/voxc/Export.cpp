@@ -43,6 +43,7 @@ public:
     addVolumeFigures(figures, *volume);
     figures["export_seconds"] = watch.seconds();
     addFileFigure(figures, output_);
+    addWritten(figures, output_);
     return tellFigures(common_, figures);
   }
 

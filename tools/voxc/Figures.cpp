@@ -1,47 +1,133 @@
-// Figures as aligned lines and as JSON.
+// Figures of a run, as a few lines for people and as JSON.
 #include "Figures.h"
 
 #include "common/Statistics.h"
 
+#include <cinttypes>
+#include <cstdarg>
 #include <cstdio>
 
 namespace voxc::tool {
 
 namespace {
 
-std::string plainText(const Json &value) {
-  if (value.is_string())
-    return value.get<std::string>();
-  if (value.is_array()) {
-    std::string text;
-    for (const Json &element : value)
-      text += (text.empty() ? "" : ", ") + plainText(element);
-    return text;
-  }
-  if (!value.is_number_float())
-    return value.dump();
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value.get<double>());
+[[gnu::format(printf, 1, 2)]] std::string textOf(const char *format, ...) {
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
   return text;
 }
 
-void printLines(const Json &figures, const std::string &prefix) {
-  for (const auto &[key, value] : figures.items()) {
-    if (value.is_object())
-      printLines(value, prefix + key + ".");
-    else
-      std::fprintf(stderr, "  %-24s %s\n", (prefix + key).c_str(), plainText(value).c_str());
-  }
+double number(const Json &figures, const char *key) { return figures.value(key, 0.0); }
+
+/// "12", "3,456" and "1.2 million".
+std::string countText(double count) {
+  if (count < 1000)
+    return textOf("%.0f", count);
+  if (count < 1e6)
+    return textOf("%d,%03d", int(count) / 1000, int(count) % 1000);
+  return textOf("%.1f million", count / 1e6);
+}
+
+std::string bytesText(double bytes) {
+  constexpr const char *kUnits[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+  int unit = 0;
+  for (; bytes >= 1024 && unit < 4; ++unit)
+    bytes /= 1024;
+  return textOf(unit == 0 ? "%.0f %s" : "%.2f %s", bytes, kUnits[unit]);
+}
+
+std::string secondsText(double seconds) {
+  return seconds < 100 ? textOf("%.2f s", seconds) : textOf("%.0f s", seconds);
+}
+
+/// "3.7 million rays in 0.43 s, 8.61 million a second".
+std::string speedText(const char *what, double rays, double seconds) {
+  std::string text = countText(rays) + " " + what + " in " + secondsText(seconds);
+  return seconds > 0 ? text + textOf(", %.3g million a second", rays / seconds * 1e-6) : text;
+}
+
+std::string readText(const Json &figures) {
+  if (!figures.contains("input"))
+    return {};
+  std::string text = figures["input"].get<std::string>();
+  if (number(figures, "triangles") > 0)
+    text += ": " + countText(number(figures, "triangles")) + " triangles";
+  return text + ", in " + secondsText(number(figures, "load_seconds") + number(figures, "bin_seconds"));
+}
+
+std::string builtText(const Json &figures) {
+  if (!figures.contains("build_seconds"))
+    return {};
+  return "in " + secondsText(number(figures, "build_seconds"));
+}
+
+std::string volumeText(const Json &figures) {
+  if (!figures.contains("extent") || !figures.contains("bytes"))
+    return {};
+  const Json &extent = figures["extent"];
+  const double voxels = number(figures, "voxels"), bytes = number(figures, "bytes");
+  std::string text = figures.value("format", "") + textOf(", %d x %d x %d, ", extent[0].get<int>(),
+                                                          extent[1].get<int>(), extent[2].get<int>());
+  text += countText(voxels) + " voxels, " + bytesText(bytes);
+  return voxels > 0 ? text + textOf(", %.3g bytes a voxel", bytes / voxels) : text;
+}
+
+std::string tracedText(const Json &figures) {
+  if (!figures.contains("rays"))
+    return {};
+  std::string text = speedText("rays", number(figures, "rays"), number(figures, "seconds"));
+  if (figures.contains("light_rays"))
+    text += "; " + speedText("to the light", number(figures, "light_rays"), number(figures, "light_seconds"));
+  return text + "; on " + figures.value("device", "");
+}
+
+std::string errorText(const Json &figures) {
+  if (!figures.contains("error"))
+    return {};
+  const Json &error = figures["error"];
+  const double differ =
+      number(error, "missed") + number(error, "ghost") + number(error, "wrong") + number(error, "colour");
+  return countText(number(error, "rays")) + " rays against the exact oracle: " +
+         (differ == 0 ? "all hits right" : countText(differ) + " differ") +
+         textOf(", t off by %.3g voxels at most", number(error, "max_dt"));
+}
+
+std::string cameraText(const Json &figures) { return figures.value("camera", ""); }
+
+struct Line {
+  const char *label;
+  std::string (*text)(const Json &figures); ///< Empty: the line is left out.
+};
+
+constexpr Line kLines[] = {
+    {"read", readText},     {"volume", volumeText}, {"built", builtText},
+    {"traced", tracedText}, {"checked", errorText}, {"camera", cameraText},
+};
+
+void printLine(const std::string &label, const std::string &text) {
+  std::fprintf(stderr, "  %-8s %s\n", label.c_str(), text.c_str());
 }
 
 } // namespace
 
+void addWritten(Json &figures, const std::string &path) { figures["files"].push_back(path); }
+
 Expected<void> tellFigures(const CommonOptions &common, const Json &figures) {
-  if (!common.quiet)
-    printLines(figures, "");
+  if (!common.quiet) {
+    for (const Line &line : kLines)
+      if (const std::string text = line.text(figures); !text.empty())
+        printLine(line.label, text);
+    if (figures.contains("files"))
+      for (const Json &file : figures["files"])
+        if (file != "-")
+          printLine("wrote", file.get<std::string>());
+  }
   return writeStatistics(common.stats, figures);
 }
 
-bool tellsOnStdout(const CommonOptions &common) { return !common.quiet && common.stats != "-"; }
+bool tellsOnStdout(const CommonOptions &common) { return common.stats != "-"; }
 
 } // namespace voxc::tool

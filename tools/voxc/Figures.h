@@ -1,4 +1,4 @@
-// Telling the figures of a run: as lines to a person, and as JSON to --stats.
+// Telling the figures of a run: as a few lines to a person, and all of them as JSON to --stats.
 #pragma once
 
 #include "common/Command.h"
@@ -6,10 +6,14 @@
 
 namespace voxc::tool {
 
-/// Prints the figures to standard error unless told to be quiet, and writes --stats.
+/// Adds a file that was written to the figure `files`.
+void addWritten(Json &figures, const std::string &path);
+
+/// Prints what matters of the figures to standard error unless told to be quiet: what was read, made and
+/// traced, and the files written. All figures go to --stats.
 Expected<void> tellFigures(const CommonOptions &common, const Json &figures);
 
-/// True if text for people may go to standard output: not when quiet, nor when the JSON goes there.
+/// True if what a command was asked for may go to standard output as text: not when the JSON goes there.
 bool tellsOnStdout(const CommonOptions &common);
 
 } // namespace voxc::tool

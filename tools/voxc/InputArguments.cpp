@@ -6,6 +6,7 @@
 #endif
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <system_error>
 
@@ -33,6 +34,72 @@ std::string checkColour(const std::string &text) {
 
 } // namespace
 
+namespace {
+
+/// Inputs by what they are made of.
+enum InputMatter : unsigned { kMesh = 1, kDense = 2, kModels = 4, kBuiltin = 8, kOther = 16 };
+
+struct MatterRow {
+  std::string_view mark; ///< A prefix if it ends in a colon, else an ending.
+  InputMatter matter;
+};
+
+constexpr MatterRow kMatters[] = {
+    {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther}, {".obj", kMesh},   {".ply", kMesh},
+    {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense}, {".nhdr", kDense},
+    {".nii", kDense},       {".nii.gz", kDense}, {".vdb", kDense},  {".vox", kModels}, {".hvx", kOther},
+};
+
+/// What an input is made of; nothing if its kind is not known here.
+std::optional<InputMatter> matterOf(const std::string &input) {
+  std::string lower = input;
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  for (const MatterRow &row : kMatters)
+    if (row.mark.ends_with(':') ? input.starts_with(row.mark) : lower.ends_with(row.mark))
+      return row.matter;
+  return std::nullopt;
+}
+
+/// An option, and for what it means something.
+struct OptionRow {
+  const char *name;
+  unsigned matters;
+  const char *text;
+  bool (*isGiven)(const InputArguments &arguments);
+};
+
+constexpr OptionRow kOptions[] = {
+    {"--resolution", kMesh | kBuiltin, "meshes and built-in scenes; others have voxels of their own",
+     [](const InputArguments &arguments) { return arguments.resolution != 0; }},
+    {"--bounds", kMesh, "meshes", [](const InputArguments &arguments) { return !arguments.bounds.empty(); }},
+    {"--up", kMesh | kDense, "meshes and dense volumes",
+     [](const InputArguments &arguments) { return !arguments.up.empty(); }},
+    {"--coverage", kMesh, "meshes",
+     [](const InputArguments &arguments) { return !arguments.coverage.empty(); }},
+    {"--threshold", kDense, "dense volumes",
+     [](const InputArguments &arguments) { return arguments.threshold.has_value(); }},
+    {"--colour-map", kDense | kModels, "dense volumes and .vox files",
+     [](const InputArguments &arguments) { return !arguments.colourMap.empty(); }},
+    {"--window", kDense, "dense volumes",
+     [](const InputArguments &arguments) { return !arguments.window.empty(); }},
+};
+
+} // namespace
+
+Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input) {
+  if (const std::optional<InputMatter> matter = matterOf(input))
+    for (const OptionRow &row : kOptions)
+      if (row.isGiven(arguments) && !(row.matters & *matter))
+        return Error::usage(std::string(row.name) + " is for " + row.text + ", and would do nothing for '" +
+                            input + "'; leave it out");
+  if (!arguments.fillColour.empty() && arguments.interior != "fill")
+    return Error::usage("--fill-colour is for --interior fill; give both, or leave it out");
+  const std::vector<double> &bounds = arguments.bounds;
+  if (bounds.size() == 6 && bounds[0] == bounds[3] && bounds[1] == bounds[4] && bounds[2] == bounds[5])
+    return Error::usage("--bounds is a single point; its second corner should lie above the first");
+  return {};
+}
+
 void addInputArguments(CLI::App &app, InputArguments &arguments) {
   app.add_option("--resolution", arguments.resolution,
                  "Voxels on the longest axis; default: what the format holds")
@@ -42,7 +109,9 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
       ->type_name("X0,Y0,Z0,X1,Y1,Z1")
       ->delimiter(',')
       ->expected(6);
-  app.add_option("--up", arguments.up, "The axis of a mesh or dense volume that points up: y (default) or z")
+  app.add_option(
+         "--up", arguments.up,
+         "The axis of a mesh or dense volume that points up: y (default) or z, the default of NIfTI files")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}).description(""));
   app.add_option("--coverage", arguments.coverage,
@@ -50,14 +119,17 @@ void addInputArguments(CLI::App &app, InputArguments &arguments) {
       ->type_name("RULE")
       ->check(CLI::IsMember({"conservative", "thin"}).description(""));
   app.add_option("--threshold", arguments.threshold,
-                 "Samples of a dense volume from here up are voxels; default: all but 0")
+                 "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are "
+                 "more than "
+                 "30 %, those above the threshold that parts them best")
       ->type_name("T");
   app.add_option("--colour-map", arguments.colourMap,
                  "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the "
                  "numbers of .vox colours, as they are")
       ->type_name("NAME");
   app.add_option("--window", arguments.window,
-                 "Samples that have the first and last colour; default: the least and the greatest")
+                 "Samples that have the first and last colour; default: the threshold, or the least, and the "
+                 "greatest")
       ->type_name("LO,HI")
       ->delimiter(',')
       ->expected(2);
@@ -103,6 +175,7 @@ template <typename Number> std::vector<Number> parseNumbers(std::string_view tex
 } // namespace
 
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance) {
+  arguments.isAutomatic = arguments.isAutomatic && valueOf(provenance, "coverage").empty();
   const std::vector<int> resolution = parseNumbers<int>(valueOf(provenance, "resolution"));
   if (arguments.resolution == 0 && resolution.size() == 1)
     arguments.resolution = resolution.front();
@@ -140,6 +213,8 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   InputOptions options;
   options.resolution = arguments.resolution;
   options.formatExtent = formatExtent;
+  options.isAutomatic = arguments.isAutomatic;
+  options.isUpKnown = !arguments.up.empty();
   options.zUp = arguments.up == "z";
   options.coverage = arguments.coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
   if (!arguments.bounds.empty())

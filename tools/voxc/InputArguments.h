@@ -24,6 +24,7 @@ struct InputArguments {
   std::string interior;       ///< "keep", "drop", "fill", or empty.
   std::string fillColour;     ///< 6 or 8 hexadecimal digits, or empty.
   bool crop = false;
+  bool isAutomatic = true; ///< What is left out of a dense volume is found by looking at it.
 };
 
 /// Voxels on the longest axis of a model, where no format says how many it holds.
@@ -32,6 +33,10 @@ inline constexpr int kDefaultResolution = 512;
 /// What INPUT is, for the help texts of commands.
 inline constexpr const char *kInputHelp =
     "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]";
+
+/// Whether every option that was given means something for this input, as a command line has it. Error:
+/// `Usage`, naming the first that does not.
+Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input);
 
 /// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map, --window, --interior,
 /// --fill-colour and --crop to a command.

@@ -55,6 +55,7 @@ private:
     addVolumeFigures(figures, built->volume);
     addBuildFigures(figures, built->report);
     addFileFigure(figures, output_);
+    addWritten(figures, output_);
     return {};
   }
 

@@ -22,18 +22,18 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> checked = rendering_.check(common_); !checked)
+    if (Expected<void> checked = rendering_.check(volume_.path(), common_); !checked)
       return checked;
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> rendered = render(bar.progress(), figures); !rendered)
+    if (Expected<void> rendered = render(bar, figures); !rendered)
       return rendered;
     bar.clear();
     return tellFigures(common_, figures);
   }
 
 private:
-  Expected<void> render(const Progress &progress, Json &figures) {
+  Expected<void> render(ProgressBar &bar, Json &figures) {
     const Stopwatch watch;
     Expected<Volume> volume = volume_.load();
     if (!volume)
@@ -49,7 +49,7 @@ private:
       return opened;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;
-    return rendering_.render(*volume, tracing_, progress, figures);
+    return rendering_.render(*volume, tracing_, common_, bar, figures);
   }
 
   VolumeArgument volume_;

@@ -4,9 +4,9 @@
 #include "ErrorCheck.h"
 #include "Tracing.h"
 
-#include "common/CameraOptions.h"
 #include "common/Command.h"
-#include "voxc/Support/Progress.h"
+#include "common/PictureOptions.h"
+#include "common/Terminal.h"
 
 #include <string>
 
@@ -14,23 +14,22 @@ namespace voxc::tool {
 
 class Rendering {
 public:
-  /// Adds --output, --heatmap, --check and the camera's options to a command.
+  /// Adds --output, --check and the options of pictures to a command.
   void declare(CLI::App &app);
 
-  /// Looks at the output's path and the camera's options, before any work.
-  Expected<void> check(const CommonOptions &common) const;
+  /// Looks at the options before any work. The picture of `source`, a file's name or another word, is named
+  /// after that where no name was given.
+  Expected<void> check(const std::string &source, const CommonOptions &common);
   /// Lets the kernel stop early if --lod says so. Error: the format asks for less than a picture needs.
   Expected<void> applyTo(Format &format) const;
-  /// Traces the camera's rays and writes the picture. Its figures are added.
-  Expected<void> render(const Volume &volume, Tracing &tracing, const Progress &progress,
+  /// Takes the picture and writes it. Its figures are added, `output` and `camera` among them.
+  Expected<void> render(const Volume &volume, Tracing &tracing, const CommonOptions &common, ProgressBar &bar,
                         Json &figures) const;
 
 private:
   std::string output_;
-  bool heatmap_ = false;
-  double lod_ = 0; ///< Pixels; 0: full detail.
-  CameraOptions camera_;
-  ErrorCheck check_;
+  PictureOptions picture_;
+  ErrorCheck check_{0}; // A picture is to be seen; checking takes an oracle of the whole volume.
 };
 
 } // namespace voxc::tool

@@ -26,7 +26,7 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> checked = rendering_.check(common_); !checked)
+    if (Expected<void> checked = rendering_.check(building_.input(), common_); !checked)
       return checked;
     if (!volumePath_.empty())
       if (Expected<void> writable = checkOutputFile(volumePath_); !writable)
@@ -57,7 +57,7 @@ private:
       return volume.error();
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;
-    return rendering_.render(*volume, tracing_, bar.progress(), figures);
+    return rendering_.render(*volume, tracing_, common_, bar, figures);
   }
 
   Building building_;

@@ -39,6 +39,7 @@ public:
     figures["voxels"] = report->voxels;
     figures["split_seconds"] = report->seconds;
     addFileFigure(figures, output_);
+    addWritten(figures, output_);
     return tellFigures(common_, figures);
   }
 

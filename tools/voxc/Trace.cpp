@@ -93,6 +93,7 @@ private:
             check_.run(*volume, *rays, hits, questionOfHits(*format), options_.progress, figures);
         !checked)
       return checked;
+    addWritten(figures, output_);
     return writeHits(output_, hits);
   }
 
@@ -100,7 +101,7 @@ private:
   std::string rays_;
   std::string output_;
   TraceOptions options_;
-  ErrorCheck check_;
+  ErrorCheck check_{1000};
   Tracing tracing_;
   CommonOptions common_;
 };

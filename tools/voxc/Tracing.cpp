@@ -12,8 +12,8 @@ namespace voxc::tool {
 void Tracing::declare(CLI::App &app) {
   app.add_option(
          "--device", deviceName_,
-         "Trace on the device whose name contains this, or on cpu: this processor, without Vulkan; see "
-         "'voxc devices'")
+         "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
+         "or on cpu: this processor, without Vulkan")
       ->type_name("NAME");
   app.add_option(
          "--threads", threads_,
@@ -46,7 +46,7 @@ Expected<void> Tracing::openDevice(const CommonOptions &common) {
     return {};
   }
   if (!device)
-    return device.error();
+    return Error{device.error().kind, device.error().message + "; and cpu, this processor"};
   device_ = std::make_unique<Device>(std::move(*device));
   return {};
 }
@@ -101,14 +101,19 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
   return tracer;
 }
 
-Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
-                              Json &figures) {
+Expected<TraceReport> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                     const TraceOptions &options) {
   TraceOptions ordered = options;
   ordered.order = rayOrderFrom(order_);
-  Expected<TraceReport> report = tracer_->trace(rays, hits, ordered);
+  return tracer_->trace(rays, hits, ordered);
+}
+
+Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+                              Json &figures) {
+  Expected<TraceReport> report = trace(rays, hits, options);
   if (!report)
     return report.error();
-  addTraceFigures(figures, *report, hits, deviceInfo().name, options.countSteps);
+  addTraceFigures(figures, *report, countsOf(hits), deviceInfo().name, options.countSteps);
   return {};
 }
 

@@ -32,6 +32,9 @@ public:
   Expected<void> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
                        Json &figures);
 
+  /// The same without figures.
+  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options);
+
   /// Makes the prepared tracer count words read where that takes another kernel; from then on it traces with
   /// `TraceOptions::countWords` alone. `volume` and `format` are those of `prepare`.
   Expected<void> prepareToCountWords(const Volume &volume, const Format &format);

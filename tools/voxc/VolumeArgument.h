@@ -19,6 +19,7 @@ public:
   void declareKernelOptions(CLI::App &app);
 
   Expected<Volume> load() const;
+  const std::string &path() const { return path_; }
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
   /// The format that a kernel of `volume` shall walk. Error: options that do not go together.

@@ -1,6 +1,8 @@
 // voxc: the driver. A thin client of the libraries; each command is a file of this folder.
 #include "Subcommand.h"
 
+#include "common/Misspelling.h"
+
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -46,11 +48,21 @@ bool isUnknownCommand(std::string_view word) {
          std::ranges::find(kCommands, word, &CommandKind::name) == std::end(kCommands);
 }
 
+/// An option before any command that voxc itself does not have.
+bool isStrayOption(const CLI::App &app, std::string_view word) {
+  return word.starts_with('-') && !app.get_option_no_throw(std::string(word));
+}
+
 Error unknownCommand(std::string_view word) {
   std::string names;
   for (const CommandKind &kind : kCommands)
     names += (names.empty() ? "" : ", ") + std::string(kind.name);
-  return Error::usage("'" + std::string(word) + "' is no command; the commands are " + names);
+  const CommandKind *const like = std::ranges::min_element(
+      kCommands, {}, [word](const CommandKind &kind) { return wordDistance(kind.name, word); });
+  const bool isLike = wordDistance(like->name, word) <= 2;
+  return Error::usage("'" + std::string(word) + "' is no command; " +
+                      (isLike ? "did you mean " + std::string(like->name) + "? The" : "the") +
+                      " commands are " + names);
 }
 
 } // namespace
@@ -66,6 +78,13 @@ int main(int argc, char **argv) {
     commands.emplace_back(subcommand, kind.make()).second->declare(*subcommand);
   }
 
+  if (argc > 1 && isStrayOption(app, argv[1])) {
+    printError(
+        Error::usage("'" + std::string(argv[1]) +
+                     "' is no option of voxc itself; a command comes first, such as 'voxc run', and 'voxc "
+                     "--help' lists them"));
+    return exitCode(ErrorKind::Usage);
+  }
   if (argc > 1 && isUnknownCommand(argv[1])) {
     printError(unknownCommand(argv[1]));
     return exitCode(ErrorKind::Usage);

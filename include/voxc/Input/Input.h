@@ -32,7 +32,11 @@ struct InputOptions {
   int resolution = 0;                          ///< Voxels on a mesh's longest axis; 0: what the format holds.
   Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
-  bool zUp = false;                ///< The up of a mesh or a dense volume is +z: it is turned to +y.
+  bool isUpKnown = false;                      ///< `zUp` was said, and holds whatever the kind of file.
+  bool zUp = false; ///< The up of a mesh or a dense volume is +z: it is turned to +y.
+  /// What nobody says of a dense volume is found: its threshold by its histogram, the window from there up,
+  /// and which axis points up by its kind of file (+z in NIfTI files).
+  bool isAutomatic = false;
   std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
   /// How a dense volume's samples look: grey, heat, dusk or polar; or "labels": words are the samples, or the
   /// numbers of a MagicaVoxel model's colours, whole numbers below 2^16 that tell what is there.

@@ -5,6 +5,7 @@
 #include "voxc/Trace/Ray.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <vector>
@@ -38,5 +39,9 @@ double pixelSpread(const Camera &camera);
 
 /// One ray a pixel, rows from the top; directions are unit length up to rounding.
 std::vector<Ray> cameraRays(const Camera &camera);
+
+/// The rays of some rows from `firstRow` on, through the place of each pixel that `place` says: (0, 0) is its
+/// top left corner, (1, 1) the opposite one.
+std::vector<Ray> cameraRays(const Camera &camera, int firstRow, int rows, glm::dvec2 place);
 
 } // namespace voxc

@@ -1,10 +1,11 @@
-// Pictures of hits: shaded by face, or as a map of the lookups that each ray took.
+// Pictures of hits: shaded by face, or as a map of numbers such as the lookups that each ray took.
 #pragma once
 
 #include "voxc/Trace/Ray.h"
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace voxc {
@@ -25,5 +26,11 @@ Picture shade(std::span<const Ray> rays, std::span<const Hit> hits, int width, i
 
 /// Lookups a ray as colours, with a legend that names the scale.
 Picture heatmap(std::span<const Hit> hits, int width, int height);
+
+/// Numbers as colours from the least to the greatest, bright where they are great, or with `isFalling` where
+/// they are small, with a legend that names the scale and its `unit` (capital letters, digits and blanks).
+/// What is no number is background.
+Picture mapPicture(std::span<const float> values, int width, int height, std::string_view unit,
+                   bool isFalling = false);
 
 } // namespace voxc

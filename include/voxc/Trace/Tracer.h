@@ -21,6 +21,7 @@ struct DeviceInfo {
   std::string name;
   std::string driver;            ///< Name and version of the driver.
   std::string apiVersion;        ///< Of Vulkan: "1.3.230".
+  std::string uuid;              ///< Of the device, 32 hexadecimal digits; "" where it has none.
   std::string kind;              ///< "discrete gpu", "integrated gpu", "virtual gpu", "cpu" or "other".
   std::uint64_t memoryBytes = 0; ///< Of its largest heap.
   std::uint64_t maxStorageBufferBytes = 0; ///< Volumes above this need `Addressing::Segments`.
@@ -38,6 +39,7 @@ std::vector<DeviceInfo> listDevices();
 class Device {
 public:
   /// Opens the first usable device whose name contains `name` (any case), best kind first; "" takes the best.
+  /// A number is a place in `listDevices`, from 0; 32 hexadecimal digits, with dashes or without, are a UUID.
   /// Error: `Environment`, naming the devices there are.
   static Expected<Device> open(std::string_view name = {});
   ~Device();

@@ -2,10 +2,12 @@
 #include "Input/Dense/DenseVolume.h"
 
 #include "Input/Dense/ColourMap.h"
+#include "Input/Dense/Histogram.h"
 #include "Input/Openers/InputText.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -42,11 +44,41 @@ Expected<SampleRange> rangeOf(const DenseVolume &volume, const SampleMap &map, c
   return range.low <= range.high ? range : SampleRange{0, 0};
 }
 
-Expected<SampleMap> mapOf(const DenseVolume &volume, const InputOptions &options) {
+/// A share of the samples that no thing in a box fills, with room around it.
+constexpr double kMostlySolid = 0.5;
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+/// Finds the threshold that nobody gave, if too much would be solid without, and says what it is.
+Expected<void> findThreshold(DenseVolume &volume, const InputOptions &options, SampleMap &map) {
+  const auto range = rangeOf(volume, map, options);
+  if (!range)
+    return range.error();
+  const auto histogram = histogramOf(volume, map, *range, options);
+  if (!histogram)
+    return histogram.error();
+  const double share = histogram->shareFrom(histogram->range.low);
+  constexpr double kBackground = 0.3; // Of the samples that are not 0: some of them are background then.
+  if (options.isAutomatic && !map.threshold && share > kBackground && range->low < range->high) {
+    map.threshold = histogram->threshold();
+    volume.notes.push_back(percent(share) + " of the samples are not 0; those from " +
+                           toText(*map.threshold) + " up are taken, which parts them best (--threshold " +
+                           toText(*map.threshold) + ")");
+  }
+  const double solid = map.threshold ? histogram->shareFrom(*map.threshold) : share;
+  if (solid > kMostlySolid)
+    volume.warnings.push_back(percent(solid) +
+                              " of the samples become voxels; --threshold leaves out those below it");
+  return {};
+}
+
+Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options) {
   SampleMap map{.slope = volume.slope, .intercept = volume.intercept, .threshold = options.threshold};
   map.labels = options.colourMap == kLabels;
   if (map.labels)
     return map;
+  if (auto found = findThreshold(volume, options, map); !found)
+    return found.error();
   auto colours = colourMap(options.colourMap);
   if (!colours)
     return colours.error();
@@ -63,6 +95,9 @@ Expected<SampleMap> mapOf(const DenseVolume &volume, const InputOptions &options
   if (!range)
     return range.error();
   map.window = *range;
+  // Colours are for what is seen.
+  if (options.isAutomatic && map.threshold && *map.threshold < range->high)
+    map.window.low = std::max(range->low, *map.threshold);
   return map;
 }
 
@@ -104,6 +139,7 @@ Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
   Input input;
   input.provenance = provenanceOf(*map, options);
   input.warnings = std::move(volume.warnings);
+  input.notes = std::move(volume.notes);
   Int3 extent = volume.extent;
   const std::int32_t height = extent.y;
   Transform voxelToModel = volume.sampleToModel;

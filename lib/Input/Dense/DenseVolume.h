@@ -21,6 +21,7 @@ struct DenseVolume {
   std::shared_ptr<const void> storage; ///< What `samples` points into.
   Transform sampleToModel;             ///< Of points in voxels: sample i fills [i, i + 1).
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;
 };
 
 /// The bytes of all samples of a possible extent. Error: more than 2^63, so that no file has them.

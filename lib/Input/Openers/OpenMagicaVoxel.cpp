@@ -109,8 +109,8 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
   const Int3 extent = placed.extent();
   const Int3 holds = options.mostExtent();
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
-    return Error::input("its scene takes " + toText(extent) + " voxels, but the format holds " +
-                        toText(holds));
+    return Error::usage("takes " + toText(extent) + " voxels, but the format holds " + toText(holds) +
+                        "; enlarge the format");
   if (placed.count() > kMostPlaced)
     return Error::input("its scene places " + std::to_string(placed.count()) + " voxels; there may be " +
                         std::to_string(kMostPlaced));
@@ -156,6 +156,8 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
   if (!file)
     return file.error();
   auto input = openScene((*file)->bytes(), options);
+  if (!input && input.error().kind == ErrorKind::Usage)
+    return Error::input("'" + path + "' " + input.error().message);
   if (!input && input.error().kind == ErrorKind::Input)
     return Error::input("'" + path + "' is not a usable MagicaVoxel file: " + input.error().message);
   if (input)

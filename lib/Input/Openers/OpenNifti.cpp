@@ -89,7 +89,10 @@ Expected<Input> openNifti(const std::string &path, const InputOptions &options) 
     return Error::input("'" + path + "' is not a usable NIfTI file: " + volume.error().message);
   if (!volume)
     return volume.error();
-  auto input = makeInput(std::move(*volume), options);
+  // The format says so: +x is right, +y is front, +z is up.
+  InputOptions upright = options;
+  upright.zUp |= options.isAutomatic && !options.isUpKnown;
+  auto input = makeInput(std::move(*volume), upright);
   if (input)
     input->loadSeconds = loading.seconds();
   return input;

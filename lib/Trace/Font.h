@@ -1,4 +1,4 @@
-// Numbers drawn into pictures.
+// Short texts drawn into pictures.
 #pragma once
 
 #include "voxc/Trace/Picture.h"
@@ -8,16 +8,15 @@
 
 namespace voxc {
 
-/// Cells of a glyph; a text advances by one cell more.
-inline constexpr int kGlyphWidth = 3;
+/// Cells from the top of a glyph to its bottom.
 inline constexpr int kGlyphHeight = 5;
 
 /// Pixels across a text whose cells are `scale` pixels a side.
 int textWidth(std::string_view text, int scale);
 
-/// Draws digits with their top left corner at (x, y); what falls outside of the picture is left out, and
-/// characters that are no digits stay blank.
-void drawDigits(Picture &picture, std::string_view text, int x, int y, int scale, std::uint32_t pixel);
+/// Draws digits and capital letters with their top left corner at (x, y); what falls outside of the picture
+/// is left out, and other characters stay blank.
+void drawText(Picture &picture, std::string_view text, int x, int y, int scale, std::uint32_t pixel);
 
 /// Fills the part of a rectangle that lies in the picture.
 void fillRectangle(Picture &picture, int x, int y, int width, int height, std::uint32_t pixel);

@@ -1,0 +1,46 @@
+// What the samples of a band of a picture gather, and the light that it comes to.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace voxc {
+
+/// Sums over the samples of a pixel.
+struct FilmPixel {
+  glm::vec3 light{};    ///< Linear; of the sun, or whatever the style shows.
+  glm::vec3 skyLit{};   ///< What an open sky would give on top of that.
+  float sky = 0;        ///< Of that, the share that is not hidden, in sum over the hits.
+  float hits = 0;       ///< Samples that hit.
+  float value = 0;      ///< Of maps.
+  glm::vec3 backdrop{}; ///< Behind the samples that missed.
+  glm::vec3 normal{};   ///< Of the first hit;
+  glm::vec3 point{};    ///< and where it lies.
+};
+
+/// Rows of a picture, from `firstRow` on.
+struct Film {
+  int width = 0;
+  int firstRow = 0;
+  int rows = 0;
+  std::vector<FilmPixel> pixels;
+
+  Film(int width, int firstRow, int rows)
+      : width(width), firstRow(firstRow), rows(rows), pixels(std::size_t(width) * std::size_t(rows)) {}
+  std::size_t index(int column, int row) const {
+    return std::size_t(row - firstRow) * std::size_t(width) + std::size_t(column);
+  }
+};
+
+/// Pixels whose directions to the sky are different lie in squares of so many a side.
+inline constexpr int kSkyPattern = 4;
+/// Rows that `smoothSky` looks at beyond those it is asked for, on either side.
+inline constexpr int kFilmMargin = kSkyPattern / 2;
+
+/// The share of the sky of each pixel of a row: its own, or, `isSpread`, the mean over the square of pixels
+/// around it that lie on the same surface.
+std::vector<float> skyShares(const Film &film, int row, bool isSpread);
+
+} // namespace voxc

@@ -1,0 +1,79 @@
+// Which voxels around a place are not empty, read once a brick.
+#include "Occupancy.h"
+
+namespace voxc {
+
+namespace {
+
+constexpr int kLog2Brick = 2;
+constexpr int kBrick = 1 << kLog2Brick;
+/// Bricks that a neighbourhood reaches into, on an axis.
+constexpr int kAcross = (kNeighbours + 2 * (kBrick - 1)) / kBrick;
+
+/// Bricks that are kept before all are forgotten: 48 MiB or so.
+constexpr std::size_t kMostBricks = std::size_t{1} << 20;
+
+} // namespace
+
+std::uint64_t Occupancy::readBrick(Int3 at) const {
+  const Int3 low = at * kBrick;
+  const Lookup first = volume_->lookup(low);
+  if (first.log2Side >= kLog2Brick)
+    return first.value != 0 ? ~std::uint64_t{0} : 0;
+  // By cubes of 2^3, as many of them are uniform.
+  constexpr std::uint64_t kCube = 0x0000000000330033;
+  std::uint64_t bits = 0;
+  for (int cube = 0; cube < 8; ++cube) {
+    const Int3 corner = {cube << 1 & 2, cube & 2, cube >> 1 & 2};
+    const int place = corner.x + kBrick * (corner.y + kBrick * corner.z);
+    const Lookup found = volume_->lookup(low + corner);
+    if (found.log2Side >= 1) {
+      bits |= found.value != 0 ? kCube << place : 0;
+      continue;
+    }
+    bits |= std::uint64_t{found.value != 0} << place;
+    for (int cell = 1; cell < 8; ++cell) {
+      const Int3 offset = {cell & 1, cell >> 1 & 1, cell >> 2};
+      const int bit = place + offset.x + kBrick * (offset.y + kBrick * offset.z);
+      bits |= std::uint64_t{volume_->lookup(low + corner + offset).value != 0} << bit;
+    }
+  }
+  return bits;
+}
+
+std::uint64_t Occupancy::brick(Int3 at) {
+  const Int3 extent = volume_->info().extent;
+  if (!contains(extent, at * kBrick))
+    return 0;
+  const auto [place, isNew] = bricks_.try_emplace(mortonCode(at), 0);
+  if (isNew)
+    place->second = readBrick(at);
+  return place->second;
+}
+
+Neighbourhood Occupancy::around(Int3 middle) {
+  if (bricks_.size() > kMostBricks)
+    bricks_.clear();
+  const Int3 low = middle - Int3{kReach, kReach, kReach};
+  const Int3 first = low >> kLog2Brick;
+  std::array<std::uint64_t, kAcross * kAcross * kAcross> bricks;
+  for (int i = 0; i < kAcross * kAcross * kAcross; ++i)
+    bricks[std::size_t(i)] = brick(first + Int3{i % kAcross, i / kAcross % kAcross, i / (kAcross * kAcross)});
+
+  const Int3 shift = low - first * kBrick;
+  Neighbourhood rows;
+  for (int z = 0; z < kNeighbours; ++z)
+    for (int y = 0; y < kNeighbours; ++y) {
+      const int inY = y + shift.y;
+      const int inZ = z + shift.z;
+      const int row = (inY % kBrick) * kBrick + (inZ % kBrick) * kBrick * kBrick;
+      const int base = kAcross * (inY / kBrick + kAcross * (inZ / kBrick));
+      std::uint64_t bits = 0;
+      for (int i = 0; i < kAcross; ++i)
+        bits |= (bricks[std::size_t(base + i)] >> row & 0xf) << (kBrick * i);
+      rows[std::size_t(y + kNeighbours * z)] = std::uint16_t(bits >> shift.x & ((1u << kNeighbours) - 1));
+    }
+  return rows;
+}
+
+} // namespace voxc

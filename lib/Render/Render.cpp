@@ -1,0 +1,342 @@
+// Pictures of a volume, band by band and sample by sample.
+#include "voxc/Render/Render.h"
+
+#include "Exposure.h"
+#include "Film.h"
+#include "Lighting.h"
+#include "SurfaceNormals.h"
+
+#include "Support/ParallelFor.h"
+#include "Trace/EntryFace.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace voxc {
+
+namespace {
+
+/// Rays of a band: what is kept of it takes 200 MiB or so.
+constexpr std::int64_t kBandRays = std::int64_t{1} << 20;
+
+/// From so many samples on, a pixel has looked in directions enough of its own.
+constexpr unsigned kManySamples = 32;
+
+/// Where a sample's ray met the volume.
+struct Surface {
+  glm::vec3 point{};
+  glm::vec3 normal{}; ///< Towards the eye, unit length.
+  glm::vec3 start{};  ///< Of rays to the light.
+};
+
+glm::vec3 vectorOf(const float (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
+
+/// So far in front of a face that float32 tells it from the face.
+float clearance(const glm::vec3 &point) {
+  const float size = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+  return std::max(1e-3f, size * 4 * std::numeric_limits<float>::epsilon());
+}
+
+/// Gives a surface the direction of its neighbourhood, where its rays to the light can begin above it.
+void smooth(Surface &surface, const SurfaceNormal &normal, const glm::vec3 &direction) {
+  const bool isAlong = glm::dot(normal.direction, direction) < 0;
+  const float room = isAlong ? normal.roomAlong : normal.roomAgainst;
+  if (room == 0)
+    return;
+  surface.normal = isAlong ? normal.direction : -normal.direction;
+  surface.start = surface.point + surface.normal * room;
+}
+
+Surface surfaceOf(const Ray &ray, const Hit &hit, const SurfaceNormals *normals) {
+  Surface surface;
+  const glm::vec3 direction = vectorOf(ray.direction);
+  surface.point = vectorOf(ray.origin) + direction * hit.t;
+  const EntryFace face = entryFace(ray, hit);
+  if (face.axis < 0) {
+    surface.normal = -glm::normalize(direction);
+    surface.start = surface.point;
+    return surface;
+  }
+  surface.normal[face.axis] = face.high ? 1.0f : -1.0f;
+  surface.point[face.axis] = float(hit.voxel[face.axis]) + (face.high ? 1.0f : 0.0f);
+  surface.start = surface.point + surface.normal * clearance(surface.point);
+  if (normals)
+    smooth(surface, normals->at(hit), direction);
+  return surface;
+}
+
+/// Which of the directions to the sky a pixel takes: those of a square of pixels are all different.
+std::uint32_t patternOf(int column, int row) {
+  constexpr std::uint32_t kOrder[kSkyPattern][kSkyPattern] = {
+      {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+  return kOrder[row % kSkyPattern][column % kSkyPattern];
+}
+
+class Renderer {
+public:
+  Renderer(const Volume &volume, const Camera &camera, const RenderTracers &tracers,
+           const RenderOptions &options)
+      : volume_(volume), camera_(camera), tracers_(tracers), options_(options), kind_(kindOf(options.style)),
+        samples_(options.samples > 0 ? options.samples : kind_.samples),
+        sun_(glm::normalize(glm::vec3(options.sun))), normals_(volume, options.threads) {
+    const Int3 extent = volume.info().extent;
+    openScale_ = 0.06f * float(std::max({extent.x, extent.y, extent.z, 1}));
+  }
+
+  Expected<Rendering> run();
+
+private:
+  bool isMap() const { return !kind_.unit.empty(); }
+  bool isSmooth() const { return options_.isSmooth && kind_.needsNormals; }
+  bool isSpread() const { return samples_ < kManySamples; }
+  TraceOptions traceOptions() const;
+
+  Expected<void> expose(Film &film, unsigned sample);
+  void gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
+  void gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const;
+  Expected<void> light(Film &film, unsigned sample, const std::vector<Hit> &hits);
+  Expected<void> lightBySun(Film &film, const std::vector<Hit> &hits);
+  Expected<void> lightBySky(Film &film, unsigned sample, const std::vector<Hit> &hits);
+  void finishDistances();
+  void develop(const Film &film, int first, int rows);
+  void finish();
+  void finishMap();
+
+  const Volume &volume_;
+  const Camera &camera_;
+  const RenderTracers &tracers_;
+  const RenderOptions &options_;
+  const StyleKind &kind_;
+  unsigned samples_;
+  glm::vec3 sun_;
+  SurfaceNormals normals_;
+  float openScale_;
+  std::vector<Surface> surfaces_; ///< Of the current band and sample; those of misses mean nothing.
+  std::vector<glm::vec3> backdrop_;
+  std::vector<float> distances_; ///< Of the hits of the first sample.
+  Rendering result_;
+};
+
+TraceOptions Renderer::traceOptions() const {
+  TraceOptions options;
+  options.countSteps = options_.style == Style::Heatmap;
+  options.spread = float(options_.lod * pixelSpread(camera_));
+  options.progress.stop = options_.progress.stop;
+  return options;
+}
+
+/// Adds one sample to each pixel of a band.
+Expected<void> Renderer::expose(Film &film, unsigned sample) {
+  const glm::vec2 place = samples_ == 1 ? glm::vec2(0.5f) : evenNumbers(sample);
+  const std::vector<Ray> rays = cameraRays(camera_, film.firstRow, film.rows, place);
+  std::vector<Hit> hits(rays.size());
+  if (Expected<void> traced = tracers_.camera(rays, hits, traceOptions()); !traced)
+    return traced;
+  if (volume_.layout().payload == Payload::Material)
+    showLabels(hits);
+  if (sample == 0)
+    for (const Hit &hit : hits)
+      if (hit.isHit())
+        distances_.push_back(hit.t);
+  if (isSmooth())
+    normals_.learn(hits);
+  gather(film, rays, hits);
+  return kind_.isLit ? light(film, sample, hits) : Expected<void>();
+}
+
+void Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+  surfaces_.resize(rays.size());
+  // Colours of faces are those of a screen already.
+  const Picture faces = options_.style == Style::Flat ? shade(rays, hits, film.width, film.rows) : Picture{};
+  parallelFor(std::uint64_t(film.rows), options_.threads, [&](std::uint64_t row) {
+    const std::size_t first = std::size_t(row) * std::size_t(film.width);
+    for (std::size_t i = first; i < first + std::size_t(film.width); ++i) {
+      FilmPixel &pixel = film.pixels[i];
+      if (options_.style == Style::Flat) {
+        pixel.hits += 1;
+        pixel.light += linearColour(faces.pixels[i]);
+        continue;
+      }
+      if (hits[i].isHit())
+        surfaces_[i] = surfaceOf(rays[i], hits[i], isSmooth() ? &normals_ : nullptr);
+      gatherPixel(pixel, rays[i], hits[i], surfaces_[i]);
+    }
+  });
+}
+
+void Renderer::gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const {
+  if (options_.style == Style::Heatmap)
+    pixel.value += float(hit.steps);
+  if (!hit.isHit()) {
+    pixel.backdrop += backdrop(vectorOf(ray.direction));
+    return;
+  }
+  if (pixel.hits == 0) {
+    pixel.normal = surface.normal;
+    pixel.point = surface.point;
+  }
+  pixel.hits += 1;
+  switch (options_.style) {
+  case Style::Depth:
+    pixel.value += hit.t;
+    break;
+  case Style::Normals:
+    for (int axis = 0; axis < 3; ++axis)
+      pixel.light[axis] += toLinear(0.5f + 0.5f * surface.normal[axis]);
+    break;
+  case Style::Ambient:
+    pixel.skyLit += glm::vec3(1);
+    break;
+  case Style::Lit:
+    pixel.skyLit += linearColour(hit.rgba) * skyLight(surface.normal);
+    break;
+  default:
+    break;
+  }
+}
+
+Expected<void> Renderer::light(Film &film, unsigned sample, const std::vector<Hit> &hits) {
+  if (options_.style == Style::Lit)
+    if (Expected<void> lit = lightBySun(film, hits); !lit)
+      return lit;
+  return lightBySky(film, sample, hits);
+}
+
+/// The sun's light on what faces it and sees it.
+Expected<void> Renderer::lightBySun(Film &film, const std::vector<Hit> &hits) {
+  std::vector<Ray> rays;
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    if (hits[i].isHit() && glm::dot(surfaces_[i].normal, sun_) > 0) {
+      rays.push_back(makeRay(surfaces_[i].start, sun_));
+      pixels.push_back(i);
+    }
+  std::vector<Hit> shadows(rays.size());
+  if (Expected<void> traced = tracers_.occlusion(rays, shadows, traceOptions()); !traced)
+    return traced;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    const std::size_t i = pixels[k];
+    if (!shadows[k].isHit())
+      film.pixels[i].light += linearColour(hits[i].rgba) * kSunLight * glm::dot(surfaces_[i].normal, sun_);
+  }
+  return {};
+}
+
+/// A ray from each hit to somewhere in the sky.
+Expected<void> Renderer::lightBySky(Film &film, unsigned sample, const std::vector<Hit> &hits) {
+  std::vector<Ray> rays;
+  std::vector<std::size_t> pixels;
+  constexpr std::uint32_t kDirections = kSkyPattern * kSkyPattern;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!hits[i].isHit())
+      continue;
+    const int column = int(i % std::size_t(film.width));
+    const int row = film.firstRow + int(i / std::size_t(film.width));
+    const std::uint32_t pattern = patternOf(column, row);
+    const std::uint32_t number = isSpread() ? sample * kDirections + pattern : pattern * samples_ + sample;
+    rays.push_back(makeRay(surfaces_[i].start, skyDirection(surfaces_[i].normal, evenNumbers(number))));
+    pixels.push_back(i);
+  }
+  std::vector<Hit> hidden(rays.size());
+  if (Expected<void> traced = tracers_.occlusion(rays, hidden, traceOptions()); !traced)
+    return traced;
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+    film.pixels[pixels[k]].sky += openness(hidden[k], openScale_);
+  return {};
+}
+
+/// Writes the light of some rows of a band into the result.
+void Renderer::develop(const Film &film, int first, int rows) {
+  parallelFor(std::uint64_t(rows), options_.threads, [&](std::uint64_t offset) {
+    const int row = first + int(offset);
+    const std::vector<float> sky =
+        kind_.isLit ? skyShares(film, row, isSpread()) : std::vector<float>(std::size_t(film.width));
+    for (int column = 0; column < film.width; ++column) {
+      const FilmPixel &pixel = film.pixels[film.index(column, row)];
+      const glm::vec3 light = (pixel.light + pixel.skyLit * sky[std::size_t(column)]) / float(samples_);
+      const std::size_t place = std::size_t(row) * std::size_t(film.width) + std::size_t(column);
+      float *const out = &result_.light[4 * place];
+      out[0] =
+          isMap() ? pixel.value / (options_.style == Style::Depth ? pixel.hits : float(samples_)) : light.x;
+      out[1] = light.y;
+      out[2] = light.z;
+      out[3] = pixel.hits / float(samples_);
+      backdrop_[place] = pixel.backdrop / float(samples_);
+    }
+  });
+}
+
+void Renderer::finishDistances() {
+  if (distances_.empty())
+    return;
+  result_.nearest = *std::ranges::min_element(distances_);
+  const auto middle = distances_.begin() + std::ptrdiff_t(distances_.size() / 2);
+  std::ranges::nth_element(distances_, middle);
+  result_.middle = *middle;
+}
+
+void Renderer::finishMap() {
+  std::vector<float> values(backdrop_.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = result_.light[4 * i];
+  result_.picture =
+      mapPicture(values, camera_.width, camera_.height, kind_.unit, options_.style == Style::Depth);
+}
+
+void Renderer::finish() {
+  result_.exposure = options_.style == Style::Lit ? exposureOf(result_.light) : 1;
+  result_.picture = {camera_.width, camera_.height, std::vector<std::uint32_t>(backdrop_.size())};
+  for (std::size_t i = 0; i < backdrop_.size(); ++i) {
+    const float *const light = &result_.light[4 * i];
+    glm::vec3 colour = glm::vec3(light[0], light[1], light[2]);
+    if (options_.style == Style::Lit && light[3] > 0)
+      colour = compress(colour * (result_.exposure / light[3])) * light[3];
+    result_.picture.pixels[i] = screenPixel(colour + backdrop_[i]);
+  }
+}
+
+Expected<Rendering> Renderer::run() {
+  const std::size_t pixels = std::size_t(camera_.width) * std::size_t(camera_.height);
+  result_.light.resize(4 * pixels);
+  backdrop_.resize(pixels);
+  const int bandRows =
+      int(std::clamp<std::int64_t>(kBandRays / camera_.width, 4 * kFilmMargin, camera_.height));
+  for (int row = 0; row < camera_.height; row += bandRows) {
+    const int rows = std::min(bandRows, camera_.height - row);
+    const int margin = kind_.isLit && isSpread() ? kFilmMargin : 0;
+    const int top = std::max(row - margin, 0);
+    const int bottom = std::min(row + rows + margin, camera_.height);
+    Film film(camera_.width, top, bottom - top);
+    for (unsigned sample = 0; sample < samples_; ++sample) {
+      const double done = (row + double(rows) * sample / samples_) / camera_.height;
+      options_.progress.at("render", done);
+      if (Expected<void> exposed = expose(film, sample); !exposed)
+        return exposed.error();
+    }
+    develop(film, row, rows);
+  }
+  finishDistances();
+  isMap() ? finishMap() : finish();
+  return std::move(result_);
+}
+
+} // namespace
+
+Expected<Rendering> render(const Volume &volume, const Camera &camera, const RenderTracers &tracers,
+                           const RenderOptions &options) {
+  return Renderer(volume, camera, tracers, options).run();
+}
+
+bool isSmoothSurface(const VolumeInfo &info) {
+  constexpr std::string_view kBlocky[] = {"coverage=models", "coverage=indices"};
+  const std::string_view made = info.provenance;
+  return made.find("coverage=") != std::string_view::npos &&
+         std::ranges::none_of(
+             kBlocky, [made](std::string_view word) { return made.find(word) != std::string_view::npos; });
+}
+
+} // namespace voxc

@@ -1,0 +1,39 @@
+// The directions of surfaces at the voxels that rays hit.
+#pragma once
+
+#include "voxc/Trace/Ray.h"
+#include "voxc/Volume/Volume.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+
+namespace voxc {
+
+/// The direction of a surface, of either sign, and how far along it and against it there is room above the
+/// steps of its voxels, from where the way to the light is not hidden by them: 0 where there is none.
+struct SurfaceNormal {
+  glm::vec3 direction{}; ///< Zero where the voxels around tell none.
+  float roomAlong = 0;
+  float roomAgainst = 0;
+};
+
+/// Finds the normals of a smooth surface once a voxel, on threads.
+class SurfaceNormals {
+public:
+  SurfaceNormals(const Volume &volume, unsigned threads) : volume_(&volume), threads_(threads) {}
+
+  /// Finds those of all voxels hit that are not known yet.
+  void learn(std::span<const Hit> hits);
+  /// That of a voxel that was learned.
+  SurfaceNormal at(const Hit &hit) const;
+
+private:
+  const Volume *volume_;
+  unsigned threads_;
+  std::unordered_map<std::uint64_t, SurfaceNormal> normals_; ///< By the Morton code of the voxel.
+};
+
+} // namespace voxc

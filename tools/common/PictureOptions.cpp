@@ -1,0 +1,169 @@
+// The options of a picture.
+#include "PictureOptions.h"
+
+#include "PictureFile.h"
+
+#include "voxc/Render/View.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace voxc::tool {
+namespace {
+
+template <typename Enum> std::vector<std::string> namesOf() {
+  return {kEnumNames<Enum>.begin(), kEnumNames<Enum>.end()};
+}
+
+std::string styleHelp() {
+  std::string text = "What the picture shows:";
+  for (const StyleKind &kind : styleKinds())
+    text += (&kind == styleKinds().data() ? " " : "; ") + std::string(toString(kind.style)) +
+            (kind.style == Style::Lit ? " (default), " : ", ") + std::string(kind.summary);
+  return text;
+}
+
+Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
+  Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);
+  if (!camera || !options.camera.camera.empty())
+    return camera;
+  const View view = fromString<View>(options.view).value_or(View::Auto);
+  return viewCamera(view, volume, trace, camera->width, camera->height, options.camera.fov);
+}
+
+RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
+  RenderOptions result;
+  result.style = styleOf(options);
+  result.samples = options.samples;
+  result.isSmooth = options.normals == "auto" ? isSmoothSurface(volume.info()) : options.normals == "smooth";
+  result.lod = options.lod;
+  if (options.sun.size() == 2) {
+    const double azimuth = glm::radians(options.sun[0]);
+    const double elevation = glm::radians(options.sun[1]);
+    result.sun = {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                  std::cos(azimuth) * std::cos(elevation)};
+  }
+  return result;
+}
+
+std::string pointText(const glm::dvec3 &point) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", point.x, point.y, point.z);
+  return text;
+}
+
+} // namespace
+
+void addPictureOptions(CLI::App &command, PictureOptions &options) {
+  command.add_option("--style", options.style, styleHelp())
+      ->type_name("STYLE")
+      ->check(CLI::IsMember(namesOf<Style>()).description(""));
+  command.add_flag("--heatmap", options.heatmap, "The same as --style heatmap");
+  command
+      .add_option("--samples", options.samples,
+                  "Rays through each pixel; the default is 4 for lit and ao, which suits a look, and 1 for "
+                  "others; 64 leaves no noise")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 65536u).description(""));
+  command
+      .add_option("--normals", options.normals,
+                  "Directions of surfaces: smooth, from the voxels around, flat, those of faces, or auto "
+                  "(default): flat for .vox files and built-in scenes")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"auto", "smooth", "flat"}).description(""));
+  command
+      .add_option("--sun", options.sun,
+                  "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and "
+                  "elevation; default: -40,49")
+      ->type_name("AZ,EL")
+      ->delimiter(',')
+      ->expected(2);
+  command
+      .add_option(
+          "--view", options.view,
+          "A camera by a word: iso, from above a corner; front; top; inside, from where most of the inside "
+          "is seen; auto (default): inside of a building or a yard, else iso")
+      ->type_name("WORD")
+      ->check(CLI::IsMember(namesOf<View>()).description(""));
+  addCameraOptions(command, options.camera);
+}
+
+Expected<void> checkPictureOptions(const PictureOptions &options) {
+  if (options.heatmap && options.style != "lit" && options.style != "heatmap")
+    return Error::usage("--heatmap is the style heatmap, but --style says " + options.style +
+                        "; leave one of them out");
+  if (!options.view.empty() && !options.camera.camera.empty())
+    return Error::usage(
+        "--view and --camera both say where the picture is taken from; leave one of them out");
+  const StyleKind &kind = kindOf(styleOf(options));
+  if (!options.sun.empty() && kind.style != Style::Lit)
+    return Error::usage("--sun is for the style lit; the style " + std::string(toString(kind.style)) +
+                        " has no sun");
+  if (options.normals != "auto" && !kind.needsNormals)
+    return Error::usage("--normals is for the styles lit, ao and normals; the style " +
+                        std::string(toString(kind.style)) + " has no use for them");
+  Expected<Camera> camera = makeCamera(options.camera, {1, 1, 1});
+  return camera ? Expected<void>() : camera.error();
+}
+
+Style styleOf(const PictureOptions &options) {
+  return options.heatmap ? Style::Heatmap : fromString<Style>(options.style).value_or(Style::Lit);
+}
+
+Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &volume,
+                                   const RenderTracers &tracers, TraceRays probe, unsigned threads,
+                                   const Progress &progress) {
+  Expected<Camera> camera = placeCamera(options, volume, probe);
+  if (!camera)
+    return camera.error();
+  RenderOptions render = renderOptions(options, volume);
+  render.threads = threads;
+  render.progress = progress;
+  Expected<Rendering> rendering = voxc::render(volume, *camera, tracers, render);
+  if (!rendering)
+    return rendering.error();
+  return TakenPicture{std::move(*rendering), *camera};
+}
+
+Expected<void> writeTaken(const std::string &path, const TakenPicture &taken) {
+  return writePicture(path, taken.rendering.picture, taken.rendering.light);
+}
+
+std::string cameraText(const PictureOptions &options, const Camera &camera, const Volume &volume) {
+  const bool inModel = isInModelUnits(options.camera);
+  const Transform &toModel = volume.info().voxelToModel;
+  const auto point = [&](const glm::dvec3 &p) { return pointText(inModel ? toModel * glm::dvec4(p, 1) : p); };
+  std::string text =
+      std::string("--camera ") + (inModel ? kModelUnits : "") + point(camera.eye) + ":" + point(camera.look);
+  if (camera.up != glm::dvec3(0, 1, 0))
+    text += ":" + pointText(inModel ? toModel * glm::dvec4(camera.up, 0) : camera.up);
+  char fov[32];
+  std::snprintf(fov, sizeof fov, " --fov %g", camera.verticalFov);
+  return text + fov;
+}
+
+std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume) {
+  const glm::dvec3 &eye = taken.camera.eye;
+  const Int3 extent = volume.info().extent;
+  const bool isWithin =
+      eye.x >= 0 && eye.y >= 0 && eye.z >= 0 && eye.x < extent.x && eye.y < extent.y && eye.z < extent.z;
+  if (isWithin && volume.lookup({int(eye.x), int(eye.y), int(eye.z)}).value != 0)
+    return "the camera stands in a voxel that is not empty, and sees nothing but that";
+  const Rendering &rendering = taken.rendering;
+  if (rendering.middle == 0)
+    return "the camera sees no voxel";
+  constexpr double kNear = 3;
+  if (rendering.middle < kNear) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the camera stands right before a wall: half of what it sees is no further off than %.2g "
+                  "voxels",
+                  rendering.middle);
+    return text;
+  }
+  return std::nullopt;
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,56 @@
+// The options of a picture: its style, its samples, its light, and where it is taken from.
+#pragma once
+
+#include "CameraOptions.h"
+
+#include "voxc/Render/Render.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+/// As they were written; "" or 0 is the default.
+struct PictureOptions {
+  std::string style = "lit";
+  bool heatmap = false; ///< The same as the style heatmap.
+  unsigned samples = 0;
+  std::string normals = "auto";
+  std::vector<double> sun; ///< Azimuth and elevation in degrees.
+  std::string view;        ///< A word; by default auto, or none beside --camera.
+  double lod = 0;          ///< Pixels.
+  CameraOptions camera;
+};
+
+/// Adds --style, --heatmap, --samples, --normals, --sun, --view and the camera's options to a command.
+void addPictureOptions(CLI::App &command, PictureOptions &options);
+
+/// Looks at the options before any work: whatever the volume will be, they are right or wrong for any.
+/// Errors: `Usage`; `Input`, a camera file that is missing or broken.
+Expected<void> checkPictureOptions(const PictureOptions &options);
+
+Style styleOf(const PictureOptions &options);
+
+struct TakenPicture {
+  Rendering rendering;
+  Camera camera;
+};
+
+/// Takes the picture; the rays by which a view is found go to `probe`. Errors: those of tracing; an empty
+/// volume has no view.
+Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &volume,
+                                   const RenderTracers &tracers, TraceRays probe, unsigned threads,
+                                   const Progress &progress);
+
+/// Writes it to `path`, in the kind that its ending says.
+Expected<void> writeTaken(const std::string &path, const TakenPicture &taken);
+
+/// The camera that was used as options: "--camera ... --fov ...", in the units that it was given in.
+std::string cameraText(const PictureOptions &options, const Camera &camera, const Volume &volume);
+
+/// What is odd about where the camera stands, in a sentence: in a voxel, right before a wall, with nothing in
+/// sight. Nothing if all is well.
+std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume);
+
+} // namespace voxc::tool

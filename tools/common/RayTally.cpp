@@ -1,0 +1,36 @@
+// What traced rays come to.
+#include "RayTally.h"
+
+#include <algorithm>
+
+namespace voxc::tool {
+
+void RayTally::add(std::span<const Ray> rays, std::span<const Hit> hits, const TraceReport &report,
+                   bool counted) {
+  const RayCounts counts = countsOf(hits);
+  counts_.rays += counts.rays;
+  counts_.hits += counts.hits;
+  counts_.steps += counts.steps;
+  counted_ |= counted;
+  report_.firstDispatch += report.firstDispatch;
+  report_.transfer += report.transfer;
+  report_.binned |= report.binned;
+  report_.repeats.resize(std::max(report_.repeats.size(), report.repeats.size()));
+  for (std::size_t i = 0; i < report.repeats.size(); ++i) {
+    report_.repeats[i].wall += report.repeats[i].wall;
+    report_.repeats[i].cpu += report.repeats[i].cpu;
+    report_.repeats[i].device += report.repeats[i].device;
+  }
+  // Each call gives as many as all should; whoever checks them leaves some out.
+  const std::size_t count = std::min(sample_, rays.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    sampledRays_.push_back(rays[i * rays.size() / count]);
+    sampledHits_.push_back(hits[i * rays.size() / count]);
+  }
+}
+
+void RayTally::addFigures(Json &figures, const std::string &device) const {
+  addTraceFigures(figures, report_, counts_, device, counted_);
+}
+
+} // namespace voxc::tool
