@@ -37,6 +37,7 @@ struct LoadOptions {
   /// Where the streams of a compressed file go; null: `WorkingMemory::createDefault()`.
   std::shared_ptr<WorkingMemory> memory;
   unsigned threads = 0; ///< That decode a compressed file; 0: as many as the machine has.
+  Progress progress;    ///< Loading ends early where it is stopped.
 };
 
 /// How a volume is written. Only `compress` changes the bytes of the file.
@@ -63,7 +64,7 @@ public:
 
   /// Maps a .hvx file, or decodes one that is compressed. Everything in it is checked, every reachable offset
   /// too unless `trusted`, before the volume is handed out. Errors: no such file, not a .hvx, truncated, a
-  /// wrong checksum, a broken structure; `Environment`, no memory for what is decoded.
+  /// wrong checksum, a broken structure; `Environment`, no memory for what is decoded; interrupted.
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
   /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
@@ -95,9 +96,14 @@ private:
   std::unique_ptr<State> state_;
 };
 
+/// Asked now and then by work that may take long; false ends it as interrupted.
+using KeepOn = std::function<bool()>;
+
 /// Proves that every word reachable from the root is in range and well-formed: safe for any kernel of the
-/// format. Returns the number of its voxels, in time that follows the words however they are shared.
-Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words);
+/// format. Returns the number of its voxels, in time that follows the words however they are shared. Errors
+/// (`Input`): what is broken; interrupted by `keepOn`.
+Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words,
+                                       const KeepOn &keepOn = {});
 
 /// Receives a uniform cube of voxels; false ends the decoding.
 using DecodeVisit = std::function<bool(const Cube &cube, std::uint32_t word)>;
