@@ -1,6 +1,8 @@
 // Loading volumes for the driver.
 #include "VolumeArgument.h"
 
+#include "common/Interrupt.h"
+
 namespace voxc::tool {
 
 void VolumeArgument::declare(CLI::App &app) {
@@ -13,7 +15,11 @@ void VolumeArgument::declareKernelOptions(CLI::App &app) {
   walkPasses_.declare(app, PassChoice::WalkOnly);
 }
 
-Expected<Volume> VolumeArgument::load() const { return Volume::load(path_, {.trusted = trusted_}); }
+Expected<Volume> VolumeArgument::load() const {
+  LoadOptions options{.trusted = trusted_};
+  options.progress.stop = &catchInterrupts();
+  return Volume::load(path_, options);
+}
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
   Format format = volume.format();
