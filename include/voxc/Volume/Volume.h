@@ -31,6 +31,9 @@ struct VolumeInfo {
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };
 
+/// A quarter of an hour of decoding.
+inline constexpr std::uint64_t kMostCubes = std::uint64_t{1} << 34;
+
 /// How a volume is loaded.
 struct LoadOptions {
   bool trusted = false; ///< Leaves out the walk that proves every offset.
@@ -38,6 +41,8 @@ struct LoadOptions {
   std::shared_ptr<WorkingMemory> memory;
   unsigned threads = 0; ///< That decode a compressed file; 0: as many as the machine has.
   Progress progress;    ///< Loading ends early where it is stopped.
+  /// Uniform cubes that `decode` may find: a small file can stand for 2^60, which no one waits for.
+  std::uint64_t mostCubes = kMostCubes;
 };
 
 /// How a volume is written. Only `compress` changes the bytes of the file.
@@ -81,6 +86,8 @@ public:
   const Stream *findStream(std::string_view name) const;
   /// Of all streams together.
   std::uint64_t bytes() const;
+  /// How many cubes `decode` may find: `LoadOptions::mostCubes`.
+  std::uint64_t mostCubes() const;
 
   /// The voxel's word, and the side of the aligned cube around it that holds the same; 0 outside the format.
   Lookup lookup(Int3 voxel) const;
@@ -92,6 +99,7 @@ public:
 
 private:
   struct State;
+  void allowCubes(std::uint64_t most);
   Expected<void> saveMapped(const std::string &path) const;
   std::unique_ptr<State> state_;
 };
@@ -109,8 +117,9 @@ Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std
 using DecodeVisit = std::function<bool(const Cube &cube, std::uint32_t word)>;
 
 /// Calls `visit` for every maximal uniform cube that the volume stores, in Morton order: together all its
-/// voxels, so that there are no more cubes than `info().voxels`. Errors: interrupted; more voxels than the
-/// header says, which only a file that was trusted unseen can have.
+/// voxels, so that there are no more cubes than `info().voxels`. Errors: interrupted; more than
+/// `volume.mostCubes()`; more voxels than the header says, which only a file that was trusted unseen can
+/// have.
 Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Progress &progress = {});
 
 } // namespace voxc
