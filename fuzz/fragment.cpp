@@ -1,5 +1,6 @@
 // Fuzzes files of fragments and what joins them: the checksum is put right, as a hostile file's would be.
 #include "FuzzedFile.h"
+#include "WordMutator.h"
 
 #include "Construct/FragmentSet.h"
 #include "Construct/WordStore.h"

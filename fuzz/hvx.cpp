@@ -1,6 +1,7 @@
 // Fuzzes the structure check, lookups and decoding: a format's text up to a line feed, then words.
 #include "FuzzedFile.h"
 #include "VolumeUse.h"
+#include "WordMutator.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 // Fuzzes .hvx files of all versions: checksums are put right, as a hostile file's would be.
 #include "FuzzedFile.h"
 #include "VolumeUse.h"
+#include "WordMutator.h"
 
 #include "Volume/PageTable.h"
 #include "Volume/VolumeFile.h"

@@ -110,7 +110,7 @@ Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const
 
 /// Joins the parts of a stream to a volume.
 Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, const ConstructCode &code,
-                          const BuildOptions &options) {
+                          const BuildOptions &options, Origin origin) {
   const Layout layout = layoutOf(info.format);
   const Int3 extent = info.extent;
   auto build = VolumeBuild::start(std::move(info), options);
@@ -121,7 +121,7 @@ Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, cons
   const std::uint32_t root = code.whole(&interface);
   if (!(*build)->store().failure() && parts.next())
     return Error::input("a part lies where the format has no voxels");
-  return (*build)->finish(root, host.voxels(), host.colour());
+  return (*build)->finish(root, host.voxels(), host.colour(), origin);
 }
 
 } // namespace
@@ -148,7 +148,8 @@ Expected<Built> Constructor::buildVoxels(VoxelSource &source, const BuildOptions
                                       options.threads, options.memory, options.progress.stop);
     if (!parts)
       return parts.error();
-    return joinParts(**parts, grid.log2Side, infoOf(source, format, options), state_->functions, options);
+    return joinParts(**parts, grid.log2Side, infoOf(source, format, options), state_->functions, options,
+                     Origin::Built);
   };
   auto built = build();
   if (built)
@@ -206,7 +207,7 @@ Expected<Built> Constructor::merge(const std::vector<std::string> &paths, const 
   if (info.volume.format != state_->format)
     return Error::input("the fragments are of the format " + toString(info.volume.format) + ", not " +
                         toString(state_->format));
-  return joinParts(*fragments, info.log2Side, info.volume, state_->functions, options);
+  return joinParts(*fragments, info.log2Side, info.volume, state_->functions, options, Origin::Foreign);
 }
 
 Expected<Format> formatOfFragment(const std::string &path) {

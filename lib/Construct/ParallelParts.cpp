@@ -2,6 +2,7 @@
 #include "ParallelParts.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace voxc {
 
@@ -21,9 +22,22 @@ ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const
       return builder.error();
     builders.push_back(std::move(*builder));
   }
-  for (PartBuilder &builder : builders)
-    parts->threads_.emplace_back(&ParallelParts::work, parts.get(), std::move(builder));
+  if (auto started = parts->startThreads(std::move(builders)); !started)
+    return started.error();
   return parts;
+}
+
+/// As many as the system gives, at least one.
+Expected<void> ParallelParts::startThreads(std::vector<PartBuilder> builders) {
+  try {
+    for (PartBuilder &builder : builders)
+      threads_.emplace_back(&ParallelParts::work, this, std::move(builder));
+  } catch (const std::system_error &failure) {
+    if (threads_.empty())
+      return Error::environment("cannot start a thread: " + failure.code().message() +
+                                "; a build with one thread needs none");
+  }
+  return {};
 }
 
 ParallelParts::~ParallelParts() {

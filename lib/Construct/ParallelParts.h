@@ -43,6 +43,7 @@ private:
     Expected<Fragment> fragment;
   };
 
+  Expected<void> startThreads(std::vector<PartBuilder> builders);
   std::optional<Job> nextJob();
   void work(PartBuilder builder);
 

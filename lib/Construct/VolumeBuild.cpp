@@ -85,6 +85,23 @@ void VolumeBuild::appendValues(const Layout &layout) {
                      "granules; a lower resolution would fit"));
 }
 
+Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) const {
+  options_.progress.at("check", 0);
+  const auto keepOn = [this] {
+    options_.memory->relieve();
+    return !options_.progress.stopped();
+  };
+  const auto voxels = checkStructure(info_.format, words, keepOn);
+  if (!voxels && voxels.error().kind != ErrorKind::Interrupted)
+    return Error::input("the fragments do not make a volume: " + voxels.error().message);
+  if (!voxels)
+    return voxels.error();
+  if (*voxels != info_.voxels)
+    return Error::input("the fragments do not make a volume: they hold " + std::to_string(*voxels) +
+                        " voxels, but say that there are " + std::to_string(info_.voxels));
+  return {};
+}
+
 Expected<void> VolumeBuild::save(const Volume &volume) {
   const SaveOptions saving{options_.compress, options_.threads, options_.memory, options_.progress};
   if (pagedWriter_)
@@ -92,7 +109,8 @@ Expected<void> VolumeBuild::save(const Volume &volume) {
   return options_.path.empty() || streamWriter_ ? Expected<void>() : volume.save(options_.path);
 }
 
-Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour) {
+Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour,
+                                    Origin origin) {
   WordStore &words = store_->words();
   appendArray(words);
   const std::uint64_t nodeWords = words.size();
@@ -103,11 +121,14 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
     words.setHead(1, colour);
   if (store_->failure())
     return *store_->failure();
-  options_.progress.at("write", 0);
-  const Stopwatch writing;
   words.setRoot(root);
   info_.voxels = voxels;
   const auto span = words.span();
+  if (origin == Origin::Foreign)
+    if (auto proved = proveWords(span); !proved)
+      return proved.error();
+  options_.progress.at("write", 0);
+  const Stopwatch writing;
   wordsReached_ = span.size();
   BuildReport report;
   report.voxels = voxels;

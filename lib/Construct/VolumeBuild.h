@@ -15,6 +15,12 @@
 
 namespace voxc {
 
+/// Where the words of a volume come from.
+enum class Origin {
+  Built,   ///< Made here, of voxels.
+  Foreign, ///< Read from files, which may be broken in ways that only the whole shows.
+};
+
 /// From the first word to the finished volume.
 class VolumeBuild {
 public:
@@ -30,9 +36,11 @@ public:
   NodeStore &store() { return *store_; }
   ValueStore &values() { return *values_; }
 
-  /// Completes the volume. `root`: the offset of the root sub-volume. Errors: the store's; a full disk.
-  /// `colour`: that of all voxels, of `Payload::Constant`.
-  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour);
+  /// Completes the volume. `root`: the offset of the root sub-volume. `colour`: that of all voxels, of
+  /// `Payload::Constant`. `origin`: whether the words are proved before a file gets its name. Errors: the
+  /// store's; a full disk; of foreign words that they are no volume, or of another number of voxels.
+  Expected<Built> finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour,
+                         Origin origin = Origin::Built);
 
 private:
   VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}
@@ -40,6 +48,8 @@ private:
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
   void appendValues(const Layout &layout);
+  /// Proves the words as the loader will.
+  Expected<void> proveWords(std::span<const std::uint32_t> words) const;
   /// Writes the file, unless the words went to their place in it while they were made.
   Expected<void> save(const Volume &volume);
 

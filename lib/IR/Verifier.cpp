@@ -10,6 +10,9 @@
 namespace voxc {
 namespace {
 
+/// Kernels and checks go down a call a level, and levels of one cell may come again and again.
+constexpr std::size_t kMaxLevels = 64;
+
 std::string sizeText(Int3 log2) {
   return "2^" + std::to_string(log2.x) + " x 2^" + std::to_string(log2.y) + " x 2^" + std::to_string(log2.z);
 }
@@ -160,6 +163,10 @@ void verifyExtent(const Format &format, Diagnostics &diagnostics) {
 void verify(const Format &format, Diagnostics &diagnostics) {
   if (format.levels.empty())
     return diagnostics.error({}, "the format has no level");
+  if (format.levels.size() > kMaxLevels)
+    return diagnostics.error(format.levels[kMaxLevels].range,
+                             "the format has " + std::to_string(format.levels.size()) +
+                                 " levels; it may have at most " + std::to_string(kMaxLevels));
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     verifyCubic(format.levels[i], i, diagnostics);
     verifyBranching(format.levels[i], diagnostics);

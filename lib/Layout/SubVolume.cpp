@@ -35,7 +35,8 @@ private:
     const std::uint64_t count = stratum_.cells == Cells::Record ? 1 + MaskShape(stratum_).words() : 1;
     if (!stratum_.isGrid() && !words_.require(at, count, "a leaf"))
       return;
-    bool isLeaf = stratum_.isGrid() || (at != 0 && words_[at] != 0);
+    // Nothing may stand where masks say that something does: kernels and lookups would tell it in two ways.
+    bool isLeaf = at != 0 && stratum_.cellValue(words_[at]) != 0;
     for (std::uint64_t i = 1; i < count; ++i)
       isLeaf &= words_[at + i] == 0;
     if (!isLeaf)

@@ -105,8 +105,21 @@ std::uint32_t valueOfItem(const Head &head, std::uint32_t item) {
   return channels[0] | channels[1] << 8 | channels[2] << 16 | channels[3] << 24;
 }
 
-/// True if a block of `count` values is whole and within the words.
-bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count) {
+/// True if so many items of a block may be values, of which 0 is none. Where the least alpha is not 0, none
+/// is.
+bool areValues(const WordReader &words, std::uint64_t at, std::uint64_t items) {
+  const Head head(words, at);
+  const std::uint32_t alpha = channel(head.least, 3);
+  if (alpha != 0 && alpha + (1u << head.bits(3)) <= 256)
+    return true;
+  for (std::uint64_t i = 0; i < items; ++i)
+    if (valueOfItem(head, readField(words, at + head.itemsAt(), i, head.itemBits())) == 0)
+      return false;
+  return true;
+}
+
+/// True if a block of `count` values is whole and within the words. `mayBeZero`: 0 is a value.
+bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count, bool mayBeZero) {
   if (!words.require(at, kHeadWords, "a block of values"))
     return false;
   const Head head(words, at);
@@ -127,7 +140,8 @@ bool isBlock(WordReader &words, std::uint64_t at, std::uint64_t count) {
       items =
           std::max<std::uint64_t>(items, readField(words, at + head.indicesAt(), i, head.indexBits()) + 1);
   }
-  return words.require(at, head.itemsAt() + wordsOfFields(items, head.itemBits()) + 1, "a block of values");
+  return words.require(at, head.itemsAt() + wordsOfFields(items, head.itemBits()) + 1, "a block of values") &&
+         (mayBeZero || areValues(words, at, items));
 }
 
 } // namespace
@@ -181,14 +195,14 @@ std::uint32_t valueOfRank(const WordReader &words, std::uint64_t section, std::u
   return valueOfItem(head, readField(words, at + head.itemsAt(), i, head.itemBits()));
 }
 
-void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels) {
+void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels, bool mayBeZero) {
   const std::uint64_t blocks = (voxels + kValueBlock - 1) >> kLog2ValueBlock;
   if (!words.require(section, blocks, "the values of the voxels"))
     return;
   for (std::uint64_t block = 0; block < blocks; ++block) {
     const std::uint64_t at = section + words[section + block];
     const std::uint64_t count = std::min(kValueBlock, voxels - block * kValueBlock);
-    if (words[section + block] < blocks || !isBlock(words, at, count))
+    if (words[section + block] < blocks || !isBlock(words, at, count, mayBeZero))
       return words.fail("block " + std::to_string(block) + " of the values is broken");
   }
 }

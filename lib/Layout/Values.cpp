@@ -17,7 +17,11 @@ struct Coding {
 };
 
 void checkColours(WordReader &words, std::uint64_t section, std::uint64_t voxels, std::uint64_t) {
-  checkValues(words, section, voxels);
+  checkValues(words, section, voxels, false);
+}
+
+void checkRgb565(WordReader &words, std::uint64_t section, std::uint64_t voxels, std::uint64_t) {
+  checkValues(words, section, voxels, true);
 }
 
 std::uint32_t rgb565OfRank(const WordReader &words, std::uint64_t section, std::uint64_t rank) {
@@ -39,7 +43,7 @@ constexpr std::array<Coding, kEnumNames<Payload>.size()> kCodings = {{
     {nullptr, nullptr},
     {nullptr, nullptr},
     {colourOfRank, checkPalette},
-    {rgb565OfRank, checkColours},
+    {rgb565OfRank, checkRgb565},
     {colourOfRank, checkLabels},
 }};
 

@@ -1,6 +1,8 @@
 // Mapping of input files, and output files that replace their target only when complete.
 #include "voxc/Support/File.h"
 
+#include "UnnamedFile.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -28,11 +30,14 @@ mode_t typeOf(const std::string &path) {
   return ::stat(path.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
+/// Permissions before the process's mask.
+constexpr mode_t kOrdinary = 0666;
+
 /// mkstemp makes a file private; the final file shall have the permissions of an ordinary one.
 void makeOrdinary(int descriptor) {
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  ::fchmod(descriptor, 0666 & ~mask);
+  ::fchmod(descriptor, kOrdinary & ~mask);
 }
 
 } // namespace
@@ -77,23 +82,32 @@ Expected<OutputFile> OutputFile::create(const std::string &path) {
   OutputFile output;
   output.path_ = path;
   // A pipe or a device is written to, never replaced by a file.
-  const bool replaces = type == 0 || type == S_IFREG;
-  output.temporary_ = replaces ? path + ".XXXXXX" : "";
-  const int descriptor =
-      replaces ? ::mkstemp(output.temporary_.data()) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) {
-    output.temporary_.clear();
-    return Error::environment("cannot write '" + path + "': " + reason());
-  }
-  if (replaces)
-    makeOrdinary(descriptor);
-  output.file_ = ::fdopen(descriptor, "wb");
+  output.replaces_ = type == 0 || type == S_IFREG;
+  if (!output.open())
+    return output.cannotWrite();
   return output;
+}
+
+bool OutputFile::open() {
+  int file =
+      replaces_ ? openUnnamed(folderOf(path_), kOrdinary) : ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (replaces_ && (file < 0 ? hasNoUnnamed(errno) : !canBeNamed(file))) {
+    if (file >= 0)
+      ::close(file);
+    temporary_ = path_ + ".XXXXXX";
+    file = ::mkostemp(temporary_.data(), O_CLOEXEC);
+    if (file < 0)
+      temporary_.clear();
+    else
+      makeOrdinary(file);
+  }
+  file_ = file < 0 ? nullptr : ::fdopen(file, "wb");
+  return file_ != nullptr;
 }
 
 OutputFile::OutputFile(OutputFile &&other) noexcept
     : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})),
-      file_(std::exchange(other.file_, nullptr)) {}
+      replaces_(other.replaces_), file_(std::exchange(other.file_, nullptr)) {}
 
 OutputFile::~OutputFile() {
   if (file_)
@@ -102,24 +116,44 @@ OutputFile::~OutputFile() {
     ::unlink(temporary_.c_str());
 }
 
+Error OutputFile::cannotWrite() const {
+  return Error::environment("cannot write '" + path_ + "': " + reason());
+}
+
 Expected<void> OutputFile::write(const void *data, std::size_t size) {
   if (std::fwrite(data, 1, size, file_) != size)
-    return Error::environment("cannot write '" + path_ + "': " + reason());
+    return cannotWrite();
   return {};
 }
 
 Expected<void> OutputFile::rewrite(std::uint64_t offset, const void *data, std::size_t size) {
-  if (std::fflush(file_) != 0 ||
-      ::pwrite(descriptor(), data, size, static_cast<off_t>(offset)) != static_cast<ssize_t>(size))
-    return Error::environment("cannot write '" + path_ + "': " + reason());
+  if (std::fflush(file_) != 0)
+    return cannotWrite();
+  const auto *rest = static_cast<const std::byte *>(data);
+  while (size > 0) { // A disk that fills up, or a limit, may take a part before it refuses the rest.
+    const ssize_t written = ::pwrite(descriptor(), rest, size, static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR)
+      continue;
+    if (written <= 0)
+      return cannotWrite();
+    rest += written;
+    size -= static_cast<std::size_t>(written);
+    offset += static_cast<std::uint64_t>(written);
+  }
   return {};
 }
 
 Expected<void> OutputFile::commit() {
-  const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-  if (!closed || (!temporary_.empty() && std::rename(temporary_.c_str(), path_.c_str()) != 0))
-    return Error::environment("cannot write '" + path_ + "': " + reason());
+  if (std::fflush(file_) != 0 || (replaces_ && ::fdatasync(descriptor()) != 0))
+    return cannotWrite();
+  const bool isNamed =
+      !replaces_ || (temporary_.empty() ? giveName(descriptor(), path_)
+                                        : std::rename(temporary_.c_str(), path_.c_str()) == 0);
+  if (!isNamed)
+    return cannotWrite();
   temporary_.clear();
+  if (std::fclose(std::exchange(file_, nullptr)) != 0)
+    return cannotWrite();
   return {};
 }
 

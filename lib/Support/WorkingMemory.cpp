@@ -1,6 +1,8 @@
 // Blocks in memory or in an unnamed scratch file, and what keeps the process within its bound.
 #include "voxc/Support/WorkingMemory.h"
 
+#include "UnnamedFile.h"
+
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -40,10 +42,10 @@ std::string scratchFolderOr(std::string chosen) {
   return temporary && *temporary ? temporary : "/var/tmp";
 }
 
-/// A file without a name, so that nothing is left of it however the process ends.
-int openUnnamed(const std::string &folder) {
-  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (file >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL))
+/// The scratch file; where it must have a name, not for long.
+int openScratch(const std::string &folder) {
+  const int file = openUnnamed(folder, 0600);
+  if (file >= 0 || !hasNoUnnamed(errno))
     return file;
   std::string path = folder + "/voxc-scratch.XXXXXX";
   const int named = ::mkostemp(path.data(), O_CLOEXEC);
@@ -204,7 +206,7 @@ Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes)
 
 Expected<void> WorkingMemory::addScratch(MemoryBlock &block, std::uint64_t bytes) {
   if (state_->file < 0)
-    state_->file = openUnnamed(state_->scratchFolder);
+    state_->file = openScratch(state_->scratchFolder);
   const auto offset = static_cast<off_t>(state_->fileEnd);
   // Room is taken now: a full disk found out later, by a write to the mapping, would end the process.
   int why = state_->file < 0 ? errno : ::posix_fallocate(state_->file, offset, static_cast<off_t>(bytes));

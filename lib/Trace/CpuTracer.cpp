@@ -4,12 +4,11 @@
 #include "KernelFit.h"
 #include "OrderedTracer.h"
 
+#include "Support/ParallelFor.h"
 #include "voxc/Trace/CpuKernel.h"
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
-#include <vector>
 
 #include <unistd.h>
 
@@ -88,12 +87,11 @@ Expected<TraceTime> CpuTracer::run(Pass &pass, double before, double total) cons
   const double cpu = processCpuSeconds();
   const std::size_t chunks = (pass.rays.size() + kChunkRays - 1) / kChunkRays;
   {
-    std::vector<std::jthread> others;
-    while (others.size() + 1 < std::min<std::size_t>(threads_, chunks))
-      others.emplace_back([&pass] {
-        while (pass.step())
-          ;
-      });
+    const auto others =
+        startHelpers(std::min<std::size_t>(threads_, std::max<std::size_t>(chunks, 1)) - 1, [&pass] {
+          while (pass.step())
+            ;
+        });
     // This thread works too, and tells of the progress of all.
     const Progress &progress = pass.options.progress;
     while (pass.step()) {
@@ -114,8 +112,7 @@ Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const
                                                   unsigned threads) {
   if (auto fits = checkFit(kernel.storageDigest, volume, "cpu"); !fits)
     return fits.error();
-  if (threads == 0)
-    threads = std::max(std::thread::hardware_concurrency(), 1u);
+  threads = threadsOrAll(threads);
   return inOrder(std::make_unique<CpuTracer>(kernel, volume, threads), volume, threads, true);
 }
 

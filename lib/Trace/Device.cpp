@@ -4,6 +4,8 @@
 #include "VolumeWords.h"
 #include "VulkanError.h"
 
+#include "Support/ParallelFor.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -56,7 +58,21 @@ Error noSuchDevice(std::string_view name, const std::vector<PhysicalDevice> &dev
   return Error::environment("there is " + wanted + "; there are: " + names);
 }
 
+/// Mesa's drivers that run on the processor start a thread a core and some more when a device is opened, and
+/// wait for ever for those that they do not get.
+Expected<void> checkThreads(const DeviceInfo &info) {
+  constexpr unsigned kMostOfRasterizer = 32;
+  constexpr unsigned kOthers = 4;
+  const unsigned needed = std::min(threadsOrAll(0), kMostOfRasterizer) + kOthers;
+  if (info.kind != "cpu" || canStartThreads(needed))
+    return {};
+  return Error::environment("cannot start the " + std::to_string(needed) + " threads that " + info.name +
+                            " may need; raise the limit on threads, or use --device cpu");
+}
+
 Expected<void> createDevice(Device::State &state) {
+  if (auto checked = checkThreads(state.info()); !checked)
+    return checked;
   float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = state.physical.queueFamily;

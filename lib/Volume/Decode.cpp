@@ -15,7 +15,7 @@ class Decoder final : public SubVolumeVisitor {
 public:
   Decoder(const Volume &volume, const DecodeVisit &visit, const Progress &progress)
       : layout_(volume.layout()), words_(volume.words(), layout_.log2Granule), visit_(visit),
-        progress_(progress), stated_(volume.info().voxels) {}
+        progress_(progress), stated_(volume.info().voxels), mostCubes_(volume.mostCubes()) {}
 
   Expected<void> run() {
     subVolume(0, {}, 0, words_[0]);
@@ -76,6 +76,9 @@ private:
     if (decoded_ > stated_)
       fail(Error::input("the volume holds more voxels than the " + std::to_string(stated_) +
                         " that its header says"));
+    else if (cubes_ == mostCubes_)
+      fail(Error::input("the volume decodes to more than " + std::to_string(mostCubes_) +
+                        " cubes of voxels, the limit (--max-cubes N sets another)"));
     else if (++cubes_ % kCubesBetweenLooks == 0 && progress_.stopped())
       fail(Error::interrupted());
     else if (!visit_(cube, word))
@@ -94,6 +97,7 @@ private:
   const DecodeVisit &visit_;
   const Progress &progress_;
   std::uint64_t stated_;
+  std::uint64_t mostCubes_;
   std::uint64_t decoded_ = 0;
   std::uint64_t cubes_ = 0;
   Frame frame_;

@@ -17,7 +17,7 @@ constexpr std::uint64_t kRunBytes = std::uint64_t{64} << 20;
 class StreamDecoder {
 public:
   StreamDecoder(const PagedVolume &file, const LoadOptions &options)
-      : file_(file), threads_(options.threads),
+      : file_(file), threads_(options.threads), progress_(options.progress),
         memory_(options.memory ? options.memory : WorkingMemory::createDefault()) {}
 
   /// All of a stream, in a block as large.
@@ -29,6 +29,7 @@ private:
 
   const PagedVolume &file_;
   unsigned threads_;
+  const Progress &progress_;
   std::shared_ptr<WorkingMemory> memory_;
 };
 
@@ -39,6 +40,8 @@ Expected<MemoryBlock> StreamDecoder::decode(std::size_t stream) const {
     return block;
   const std::uint64_t runPages = kRunBytes / told.pageBytes;
   for (std::uint64_t first = 0; first < told.pages(); first += runPages) {
+    if (progress_.stopped())
+      return Error::interrupted();
     const std::uint64_t last = std::min(first + runPages, told.pages());
     const std::uint64_t begin = first * told.pageBytes;
     if (auto grown = memory_->extend(*block, std::min(kRunBytes, told.bytes - begin)); !grown)

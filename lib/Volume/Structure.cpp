@@ -63,8 +63,8 @@ private:
 /// of all and soon counted: they are counted anew instead of remembered.
 class StructureCheck final : public SubVolumeVisitor {
 public:
-  StructureCheck(const Layout &layout, std::span<const std::uint32_t> words)
-      : layout_(layout), words_(words, layout.log2Granule), known_(layout.strata.size()),
+  StructureCheck(const Layout &layout, std::span<const std::uint32_t> words, const KeepOn &keepOn)
+      : layout_(layout), words_(words, layout.log2Granule), keepOn_(keepOn), known_(layout.strata.size()),
         gridWords_(layout.strata.size()) {}
 
   Expected<std::uint64_t> run() {
@@ -80,6 +80,8 @@ public:
       words_.fail("the colour of all voxels is the word 0, which is no voxel");
     if (layout_.values == Values::Apart && !words_.problem())
       checkSection(words_.wordOf(words_[1]));
+    if (interrupted_)
+      return Error::interrupted();
     if (words_.problem())
       return Error::input("the volume's structure is broken: " + *words_.problem());
     return voxels_;
@@ -97,7 +99,7 @@ public:
       checkCount(ranks, *voxels);
       return false;
     }
-    if (!spendGrid(offset))
+    if (!spendGrid(offset) || !mayGoOn())
       return false;
     entered_.push_back({offset, height, voxels_, ranks});
     return true;
@@ -106,7 +108,7 @@ public:
   void leaveNode() override {
     const Node node = entered_.back();
     entered_.pop_back();
-    if (words_.problem())
+    if (done())
       return;
     const std::uint64_t voxels = voxels_ - node.voxelsBefore;
     checkCount(node.ranks, voxels);
@@ -132,7 +134,7 @@ public:
     checkCount(ranks, voxels_ - before);
   }
 
-  bool done() const override { return words_.problem().has_value(); }
+  bool done() const override { return interrupted_ || words_.problem().has_value(); }
 
 private:
   struct Node {
@@ -143,6 +145,13 @@ private:
   };
 
   static constexpr int kLowestRemembered = 3;
+  static constexpr std::uint64_t kNodesBetweenLooks = 4096;
+
+  bool mayGoOn() {
+    if (keepOn_ && ++looks_ % kNodesBetweenLooks == 0)
+      interrupted_ |= !keepOn_();
+    return !interrupted_;
+  }
 
   /// True for the highest node of a sub-volume.
   bool isWhole(const Node &node) const { return node.height == longest(layout_.strata[level_].log2Size()); }
@@ -199,6 +208,9 @@ private:
 
   const Layout &layout_;
   WordReader words_;
+  const KeepOn &keepOn_;
+  std::uint64_t looks_ = 0;
+  bool interrupted_ = false;
   std::vector<std::map<int, NodeCounts>> known_; ///< For each level, by height.
   std::vector<std::uint64_t> gridWords_;         ///< For each level, the words of the grids entered.
   std::vector<Node> entered_;
@@ -209,9 +221,10 @@ private:
 
 } // namespace
 
-Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words) {
+Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words,
+                                       const KeepOn &keepOn) {
   const Layout layout = layoutOf(format);
-  return StructureCheck(layout, words).run();
+  return StructureCheck(layout, words, keepOn).run();
 }
 
 } // namespace voxc

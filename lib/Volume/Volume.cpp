@@ -18,6 +18,7 @@ struct Volume::State {
   std::vector<Stream> streams; ///< Of `owned`, or of `owner`.
   std::span<const std::uint32_t> words;
   Layout layout;
+  std::uint64_t mostCubes = kMostCubes;
 
   State(VolumeInfo given, std::vector<Stream> held, std::shared_ptr<const void> holder)
       : info(std::move(given)), owner(std::move(holder)), streams(std::move(held)),
@@ -55,12 +56,18 @@ std::uint64_t Volume::bytes() const {
   return bytes;
 }
 
+std::uint64_t Volume::mostCubes() const { return state_->mostCubes; }
+void Volume::allowCubes(std::uint64_t most) { state_->mostCubes = most; }
+
 Expected<Volume> Volume::load(const std::string &path, const LoadOptions &options) {
   auto opened = MappedFile::open(path);
   if (!opened)
     return opened.error();
   const auto file = std::make_shared<const MappedFile>(std::move(*opened));
-  return readVolumeFile(file->bytes(), file, path, options);
+  auto volume = readVolumeFile(file->bytes(), file, path, options);
+  if (volume)
+    volume->allowCubes(options.mostCubes);
+  return volume;
 }
 
 Expected<void> Volume::save(const std::string &path, const SaveOptions &options) const {

@@ -49,8 +49,10 @@ Expected<Volume> readPaged(std::span<const std::byte> bytes, const std::string &
 }
 
 /// Follows every pointer, and counts the voxels.
-Expected<void> checkWords(const Volume &volume, const std::string &name) {
-  const auto voxels = checkStructure(volume.format(), volume.words());
+Expected<void> checkWords(const Volume &volume, const std::string &name, const Progress &progress) {
+  const auto voxels = checkStructure(volume.format(), volume.words(), [&] { return !progress.stopped(); });
+  if (!voxels && voxels.error().kind == ErrorKind::Interrupted)
+    return voxels.error();
   if (!voxels)
     return Error::input("'" + name + "': " + voxels.error().message);
   if (*voxels != volume.info().voxels)
@@ -69,7 +71,7 @@ Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_pt
   auto volume = header->version == kPagedVersion ? readPaged(bytes, name, options)
                                                  : readMapped(*header, bytes, std::move(owner), name);
   if (volume && !options.trusted)
-    if (auto checked = checkWords(*volume, name); !checked)
+    if (auto checked = checkWords(*volume, name, options.progress); !checked)
       return checked.error();
   return volume;
 }

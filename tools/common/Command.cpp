@@ -1,10 +1,11 @@
 // How every command is run.
 #include "Command.h"
 
+#include "Interrupt.h"
 #include "Misspelling.h"
+#include "Process.h"
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <vector>
 
@@ -55,17 +56,19 @@ void addCommonOptions(CLI::App &command, CommonOptions &options) {
 }
 
 int runTool(CLI::App &app, int argc, char **argv, const std::function<Expected<void>()> &body) {
+  catchInterrupts();
+  if (Expected<void> prepared = prepareProcess(); !prepared) {
+    printError(prepared.error());
+    return exitCode(prepared.error().kind);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &failure) {
     return parseFailure(app, failure);
   }
-  // A closed pipe is an error of one write, and is told as such.
-  std::signal(SIGPIPE, SIG_IGN);
-  // So is a file that may not grow, which would else end the process and leave a temporary file.
-  std::signal(SIGXFSZ, SIG_IGN);
   try {
     Expected<void> outcome = body();
+    heedInterrupt();
     if (outcome)
       return 0;
     printError(outcome.error());

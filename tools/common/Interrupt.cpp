@@ -1,7 +1,8 @@
-// SIGINT and SIGTERM as a flag that long work asks for.
+// SIGINT and SIGTERM as a flag that long work asks for, and the end of work that does not.
 #include "Interrupt.h"
 
 #include <csignal>
+#include <unistd.h>
 
 namespace voxc::tool {
 namespace {
@@ -9,12 +10,26 @@ namespace {
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set only lock-free flags");
 
-void setFlag(int) { interrupted.store(true, std::memory_order_relaxed); }
+constexpr unsigned kPatienceSeconds = 1;
+constexpr int kInterruptedExit = 130;
 
-void catchSignal(int number) {
+void setFlag(int) {
+  interrupted.store(true, std::memory_order_relaxed);
+  ::alarm(kPatienceSeconds);
+}
+
+/// Work that has not asked by now, such as a driver's compiler, is not waited for. Output has no name yet, so
+/// nothing is left of it.
+[[noreturn]] void giveUp(int) {
+  constexpr char kText[] = "voxc: error: interrupted\n";
+  static_cast<void>(!::write(STDERR_FILENO, kText, sizeof kText - 1));
+  ::_exit(kInterruptedExit);
+}
+
+void catchSignal(int number, void (*handler)(int)) {
   struct sigaction action{};
-  action.sa_handler = setFlag;
-  // After the first signal the default comes back, so that a second one ends even work that never asks.
+  action.sa_handler = handler;
+  // After the first signal the default comes back, so that a second one ends the process at once.
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
   sigaction(number, &action, nullptr);
@@ -24,12 +39,15 @@ void catchSignal(int number) {
 
 const std::atomic<bool> &catchInterrupts() {
   static const bool installed = [] {
-    catchSignal(SIGINT);
-    catchSignal(SIGTERM);
+    catchSignal(SIGALRM, giveUp);
+    catchSignal(SIGINT, setFlag);
+    catchSignal(SIGTERM, setFlag);
     return true;
   }();
   static_cast<void>(installed);
   return interrupted;
 }
+
+void heedInterrupt() { ::alarm(0); }
 
 } // namespace voxc::tool

@@ -4,12 +4,16 @@
 #include "HardRaySweep.h"
 #include "Subcommand.h"
 
+#include "common/Interrupt.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "testing/HardRays.h"
 #include "voxc/Support/File.h"
 
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
+#include <optional>
 
 namespace voxc::tool {
 
@@ -22,6 +26,7 @@ public:
 
 private:
   Expected<HardRayBudget> readBudget() const;
+  Expected<std::uint64_t> readSeed() const;
   Expected<void> sweep(HardRaySweep &sweep) const;
   void addFigures(const HardRaySweep &sweep, const HardRayReport &report, Json &figures) const;
 
@@ -29,6 +34,7 @@ private:
   HardRayScenes scenes_;
   TracingDevices devices_;
   SweepSize size_{.rays = 1000000, .seconds = 0, .seed = 1, .scenes = 4};
+  std::optional<std::uint64_t> seed_;
   std::string budget_;
   std::string corpus_;
   bool list_ = false;
@@ -41,6 +47,7 @@ void HardRaysCommand::declare(CLI::App &app) {
   formats_.declare(app);
   app.add_option("--scenes", size_.scenes, "Scenes for each format, which takes them in turn; 0: all")
       ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20).description(""))
       ->capture_default_str();
   app.add_option("--rays", size_.rays, "Rays in all, over all formats, scenes and devices")
       ->type_name("N")
@@ -50,10 +57,10 @@ void HardRaysCommand::declare(CLI::App &app) {
                  "Do it again and again, each time with other rays, until so much time has passed")
       ->type_name("S")
       ->check(CLI::PositiveNumber.description(""));
-  app.add_option("--seed", size_.seed, "Another number makes other rays and other random formats")
+  app.add_option("--seed", seed_,
+                 "Another number makes other rays and other random formats; default: $VOXC_SEED, or 1")
       ->type_name("N")
-      ->envname("VOXC_SEED")
-      ->capture_default_str();
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62).description(""));
   app.add_option("--budget", budget_, "Weights of classes and scenes; default: those of docs/hard-rays.md")
       ->type_name("FILE");
   app.add_option("--corpus", corpus_,
@@ -68,6 +75,19 @@ void HardRaysCommand::declare(CLI::App &app) {
       ->check(CLI::NonNegativeNumber.description(""));
   devices_.declare(app);
   addCommonOptions(app, common_);
+}
+
+/// The environment is asked here: CLI11 would take what it says for an argument of every command.
+Expected<std::uint64_t> HardRaysCommand::readSeed() const {
+  const char *const text = std::getenv("VOXC_SEED");
+  if (seed_ || !text || !*text)
+    return seed_.value_or(1);
+  std::uint64_t seed = 0;
+  const std::string_view digits = text;
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+  if (failure != std::errc() || end != digits.data() + digits.size() || seed > std::uint64_t{1} << 62)
+    return Error::usage("VOXC_SEED is '" + std::string(digits) + "'; a seed is a number from 0 to 2^62");
+  return seed;
 }
 
 Expected<HardRayBudget> HardRaysCommand::readBudget() const {
@@ -115,6 +135,10 @@ Expected<void> HardRaysCommand::run() {
     return {};
   }
   const Stopwatch watch;
+  const Expected<std::uint64_t> seed = readSeed();
+  if (!seed)
+    return seed.error();
+  size_.seed = *seed;
   Expected<HardRayBudget> budget = readBudget();
   if (!budget)
     return budget.error();
@@ -131,6 +155,7 @@ Expected<void> HardRaysCommand::run() {
   ProgressBar bar(common_.quiet);
   HardRaySweep work(std::move(*formats), scenes_, *budget, devices_, report, bar.progress());
   Expected<void> swept = sweep(work);
+  heedInterrupt();
   bar.clear();
   // What was found before an interrupt or an error is told all the same.
   if (tellsOnStdout(common_) && report.rays() > 0)

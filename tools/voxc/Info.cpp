@@ -35,11 +35,12 @@ void print(const Volume &volume) {
     std::printf("stored      %" PRIu64 " (%.2f MiB, %.1f %%), compressed in pages\n", stored,
                 double(stored) / (1 << 20), 100 * double(stored) / bytes);
   if (volume.layout().values == Values::Apart && info.voxels > 0) {
-    const double valueBytes = 4.0 * double(volume.words().size() -
-                                           (std::uint64_t{volume.words()[1]} << volume.layout().log2Granule));
+    const WordReader words(volume.words(), volume.layout().log2Granule);
+    const std::uint64_t section = words.wordOf(words[1]);
+    const double valueBytes = 4.0 * double(words.size() - section);
     std::printf("of these    %.3f a voxel for the shape, %.3f for values apart\n",
                 (bytes - valueBytes) / double(info.voxels), valueBytes / double(info.voxels));
-    const std::uint64_t few = paletteColours(WordReader(volume.words()), volume.words()[1]);
+    const std::uint64_t few = paletteColours(words, section);
     if (volume.layout().payload == Payload::Palette)
       std::printf("colours     %" PRIu64 " in the palette\n", few);
     if (volume.layout().payload == Payload::Material)

@@ -28,6 +28,7 @@ public:
 private:
   std::string path_;
   bool trusted_ = false;
+  std::uint64_t mostCubes_ = kMostCubes;
   AttributeOptions attributes_;
   PassOptions walkPasses_;
 };

@@ -37,7 +37,7 @@ void expectRoundTrip(const MakeValue &make, std::size_t count) {
     values.push_back(make(random, values.empty() ? 0 : values.back()));
   const auto words = sectionOf(values, 3);
   WordReader reader(words);
-  checkValues(reader, 3, count);
+  checkValues(reader, 3, count, true);
   EXPECT_FALSE(reader.problem()) << *reader.problem();
   for (std::size_t i = 0; i < count; ++i)
     ASSERT_EQ(valueOfRank(reader, 3, i), values[i]) << "value " << i << " of " << count;
@@ -66,6 +66,23 @@ TEST(ValueBlocks, ComeBackAsTheyWere) {
   for (const MakeValue make : {anyWord, ofFew, inRuns, inRunsOfFew, grey, ofOneColour, extremes})
     for (const std::size_t count : {1, 2, 31, 32, 33, 127, 128, 129, 1000})
       expectRoundTrip(make, count);
+}
+
+TEST(ValueBlocks, HaveNoValueThatIsNoVoxel) {
+  for (const MakeValue make : {anyWord, ofFew, inRuns, inRunsOfFew, extremes}) {
+    std::mt19937 random(4);
+    std::vector<std::uint32_t> values;
+    for (std::size_t i = 0; i < 300; ++i)
+      values.push_back(make(random, values.empty() ? 1 : values.back()) | 0x100);
+    for (const bool hasZero : {false, true}) {
+      if (hasZero)
+        values[200] = 0;
+      const auto words = sectionOf(values, 3);
+      WordReader reader(words);
+      checkValues(reader, 3, values.size(), false);
+      EXPECT_EQ(reader.problem().has_value(), hasZero);
+    }
+  }
 }
 
 TEST(ValueBlocks, TakeFewWords) {
@@ -99,7 +116,7 @@ TEST(ValueBlocks, BrokenOnesAreFound) {
     else
       words.resize(1 + random() % (words.size() - 1));
     WordReader reader(words);
-    checkValues(reader, 1, values.size());
+    checkValues(reader, 1, values.size(), false);
     found += reader.problem() ? 1 : 0;
     EXPECT_TRUE(reader.problem() || round % 2 == 0) << "words were cut off";
     for (std::size_t i = 0; i < values.size(); ++i)

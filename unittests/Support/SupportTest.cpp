@@ -1,4 +1,5 @@
 // Diagnostics, Morton codes and files.
+#include "Support/ParallelFor.h"
 #include "voxc/Support/Diagnostic.h"
 #include "voxc/Support/File.h"
 #include "voxc/Support/Geometry.h"
@@ -54,6 +55,21 @@ TEST(OutputFile, LeavesWhatWasThereUnlessCommitted) {
   EXPECT_FALSE(OutputFile::create(folder));
   EXPECT_FALSE(OutputFile::create(folder / "none" / "file"));
   EXPECT_FALSE(MappedFile::open(folder));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(OutputFile, OfSeveralThreadsAtOnceIsOneOfThem) {
+  const auto folder = std::filesystem::temp_directory_path() / "voxc-output-race-test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const std::string path = folder / "file";
+  parallelFor(8, 8, [&](std::uint64_t thread) {
+    for (int i = 0; i < 50; ++i)
+      EXPECT_TRUE(writeFile(path, std::string(10000, static_cast<char>('a' + thread))));
+  });
+  const std::string text = *readTextFile(path);
+  EXPECT_EQ(text, std::string(10000, text.front()));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << "no second name is left";
   std::filesystem::remove_all(folder);
 }
 

@@ -178,6 +178,17 @@ TEST(Decode, EndsWhenItIsTold) {
   EXPECT_EQ(decoded.error().kind, ErrorKind::Interrupted);
 }
 
+TEST_F(VolumeFile, DecodesToNoMoreCubesThanItMay) {
+  ASSERT_TRUE(vast(std::uint64_t{1} << 60).save(path_));
+  const auto volume = Volume::load(path_, {.mostCubes = 1000});
+  ASSERT_TRUE(volume) << volume.error().message;
+  std::uint64_t cubes = 0;
+  const auto decoded = decode(*volume, [&](const Cube &, std::uint32_t) { return ++cubes > 0; });
+  EXPECT_EQ(cubes, 1000u);
+  ASSERT_FALSE(decoded);
+  EXPECT_THAT(decoded.error().message, HasSubstr("more than 1000 cubes of voxels, the limit (--max-cubes"));
+}
+
 TEST(Decode, FindsNoMoreVoxelsThanTheHeaderSays) {
   const auto decoded = decode(vast(1000), [](const Cube &, std::uint32_t) { return true; });
   ASSERT_FALSE(decoded);

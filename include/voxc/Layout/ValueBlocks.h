@@ -34,8 +34,8 @@ std::vector<std::uint32_t> encodeValueBlock(std::span<const std::uint32_t> value
 /// The value of the voxel of a rank, in the section at `section`. 0 where words outside are asked for.
 std::uint32_t valueOfRank(const WordReader &words, std::uint64_t section, std::uint64_t rank);
 
-/// Notes a problem unless the section at `section` is that of `voxels` values, and all of it lies within the
-/// words.
-void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels);
+/// Notes a problem unless the section at `section` is that of `voxels` values, all of it lies within the
+/// words, and no value is 0, which is no voxel, unless values `mayBeZero` because they are codes of colours.
+void checkValues(WordReader &words, std::uint64_t section, std::uint64_t voxels, bool mayBeZero);
 
 } // namespace voxc

@@ -30,7 +30,9 @@ private:
   std::size_t size_ = 0;
 };
 
-/// A file under a temporary name beside `path`, which takes its place on `commit` and else disappears.
+/// A file without a name, which takes that of `path` on `commit` and else disappears, however the process
+/// ends. Where a file system has no such files, it has a temporary name beside `path`, which a process that is
+/// killed leaves behind.
 class OutputFile {
 public:
   /// Errors: `Environment` if nothing can be written there; `Input` if `path` is a directory.
@@ -46,14 +48,19 @@ public:
   /// The file itself, for who writes in any order; `write` is not to be mixed with that.
   int descriptor() const { return ::fileno(file_); }
   /// True if there is a file of its own, not a pipe or a device.
-  bool isRegular() const { return !temporary_.empty(); }
-  /// Flushes and renames to the final name.
+  bool isRegular() const { return replaces_; }
+  /// Sees all of it onto the disk, then gives it the final name: whatever happens, `path` is what it was or is
+  /// whole.
   Expected<void> commit();
 
 private:
   OutputFile() = default;
+  bool open();
+  Error cannotWrite() const;
+
   std::string path_;
-  std::string temporary_;
+  std::string temporary_; ///< "" while the file has no name.
+  bool replaces_ = false; ///< What stands at the path, rather than to write into it.
   std::FILE *file_ = nullptr;
 };
 

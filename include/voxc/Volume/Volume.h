@@ -31,12 +31,18 @@ struct VolumeInfo {
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
 };
 
+/// A quarter of an hour of decoding.
+inline constexpr std::uint64_t kMostCubes = std::uint64_t{1} << 34;
+
 /// How a volume is loaded.
 struct LoadOptions {
   bool trusted = false; ///< Leaves out the walk that proves every offset.
   /// Where the streams of a compressed file go; null: `WorkingMemory::createDefault()`.
   std::shared_ptr<WorkingMemory> memory;
   unsigned threads = 0; ///< That decode a compressed file; 0: as many as the machine has.
+  Progress progress;    ///< Loading ends early where it is stopped.
+  /// Uniform cubes that `decode` may find: a small file can stand for 2^60, which no one waits for.
+  std::uint64_t mostCubes = kMostCubes;
 };
 
 /// How a volume is written. Only `compress` changes the bytes of the file.
@@ -63,7 +69,7 @@ public:
 
   /// Maps a .hvx file, or decodes one that is compressed. Everything in it is checked, every reachable offset
   /// too unless `trusted`, before the volume is handed out. Errors: no such file, not a .hvx, truncated, a
-  /// wrong checksum, a broken structure; `Environment`, no memory for what is decoded.
+  /// wrong checksum, a broken structure; `Environment`, no memory for what is decoded; interrupted.
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
   /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
@@ -80,6 +86,8 @@ public:
   const Stream *findStream(std::string_view name) const;
   /// Of all streams together.
   std::uint64_t bytes() const;
+  /// How many cubes `decode` may find: `LoadOptions::mostCubes`.
+  std::uint64_t mostCubes() const;
 
   /// The voxel's word, and the side of the aligned cube around it that holds the same; 0 outside the format.
   Lookup lookup(Int3 voxel) const;
@@ -91,20 +99,27 @@ public:
 
 private:
   struct State;
+  void allowCubes(std::uint64_t most);
   Expected<void> saveMapped(const std::string &path) const;
   std::unique_ptr<State> state_;
 };
 
+/// Asked now and then by work that may take long; false ends it as interrupted.
+using KeepOn = std::function<bool()>;
+
 /// Proves that every word reachable from the root is in range and well-formed: safe for any kernel of the
-/// format. Returns the number of its voxels, in time that follows the words however they are shared.
-Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words);
+/// format. Returns the number of its voxels, in time that follows the words however they are shared. Errors
+/// (`Input`): what is broken; interrupted by `keepOn`.
+Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words,
+                                       const KeepOn &keepOn = {});
 
 /// Receives a uniform cube of voxels; false ends the decoding.
 using DecodeVisit = std::function<bool(const Cube &cube, std::uint32_t word)>;
 
 /// Calls `visit` for every maximal uniform cube that the volume stores, in Morton order: together all its
-/// voxels, so that there are no more cubes than `info().voxels`. Errors: interrupted; more voxels than the
-/// header says, which only a file that was trusted unseen can have.
+/// voxels, so that there are no more cubes than `info().voxels`. Errors: interrupted; more than
+/// `volume.mostCubes()`; more voxels than the header says, which only a file that was trusted unseen can
+/// have.
 Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Progress &progress = {});
 
 } // namespace voxc

@@ -1,0 +1,62 @@
+// Signals and limits of the process.
+#include "Process.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <pthread.h>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace voxc::tool {
+namespace {
+
+constexpr int kEnvironmentExit = 3;
+/// Compilers go deep; less has been seen to end in the middle of them.
+constexpr rlim_t kLeastStack = rlim_t{1} << 20;
+constexpr rlim_t kUsualStack = rlim_t{8} << 20;
+
+/// A mapped file was cut short by another process, or its disk failed: nothing that was read can be trusted,
+/// and only calls that are safe in a handler can tell.
+[[noreturn]] void tellLostFile(int) {
+  constexpr char kText[] = "voxc: error: a file that is in use was cut short, or cannot be read\n";
+  static_cast<void>(!::write(STDERR_FILENO, kText, sizeof kText - 1));
+  ::_exit(kEnvironmentExit);
+}
+
+void turnSignalsIntoErrors() {
+  // A closed pipe and a limit on the size of files are errors of one write, and are told as such.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGBUS, tellLostFile);
+}
+
+/// The limit of the first thread counts when its stack grows; others take theirs when they are made.
+Expected<void> enlargeStack() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kUsualStack)
+    return {};
+  limit.rlim_cur = std::min(kUsualStack, limit.rlim_max);
+  if (limit.rlim_cur < kLeastStack)
+    return Error::environment("a stack of " + std::to_string(limit.rlim_max >> 10) +
+                              " KiB is too small; voxc needs " + std::to_string(kLeastStack >> 10) +
+                              " (ulimit -s)");
+  ::setrlimit(RLIMIT_STACK, &limit);
+  pthread_attr_t attributes;
+  if (::pthread_attr_init(&attributes) == 0) {
+    ::pthread_attr_setstacksize(&attributes, limit.rlim_cur);
+    ::pthread_setattr_default_np(&attributes);
+    ::pthread_attr_destroy(&attributes);
+  }
+  return {};
+}
+
+} // namespace
+
+Expected<void> prepareProcess() {
+  turnSignalsIntoErrors();
+  return enlargeStack();
+}
+
+} // namespace voxc::tool
