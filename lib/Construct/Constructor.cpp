@@ -302,6 +302,13 @@ Expected<BuildReport> Constructor::joinFragments(const std::vector<std::string> 
   return report;
 }
 
+Expected<FragmentShare> checkFragment(const std::string &path) {
+  auto reader = FragmentReader::open(path);
+  if (!reader)
+    return reader.error();
+  return FragmentShare{reader->info().index, reader->info().count, 0, 0};
+}
+
 Expected<Format> formatOfFragment(const std::string &path) {
   auto reader = FragmentReader::open(path);
   if (!reader)

@@ -25,12 +25,28 @@ public:
   /// Adds --threads, unless another part of the command has it: then `useThreads` passes it on.
   void declareThreads(CLI::App &app);
   void useThreads(unsigned threads) { buildArguments_.threads = threads; }
+  /// The memory and threads to build with.
+  const BuildArguments &means() const { return buildArguments_; }
   /// Adds --compress.
   void declareCompress(CLI::App &app);
   /// Adds --max-bytes.
   void declareMaxBytes(CLI::App &app);
   /// Lets INPUT be left out in favour of `input`.
   void defaultInput(CLI::App &app, const std::string &input);
+
+  /// An opened input, and the options by which it was opened.
+  struct Opened {
+    Input input;
+    InputArguments arguments;
+    InputOptions options;
+  };
+
+  /// The input as it was written.
+  const std::string &input() const { return input_; }
+  bool isLossy() const { return lossy_; }
+  /// Opens the input for a format, which gets its payload by it if that is asked for.
+  Expected<Opened> open(Format &format, const CommonOptions &common, const Progress &progress,
+                        Json &figures) const;
 
   /// The format as FORMAT and the passes say.
   Expected<Format> readFormat();

@@ -123,6 +123,10 @@ private:
   std::unique_ptr<State> state_;
 };
 
+/// Which fragment a file is, without its cubes, once its checksum is found to be that of its bytes. Errors as
+/// `merge`.
+Expected<FragmentShare> checkFragment(const std::string &path);
+
 /// The format of the volume that a fragment file belongs to. Errors as `merge`.
 Expected<Format> formatOfFragment(const std::string &path);
 
