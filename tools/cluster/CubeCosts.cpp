@@ -24,7 +24,7 @@ constexpr int kSmallestEstimated = 512;
 /// unit, about 50 ns (docs/cluster.md).
 constexpr std::uint64_t kVoxelCost = 1;
 constexpr std::uint64_t kColourCost = 2;
-constexpr std::uint64_t kRecordCost = 4;
+constexpr std::uint64_t kRecordCost = 8;
 
 int longest(Int3 extent) { return std::max({extent.x, extent.y, extent.z, 1}); }
 int log2Ceil(int value) { return std::bit_width(static_cast<unsigned>(value) - 1); }
