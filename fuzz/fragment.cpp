@@ -40,7 +40,7 @@ void join(FragmentSet &fragments, const std::shared_ptr<WorkingMemory> &memory) 
     auto fragment = fragments.take();
     if (!fragment)
       return;
-    splice.join(*fragment, fragments.info().log2Side);
+    splice.join(*fragment);
   }
 }
 

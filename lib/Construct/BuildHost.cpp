@@ -11,8 +11,8 @@ BuildHost &hostOf(void *self) { return *static_cast<BuildHost *>(self); }
 
 } // namespace
 
-construct::Host BuildHost::interface() {
-  construct::Host table{};
+BuildHost::BuildHost(NodeStore &store) : store_(store) {
+  construct::Host &table = table_;
   table.self = this;
   table.is_empty = [](void *self, Voxel low, int log2Side) {
     return hostOf(self).store_.failure() || hostOf(self).isEmpty({cellOf(low), log2Side});
@@ -45,14 +45,17 @@ construct::Host BuildHost::interface() {
   };
   table.drop = [](void *self, unsigned level) { hostOf(self).store_.drop(level); };
   table.pause = [](void *self, construct::uint64_t words) { hostOf(self).store_.pause(words); };
-  table.shared = store_.shared().data();
-  table.log2_part = log2Part();
+  table.log2_part = -1;
   table.take_part = [](void *self, Voxel low, construct::Part *part) {
     *part = hostOf(self).takePart(cellOf(low));
   };
   table.finish_node = [](void *self, const construct::Node *node) { hostOf(self).finishNode(*node); };
   table.finish_cell = [](void *self, const construct::PlacedCell *cell) { hostOf(self).finishCell(*cell); };
-  return table;
+}
+
+const construct::Host &BuildHost::interface() {
+  table_.shared = store_.shared().data();
+  return table_;
 }
 
 } // namespace voxc

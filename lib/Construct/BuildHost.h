@@ -15,11 +15,14 @@ namespace voxc {
 /// Serves one run of generated code. After a failure every cube is "empty", so that the code ends by itself.
 class BuildHost {
 public:
-  explicit BuildHost(NodeStore &store) : store_(store) {}
+  explicit BuildHost(NodeStore &store);
   virtual ~BuildHost() = default;
 
-  /// The table of functions that the generated code calls.
-  construct::Host interface();
+  BuildHost(const BuildHost &) = delete;
+  BuildHost &operator=(const BuildHost &) = delete;
+
+  /// The table of functions that the generated code calls; it lives as long as the host.
+  const construct::Host &interface();
 
   NodeStore &store() { return store_; }
 
@@ -32,8 +35,8 @@ protected:
   /// The value of the next voxel, of a layout with values apart.
   virtual void putValue(std::uint32_t) {}
 
-  /// log2 of the side of cubes that were built apart; -1: none.
-  virtual int log2Part() const { return -1; }
+  /// Cubes of this size were built apart, from now on.
+  void setPartSide(int log2Side) { table_.log2_part = log2Side; }
   /// What became of one; the cells live until the next call.
   virtual construct::Part takePart(Int3) { return {}; }
   /// The result of building a part.
@@ -42,6 +45,7 @@ protected:
 
 private:
   NodeStore &store_;
+  construct::Host table_{};
 };
 
 } // namespace voxc

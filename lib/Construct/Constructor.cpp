@@ -2,11 +2,13 @@
 #include "voxc/Construct/Constructor.h"
 
 #include "FragmentSet.h"
+#include "JoinedParts.h"
 #include "ParallelParts.h"
 #include "SourceHost.h"
 #include "VolumeBuild.h"
 
 #include "Jit/Jit.h"
+#include "Source/CubeTools.h"
 #include "voxc/Emit/Emit.h"
 #include "voxc/Layout/Values.h"
 #include "voxc/Support/Stopwatch.h"
@@ -28,6 +30,13 @@ Expected<void> checkFits(Int3 extent, const Format &format) {
 }
 
 } // namespace
+
+/// Fragments are built of parts up to 2^this times as large as the smallest: words that a part has twice are
+/// written once, and what a part takes in memory stays little.
+constexpr int kLog2LargerPart = 2;
+
+/// Parts of a fragment are joined to one as long as they take no more than this share of the memory.
+constexpr std::uint64_t kPartsInMemory = 8;
 
 struct Constructor::State {
   Format format;
@@ -101,24 +110,36 @@ Expected<Built> buildWhole(VoxelSource &source, const ConstructCode &code, const
   if (!build)
     return build.error();
   WholeHost host(source, **build, layoutOf(format).voxelFacts(), options.progress);
-  const construct::Host interface = host.interface();
-  const std::uint32_t root = code.whole(&interface);
+  const std::uint32_t root = code.whole(&host.interface());
   if (auto error = source.failure())
     return *error;
   return (*build)->finish(root, host.voxels(), host.colour());
 }
 
+/// The host of a volume that is made of parts.
+class WholeMergeHost final : public MergeHost {
+public:
+  WholeMergeHost(PartStream &parts, const Layout &layout, Int3 extent, VolumeBuild &build,
+                 const Progress &progress)
+      : MergeHost(parts, layout, extent, build.store(), progress), values_(build.values()) {}
+
+protected:
+  void putValues(std::span<const std::uint32_t> values) override { values_.put(values); }
+
+private:
+  ValueStore &values_;
+};
+
 /// Joins the parts of a stream to a volume.
-Expected<Built> joinParts(PartStream &parts, int log2Part, VolumeInfo info, const ConstructCode &code,
+Expected<Built> joinParts(PartStream &parts, VolumeInfo info, const ConstructCode &code,
                           const BuildOptions &options, Origin origin) {
   const Layout layout = layoutOf(info.format);
   const Int3 extent = info.extent;
   auto build = VolumeBuild::start(std::move(info), options);
   if (!build)
     return build.error();
-  MergeHost host(parts, log2Part, layout, extent, (*build)->store(), (*build)->values(), options.progress);
-  const construct::Host interface = host.interface();
-  const std::uint32_t root = code.whole(&interface);
+  WholeMergeHost host(parts, layout, extent, **build, options.progress);
+  const std::uint32_t root = code.whole(&host.interface());
   if (!(*build)->store().failure() && parts.next())
     return Error::input("a part lies where the format has no voxels");
   return (*build)->finish(root, host.voxels(), host.colour(), origin);
@@ -148,8 +169,7 @@ Expected<Built> Constructor::buildVoxels(VoxelSource &source, const BuildOptions
                                       options.threads, options.memory, options.progress.stop);
     if (!parts)
       return parts.error();
-    return joinParts(**parts, grid.log2Side, infoOf(source, format, options), state_->functions, options,
-                     Origin::Built);
+    return joinParts(**parts, infoOf(source, format, options), state_->functions, options, Origin::Built);
   };
   auto built = build();
   if (built)
@@ -157,7 +177,19 @@ Expected<Built> Constructor::buildVoxels(VoxelSource &source, const BuildOptions
   return built;
 }
 
-Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, std::uint64_t index, std::uint64_t count,
+PartNumbers partNumbersOf(const VoxelSource &source, const Format &format) {
+  const PartGrid grid = PartGrid::of(source, layoutOf(format));
+  return {grid.log2Side, grid.count()};
+}
+
+Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint64_t index,
+                                                 std::uint64_t count, const std::string &path,
+                                                 const BuildOptions &options) const {
+  const auto [begin, end] = PartGrid::of(source, layoutOf(state_->format)).range(index, count);
+  return buildFragment(source, FragmentShare{index, count, begin, end}, path, options);
+}
+
+Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, const FragmentShare &share,
                                                  const std::string &path, const BuildOptions &given) const {
   const Stopwatch watch;
   const BuildOptions options = withMemory(given);
@@ -166,25 +198,27 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, std::uint64
   VoxelSource &source = rounded ? *rounded : exact;
   if (auto fits = checkFits(source.extent(), format); !fits)
     return fits.error();
-  const PartGrid grid = PartGrid::of(source, layoutOf(format));
-  const auto [begin, end] = grid.range(index, count);
-  auto writer = FragmentWriter::create(path, {infoOf(source, format, options), grid.log2Side, index, count});
+  const Layout layout = layoutOf(format);
+  const PartGrid smallest = PartGrid::of(source, layout);
+  const PartGrid grid = smallest.upTo(smallest.log2Side + kLog2LargerPart, layout);
+  auto writer = FragmentWriter::create(
+      path, {infoOf(source, format, options), grid.log2Side, share.index, share.count});
   if (!writer)
     return writer.error();
-  auto parts = ParallelParts::start(source, state_->functions, format, grid, begin, end,
+  auto parts = ParallelParts::start(source, state_->functions, format, grid, share.begin, share.end,
                                     std::max(options.threads, 1u), options.memory, options.progress.stop);
   if (!parts)
     return parts.error();
   BuildReport report;
   MortonProgress progress(source.extent(), options.progress);
-  while (const auto low = (*parts)->next()) {
+  while (const auto cube = (*parts)->next()) {
     auto fragment = (*parts)->take();
     if (!fragment)
       return fragment.error();
     if (auto added = writer->add(*fragment); !added)
       return added.error();
     report.voxels += fragment->voxels;
-    if (!progress.at(*low, report.voxels))
+    if (!progress.at(cube->low, report.voxels))
       return Error::interrupted();
   }
   if (auto finished = writer->finish(); !finished)
@@ -198,16 +232,81 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, std::uint64
   return report;
 }
 
+namespace {
+
+Expected<void> checkFormat(const FragmentSet &fragments, const Format &format) {
+  const Format &theirs = fragments.info().volume.format;
+  if (theirs == format)
+    return {};
+  return Error::input("the fragments are of the format " + toString(theirs) + ", not " + toString(format));
+}
+
+bool isNextIn(const Cube &cube, FragmentSet &fragments) {
+  const auto next = fragments.next();
+  return next && mortonCode(next->low) - mortonCode(cube.low) < cellCount(cube.log2Side);
+}
+
+} // namespace
+
 Expected<Built> Constructor::merge(const std::vector<std::string> &paths, const BuildOptions &given) const {
   const BuildOptions options = withMemory(given);
   auto fragments = FragmentSet::open(paths, options.memory);
   if (!fragments)
     return fragments.error();
+  if (auto checked = checkFormat(*fragments, state_->format); !checked)
+    return checked.error();
+  return joinParts(*fragments, fragments->info().volume, state_->functions, options, Origin::Foreign);
+}
+
+Expected<BuildReport> Constructor::joinFragments(const std::vector<std::string> &paths,
+                                                 const FragmentShare &share, const std::string &path,
+                                                 const BuildOptions &given) const {
+  const Stopwatch watch;
+  const BuildOptions options = withMemory(given);
+  auto fragments = FragmentSet::openRun(paths, options.memory);
+  if (!fragments)
+    return fragments.error();
+  if (auto checked = checkFormat(*fragments, state_->format); !checked)
+    return checked.error();
   const FragmentInfo &info = fragments->info();
-  if (info.volume.format != state_->format)
-    return Error::input("the fragments are of the format " + toString(info.volume.format) + ", not " +
-                        toString(state_->format));
-  return joinParts(*fragments, info.log2Side, info.volume, state_->functions, options, Origin::Foreign);
+  auto writer = FragmentWriter::create(path, {info.volume, info.log2Side, share.index, share.count});
+  if (!writer)
+    return writer.error();
+  auto joined = JoinedParts::create(*fragments, state_->functions, options.memory);
+  if (!joined)
+    return joined.error();
+  const std::uint64_t mostBytes = options.memory->bound() / kPartsInMemory;
+  const Layout layout = layoutOf(info.volume.format);
+  PartSequence cubes(
+      PartGrid::of(info.volume.extent, layout, info.log2Side).upTo(kMaxLog2Extent, layout), share.begin,
+      share.end, [&](const Cube &cube) { return !isNextIn(cube, *fragments); },
+      [&](const Cube &cube) {
+        return fragments->next()->log2Side < cube.log2Side && fragments->bytesIn(cube) > mostBytes;
+      });
+  BuildReport report;
+  while (const auto cube = cubes.next()) {
+    auto fragment = joined->join(*cube, options.progress);
+    if (!fragment)
+      return fragment.error();
+    if (auto added = writer->add(*fragment); !added)
+      return added.error();
+    report.voxels += fragment->voxels;
+  }
+  if (fragments->next())
+    return Error::input("a part lies outside the share of the volume that is merged");
+  if (auto finished = writer->finish(); !finished)
+    return finished.error();
+  report.scratchBytes = options.memory->scratchPeak();
+  report.seconds = watch.seconds();
+  report.cpuSeconds = watch.cpuSeconds();
+  return report;
+}
+
+Expected<FragmentShare> checkFragment(const std::string &path) {
+  auto reader = FragmentReader::open(path);
+  if (!reader)
+    return reader.error();
+  return FragmentShare{reader->info().index, reader->info().count, 0, 0};
 }
 
 Expected<Format> formatOfFragment(const std::string &path) {

@@ -27,7 +27,7 @@ std::uint64_t cubed(int log2Side) { return std::uint64_t{1} << 3 * log2Side; }
 
 Fragment Extraction::cube(Int3 low, int log2Side) {
   Fragment fragment;
-  fragment.low = low;
+  fragment.cube = {low, log2Side};
   fragment.words = {0};
   if (std::ranges::any_of(layout_.strata, &Stratum::isIndexed))
     fragment.array.assign(kIndexedWords, 0);

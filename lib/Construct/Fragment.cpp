@@ -49,7 +49,7 @@ void Splice::relocateResult(Fragment &fragment, std::size_t index) {
       relocate(cell.value);
 }
 
-void Splice::join(Fragment &fragment, int log2Side) {
+void Splice::join(Fragment &fragment) {
   newOffsets_.assign(fragment.words.size(), 0);
   newNumbers_ = {0};
   std::uint64_t at = 1;
@@ -64,7 +64,7 @@ void Splice::join(Fragment &fragment, int log2Side) {
       at += block.words;
     }
   }
-  relocateResult(fragment, layout_.stratumOfPart(log2Side));
+  relocateResult(fragment, layout_.stratumOfPart(fragment.cube.log2Side));
 }
 
 } // namespace voxc

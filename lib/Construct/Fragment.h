@@ -16,7 +16,7 @@ namespace voxc {
 /// What an aligned cube of voxels became: words with offsets of its own, the order in which they were
 /// written, and what the part above needs of it: a node of a tree, or the cells of a grid.
 struct Fragment {
-  Int3 low; ///< Of the cube.
+  Cube cube;
   std::vector<std::uint32_t> words;
   std::vector<BlockRecord>
       blocks; ///< Together they are `words`, but for the first word, which has no meaning.
@@ -37,7 +37,7 @@ class Splice {
 public:
   Splice(const Layout &layout, NodeStore &store) : layout_(layout), store_(store) {}
 
-  void join(Fragment &fragment, int log2Side);
+  void join(Fragment &fragment);
 
 private:
   std::uint32_t write(std::span<std::uint32_t> words, const BlockRecord &block);

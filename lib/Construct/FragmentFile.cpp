@@ -10,7 +10,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<char, 8> kMagic = {'\x89', 'H', 'V', 'F', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint64_t kMaxTextBytes = 1 << 20;
 
@@ -37,7 +37,7 @@ struct PartHeader {
   std::array<std::int32_t, 3> low{};
   std::array<std::uint32_t, 3 + construct::kMaskWords> node{}; ///< Kind, value, masks, voxels.
   std::uint32_t colour = 0;                                    ///< Of all voxels, of payload=constant.
-  std::uint32_t reserved = 0;
+  std::int32_t log2Side = 0;                                   ///< Of the part.
   std::uint64_t words = 0;
   std::uint64_t array = 0;
   std::uint64_t blocks = 0;
@@ -103,10 +103,10 @@ Expected<void> FragmentWriter::write(const void *data, std::size_t size) {
 Expected<void> FragmentWriter::add(const Fragment &fragment) {
   const construct::Node &node = fragment.node;
   const PartHeader header = {
-      {fragment.low.x, fragment.low.y, fragment.low.z},
+      {fragment.cube.low.x, fragment.cube.low.y, fragment.cube.low.z},
       {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3], node.voxels},
       fragment.colour,
-      0,
+      fragment.cube.log2Side,
       fragment.words.size(),
       fragment.array.size(),
       fragment.blocks.size(),
@@ -198,6 +198,27 @@ private:
   std::uint64_t at_;
 };
 
+Cube cubeOf(const PartHeader &header) {
+  return {{header.low[0], header.low[1], header.low[2]}, header.log2Side};
+}
+
+/// Adds to `size` the bytes of what a part's header counts; false if one count is more than a file of `most`
+/// bytes has.
+bool addBytes(const PartHeader &header, std::uint64_t most, std::uint64_t &size) {
+  const std::array<std::pair<std::uint64_t, std::uint64_t>, 5> counts = {
+      {{header.words, sizeof(std::uint32_t)},
+       {header.array, sizeof(std::uint32_t)},
+       {header.blocks, sizeof(std::uint64_t)},
+       {header.cells, sizeof(construct::PlacedCell)},
+       {header.values, sizeof(std::uint32_t)}}};
+  for (const auto &[count, bytes] : counts) {
+    if (count > most / bytes)
+      return false;
+    size += count * bytes;
+  }
+  return true;
+}
+
 /// True if the blocks are all of the words but the first, and all of the array but number 0.
 bool covers(const Fragment &fragment, const Layout &layout) {
   std::uint64_t words = fragment.words.size();
@@ -252,12 +273,29 @@ Expected<FragmentReader> FragmentReader::open(const std::string &path) {
   return reader;
 }
 
-std::optional<Int3> FragmentReader::next() const {
+std::optional<Cube> FragmentReader::next() const {
   PartHeader header;
   ByteReader reader(bytes(), at_);
   if (remaining_ == 0 || !reader.read(header))
     return std::nullopt;
-  return Int3{header.low[0], header.low[1], header.low[2]};
+  return cubeOf(header);
+}
+
+std::vector<PartPlace> FragmentReader::places() const {
+  std::vector<PartPlace> places;
+  const std::uint64_t shared = (info_.volume.format.levels.size() + 1) * sizeof(std::uint64_t);
+  std::uint64_t at = at_;
+  for (std::uint64_t part = 0; part < remaining_; ++part) {
+    PartHeader header;
+    ByteReader reader(bytes(), at);
+    std::uint64_t size = shared;
+    if (!reader.read(header) || !addBytes(header, bytes().size(), size) ||
+        size > bytes().size() - reader.at())
+      break;
+    places.push_back({cubeOf(header), size});
+    at = reader.at() + size;
+  }
+  return places;
 }
 
 Expected<Fragment> FragmentReader::take() {
@@ -276,7 +314,7 @@ Expected<Fragment> FragmentReader::take() {
     fragment.blocks.push_back(unpack(block));
   if (!covers(fragment, layoutOf(info_.volume.format)) || header.node[0] > construct::Node::Inner)
     return broken;
-  fragment.low = {header.low[0], header.low[1], header.low[2]};
+  fragment.cube = cubeOf(header);
   fragment.node = {static_cast<construct::Node::Kind>(header.node[0]), header.node[1]};
   std::copy_n(header.node.begin() + 2, construct::kMaskWords, fragment.node.masks);
   fragment.node.voxels = header.node.back();

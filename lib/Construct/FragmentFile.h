@@ -18,9 +18,15 @@ namespace voxc {
 /// What all fragments of a volume agree on, and which one a file is.
 struct FragmentInfo {
   VolumeInfo volume; ///< The number of voxels is the file's own.
-  int log2Side = 0;  ///< Of the parts.
+  int log2Side = 0;  ///< Of the smallest parts.
   std::uint64_t index = 0;
   std::uint64_t count = 1;
+};
+
+/// A part in a file: which cube, and how many bytes of memory it takes.
+struct PartPlace {
+  Cube cube;
+  std::uint64_t bytes = 0;
 };
 
 /// Writes parts to a file, which gets its name when it is complete.
@@ -54,8 +60,10 @@ public:
   const std::string &path() const { return path_; }
   std::span<const std::byte> bytes() const { return file_.bytes(); }
 
-  /// The corner of the next part, or nothing at the end.
-  std::optional<Int3> next() const;
+  /// The cube of the next part, or nothing at the end.
+  std::optional<Cube> next() const;
+  /// All parts from the next one on, as far as their headers do not contradict the file.
+  std::vector<PartPlace> places() const;
   /// That part. Error: it is broken.
   Expected<Fragment> take();
 
@@ -67,7 +75,6 @@ private:
   FragmentInfo info_;
   std::uint64_t at_ = 0;        ///< Byte of the next part.
   std::uint64_t remaining_ = 0; ///< Parts.
-  std::optional<Int3> last_;
 };
 
 } // namespace voxc

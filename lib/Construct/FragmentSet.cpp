@@ -1,7 +1,10 @@
 // Completeness and order of fragments.
 #include "FragmentSet.h"
 
+#include "Source/CubeTools.h"
+
 #include <algorithm>
+#include <iterator>
 
 namespace voxc {
 namespace {
@@ -12,8 +15,8 @@ bool belongTogether(const FragmentInfo &a, const FragmentInfo &b) {
          a.volume.provenance == b.volume.provenance;
 }
 
-/// Files in the order of their indices: are they 0, 1, ... of one volume?
-Expected<void> checkComplete(const std::vector<FragmentReader> &readers) {
+/// Files in the order of their indices: are they `begin`, `begin` + 1, ... of one volume?
+Expected<void> checkRun(const std::vector<FragmentReader> &readers, std::uint64_t begin) {
   const FragmentReader &first = readers.front();
   const std::string of = " of " + std::to_string(first.info().count);
   for (std::size_t i = 0; i < readers.size(); ++i) {
@@ -24,16 +27,24 @@ Expected<void> checkComplete(const std::vector<FragmentReader> &readers) {
     if (i > 0 && reader.info().index == readers[i - 1].info().index)
       return Error::input("'" + reader.path() + "' and '" + readers[i - 1].path() +
                           "' are the same fragment, " + std::to_string(reader.info().index) + of);
-    if (reader.info().index != i)
-      return Error::input("fragment " + std::to_string(i) + of + " is missing");
+    if (reader.info().index != begin + i)
+      return Error::input("fragment " + std::to_string(begin + i) + of + " is missing");
   }
-  if (readers.size() != first.info().count)
-    return Error::input("fragment " + std::to_string(readers.size()) + of + " is missing");
   return {};
 }
 
+/// True if a volume may have such a part: an aligned cube of a size that its layout allows.
+bool isPart(const Cube &cube, const FragmentInfo &info) {
+  if (cube.log2Side < info.log2Side || cube.log2Side > kMaxLog2Extent ||
+      layoutOf(info.volume.format).partSide(cube.log2Side) != cube.log2Side)
+    return false;
+  const int mask = (1 << cube.log2Side) - 1;
+  return contains(info.volume.extent, cube.low) && ((cube.low.x | cube.low.y | cube.low.z) & mask) == 0;
+}
+
 /// True if the cells are some of those that the part covers in the grid of its level; a tree has none.
-bool coversCells(const Fragment &fragment, const Layout &layout, int log2Side) {
+bool coversCells(const Fragment &fragment, const Layout &layout) {
+  const int log2Side = fragment.cube.log2Side;
   const Stratum &stratum = layout.strata[layout.stratumOfPart(log2Side)];
   const int log2Cell = stratum.log2Cell;
   const Int3 size = stratum.log2Size();
@@ -43,7 +54,7 @@ bool coversCells(const Fragment &fragment, const Layout &layout, int log2Side) {
     const Int3 cell = {placed.cell.x, placed.cell.y, placed.cell.z};
     for (int axis = 0; axis < 3; ++axis) {
       const int mask = (1 << size[axis]) - 1;
-      const int first = fragment.low[axis] >> log2Cell & mask;
+      const int first = fragment.cube.low[axis] >> log2Cell & mask;
       if (cell[axis] < first || cell[axis] > std::min(first + (1 << (log2Side - log2Cell)) - 1, mask))
         return false;
     }
@@ -54,8 +65,8 @@ bool coversCells(const Fragment &fragment, const Layout &layout, int log2Side) {
 
 /// True if the node or the cells say of their voxels what the values do, where those stand apart; a grid of
 /// voxels has its values in its cells.
-bool countsValues(const Fragment &fragment, const Layout &layout, int log2Side) {
-  const std::size_t index = layout.stratumOfPart(log2Side);
+bool countsValues(const Fragment &fragment, const Layout &layout) {
+  const std::size_t index = layout.stratumOfPart(fragment.cube.log2Side);
   std::uint64_t voxels = fragment.node.voxels;
   for (const construct::PlacedCell &cell : fragment.cells)
     voxels += cell.voxels;
@@ -66,8 +77,8 @@ bool countsValues(const Fragment &fragment, const Layout &layout, int log2Side) 
 
 } // namespace
 
-Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
-                                        const std::shared_ptr<WorkingMemory> &memory) {
+Expected<FragmentSet> FragmentSet::openRun(const std::vector<std::string> &paths,
+                                           const std::shared_ptr<WorkingMemory> &memory) {
   std::vector<FragmentReader> readers;
   for (const std::string &path : paths) {
     auto reader = FragmentReader::open(path);
@@ -80,9 +91,40 @@ Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
     return Error::input("there is no fragment to merge");
   std::ranges::sort(readers, {}, [](const FragmentReader &reader) { return reader.info().index; });
   FragmentSet set(std::move(readers), memory);
-  if (auto complete = checkComplete(set.readers_); !complete)
-    return complete.error();
+  if (auto checked = checkRun(set.readers_, set.info().index); !checked)
+    return checked.error();
+  set.sumBytes();
   return set;
+}
+
+Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
+                                        const std::shared_ptr<WorkingMemory> &memory) {
+  auto set = openRun(paths, memory);
+  if (!set)
+    return set;
+  const FragmentInfo &first = set->info();
+  const std::uint64_t missing = first.index > 0 ? 0 : set->readers_.size();
+  if (missing < first.count)
+    return Error::input("fragment " + std::to_string(missing) + " of " + std::to_string(first.count) +
+                        " is missing");
+  return set;
+}
+
+void FragmentSet::sumBytes() {
+  std::uint64_t sum = 0;
+  for (const FragmentReader &reader : readers_)
+    for (const PartPlace &place : reader.places())
+      sums_.emplace_back(mortonCode(place.cube.low), sum += place.bytes);
+}
+
+std::uint64_t FragmentSet::bytesIn(const Cube &cube) const {
+  const auto before = [&](std::uint64_t code) {
+    const auto at =
+        std::ranges::lower_bound(sums_, code, {}, &std::pair<std::uint64_t, std::uint64_t>::first);
+    return at == sums_.begin() ? 0 : std::prev(at)->second;
+  };
+  const std::uint64_t code = mortonCode(cube.low);
+  return before(code + cellCount(cube.log2Side)) - before(code);
 }
 
 FragmentSet::~FragmentSet() {
@@ -90,29 +132,25 @@ FragmentSet::~FragmentSet() {
     memory_->unwatch(reader.bytes());
 }
 
-std::optional<Int3> FragmentSet::next() {
+std::optional<Cube> FragmentSet::next() {
   while (current_ < readers_.size()) {
-    if (const auto low = readers_[current_].next())
-      return low;
+    if (const auto cube = readers_[current_].next())
+      return cube;
     ++current_;
   }
   return std::nullopt;
 }
 
 Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
-  const Int3 low = fragment.low;
-  const int side = 1 << info().log2Side;
-  const bool isPart =
-      contains(info().volume.extent, low) && low.x % side == 0 && low.y % side == 0 && low.z % side == 0;
-  if (!isPart || (lastCode_ && mortonCode(low) <= *lastCode_))
+  if (!isPart(fragment.cube, info()) || mortonCode(fragment.cube.low) < endOfLast_)
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
-  if (!coversCells(fragment, layoutOf(info().volume.format), info().log2Side))
+  if (!coversCells(fragment, layoutOf(info().volume.format)))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
   const bool hasColour = layoutOf(info().volume.format).payload == Payload::Constant && fragment.voxels > 0;
   if (hasColour != (fragment.colour != 0))
     return Error::input("'" + readers_[current_].path() +
                         "' is broken: a part has a colour too much, or none");
-  if (!countsValues(fragment, layoutOf(info().volume.format), info().log2Side))
+  if (!countsValues(fragment, layoutOf(info().volume.format)))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has no value for each voxel");
   return {};
 }
@@ -123,7 +161,7 @@ Expected<Fragment> FragmentSet::take() {
     return fragment;
   if (auto checked = checkPart(*fragment); !checked)
     return checked.error();
-  lastCode_ = mortonCode(fragment->low);
+  endOfLast_ = mortonCode(fragment->cube.low) + cellCount(fragment->cube.log2Side);
   return fragment;
 }
 

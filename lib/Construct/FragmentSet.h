@@ -10,28 +10,36 @@ namespace voxc {
 
 class FragmentSet final : public PartStream {
 public:
-  /// Opens the files, in any order. Errors (`Input`): one is broken, belongs to another volume, is there
-  /// twice or is missing.
+  /// Opens all fragments of a volume, in any order. Errors (`Input`): one is broken, belongs to another
+  /// volume, is there twice or is missing.
   static Expected<FragmentSet> open(const std::vector<std::string> &paths,
                                     const std::shared_ptr<WorkingMemory> &memory);
+  /// The same for some that follow one another.
+  static Expected<FragmentSet> openRun(const std::vector<std::string> &paths,
+                                       const std::shared_ptr<WorkingMemory> &memory);
   ~FragmentSet() override;
   FragmentSet(FragmentSet &&) noexcept = default;
 
   /// Of any of them: they agree but for the index.
   const FragmentInfo &info() const { return readers_.front().info(); }
 
-  std::optional<Int3> next() override;
+  std::optional<Cube> next() override;
   Expected<Fragment> take() override;
+  /// Bytes of the parts in a cube, those that were taken among them.
+  std::uint64_t bytesIn(const Cube &cube) const;
 
 private:
   FragmentSet(std::vector<FragmentReader> readers, std::shared_ptr<WorkingMemory> memory)
       : readers_(std::move(readers)), memory_(std::move(memory)) {}
+  void sumBytes();
   Expected<void> checkPart(const Fragment &fragment) const;
 
   std::vector<FragmentReader> readers_; ///< By index.
   std::shared_ptr<WorkingMemory> memory_;
   std::size_t current_ = 0;
-  std::optional<std::uint64_t> lastCode_;
+  std::uint64_t endOfLast_ = 0; ///< Where the next part may begin, as a Morton code of voxels.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>>
+      sums_; ///< Where a part begins; the bytes up to its end.
 };
 
 } // namespace voxc

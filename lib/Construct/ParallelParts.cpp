@@ -55,8 +55,8 @@ std::optional<ParallelParts::Job> ParallelParts::nextJob() {
   changed_.wait(lock, [&] { return abandoned_ || end_ || started_ < taken_ + window_; });
   if (abandoned_ || end_)
     return std::nullopt;
-  if (const auto low = sequence_.next())
-    return Job{started_++, *low};
+  if (const auto cube = sequence_.next())
+    return Job{started_++, *cube};
   end_ = started_;
   changed_.notify_all();
   return std::nullopt;
@@ -64,20 +64,20 @@ std::optional<ParallelParts::Job> ParallelParts::nextJob() {
 
 void ParallelParts::work(PartBuilder builder) {
   while (const auto job = nextJob()) {
-    auto fragment = builder.build(job->low, grid_.log2Side, stop_);
+    auto fragment = builder.build(job->cube, stop_);
     const std::lock_guard lock(mutex_);
     if (!fragment) // What follows will not be taken.
       end_ = std::min(end_.value_or(job->number + 1), job->number + 1);
-    built_.emplace(job->number, Built{job->low, std::move(fragment)});
+    built_.emplace(job->number, Built{job->cube, std::move(fragment)});
     changed_.notify_all();
   }
 }
 
-std::optional<Int3> ParallelParts::next() {
+std::optional<Cube> ParallelParts::next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return built_.contains(taken_) || (end_ && taken_ >= *end_); });
   const auto found = built_.find(taken_);
-  return found == built_.end() ? std::nullopt : std::optional(found->second.low);
+  return found == built_.end() ? std::nullopt : std::optional(found->second.cube);
 }
 
 Expected<Fragment> ParallelParts::take() {

@@ -4,6 +4,8 @@
 #include "PartBuilder.h"
 #include "PartStream.h"
 
+#include "Source/CubeTools.h"
+
 #include <atomic>
 #include <condition_variable>
 #include <map>
@@ -16,30 +18,34 @@ namespace voxc {
 /// that memory stays bounded.
 class ParallelParts final : public PartStream {
 public:
-  /// The parts [begin, end) of `grid`. Errors: the source has but one reader; no memory.
+  /// The parts of `grid` that cover its smallest ones [begin, end). Errors: the source has but one reader; no
+  /// memory.
   static Expected<std::unique_ptr<ParallelParts>>
   start(const VoxelSource &source, const ConstructCode &code, const Format &format, const PartGrid &grid,
         std::uint64_t begin, std::uint64_t end, unsigned threads,
         const std::shared_ptr<WorkingMemory> &memory, const std::atomic<bool> *stop);
   ~ParallelParts() override;
 
-  std::optional<Int3> next() override;
+  std::optional<Cube> next() override;
   Expected<Fragment> take() override;
 
 private:
   ParallelParts(std::unique_ptr<VoxelSource> source, const PartGrid &grid, std::uint64_t begin,
                 std::uint64_t end, unsigned threads)
-      : source_(std::move(source)), grid_(grid), sequence_(*source_, grid, begin, end),
+      : source_(std::move(source)),
+        sequence_(
+            grid, begin, end,
+            [this](const Cube &cube) { return isOutside(cube, source_->extent()) || source_->empty(cube); }),
         window_(kPartsAhead * threads) {}
 
   static constexpr std::uint64_t kPartsAhead = 8;
 
   struct Job {
     std::uint64_t number;
-    Int3 low;
+    Cube cube;
   };
   struct Built {
-    Int3 low;
+    Cube cube;
     Expected<Fragment> fragment;
   };
 
@@ -48,7 +54,6 @@ private:
   void work(PartBuilder builder);
 
   std::unique_ptr<VoxelSource> source_;
-  PartGrid grid_;
   Progress stop_; ///< For the builders: no more than whether to stop.
 
   std::mutex mutex_; ///< Guards what follows.

@@ -42,6 +42,14 @@ PartGrid PartGrid::of(Int3 extent, const Layout &layout, int log2Side) {
   return grid;
 }
 
+PartGrid PartGrid::upTo(int log2Largest, const Layout &layout) const {
+  PartGrid grid = *this;
+  for (int side = log2Side + 1; side <= std::min(log2Largest, log2Side + log2Count); ++side)
+    if (layout.partSide(side) == side)
+      grid.larger |= std::uint32_t{1} << side;
+  return grid;
+}
+
 std::pair<std::uint64_t, std::uint64_t> PartGrid::range(std::uint64_t fragment,
                                                         std::uint64_t fragments) const {
   // Parts times fragments may be more than 64 bits hold.
@@ -51,28 +59,52 @@ std::pair<std::uint64_t, std::uint64_t> PartGrid::range(std::uint64_t fragment,
   return {bound(fragment), bound(fragment + 1)};
 }
 
-PartSequence::PartSequence(VoxelSource &source, const PartGrid &grid, std::uint64_t begin, std::uint64_t end)
-    : source_(source), grid_(grid), begin_(begin), end_(end), ahead_{{{}, grid.log2Side + grid.log2Count}} {}
+PartSequence::PartSequence(const PartGrid &grid, std::uint64_t begin, std::uint64_t end, Test isEmpty,
+                           Test isTooLarge)
+    : grid_(grid), begin_(begin), end_(end), isEmpty_(std::move(isEmpty)), isTooLarge_(std::move(isTooLarge)),
+      ahead_{{{}, grid.log2Side + grid.log2Count}} {}
+
+bool PartSequence::isPart(const Cube &cube) const {
+  if (cube.log2Side == grid_.log2Side)
+    return true;
+  const std::uint64_t first = grid_.index(cube.low);
+  const std::uint64_t count = cellCount(cube.log2Side - grid_.log2Side);
+  return grid_.allows(cube.log2Side) && first >= begin_ && first + count <= end_ &&
+         !(isTooLarge_ && isTooLarge_(cube));
+}
 
 bool PartSequence::isExcluded(const Cube &cube) const {
   const std::uint64_t first = grid_.index(cube.low);
   const std::uint64_t count = cellCount(cube.log2Side - grid_.log2Side);
-  return first >= end_ || first + count <= begin_ || isOutside(cube, source_.extent()) || source_.empty(cube);
+  return first >= end_ || first + count <= begin_ || isEmpty_(cube);
 }
 
-std::optional<Int3> PartSequence::next() {
+std::optional<Cube> PartSequence::next() {
   while (!ahead_.empty()) {
     const Cube cube = ahead_.back();
     ahead_.pop_back();
     if (isExcluded(cube))
       continue;
-    if (cube.log2Side == grid_.log2Side)
-      return cube.low;
+    if (isPart(cube))
+      return cube;
     const int log2Side = cube.log2Side - 1;
     for (int child = 8; child-- > 0;)
       ahead_.push_back({cube.low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << log2Side), log2Side});
   }
   return std::nullopt;
+}
+
+Layout layoutOfParts(const Format &format) {
+  Layout layout = layoutOf(format);
+  layout.log2Granule = 0;
+  return layout;
+}
+
+void keepWords(NodeStore &store, Fragment &fragment) {
+  const auto words = store.words().span();
+  fragment.words.assign(words.begin(), words.end());
+  fragment.array.assign(store.array().begin(), store.array().end());
+  fragment.shared = store.shared();
 }
 
 Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
@@ -81,28 +113,23 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  Layout layout = layoutOf(format);
-  layout.log2Granule = 0; // References of a part count its words, whatever those of the volume will.
+  const Layout layout = layoutOfParts(format);
   auto store = std::make_unique<NodeStore>(std::move(*words), layout, memory);
   return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }
 
-Expected<Fragment> PartBuilder::build(Int3 low, int log2Side, const Progress &progress) {
+Expected<Fragment> PartBuilder::build(const Cube &cube, const Progress &progress) {
   Fragment fragment;
-  fragment.low = low;
+  fragment.cube = cube;
   store_->clear();
   store_->logTo(&fragment.blocks);
   PartHost host(*source_, *store_, facts_, progress, fragment);
-  const construct::Host interface = host.interface();
-  code_.part(&interface, low.x, low.y, low.z, log2Side);
+  code_.part(&host.interface(), cube.low.x, cube.low.y, cube.low.z, cube.log2Side);
   if (store_->failure())
     return *store_->failure();
-  const auto words = store_->words().span();
-  fragment.words.assign(words.begin(), words.end());
-  fragment.array.assign(store_->array().begin(), store_->array().end());
+  keepWords(*store_, fragment);
   fragment.voxels = host.voxels();
   fragment.colour = host.colour();
-  fragment.shared = store_->shared();
   return fragment;
 }
 

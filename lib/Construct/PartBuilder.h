@@ -5,6 +5,7 @@
 
 #include "voxc/Source/VoxelSource.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,39 +18,57 @@ struct ConstructCode {
   void (*part)(const construct::Host *host, int x, int y, int z, int log2Side);
 };
 
-/// How a volume is cut into parts: all aligned cubes of one size, numbered in Morton order.
+/// How a volume is cut into parts: aligned cubes. Those of the smallest size are numbered in Morton order; a
+/// larger one stands for all that it covers.
 struct PartGrid {
-  int log2Side = 0;  ///< Of a part, in voxels.
-  int log2Count = 0; ///< log2 of the parts along a side of the bounding cube.
+  int log2Side = 0;         ///< Of the smallest parts, in voxels.
+  int log2Count = 0;        ///< log2 of the smallest parts along a side of the bounding cube.
+  std::uint32_t larger = 0; ///< Bit k: parts may have 2^k voxels a side too.
 
   /// Parts about as large as the cubes in which the source makes voxels, if the format and the source are as
   /// large, and whole nodes or cells of the layout.
   static PartGrid of(const VoxelSource &source, const Layout &layout);
   /// The same for parts of about 2^log2Side voxels a side, of a volume of these voxels.
   static PartGrid of(Int3 extent, const Layout &layout, int log2Side);
+  /// The same with larger parts of up to 2^log2Largest voxels a side, as far as the layout allows them.
+  PartGrid upTo(int log2Largest, const Layout &layout) const;
 
   std::uint64_t count() const { return std::uint64_t{1} << (3 * log2Count); }
   std::uint64_t index(Int3 low) const { return mortonCode(low >> log2Side); }
+  bool allows(int log2Part) const { return log2Part == log2Side || (larger >> log2Part & 1) != 0; }
   /// The parts of the fragment `fragment` of `fragments` (at most 2^32): [first, second).
   std::pair<std::uint64_t, std::uint64_t> range(std::uint64_t fragment, std::uint64_t fragments) const;
 };
 
-/// The parts [begin, end) that may hold voxels, in order.
+/// The largest parts that cover the smallest ones [begin, end) and hold anything, in order.
 class PartSequence {
 public:
-  PartSequence(VoxelSource &source, const PartGrid &grid, std::uint64_t begin, std::uint64_t end);
+  using Test = std::function<bool(const Cube &)>;
 
-  std::optional<Int3> next();
+  /// `isEmpty`: true only of a cube that holds nothing. `isTooLarge`: of one that shall be cut further, if it
+  /// can be; null: of none. Both are asked for cubes whose Morton codes never fall.
+  PartSequence(const PartGrid &grid, std::uint64_t begin, std::uint64_t end, Test isEmpty,
+               Test isTooLarge = {});
+
+  std::optional<Cube> next();
 
 private:
+  bool isPart(const Cube &cube) const;
   bool isExcluded(const Cube &cube) const;
 
-  VoxelSource &source_;
   PartGrid grid_;
   std::uint64_t begin_;
   std::uint64_t end_;
+  Test isEmpty_;
+  Test isTooLarge_;
   std::vector<Cube> ahead_; ///< The next is the last.
 };
+
+/// The layout of parts: their references count words, whatever those of the volume will.
+Layout layoutOfParts(const Format &format);
+
+/// Copies what a store has come to into a fragment.
+void keepWords(NodeStore &store, Fragment &fragment);
 
 /// Builds parts of one source, one after the other, in memory of its own.
 class PartBuilder {
@@ -58,8 +77,8 @@ public:
   static Expected<PartBuilder> create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
                                       const Format &format, const std::shared_ptr<WorkingMemory> &memory);
 
-  /// The part whose corner is `low`. Errors: the source's, no memory, too many words.
-  Expected<Fragment> build(Int3 low, int log2Side, const Progress &progress);
+  /// One part. Errors: the source's, no memory, too many words.
+  Expected<Fragment> build(const Cube &cube, const Progress &progress);
 
 private:
   PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, VoxelFacts facts,

@@ -7,7 +7,10 @@ namespace voxc {
 
 bool MergeHost::isEmpty(const Cube &cube) {
   const auto next = parts_.next();
-  return !next || mortonCode(*next) - mortonCode(cube.low) >= cellCount(cube.log2Side);
+  if (!next || mortonCode(next->low) - mortonCode(cube.low) >= cellCount(cube.log2Side))
+    return true;
+  setPartSide(next->log2Side);
+  return false;
 }
 
 void MergeHost::readBrick(Int3, std::uint32_t *) {
@@ -26,7 +29,7 @@ void MergeHost::proveColours(Int3 low) {
     take(fragment_.colour);
   for (const std::uint32_t value : fragment_.values)
     take(value);
-  if (layout_.values == Values::Apart && layout_.holdsVoxels(layout_.stratumOfPart(log2Part_)))
+  if (layout_.values == Values::Apart && layout_.holdsVoxels(layout_.stratumOfPart(fragment_.cube.log2Side)))
     for (const construct::PlacedCell &cell : fragment_.cells)
       take(cell.value);
 }
@@ -38,10 +41,10 @@ construct::Part MergeHost::takePart(Int3 low) {
     return {};
   }
   fragment_ = std::move(*fragment);
-  splice_.join(fragment_, log2Part_);
+  splice_.join(fragment_);
   if (colours_.isStated())
     proveColours(low);
-  values_.put(fragment_.values);
+  putValues(fragment_.values);
   voxels_ += fragment_.voxels;
   for (std::size_t i = 0; i < fragment_.shared.size(); ++i)
     store().shared()[i] += fragment_.shared[i];

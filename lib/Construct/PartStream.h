@@ -5,9 +5,9 @@
 #include "ColourFact.h"
 #include "Fragment.h"
 #include "SourceHost.h"
-#include "ValueStore.h"
 
 #include <optional>
+#include <span>
 
 namespace voxc {
 
@@ -16,20 +16,23 @@ class PartStream {
 public:
   virtual ~PartStream() = default;
 
-  /// The corner of the next part that holds anything, or nothing at the end; waits until it is known.
-  virtual std::optional<Int3> next() = 0;
+  /// The cube of the next part that holds anything, or nothing at the end; waits until it is known.
+  virtual std::optional<Cube> next() = 0;
   /// That part; may be called once for each `next`. Errors end the work.
   virtual Expected<Fragment> take() = 0;
 };
 
-/// The host of the last step: cubes of the size of a part come from a stream, what is above them from the
-/// generated code.
-class MergeHost final : public BuildHost {
+/// The host of the last step: cubes that are parts come from a stream, what is above them from the generated
+/// code.
+class MergeHost : public BuildHost {
 public:
-  MergeHost(PartStream &parts, int log2Part, const Layout &layout, Int3 extent, NodeStore &store,
-            ValueStore &values, const Progress &progress)
-      : BuildHost(store), parts_(parts), log2Part_(log2Part), layout_(layout), splice_(layout, store),
-        values_(values), colours_(layout.voxelFacts()), progress_(extent, progress) {}
+  /// The layout outlives the host.
+  MergeHost(PartStream &parts, const Layout &layout, Int3 extent, NodeStore &store, const Progress &progress)
+      : BuildHost(store), parts_(parts), layout_(layout), splice_(layout, store),
+        colours_(layout.voxelFacts()), progress_(extent, progress) {
+    if (const auto first = parts.next())
+      setPartSide(first->log2Side);
+  }
 
   std::uint64_t voxels() const { return voxels_; }
   /// The one colour of all voxels, of `Payload::Constant`.
@@ -38,18 +41,17 @@ public:
 protected:
   bool isEmpty(const Cube &cube) override;
   void readBrick(Int3, std::uint32_t *) override;
-  int log2Part() const override { return log2Part_; }
   construct::Part takePart(Int3 low) override;
-  void putValue(std::uint32_t value) override { values_.put({&value, 1}); }
+  void putValue(std::uint32_t value) final { putValues({&value, 1}); }
+  /// The values of the next voxels, of a layout with values apart.
+  virtual void putValues(std::span<const std::uint32_t> values) = 0;
 
 private:
   void proveColours(Int3 low);
 
   PartStream &parts_;
-  int log2Part_;
   const Layout &layout_;
   Splice splice_;
-  ValueStore &values_;
   ColourFact colours_;
   MortonProgress progress_;
   Fragment fragment_; ///< The last one: its cells are in use until the next is taken.

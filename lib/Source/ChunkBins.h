@@ -65,12 +65,15 @@ public:
     return records_.span().subspan(begin, endBefore(code + 1) - begin);
   }
 
-  /// True if no record lies in `cube`, which is aligned and no smaller than a chunk.
-  bool empty(const Cube &cube) const {
+  /// The records in `cube`, which is aligned and no smaller than a chunk.
+  std::uint64_t sizeOf(const Cube &cube) const {
     const std::uint64_t code = mortonCode(cube.low >> log2Chunk_);
     const std::uint64_t count = std::uint64_t{1} << 3 * (cube.log2Side - log2Chunk_);
-    return endBefore(code) == endBefore(code + count);
+    return endBefore(code + count) - endBefore(code);
   }
+
+  /// True if no record lies in such a cube.
+  bool empty(const Cube &cube) const { return sizeOf(cube) == 0; }
 
 private:
   ChunkBins(int log2Chunk, const std::shared_ptr<WorkingMemory> &memory)

@@ -3,6 +3,8 @@
 #include "Figures.h"
 #include "FragmentOption.h"
 #include "Outputs.h"
+#include "PlanOption.h"
+#include "PlanTasks.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
@@ -22,9 +24,25 @@ public:
     fragment_.declare(app, "Build one of N fragments only, for voxc merge");
     app.add_option("-o,--output", output_, "Volume to write, or fragment")->type_name("FILE")->required();
     addCommonOptions(app, common_);
+    plan_.declare(app, "--task", "Parts of the plan to build, such as 0,3,5-9; those that stand are left",
+                  {"FORMAT", "INPUT", "--output"},
+                  {"--memory", "--scratch", "--threads", "--stats", "--quiet"});
   }
 
-  Expected<void> run() override {
+  Expected<void> run() override { return plan_.isGiven() ? runTask() : runWhole(); }
+
+private:
+  Expected<void> runTask() {
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (auto built = buildParts(plan_.path(), plan_.numbers(), building_.means(), bar.progress(), figures);
+        !built)
+      return built;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+  Expected<void> runWhole() {
     if (Expected<void> writable = checkOutputFile(output_); !writable)
       return writable;
     Json figures;
@@ -42,7 +60,6 @@ public:
     return tellFigures(common_, figures);
   }
 
-private:
   Expected<void> build(Format &format, const Progress &progress, Json &figures) {
     if (const auto fragment = fragment_.choice())
       return building_.buildFragment(format, fragment->index, fragment->count, output_, common_, progress,
@@ -53,6 +70,7 @@ private:
 
   Building building_;
   FragmentOption fragment_;
+  PlanOption plan_;
   std::string output_;
   CommonOptions common_;
 };

@@ -199,27 +199,36 @@ void Building::tellLoss(const Prepared &prepared, const BuildReport &report, con
     printNote("lossy: " + errorText(*error));
 }
 
-Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptions &common,
-                                               const Progress &progress, Json &figures) const {
+Expected<Building::Opened> Building::open(Format &format, const CommonOptions &common,
+                                          const Progress &progress, Json &figures) const {
   if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
     return checked.error();
-  const unsigned threads = threadsOf(buildArguments_);
-  BuildOptions options{"", threads, makeWorkingMemory(buildArguments_), "", progress};
-
-  InputOptions inputOptions = makeInputOptions(inputArguments_, format.extent());
-  inputOptions.progress = progress;
-  inputOptions.memory = options.memory;
-  inputOptions.threads = threads;
-  if (isOfLabels(format) && inputArguments_.colourMap.empty())
-    inputOptions.colourMap = "labels";
-  Expected<Input> input = openInput(input_, inputOptions);
+  const auto memory = makeWorkingMemory(buildArguments_);
+  InputArguments arguments = inputArguments_;
+  if (isOfLabels(format) && arguments.colourMap.empty())
+    arguments.colourMap = "labels";
+  InputOptions options = makeInputOptions(arguments, format.extent());
+  options.progress = progress;
+  options.memory = memory;
+  options.threads = threadsOf(buildArguments_);
+  Expected<Input> input = openInput(input_, options);
   if (!input)
     return input.error();
   tellWarnings(*input, common);
-  if (Expected<void> chosen =
-          choosePayload(format, *input->source, options.memory, common, progress, figures);
+  if (Expected<void> chosen = choosePayload(format, *input->source, memory, common, progress, figures);
       !chosen)
     return chosen.error();
+  return Opened{std::move(*input), std::move(arguments), std::move(options)};
+}
+
+Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptions &common,
+                                               const Progress &progress, Json &figures) const {
+  Expected<Opened> opened = open(format, common, progress, figures);
+  if (!opened)
+    return opened.error();
+  Input *input = &opened->input;
+  const unsigned threads = threadsOf(buildArguments_);
+  BuildOptions options{"", threads, opened->options.memory, "", progress};
   Expected<Constructor> constructor = Constructor::compile(format);
   if (!constructor)
     return constructor.error();

@@ -26,6 +26,8 @@ public:
   /// Adds --threads, unless another part of the command has it: then `useThreads` passes it on.
   void declareThreads(CLI::App &app);
   void useThreads(unsigned threads) { buildArguments_.threads = threads; }
+  /// The memory and threads to build with.
+  const BuildArguments &means() const { return buildArguments_; }
   /// Adds --compress.
   void declareCompress(CLI::App &app);
   /// Adds --max-bytes.
@@ -34,8 +36,19 @@ public:
   /// format, unless it names an input.
   void defaultInput(CLI::App &app, const std::string &input);
 
+  /// An opened input, and the options by which it was opened.
+  struct Opened {
+    Input input;
+    InputArguments arguments;
+    InputOptions options;
+  };
+
   /// INPUT as it was written.
   const std::string &input() const { return input_; }
+  bool isLossy() const { return lossy_; }
+  /// Opens the input for a format, which gets its payload by it if that is asked for.
+  Expected<Opened> open(Format &format, const CommonOptions &common, const Progress &progress,
+                        Json &figures) const;
 
   /// The format as FORMAT and the passes say; or, if that is `auto` or left out, as voxc suggest would choose
   /// for the input and a device of this name, which a note tells.

@@ -2,6 +2,8 @@
 #include "Building.h"
 #include "Figures.h"
 #include "Outputs.h"
+#include "PlanOption.h"
+#include "PlanTasks.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
@@ -22,9 +24,23 @@ public:
     addMemoryArguments(app, arguments_);
     addCompressArgument(app, arguments_.compress);
     addCommonOptions(app, common_);
+    plan_.declare(app, "--node", "Merges of the plan to do, such as 0,3,5-9; those that stand are left",
+                  {"FRAGMENT", "--output"}, {"--memory", "--scratch", "--stats", "--quiet"});
   }
 
-  Expected<void> run() override {
+  Expected<void> run() override { return plan_.isGiven() ? runNodes() : runWhole(); }
+
+private:
+  Expected<void> runNodes() {
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (auto merged = mergeParts(plan_.path(), plan_.numbers(), arguments_, bar.progress(), figures); !merged)
+      return merged;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+  Expected<void> runWhole() {
     if (Expected<void> writable = checkOutputFile(output_); !writable)
       return writable;
     Json figures;
@@ -35,7 +51,6 @@ public:
     return tellFigures(common_, figures);
   }
 
-private:
   Expected<void> merge(const Progress &progress, Json &figures) {
     Expected<Format> format = formatOfFragment(fragments_.front());
     if (!format)
@@ -61,6 +76,7 @@ private:
 
   std::vector<std::string> fragments_;
   std::string output_;
+  PlanOption plan_;
   BuildArguments arguments_;
   CommonOptions common_;
 };

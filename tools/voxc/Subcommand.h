@@ -20,6 +20,9 @@ public:
 
 std::unique_ptr<Subcommand> makeCompileCommand();
 std::unique_ptr<Subcommand> makeBuildCommand();
+std::unique_ptr<Subcommand> makePlanCommand();
+std::unique_ptr<Subcommand> makeSubmitCommand();
+std::unique_ptr<Subcommand> makeStatusCommand();
 std::unique_ptr<Subcommand> makeMergeCommand();
 std::unique_ptr<Subcommand> makeSplitCommand();
 std::unique_ptr<Subcommand> makeRenderCommand();

@@ -24,6 +24,9 @@ struct CommandKind {
 constexpr CommandKind kCommands[] = {
     {"compile", "Write the code that is generated for a format", makeCompileCommand},
     {"build", "Voxelize an input and construct its volume", makeBuildCommand},
+    {"plan", "Cut the building of a volume into parts, for many processes or machines", makePlanCommand},
+    {"submit", "Carry out a build plan, on processes of this machine or by Slurm", makeSubmitCommand},
+    {"status", "Say what stands of a build plan", makeStatusCommand},
     {"merge", "Join the fragments of a volume", makeMergeCommand},
     {"split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
     {"render", "Render a picture of a volume", makeRenderCommand},

@@ -11,8 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <random>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -71,7 +73,46 @@ protected:
     return wordsOf(constructor.merge(paths));
   }
 
-  void expectSameBytes(const Format &format, const test::HardScene &scene) const {
+  /// The same by a tree of merges, two or three fragments a step, of shares as uneven as may be.
+  Words mergedByTree(const Constructor &constructor, const Format &format, VoxelSource &source,
+                     std::uint64_t memory) {
+    const std::uint64_t cubes = partNumbersOf(source, format).count;
+    std::vector<std::uint64_t> cuts = {0, cubes};
+    while (cuts.size() < 8)
+      cuts.push_back(random_() % (cubes + 1));
+    std::ranges::sort(cuts);
+    std::uint64_t files = 0;
+    std::vector<std::string> paths;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      paths.push_back(path(files++));
+      const auto report = constructor.buildFragment(source, {i, cuts.size() - 1, cuts[i], cuts[i + 1]},
+                                                    paths.back(), {.provenance = "p"});
+      EXPECT_TRUE(report) << report.error().message;
+    }
+    const BuildOptions options{.memory = WorkingMemory::create(memory)};
+    while (paths.size() > 2) {
+      std::vector<std::string> next;
+      std::vector<std::uint64_t> nextCuts;
+      const std::size_t step = paths.size() == 3 ? 2 : 3;
+      const std::size_t count = (paths.size() + step - 1) / step;
+      for (std::size_t i = 0; i < paths.size(); i += step) {
+        const std::size_t end = std::min(i + step, paths.size());
+        next.push_back(path(files++));
+        nextCuts.push_back(cuts[i]);
+        const auto joined =
+            constructor.joinFragments({paths.begin() + static_cast<std::ptrdiff_t>(i),
+                                       paths.begin() + static_cast<std::ptrdiff_t>(end)},
+                                      {i / step, count, cuts[i], cuts[end]}, next.back(), options);
+        EXPECT_TRUE(joined) << joined.error().message;
+      }
+      nextCuts.push_back(cubes);
+      paths = next;
+      cuts = nextCuts;
+    }
+    return wordsOf(constructor.merge(paths, options));
+  }
+
+  void expectSameBytes(const Format &format, const test::HardScene &scene) {
     const auto constructor = Constructor::compile(format);
     ASSERT_TRUE(constructor) << constructor.error().message;
     ChunkedSource whole(scene, 6);
@@ -90,9 +131,13 @@ protected:
     }
     ChunkedSource source(scene, 3);
     EXPECT_EQ(merged(*constructor, source, 5), words) << toString(format) << " " << scene.name;
+    for (const std::uint64_t memory : {1 << 12, 1 << 28})
+      EXPECT_EQ(mergedByTree(*constructor, format, source, memory), words)
+          << toString(format) << " " << scene.name;
   }
 
   std::filesystem::path folder_;
+  std::mt19937 random_{5};
 };
 
 Format formatOf(std::string_view text, std::string_view passes) {
@@ -192,6 +237,7 @@ TEST_F(Parts, BrokenFragmentsAreErrors) {
     EXPECT_FALSE(constructor->merge({path(1)})) << "byte " << i;
     ASSERT_TRUE(writeFile(path(1), std::string_view(bytes).substr(0, i)));
     EXPECT_FALSE(constructor->merge({path(1)})) << "cut at byte " << i;
+    EXPECT_FALSE(constructor->joinFragments({path(1)}, {0, 1, 0, 8}, path(2)));
     std::memset(broken.data() + kChecksum, 0, sizeof(std::uint64_t));
     const std::string summed = broken.substr(kHeader) + broken.substr(0, kHeader);
     const std::uint64_t checksum = XXH3_64bits(summed.data(), summed.size());
@@ -199,6 +245,7 @@ TEST_F(Parts, BrokenFragmentsAreErrors) {
     ASSERT_TRUE(writeFile(path(1), broken));
     const auto built =
         constructor->merge({path(1)}); // Must only not crash: not every change is a contradiction.
+    const auto joined = constructor->joinFragments({path(1)}, {0, 1, 0, 8}, path(2));
   }
 }
 

@@ -224,6 +224,56 @@ TEST(MeshSource, InstancesAreTheirTrianglesWrittenOut) {
   EXPECT_EQ(reference(instanced, optionsOf(100)), voxelized(instanced, optionsOf(100)));
 }
 
+TEST(MeshSource, HasAllVoxelsOfTheRegionThatIsAskedFor) {
+  std::mt19937 random(12);
+  // Small things in many places, some of them turned: most instances do not reach into a region.
+  const auto scene = sceneOf({randomPart(random, 30)});
+  const Transform turn{{0, 0.1, 0}, {-0.1, 0, 0}, {0, 0, 0.1}, {0, 0, 0}};
+  for (int i = 0; i < 60; ++i) {
+    Transform place = turn;
+    for (int axis = 0; axis < 3; ++axis)
+      place[3][axis] = static_cast<double>(random() % 1000) / 500;
+    scene->instances.push_back({0, place});
+  }
+  scene->instances.erase(scene->instances.begin());
+  for (const bool zUp : {false, true}) {
+    VoxelizeOptions options = optionsOf(120);
+    options.zUp = zUp;
+    const Voxels all = voxelized(scene, options);
+    for (int i = 0; i < test::rounds(8); ++i) {
+      std::array<Int3, 2> region;
+      for (int axis = 0; axis < 3; ++axis) {
+        region[0][axis] = static_cast<int>(random() % 100);
+        region[1][axis] = region[0][axis] + 1 + static_cast<int>(random() % 40);
+      }
+      options.region = region;
+      const auto inside = [&](const Voxels &voxels) {
+        Voxels those;
+        for (const auto &voxel : voxels) {
+          const Int3 cell = mortonCell(voxel.first);
+          if (contains(region[1] - region[0], cell - region[0]))
+            those.insert(those.end(), voxel);
+        }
+        return those;
+      };
+      for (const MeshTuning tuning : {MeshTuning{6, 7}, MeshTuning{3, 7}, MeshTuning{4, 1}})
+        EXPECT_EQ(inside(voxelized(scene, options, tuning)), inside(all)) << "region " << i;
+    }
+  }
+}
+
+TEST(MeshSource, TellsTheTrianglesOfACube) {
+  std::mt19937 random(13);
+  const Scene scene = sceneOf({randomPart(random, 50)});
+  const auto source = opened(scene, optionsOf(200), {3, 7});
+  std::uint64_t small = 0;
+  for (std::uint64_t code = 0; code < 64; ++code)
+    small += source->records({mortonCell(code) * 64, 6});
+  EXPECT_EQ(small, source->records({{}, 8}));
+  EXPECT_GE(small, 50u);
+  EXPECT_EQ(source->records({{256, 0, 0}, 6}), 0u);
+}
+
 /// The six orders of axes by the eight choices of signs.
 struct Symmetry {
   std::array<int, 3> axes;

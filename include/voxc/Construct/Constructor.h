@@ -64,6 +64,23 @@ struct Built {
   BuildReport report;
 };
 
+/// The aligned cubes of voxels in which a volume can be cut apart, numbered in Morton order.
+struct PartNumbers {
+  int log2Side = 0; ///< Of a cube.
+  std::uint64_t count = 0;
+};
+
+/// How volumes of a source in a format can be cut.
+PartNumbers partNumbersOf(const VoxelSource &source, const Format &format);
+
+/// One of the fragments of a volume: the cubes [begin, end), by their numbers.
+struct FragmentShare {
+  std::uint64_t index = 0; ///< Which fragment this is, from 0,
+  std::uint64_t count = 1; ///< and of how many.
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
+
 /// Construction code of one format, compiled and callable.
 class Constructor {
 public:
@@ -86,6 +103,15 @@ public:
   Expected<BuildReport> buildFragment(VoxelSource &source, std::uint64_t index, std::uint64_t count,
                                       const std::string &path, const BuildOptions &options = {}) const;
 
+  /// The same for the cubes [share.begin, share.end).
+  Expected<BuildReport> buildFragment(VoxelSource &source, const FragmentShare &share,
+                                      const std::string &path, const BuildOptions &options = {}) const;
+
+  /// Joins fragments that follow one another to one, which holds all cubes of theirs: `merge` makes the same
+  /// volume of it as of them. Errors: as `merge`; a fragment has cubes outside the share.
+  Expected<BuildReport> joinFragments(const std::vector<std::string> &paths, const FragmentShare &share,
+                                      const std::string &path, const BuildOptions &options = {}) const;
+
   /// Joins all fragments of a volume, given in any order, to what `build` makes of it. The provenance is
   /// theirs. Errors (`Input`): a file that is no fragment, is broken, of another format or input, or missing.
   Expected<Built> merge(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
@@ -96,6 +122,10 @@ private:
   explicit Constructor(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Which fragment a file is, without its cubes, once its checksum is found to be that of its bytes. Errors as
+/// `merge`.
+Expected<FragmentShare> checkFragment(const std::string &path);
 
 /// The format of the volume that a fragment file belongs to. Errors as `merge`.
 Expected<Format> formatOfFragment(const std::string &path);

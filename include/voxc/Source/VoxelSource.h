@@ -44,6 +44,10 @@ public:
   /// log2 of the side of the cubes that the source makes at once: who shares work out gives whole ones.
   virtual int log2Chunk() const { return 6; }
 
+  /// How many records, such as triangles, are gone through to make the voxels of the aligned `cube`, which
+  /// is no smaller than a chunk, about; 0 where the source keeps none. Cheap.
+  virtual std::uint64_t records(const Cube &) const { return 0; }
+
   /// Seconds of computing that went into `empty` and `read` so far, over all views.
   virtual double readSeconds() const { return 0; }
 

@@ -52,6 +52,11 @@ public:
   double readSeconds() const override { return 1e-9 * static_cast<double>(mesh_->nanoseconds); }
   Transform voxelToModel() const override { return mesh_->model.grid.frame().voxelToModel(); }
   std::optional<Error> failure() const override { return failure_; }
+  std::uint64_t records(const Cube &cube) const override {
+    const int missing = std::max(mesh_->bins.log2Chunk() - cube.log2Side, 0);
+    const Cube bin = {cube.low, cube.log2Side + missing};
+    return isOutside(cube, extent()) ? 0 : mesh_->bins.sizeOf(bin) >> 3 * missing;
+  }
   std::unique_ptr<VoxelSource> view() const override { return std::make_unique<MeshSource>(mesh_); }
 
   bool empty(const Cube &cube) override {

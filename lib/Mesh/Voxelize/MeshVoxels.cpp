@@ -1,6 +1,9 @@
 // Sorting the triangles of a scene into chunks.
 #include "Mesh/Voxelize/MeshVoxels.h"
 
+#include "Mesh/Voxelize/RegionFilter.h"
+
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -12,41 +15,56 @@ namespace {
 constexpr std::uint64_t kStep = 64;
 constexpr std::uint64_t kProgressStep = 1 << 14;
 
-CellRange allChunks(Int3 extent, int log2Chunk) {
-  return {{}, ((extent - Int3{1, 1, 1}) >> log2Chunk) + Int3{1, 1, 1}};
+/// The chunks that will be asked for.
+CellRange chunksOf(Int3 extent, const std::optional<std::array<Int3, 2>> &region, int log2Chunk) {
+  CellRange chunks{{}, ((extent - Int3{1, 1, 1}) >> log2Chunk) + Int3{1, 1, 1}};
+  for (int axis = 0; region && axis < 3; ++axis) {
+    const int last = ((*region)[1][axis] - 1) >> log2Chunk;
+    chunks.low[axis] = std::max((*region)[0][axis] >> log2Chunk, 0);
+    chunks.high[axis] = std::min(last + 1, chunks.high[axis]);
+  }
+  return chunks;
 }
+
+/// The chunks that are filled, and the triangles that may touch them.
+struct Region {
+  CellRange chunks;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> triangles;
+};
 
 /// Calls `visit(chunk, triangle)` for each triangle and each bin's chunk that it touches. This is one half of
 /// the work, `done` of which is done.
-template <typename Visit> Expected<void> forEachChunk(const MeshVoxels &mesh, double done, Visit visit) {
+template <typename Visit>
+Expected<void> forEachChunk(const MeshVoxels &mesh, const Region &region, double done, Visit visit) {
   const CellShape shape = CellShape::cube(mesh.model.grid.bits() + mesh.bins.log2Chunk());
-  const CellRange chunks = allChunks(mesh.model.extent(), mesh.bins.log2Chunk());
   const std::uint64_t count = mesh.model.numbers.size();
   TriangleCursor cursor(*mesh.scene, mesh.model.numbers);
   std::vector<CellMask> masks;
-  for (std::uint64_t number = 0; number < count; ++number) {
-    if (number % kStep == 0) {
-      if (mesh.progress.stopped())
-        return Error::interrupted();
-      mesh.memory->relieve();
+  for (const auto &[first, end] : region.triangles)
+    for (std::uint64_t number = first; number < end; ++number) {
+      if (number % kStep == 0) {
+        if (mesh.progress.stopped())
+          return Error::interrupted();
+        mesh.memory->relieve();
+      }
+      if (number % kProgressStep == 0)
+        mesh.progress.at("bin", done + 0.5 * static_cast<double>(number) / static_cast<double>(count));
+      cursor.moveTo(number);
+      coverCells(mesh.model.snapped(cursor), shape, region.chunks, masks);
+      for (const CellMask &mask : masks)
+        forEachCell(mask, [&](Int3 chunk) { visit(chunk, static_cast<std::uint32_t>(number)); });
     }
-    if (number % kProgressStep == 0)
-      mesh.progress.at("bin", done + 0.5 * static_cast<double>(number) / static_cast<double>(count));
-    cursor.moveTo(number);
-    coverCells(mesh.model.snapped(cursor), shape, chunks, masks);
-    for (const CellMask &mask : masks)
-      forEachCell(mask, [&](Int3 chunk) { visit(chunk, static_cast<std::uint32_t>(number)); });
-  }
   return {};
 }
 
-Expected<void> fill(ChunkBins<std::uint32_t> &bins, const MeshVoxels &mesh) {
+Expected<void> fill(ChunkBins<std::uint32_t> &bins, const MeshVoxels &mesh, const Region &region) {
   const auto count = [&](Int3 chunk, std::uint32_t) { bins.count(chunk); };
-  if (auto counted = forEachChunk(mesh, 0, count); !counted)
+  if (auto counted = forEachChunk(mesh, region, 0, count); !counted)
     return counted;
   if (auto allocated = bins.allocate(); !allocated)
     return allocated;
-  return forEachChunk(mesh, 0.5, [&](Int3 chunk, std::uint32_t number) { bins.place(chunk, number); });
+  return forEachChunk(mesh, region, 0.5,
+                      [&](Int3 chunk, std::uint32_t number) { bins.place(chunk, number); });
 }
 
 } // namespace
@@ -67,7 +85,9 @@ Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<con
   const CellShape shape = options.coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits);
   auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
                                            shape, tuning.log2Chunk, options.progress);
-  if (auto filled = fill(mesh->bins, *mesh); !filled)
+  const Region region{chunksOf(mesh->model.extent(), options.region, log2Bin),
+                      trianglesNear(options.region, *mesh->scene, mesh->model)};
+  if (auto filled = fill(mesh->bins, *mesh, region); !filled)
     return filled.error();
   return std::shared_ptr<const MeshVoxels>(std::move(mesh));
 }

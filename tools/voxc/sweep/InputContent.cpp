@@ -41,8 +41,9 @@ std::map<std::string, bool> filesBelow(const fs::path &folder) {
   return files;
 }
 
-/// Adds what `path` names among the files that were not added yet, and what these name.
-Expected<void> addCompanions(const std::string &path, std::map<std::string, bool> &files, Digest &digest) {
+/// Lists what `path` names among the files that were not listed yet, and what these name.
+Expected<void> addCompanions(const std::string &path, std::map<std::string, bool> &files,
+                             std::vector<ContentFile> &content) {
   const Expected<std::string> text = readTextFile(path);
   if (!text)
     return text.error();
@@ -51,17 +52,22 @@ Expected<void> addCompanions(const std::string &path, std::map<std::string, bool
     if (added || text->find(name) == std::string::npos)
       continue;
     added = true;
-    digest.add(name);
-    if (Expected<void> taken = digest.addFile(companion); !taken)
-      return taken;
+    content.push_back({name, companion});
     if (refers(companion))
-      if (Expected<void> further = addCompanions(companion, files, digest); !further)
+      if (Expected<void> further = addCompanions(companion, files, content); !further)
         return further;
   }
   return {};
 }
 
-/// The path in "grid:WxHxD:FILE" and "raw:WxHxD:TYPE:FILE", or the input itself.
+/// Where the path does not say it all: the size of a grid, and the ending that tells the kind.
+std::string kindOf(const std::string &input) {
+  const std::string path = fileOf(input);
+  return path == input ? fs::path(path).extension().string() : input.substr(0, input.rfind(':'));
+}
+
+} // namespace
+
 std::string fileOf(const std::string &input) {
   for (const std::string_view prefix : {"grid:", "raw:"})
     if (input.starts_with(prefix))
@@ -69,22 +75,32 @@ std::string fileOf(const std::string &input) {
   return input;
 }
 
-} // namespace
+Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
+  std::vector<ContentFile> content;
+  if (input.starts_with("builtin:"))
+    return content;
+  const std::string path = fileOf(input);
+  content.push_back({kindOf(input), path});
+  if (refers(path)) {
+    const fs::path folder = fs::path(path).parent_path();
+    auto files = filesBelow(folder.empty() ? "." : folder);
+    files[path] = true;
+    if (Expected<void> added = addCompanions(path, files, content); !added)
+      return added.error();
+  }
+  return content;
+}
 
 Expected<std::string> contentDigest(const std::string &input) {
   Digest digest;
   if (input.starts_with("builtin:"))
     return digest.add(input).hex();
-  const std::string path = fileOf(input);
-  // Where the path does not say it all: the size of a grid, and the ending that tells the kind.
-  digest.add(path == input ? fs::path(path).extension().string() : input.substr(0, input.rfind(':')));
-  if (Expected<void> added = digest.addFile(path); !added)
-    return added.error();
-  if (refers(path)) {
-    const fs::path folder = fs::path(path).parent_path();
-    auto files = filesBelow(folder.empty() ? "." : folder);
-    files[path] = true;
-    if (Expected<void> added = addCompanions(path, files, digest); !added)
+  const auto files = contentFiles(input);
+  if (!files)
+    return files.error();
+  for (const ContentFile &file : *files) {
+    digest.add(file.name);
+    if (Expected<void> added = digest.addFile(file.path); !added)
       return added.error();
   }
   return digest.hex();

@@ -1,0 +1,184 @@
+// Arrays with dependencies, and waiting for them.
+#include "SlurmRun.h"
+
+#include "cluster/NumberList.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <thread>
+
+namespace voxc::tool {
+
+using namespace cluster;
+
+namespace {
+
+/// Questions in a row that Slurm may leave without an answer: its controller may be starting again.
+constexpr int kMostSilence = 60;
+
+/// A word as the shell takes it.
+std::string quoted(const std::string &word) {
+  std::string text = "'";
+  for (const char letter : word)
+    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+/// The line that a job of a level runs.
+std::string commandLine(const PlanRun &run, std::size_t level) {
+  std::error_code ignored;
+  std::string line = "exec " + quoted(std::filesystem::read_symlink("/proc/self/exe", ignored).string());
+  for (const std::string &word : run.command(level, "\t"))
+    line += word == "\t" ? " \"$SLURM_ARRAY_TASK_ID\"" : " " + quoted(word);
+  return line;
+}
+
+/// The numbers of the arrays that have items of a level.
+std::vector<std::string> arraysOf(const std::vector<QueuedJob> &queue, std::size_t level) {
+  std::set<std::string> arrays;
+  for (const QueuedJob &job : queue)
+    if (job.level == level)
+      arrays.insert(job.array);
+  return {arrays.begin(), arrays.end()};
+}
+
+/// Hands over what no job of the queue does; adds the new arrays to `arrays`. Returns how many jobs.
+Expected<std::uint64_t> handOver(const PlanRun &run, const Slurm &slurm, const MissingWork &missing,
+                                 const std::vector<QueuedJob> &queue, std::set<std::string> &arrays) {
+  std::uint64_t jobs = 0;
+  std::vector<std::string> below;
+  for (std::size_t level = 0; level < missing.levels(); ++level) {
+    std::vector<std::uint64_t> numbers = run.numbersOf(level, missing.at(level));
+    std::erase_if(numbers, [&](std::uint64_t number) {
+      return std::ranges::any_of(
+          queue, [&](const QueuedJob &job) { return job.level == level && job.number == number; });
+    });
+    std::vector<std::string> here = arraysOf(queue, level);
+    if (!numbers.empty()) {
+      const auto array = slurm.submit({level, numberListText(numbers), below, commandLine(run, level),
+                                       run.files.folder() + "/job-%A-%a.log"});
+      if (!array)
+        return array.error();
+      here.push_back(*array);
+      jobs += numbers.size();
+    }
+    arrays.insert(here.begin(), here.end());
+    below = std::move(here);
+  }
+  return jobs;
+}
+
+class Waiting {
+public:
+  Waiting(const PlanRun &run, const SlurmMeans &means, const Slurm &slurm)
+      : run_(run), means_(means), slurm_(slurm) {}
+
+  /// Waits until no job of the plan waits or runs.
+  Expected<void> forAll(std::uint64_t all) const {
+    int silence = 0;
+    for (;;) {
+      const auto queue = slurm_.queue(run_.plan.tree().levels());
+      if (queue && queue->empty())
+        return {};
+      if (!queue && ++silence > kMostSilence)
+        return queue.error();
+      if (queue) {
+        silence = 0;
+        const std::uint64_t left = std::min<std::uint64_t>(queue->size(), all);
+        run_.progress.at("jobs", 1 - static_cast<double>(left) / static_cast<double>(all), all - left);
+      }
+      if (auto slept = sleep(); !slept)
+        return slept;
+    }
+  }
+
+private:
+  Expected<void> sleep() const {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(means_.pollSeconds);
+    do {
+      if (run_.progress.stopped())
+        return Error::interrupted();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    } while (Clock::now() < end);
+    return {};
+  }
+
+  const PlanRun &run_;
+  const SlurmMeans &means_;
+  const Slurm &slurm_;
+};
+
+/// What the jobs took, where Slurm keeps accounts.
+void addAccounts(Json &figures, const std::vector<JobAccount> &accounts) {
+  if (accounts.empty())
+    return;
+  double cpuSeconds = 0;
+  double longest = 0;
+  std::map<std::string, std::uint64_t> states;
+  for (const JobAccount &account : accounts) {
+    cpuSeconds += account.cpuSeconds;
+    longest = std::max(longest, account.seconds);
+    ++states[account.state.substr(0, account.state.find(' '))];
+  }
+  figures["jobs_cpu_seconds"] = cpuSeconds;
+  figures["longest_job_seconds"] = longest;
+  for (const auto &[state, count] : states)
+    figures["job_states"][state] = count;
+}
+
+/// Why work is left, as far as Slurm can say.
+Error whatFailed(const PlanRun &run, const MissingWork &missing, const std::vector<JobAccount> &accounts) {
+  std::string jobs;
+  for (const JobAccount &account : accounts)
+    if (!account.state.starts_with("COMPLETED"))
+      jobs += (jobs.empty() ? "; " : ", ") + account.job + " " + account.state;
+  return Error::environment(std::to_string(missing.count()) +
+                            " of the plan's outputs are still missing, and no job "
+                            "made any of them" +
+                            jobs + "; logs lie in '" + run.files.folder() + "'");
+}
+
+} // namespace
+
+Slurm slurmOf(const PlanRun &run, const SlurmMeans &means) {
+  return Slurm("voxc-" + run.files.digest(), means.options);
+}
+
+Expected<void> runBySlurm(const PlanRun &run, const SlurmMeans &means, Json &figures) {
+  const Slurm slurm = slurmOf(run, means);
+  std::set<std::string> arrays;
+  std::uint64_t submitted = 0;
+  for (bool isFirst = true;; isFirst = false) {
+    // In this order: what ends meanwhile stands, and is not handed over twice.
+    const auto queue = slurm.queue(run.plan.tree().levels());
+    if (!queue)
+      return queue.error();
+    const MissingWork missing = run.missing();
+    if (isFirst)
+      figures["missing"] = missing.count();
+    else if (!missing.empty() && !run.common.quiet)
+      printNote("note: " + std::to_string(missing.count()) +
+                " outputs are still missing, and are asked for again");
+    if (missing.empty())
+      break;
+    const auto jobs = handOver(run, slurm, missing, *queue, arrays);
+    if (!jobs)
+      return jobs.error();
+    submitted += *jobs;
+    figures["submitted"] = submitted;
+    if (!means.wait)
+      return {};
+    if (auto waited = Waiting(run, means, slurm).forAll(missing.count()); !waited)
+      return waited;
+    if (const MissingWork left = run.missing(); left == missing)
+      return whatFailed(run, left, slurm.accounts({arrays.begin(), arrays.end()}));
+  }
+  addAccounts(figures, slurm.accounts({arrays.begin(), arrays.end()}));
+  return {};
+}
+
+} // namespace voxc::tool

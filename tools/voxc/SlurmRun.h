@@ -1,0 +1,26 @@
+// Carrying out a build plan by Slurm.
+#pragma once
+
+#include "PlanRun.h"
+
+#include "cluster/Slurm.h"
+
+namespace voxc::tool {
+
+/// How Slurm is used.
+struct SlurmMeans {
+  std::vector<std::string> options; ///< Passed on to sbatch: "--partition=long".
+  double pollSeconds = 5;           ///< Between two questions to Slurm.
+  bool wait = true;                 ///< Until the volume stands.
+};
+
+/// The jobs of a plan, as Slurm knows them.
+cluster::Slurm slurmOf(const PlanRun &run, const SlurmMeans &means);
+
+/// Hands over what is missing and neither waits nor runs already: an array for the parts, and one for each
+/// level of merges, which begins when those below have ended well. Waits for them, hands over again what
+/// failed as long as some of it got done, and tells what the jobs took by Slurm's accounting. Errors: Slurm
+/// does not answer, a job that fails twice, or the wait was stopped, which leaves the jobs to run.
+Expected<void> runBySlurm(const PlanRun &run, const SlurmMeans &means, Json &figures);
+
+} // namespace voxc::tool

@@ -1,0 +1,95 @@
+// voxc status: what stands of a build plan, and what waits or runs.
+#include "Figures.h"
+#include "SlurmRun.h"
+#include "Subcommand.h"
+
+#include "cluster/NumberList.h"
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace voxc::tool {
+
+using namespace cluster;
+
+namespace {
+
+class StatusCommand final : public Subcommand {
+public:
+  void declare(CLI::App &app) override {
+    app.add_option("PLAN", path_, "Build plan of voxc plan")->required()->type_name("");
+    app.add_flag("--slurm", bySlurm_, "Ask Slurm what waits and runs");
+    addCommonOptions(app, common_);
+  }
+
+  Expected<void> run() override {
+    const std::string path = std::filesystem::absolute(path_).lexically_normal().string();
+    auto plan = loadPlan(path);
+    if (!plan)
+      return plan.error();
+    ProgressBar bar(common_.quiet);
+    const PlanRun run{path, *plan, PlanFiles(*plan, path), {}, common_, bar.progress()};
+    std::vector<QueuedJob> queue;
+    if (bySlurm_) {
+      auto asked = slurmOf(run, {}).queue(plan->tree().levels());
+      if (!asked)
+        return asked.error();
+      queue = std::move(*asked);
+    }
+    const MissingWork missing = run.missing();
+    bar.clear();
+    const Json figures = figuresOf(run, missing, queue);
+    if (tellsOnStdout(common_))
+      print(figures);
+    return writeStatistics(common_.stats, figures);
+  }
+
+private:
+  static Json figuresOf(const PlanRun &run, const MissingWork &missing, const std::vector<QueuedJob> &queue) {
+    Json figures;
+    figures["digest"] = run.files.digest();
+    figures["volume"] = run.files.output(run.plan.tree().root());
+    figures["complete"] = missing.empty();
+    for (std::size_t level = 0; level < missing.levels(); ++level) {
+      std::uint64_t waiting = 0;
+      std::uint64_t running = 0;
+      for (const QueuedJob &job : queue)
+        if (job.level == level)
+          ++(job.isRunning ? running : waiting);
+      figures["levels"].push_back(
+          {{"items", run.plan.tree().count(level)},
+           {"missing", missing.at(level).size()},
+           {"waiting", waiting},
+           {"running", running},
+           {"missing_list", numberListText(run.numbersOf(level, missing.at(level)))}});
+    }
+    return figures;
+  }
+
+  static void print(const Json &figures) {
+    std::size_t level = 0;
+    for (const Json &row : figures["levels"]) {
+      const std::string what = level == 0 ? "parts" : "merges " + std::to_string(level);
+      const std::string list = row["missing_list"];
+      std::printf("%-10s %6llu, missing %llu%s%s, waiting %llu, running %llu\n", what.c_str(),
+                  row["items"].get<unsigned long long>(), row["missing"].get<unsigned long long>(),
+                  list.empty() ? "" : ": ", list.c_str(), row["waiting"].get<unsigned long long>(),
+                  row["running"].get<unsigned long long>());
+      ++level;
+    }
+    std::printf("%s %s\n", figures["volume"].get<std::string>().c_str(),
+                figures["complete"].get<bool>() ? "is complete" : "is not complete");
+  }
+
+  std::string path_;
+  bool bySlurm_ = false;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeStatusCommand() { return std::make_unique<StatusCommand>(); }
+
+} // namespace voxc::tool
