@@ -63,9 +63,8 @@ Error unknownCommand(std::string_view word) {
   const CommandKind *const like = std::ranges::min_element(
       kCommands, {}, [word](const CommandKind &kind) { return wordDistance(kind.name, word); });
   const bool isLike = wordDistance(like->name, word) <= 2;
-  return Error::usage("'" + std::string(word) + "' is no command; " +
-                      (isLike ? "did you mean " + std::string(like->name) + "? The" : "the") +
-                      " commands are " + names);
+  return Error::usage("'" + std::string(word) + "' is no command; the commands are " + names +
+                      (isLike ? " (did you mean " + std::string(like->name) + "?)" : ""));
 }
 
 } // namespace

@@ -34,8 +34,9 @@ struct InputOptions {
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
   bool isUpKnown = false;                      ///< `zUp` was said, and holds whatever the kind of file.
   bool zUp = false; ///< The up of a mesh or a dense volume is +z: it is turned to +y.
-  /// What nobody says of a dense volume is found: its threshold by its histogram, the window from there up,
-  /// and which axis points up by its kind of file (+z in NIfTI files).
+  /// What nobody says of a dense volume is found: its threshold by its histogram, a window in which it is not
+  /// black, and which axis points up by its kind of file (+z in NIfTI files). A warning tells if most is
+  /// solid.
   bool isAutomatic = false;
   std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
   /// How a dense volume's samples look: grey, heat, dusk or polar; or "labels": words are the samples, or the

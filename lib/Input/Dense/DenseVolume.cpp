@@ -59,7 +59,7 @@ Expected<void> findThreshold(DenseVolume &volume, const InputOptions &options, S
     return histogram.error();
   const double share = histogram->shareFrom(histogram->range.low);
   constexpr double kBackground = 0.3; // Of the samples that are not 0: some of them are background then.
-  if (options.isAutomatic && !map.threshold && share > kBackground && range->low < range->high) {
+  if (!map.threshold && share > kBackground && range->low < range->high) {
     map.threshold = histogram->threshold();
     volume.notes.push_back(percent(share) + " of the samples are not 0; those from " +
                            toText(*map.threshold) + " up are taken, which parts them best (--threshold " +
@@ -77,8 +77,9 @@ Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options) {
   map.labels = options.colourMap == kLabels;
   if (map.labels)
     return map;
-  if (auto found = findThreshold(volume, options, map); !found)
-    return found.error();
+  if (options.isAutomatic)
+    if (auto found = findThreshold(volume, options, map); !found)
+      return found.error();
   auto colours = colourMap(options.colourMap);
   if (!colours)
     return colours.error();
@@ -95,9 +96,12 @@ Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options) {
   if (!range)
     return range.error();
   map.window = *range;
-  // Colours are for what is seen.
-  if (options.isAutomatic && map.threshold && *map.threshold < range->high)
-    map.window.low = std::max(range->low, *map.threshold);
+  if (options.isAutomatic && range->low < range->high) {
+    // What is seen lies just above the threshold, and shall not be black: the window begins below.
+    constexpr double kDarkest = 0.4; // Of the colours, from the first on.
+    const double least = map.threshold && *map.threshold < range->high ? *map.threshold : range->low;
+    map.window.low = least - (range->high - least) * kDarkest / (1 - kDarkest);
+  }
   return map;
 }
 
