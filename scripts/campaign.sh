@@ -8,4 +8,4 @@ source scripts/lib.sh
 [ $# -eq 1 ] || fail "usage: scripts/campaign.sh HOURS"
 build release
 build fuzz
-exec python3 scripts/campaign/campaign.py "$1"
+exec python3 -B scripts/campaign/campaign.py "$1"

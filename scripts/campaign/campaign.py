@@ -2,6 +2,7 @@
 
 campaign.py HOURS    from the repository's root, with build/release and build/fuzz built
 """
+import json
 import os
 import random
 import re
@@ -39,8 +40,8 @@ def hard_rays(seconds):
                    "--rays", "200000", "--seed", str(SEED + i), "--quiet", "--stats", FOLDER / "rays.json"]
         run = subprocess.run([str(word) for word in command], capture_output=True, text=True,
                              env={**os.environ, "MESA_SHADER_CACHE_DISABLE": "true"})
-        rays = re.search(r'"rays": (\d+)', (FOLDER / "rays.json").read_text()) if run.returncode == 0 else None
-        yield f"hard rays, {device}", int(rays[1]) if rays else 0, finding(run, " ".join(map(str, command)))
+        rays = json.loads((FOLDER / "rays.json").read_text())["error"]["rays"] if run.returncode == 0 else 0
+        yield f"hard rays, {device}", rays, finding(run, " ".join(map(str, command)))
 
 
 def hostile_tests(seconds):

@@ -31,8 +31,8 @@ private:
 };
 
 /// A file without a name, which takes that of `path` on `commit` and else disappears, however the process
-/// ends. Where a file system has no such files, it has a temporary name beside `path`, which a process that is
-/// killed leaves behind.
+/// ends. Where a file system has no such files, it has a temporary name beside `path`, which a process that
+/// is killed leaves behind.
 class OutputFile {
 public:
   /// Errors: `Environment` if nothing can be written there; `Input` if `path` is a directory.
@@ -49,8 +49,8 @@ public:
   int descriptor() const { return ::fileno(file_); }
   /// True if there is a file of its own, not a pipe or a device.
   bool isRegular() const { return replaces_; }
-  /// Sees all of it onto the disk, then gives it the final name: whatever happens, `path` is what it was or is
-  /// whole.
+  /// Sees all of it onto the disk, then gives it the final name: whatever happens, `path` is what it was or
+  /// is whole.
   Expected<void> commit();
 
 private:
