@@ -42,8 +42,10 @@ void addOptions(CLI::App &app, Options &options) {
       ->required()
       ->type_name("HITS.bin|PICTURE");
   addPictureOptions(app, options.picture);
-  app.add_flag("--count", options.count, "Count each ray's lookups");
-  app.add_option("--repeat", options.repeat, "Trace so often; the speeds are those of the fastest time")
+  app.add_flag("--count", options.count, "Count each ray's lookups; of a picture as with --repeat");
+  app.add_option("--repeat", options.repeat,
+                 "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless "
+                 "--style says")
       ->check(CLI::Range(1u, 1000000u));
   app.add_option("--device", options.device,
                  "Trace on the device whose name contains this, or with this number or UUID")
@@ -56,8 +58,6 @@ Expected<void> checkUsage(const CLI::App &app, const Options &options) {
   if (options.output == "-" && options.common.stats == "-")
     return Error::usage("-o and --stats cannot both write to standard output");
   if (options.rays.empty()) {
-    if (options.repeat > 1 || options.count)
-      return Error::usage("--repeat and --count are for --rays; --heatmap shows the lookups of a picture");
     Expected<void> named = checkPictureName(options.output);
     return named ? checkPictureOptions(options.picture) : named;
   }
@@ -99,7 +99,12 @@ Expected<void> traceRays(const Options &options, Tracer &tracer, RayTally &tally
 Expected<void> takePicture(const Options &options, const Volume &volume, Tracer &tracer, RayTally &tally,
                            ProgressBar &bar, Json &figures) {
   RayTally others;
-  const auto camera = tracingInto(tally, tracer), other = tracingInto(others, tracer);
+  const auto other = tracingInto(others, tracer);
+  const auto camera = [&](std::span<const Ray> rays, std::span<Hit> hits, TraceOptions how) {
+    how.repeat = options.repeat;
+    how.countSteps |= options.count;
+    return tracingInto(tally, tracer)(rays, hits, how);
+  };
   const auto taken = tool::takePicture(options.picture, volume, {camera, other}, other, 0, bar.progress());
   if (!taken)
     return taken.error();
@@ -163,5 +168,10 @@ int main(int argc, char **argv) {
                "voxc-trace");
   Options options;
   addOptions(app, options);
-  return runTool(app, argc, argv, [&] { return run(app, options); });
+  return runTool(app, argc, argv, [&] {
+    // What is timed or counted is a picture's own rays, one a pixel.
+    if ((options.repeat > 1 || options.count) && app.get_option("--style")->count() == 0)
+      options.picture.style = "flat";
+    return run(app, options);
+  });
 }

@@ -249,6 +249,27 @@ TEST_F(DenseVolumes, NiftiScalesItsSamplesAndTakesTheFirstVolume) {
   EXPECT_EQ(voxels("a.nii", file).size(), 2u);
 }
 
+TEST_F(DenseVolumes, WhatNobodySaysOfThemIsFound) {
+  const std::string file = nifti(true, false) + "\1\1\1\5\6\6";
+  options_.isAutomatic = true;
+  EXPECT_EQ(voxels("a.nii", file).size(), 3u); // From a threshold between 1 and 5.
+  EXPECT_THAT(warnings_, testing::IsEmpty());
+  // Most is solid, which may be meant; no voxel is black.
+  options_.threshold = 1;
+  const Voxels automatic = voxels("a.nii", file);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("100 % of the samples become voxels")));
+  for (const auto &[place, word] : automatic)
+    EXPECT_GT(word & 255, 90u);
+  // The up of NIfTI files is +z, unless it is said.
+  options_.window = {{0, 6}};
+  const Voxels upright = voxels("a.nii", file);
+  options_.isUpKnown = true;
+  const Voxels asTheyLie = voxels("a.nii", file);
+  options_.zUp = true;
+  EXPECT_EQ(voxels("a.nii", file), upright);
+  EXPECT_NE(asTheyLie, upright);
+}
+
 TEST_F(DenseVolumes, NiftiSaysWhereItsSamplesLie) {
   std::string file = nifti(true, false) + "\1\2\3\4\5\6";
   file.replace(252, 4, bytesOf<std::int16_t>({1, 0}));
