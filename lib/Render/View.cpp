@@ -227,17 +227,20 @@ Expected<std::optional<Camera>> roomCamera(const Place &place, const glm::dvec3 
   return std::optional<Camera>(cameraAt(place, extent, settings));
 }
 
-/// The greatest of the numbers; or, if a few stand far off of all others, the greatest of those.
+/// The greatest of the numbers; or, if less than a hundredth of them stand off all others by a wide gap, the
+/// greatest below that.
 double outermost(std::vector<double> &numbers) {
   if (numbers.empty())
     return 0;
   std::ranges::sort(numbers);
   const std::size_t count = numbers.size();
-  const double most = numbers[count - 1];
-  const double nearly = numbers[count - 1 - count / 100];
-  const double middle = numbers[count / 2];
-  constexpr double kFarOff = 0.12;
-  return most - nearly > kFarOff * (most - middle) ? nearly : most;
+  const double most = numbers.back();
+  constexpr double kGap = 0.06;
+  const double gap = kGap * (most - numbers[count / 2]);
+  for (std::size_t i = count - 1 - count / 100; i + 1 < count; ++i)
+    if (numbers[i + 1] - numbers[i] > gap)
+      return numbers[i];
+  return most;
 }
 
 /// Two decimal digits are enough, so that what is printed is what was used.

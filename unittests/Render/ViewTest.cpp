@@ -72,6 +72,24 @@ TEST(Frame, TouchesTheEdgesAboveAndBelow) {
   EXPECT_LT(most, 0.92);
 }
 
+TEST(Frame, LeavesOutWhatStandsApartAndKeepsAPeak) {
+  Camera camera;
+  camera.eye = {0, 0, 9};
+  camera.width = camera.height = 100;
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i <= 1000; ++i)
+    points.emplace_back(i % 100, i / 100, 0);
+  const double without = frame(camera, points).eye.z;
+  // Higher and higher, but without a gap.
+  for (int i = 0; i < 27; ++i)
+    points.emplace_back(50, 10 + 3 * i, 0);
+  const glm::dvec3 peaked = frame(camera, points).eye;
+  EXPECT_GT(peaked.y, 30);
+  points.resize(1001);
+  points.emplace_back(50, 900, 0);
+  EXPECT_NEAR(frame(camera, points).eye.z, without, 1e-9);
+}
+
 TEST(ViewCamera, FillsTheFrameFromOutside) {
   const Volume volume = volumeWhere([](int x, int y, int z) { return x < 3 && y < 3 && z < 3; });
   OracleTracer tracer(volume);

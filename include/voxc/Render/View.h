@@ -26,8 +26,8 @@ Expected<Camera> viewCamera(View view, const Volume &volume, TraceRays trace, in
                             double verticalFov = 0);
 
 /// The camera that looks in the same direction with the same angle from where all `points` are just within
-/// the frame, but for a margin: they touch it on the left and on the right, or above and below. A hundredth
-/// of them that stands far off of all others may fall outside.
+/// the frame, but for a margin: they touch it on the left and on the right, or above and below. Less than a
+/// hundredth of them that stand off all others by a wide gap may fall outside.
 Camera frame(Camera camera, std::span<const glm::dvec3> points);
 
 } // namespace voxc
