@@ -25,8 +25,9 @@ std::uint64_t largest(const Numbers &costs, const Numbers &ends) {
   std::uint64_t most = 0;
   std::uint64_t begin = 0;
   for (const std::uint64_t end : ends) {
-    most = std::max(most, std::accumulate(costs.begin() + static_cast<std::ptrdiff_t>(begin),
-                                          costs.begin() + static_cast<std::ptrdiff_t>(end), std::uint64_t{0}));
+    most =
+        std::max(most, std::accumulate(costs.begin() + static_cast<std::ptrdiff_t>(begin),
+                                       costs.begin() + static_cast<std::ptrdiff_t>(end), std::uint64_t{0}));
     begin = end;
   }
   return most;
@@ -90,7 +91,8 @@ TEST(NumberList, standsForRanges) {
   EXPECT_EQ(parseNumberList("0,3,5-7", 8), (Numbers{0, 3, 5, 6, 7}));
   EXPECT_EQ(numberListText({0, 3, 5, 6, 7}), "0,3,5-7");
   EXPECT_EQ(numberListText({}), "");
-  for (const char *wrong : {"", ",", "8", "5-8", "3-1", "1-", "-1", "1,,2", "1 ", "x", "99999999999999999999"})
+  for (const char *wrong :
+       {"", ",", "8", "5-8", "3-1", "1-", "-1", "1,,2", "1 ", "x", "99999999999999999999"})
     EXPECT_FALSE(parseNumberList(wrong, 8)) << wrong;
 }
 
