@@ -1,54 +1,147 @@
 #!/usr/bin/env bash
-# Builds volumes by plans under a Slurm of its own (scripts/slurm-loopback.sh), with faults on the way, and compares each with
-# the volume of one build. Part of ./check --full; takes half a minute without a model.
+# Builds volumes by plans under a Slurm of its own (scripts/slurm-loopback.sh) and hurts it on the way: each time one voxc submit
+# must finish with the bytes of one build, and no part that stood may have been built again. Part of ./check --full; takes about
+# three minutes without a model, most of them waits for Slurm.
 #
 # Usage: scripts/slurm-loopback.sh scripts/cluster.sh BUILD [FORMAT INPUT]
 set -euo pipefail
 
 readonly voxc="${1:?usage: scripts/slurm-loopback.sh scripts/cluster.sh BUILD [FORMAT INPUT]}/bin/voxc"
-readonly format="${2:-R(3^3) G(6)}" input="${3:-builtin:terrain:512}"
+readonly format="${2:-R(4^3) G(6)}" input="${3:-builtin:terrain:1024}"
 : "${SLURM_LOOPBACK:?run this by scripts/slurm-loopback.sh}"
 folder="$(mktemp -d -p "${TMPDIR:-/var/tmp}")"
 readonly folder
+readonly plan="$folder/p.plan"
 trap 'rm -rf "$folder"' EXIT
 
-"$voxc" build "$format" "$input" --whole-level-dedup --threads 1 -o "$folder/whole.hvx" --quiet
-"$voxc" plan "$format" "$input" --whole-level-dedup --parts 64 -o "$folder/p.plan" --quiet
+fail() { echo "cluster: $*" >&2; exit 1; }
+submit() { "$voxc" submit "$plan" --slurm --poll 0.5 --quiet "$@"; }
 
-submit() { "$voxc" submit "$folder/p.plan" --slurm --poll 0.5 --quiet --threads 1 "$@"; }
-same() {
-  cmp "$folder/whole.hvx" "$folder/p.hvx"
-  echo "cluster: $1: the same bytes"
-  rm -rf "$folder/p.plan.d" "$folder/p.hvx"
+# Hands the plan over. With it begins each case.
+begin() {
+  rm -rf "$plan.d" "$folder/p.hvx"
+  submit --no-wait "$@"
 }
-kill_daemon() { kill -9 "$(cat "$SLURM_LOOPBACK/$1.pid")"; }
 
-submit
-same "no fault"
+parts_stand() { [ "$(find "$plan.d" -name 'part-*.hvf' | wc -l)" -ge 4 ]; }
 
-submit --no-wait
-sleep 2
-kill_daemon node2
-submit || submit
-same "a node daemon killed"
-slurmd -N node2
+# Waits until four parts stand and a task (build or merge) runs, and stops it: a process that does not end before it has been hurt. Sets `task`, its
+# process, and `node`, the number of its node.
+catch() {
+  local end=$((SECONDS + 60))
+  until parts_stand && task="$(pgrep -o -f -- " $1 --plan $plan")" && kill -STOP "$task" 2> /dev/null; do
+    [ $SECONDS -lt $end ] || fail "no $1 task ran"
+  done
+  node="$(tr '\0' '\n' < "/proc/$task/environ" | sed -n 's/^SLURMD_NODENAME=node//p')"
+}
 
-submit --no-wait
-sleep 1
-kill_daemon controller
-sleep 1
-slurmctld
-submit
-same "the controller killed and started again"
+# The parts that stand now, by their inodes.
+note_parts() { find "$plan.d" -name 'part-*.hvf' -printf '%i %f\n' | sort > "$folder/stood.txt"; }
 
-submit --no-wait
-scontrol update NodeName=node1 State=DRAIN Reason=test
-submit
-scontrol update NodeName=node1 State=RESUME
-same "a node drained"
+finish() {
+  local name="$1"
+  shift
+  submit "$@"
+  cmp "$folder/whole.hvx" "$folder/p.hvx"
+  find "$plan.d" -name 'part-*.hvf' -printf '%i %f\n' | sort > "$folder/now.txt"
+  [ -z "$(comm -23 "$folder/stood.txt" "$folder/now.txt")" ] || fail "$name: parts that stood were built again"
+  echo "cluster: $name: the same bytes, and $(wc -l < "$folder/stood.txt") parts that stood were kept"
+}
 
-submit --no-wait
-sleep 1
-scancel --state=RUNNING --signal=KILL --full --user="$(id -un)" || true
-submit || submit
-same "tasks killed"
+node_is_idle() { [ "$(sinfo --noheader --nodes="node$1" --format=%T)" = idle ]; }
+await_node() {
+  local end=$((SECONDS + 60))
+  until node_is_idle "$1"; do
+    [ $SECONDS -lt $end ] || fail "node$1 does not come back"
+    sleep 0.2
+  done
+}
+
+"$voxc" build "$format" "$input" --whole-level-dedup --threads 1 -o "$folder/whole.hvx" --quiet
+"$voxc" plan "$format" "$input" --whole-level-dedup --parts 24 -o "$plan" --quiet
+
+begin
+note_parts
+finish "no fault"
+
+begin
+catch build
+note_parts
+kill -9 "$task"
+finish "a task killed"
+
+begin
+catch merge
+note_parts
+kill -9 "$task"
+finish "a merge killed"
+
+# With the node go the step and the task that it runs.
+begin
+catch build
+note_parts
+kill -9 "$(cat "$SLURM_LOOPBACK/node$node.pid")" "$(ps -o ppid= -p "$task" | tr -d ' ')" "$task"
+finish "a node killed"
+start_node "$node"
+await_node "$node"
+
+# The task ends while there is no controller, which the submit asks in vain.
+begin
+catch build
+note_parts
+(
+  sleep 2
+  kill -9 "$(cat "$SLURM_LOOPBACK/controller.pid")"
+  kill -CONT "$task"
+  sleep 4
+  start_controller
+) &
+finish "the controller killed and started again"
+wait
+# Jobs that it lost while it launched them cost it the trust in their nodes.
+for node in 1 2 3; do
+  node_is_idle "$node" || scontrol update NodeName="node$node" State=RESUME || true
+  await_node "$node"
+done
+
+begin
+catch build
+note_parts
+scontrol update NodeName="node$node" State=DRAIN Reason=test
+kill -CONT "$task"
+finish "a node drained"
+scontrol update NodeName="node$node" State=RESUME
+await_node "$node"
+
+# Slurm counts limits in minutes. The task stays stopped.
+begin --sbatch=--time=1
+catch build
+note_parts
+finish "a task over its time limit"
+
+# Two outputs are hurt between the parts and the merges.
+begin
+catch build
+note_parts
+mapfile -t hurt < <(find "$plan.d" -name 'part-*.hvf' | sort | head -n 2)
+truncate --size=-100 "${hurt[0]}"
+byte="$(od -An -tu1 -j 5000 -N 1 "${hurt[1]}")"
+printf "\\x$(printf %x $((byte ^ 16)))" | dd of="${hurt[1]}" bs=1 seek=5000 conv=notrunc status=none
+for output in "${hurt[@]}"; do sed -i "/ ${output##*/}\$/d" "$folder/stood.txt"; done
+kill -CONT "$task"
+finish "an output cut short, and one with a wrong bit"
+
+# The last merge of a grid does not fit into its memory, and the first node has no room for the rest.
+readonly scratch="$SLURM_LOOPBACK/scratch"
+if nsenter --mount --target "$(cat "$SLURM_LOOPBACK/node1.pid")" mountpoint --quiet "$scratch" 2> /dev/null; then
+  nsenter --mount --target "$(cat "$SLURM_LOOPBACK/node1.pid")" dd if=/dev/zero of="$scratch/full" bs=1M status=none 2> /dev/null || true
+  rm -rf "$plan" "$plan.d" "$folder/p.hvx"
+  "$voxc" build "D(8^3,6)" builtin:shell:256 -o "$folder/whole.hvx" --quiet
+  "$voxc" plan "D(8^3,6)" builtin:shell:256 --parts 9 -o "$plan" --quiet
+  begin --memory 16MiB --scratch "$scratch"
+  note_parts
+  finish "a full scratch on one node" --memory 16MiB --scratch "$scratch"
+  grep -q 'No space left on device' "$plan.d"/job-*.log || fail "no task came upon the full scratch"
+else
+  echo "cluster: no mount namespaces on this machine: a full scratch on one node is not tried"
+fi

@@ -41,6 +41,28 @@ std::string joined(const std::vector<std::string> &words, const char *separator)
   return text;
 }
 
+/// A path as sbatch takes it for a log: a percent sign of its own is not one of Slurm's patterns.
+std::string logPath(const std::string &folder) {
+  std::string path;
+  for (const char letter : folder)
+    path += letter == '%' ? std::string("%%") : std::string(1, letter);
+  return path + "/job-%A-%a.log";
+}
+
+/// Runs sbatch; returns the number of the array.
+Expected<std::string> handOver(const std::vector<std::string> &words) {
+  const auto output = ask(words);
+  if (!output)
+    return output.error();
+  // "123", or "123;cluster"; warnings stand on lines before it.
+  const std::string text = output->substr(0, output->find_last_not_of(" \n") + 1);
+  const std::string last = text.substr(text.rfind('\n') + 1);
+  const std::string number = last.substr(0, last.find(';'));
+  if (number.empty() || number.find_first_not_of("0123456789") != number.npos)
+    return Error::environment("sbatch answered '" + last + "' where it should give the number of a job");
+  return number;
+}
+
 } // namespace
 
 double secondsOfTime(std::string_view text) {
@@ -65,14 +87,19 @@ Expected<std::vector<QueuedJob>> Slurm::queue(std::size_t levels) const {
   for (std::size_t level = 0; level < levels; ++level)
     names += (level == 0 ? "" : ",") + nameOf(level);
   const auto output =
-      ask({"squeue", "--me", "--array", "--noheader", "--name=" + names, "--format=%F %K %T %j"});
+      ask({"squeue", "--me", "--array", "--noheader", "--name=" + names, "--format=%F %K %T %j %r"});
   if (!output)
     return output.error();
   std::vector<QueuedJob> jobs;
-  std::istringstream lines(*output);
-  std::string array, index, state, name;
-  while (lines >> array >> index >> state >> name) {
-    QueuedJob job{array, 0, 0, state != "PENDING"};
+  for (const std::string &line : split(*output, '\n')) {
+    std::istringstream words(line);
+    std::string array, index, state, name;
+    // Warnings stand on lines of their own.
+    if (!(words >> array >> index >> state >> name))
+      continue;
+    std::string reason;
+    std::getline(words >> std::ws, reason);
+    QueuedJob job{array, 0, 0, state != "PENDING", reason == "launch failed requeued held"};
     const std::size_t dash = name.rfind('-');
     if (dash != name.npos && readNumber(std::string_view(name).substr(dash + 1), job.level) &&
         job.level < levels && readNumber(std::string_view(index), job.number))
@@ -81,27 +108,39 @@ Expected<std::vector<QueuedJob>> Slurm::queue(std::size_t levels) const {
   return jobs;
 }
 
+void Slurm::release(const std::vector<QueuedJob> &jobs) const {
+  std::string held;
+  for (const QueuedJob &job : jobs)
+    if (job.isHeld)
+      held += (held.empty() ? "" : ",") + job.array + "_" + std::to_string(job.number);
+  // If that fails they are still held when they are looked at next.
+  if (!held.empty())
+    (void)ask({"scontrol", "release", held});
+}
+
 Expected<std::string> Slurm::submit(const SlurmArray &array) const {
   std::vector<std::string> words = {"sbatch",
                                     "--parsable",
                                     "--job-name=" + nameOf(array.level),
                                     "--array=" + array.indices,
-                                    "--output=" + array.log,
+                                    "--output=" + logPath(array.logFolder),
                                     "--requeue",
                                     "--kill-on-invalid-dep=yes"};
   if (!array.after.empty())
     words.push_back("--dependency=afterok:" + joined(array.after, ":"));
   words.insert(words.end(), options_.begin(), options_.end());
   words.push_back("--wrap=" + array.command);
-  const auto output = ask(words);
-  if (!output)
-    return output.error();
-  // "123", or "123;cluster"; warnings stand on lines before it.
-  const std::string text = output->substr(0, output->find_last_not_of(" \n") + 1);
-  const std::string last = text.substr(text.rfind('\n') + 1);
-  const std::string number = last.substr(0, last.find(';'));
-  if (number.empty() || number.find_first_not_of("0123456789") != number.npos)
-    return Error::environment("sbatch answered '" + last + "' where it should give the number of a job");
+  if (!array.avoid.empty()) {
+    std::vector<std::string> elsewhere = words;
+    elsewhere.insert(elsewhere.begin() + 1, "--exclude=" + joined(array.avoid, ","));
+    if (auto number = handOver(elsewhere))
+      return number;
+    // No other node would do.
+  }
+  auto number = handOver(words);
+  if (!number && number.error().message.find("Invalid job array") != std::string::npos)
+    return Error::environment(number.error().message +
+                              "; its indices must be below Slurm's MaxArraySize: plan fewer parts");
   return number;
 }
 
@@ -109,15 +148,25 @@ std::vector<JobAccount> Slurm::accounts(const std::vector<std::string> &arrays) 
   std::vector<JobAccount> accounts;
   if (arrays.empty())
     return accounts;
-  const auto output = ask({"sacct", "--noheader", "--parsable2", "--jobs=" + joined(arrays, ","),
-                           "--format=JobID,State,ElapsedRaw,TotalCPU"});
+  const std::string jobs = "--jobs=" + joined(arrays, ",");
+  const auto kept =
+      ask({"sacct", "--noheader", "--parsable2", jobs, "--format=JobID,NodeList,State,ElapsedRaw,TotalCPU"});
+  const auto output =
+      kept ? kept
+           : ask({"squeue", "--noheader", "--array", "--states=all", jobs, "--format=%F_%K|%N|%T|%M|"});
   if (!output)
     return accounts;
   for (const std::string &line : split(*output, '\n')) {
     const std::vector<std::string> fields = split(line, '|');
     // The steps of a job have a point in their names; what they took is in the job's own line.
-    if (fields.size() == 4 && fields[0].find('.') == std::string::npos)
-      accounts.push_back({fields[0], fields[1], secondsOfTime(fields[2]), secondsOfTime(fields[3])});
+    if (fields.size() < 4 || fields[0].find('.') != std::string::npos)
+      continue;
+    JobAccount account{fields[0], fields[1], fields[2], secondsOfTime(fields[3]), {}};
+    if (account.node == "None assigned")
+      account.node.clear();
+    if (kept && fields.size() > 4)
+      account.cpuSeconds = secondsOfTime(fields[4]);
+    accounts.push_back(std::move(account));
   }
   return accounts;
 }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,9 @@ struct SlurmArray {
   std::size_t level = 0;
   std::string indices;            ///< "0,3,5-9": $SLURM_ARRAY_TASK_ID of its jobs.
   std::vector<std::string> after; ///< Arrays that must have ended well before this one begins.
+  std::vector<std::string> avoid; ///< Nodes that its jobs shall not run on, if there are others.
   std::string command;            ///< A line for the shell.
-  std::string log;                ///< Where a job's output goes, with Slurm's own %A and %a in it.
+  std::string logFolder;          ///< Where what its jobs print goes: job-ARRAY-INDEX.log.
 };
 
 /// A job that waits or runs.
@@ -27,14 +29,17 @@ struct QueuedJob {
   std::size_t level = 0;
   std::uint64_t number = 0; ///< Its $SLURM_ARRAY_TASK_ID.
   bool isRunning = false;
+  bool isHeld =
+      false; ///< Slurm itself holds it back, since it could not be launched; it waits for a release.
 };
 
-/// What Slurm's accounting says of a job that has ended or runs.
+/// What Slurm says of a job that has ended or runs.
 struct JobAccount {
-  std::string job; ///< "123_4".
+  std::string job;  ///< "123_4".
+  std::string node; ///< Where it ran; "" if it never did.
   std::string state;
   double seconds = 0;
-  double cpuSeconds = 0;
+  std::optional<double> cpuSeconds; ///< Where Slurm keeps accounts.
 };
 
 class Slurm {
@@ -46,9 +51,13 @@ public:
 
   /// The jobs of the plan that wait or run. Errors (`Environment`): Slurm does not answer.
   Expected<std::vector<QueuedJob>> queue(std::size_t levels) const;
+  /// Lets jobs that Slurm holds back be launched again. It drains a node that cannot launch a job, so that
+  /// they come to another.
+  void release(const std::vector<QueuedJob> &jobs) const;
   /// Hands over an array; returns its number. Errors (`Environment`): Slurm's own.
   Expected<std::string> submit(const SlurmArray &array) const;
-  /// Accounts of arrays; empty where Slurm keeps none.
+  /// What became of the jobs of arrays: by Slurm's accounts or, where it keeps none, by what its controller
+  /// remembers, which is the jobs that ended in the last minutes (`MinJobAge`).
   std::vector<JobAccount> accounts(const std::vector<std::string> &arrays) const;
 
 private:

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -45,9 +46,11 @@ std::vector<std::string> arraysOf(const std::vector<QueuedJob> &queue, std::size
   return {arrays.begin(), arrays.end()};
 }
 
-/// Hands over what no job of the queue does; adds the new arrays to `arrays`. Returns how many jobs.
+/// Hands over what no job of the queue does, for nodes other than `avoid`; adds the arrays that there are
+/// then to `arrays`. Returns how many jobs.
 Expected<std::uint64_t> handOver(const PlanRun &run, const Slurm &slurm, const MissingWork &missing,
-                                 const std::vector<QueuedJob> &queue, std::set<std::string> &arrays) {
+                                 const std::vector<QueuedJob> &queue, const std::vector<std::string> &avoid,
+                                 std::set<std::string> &arrays) {
   std::uint64_t jobs = 0;
   std::vector<std::string> below;
   for (std::size_t level = 0; level < missing.levels(); ++level) {
@@ -58,8 +61,8 @@ Expected<std::uint64_t> handOver(const PlanRun &run, const Slurm &slurm, const M
     });
     std::vector<std::string> here = arraysOf(queue, level);
     if (!numbers.empty()) {
-      const auto array = slurm.submit({level, numberListText(numbers), below, commandLine(run, level),
-                                       run.files.folder() + "/job-%A-%a.log"});
+      const auto array = slurm.submit(
+          {level, numberListText(numbers), below, avoid, commandLine(run, level), run.files.folder()});
       if (!array)
         return array.error();
       here.push_back(*array);
@@ -87,6 +90,7 @@ public:
         return queue.error();
       if (queue) {
         silence = 0;
+        slurm_.release(*queue);
         const std::uint64_t left = std::min<std::uint64_t>(queue->size(), all);
         run_.progress.at("jobs", 1 - static_cast<double>(left) / static_cast<double>(all), all - left);
       }
@@ -112,22 +116,36 @@ private:
   const Slurm &slurm_;
 };
 
-/// What the jobs took, where Slurm keeps accounts.
+/// What the jobs took, as far as Slurm can say.
 void addAccounts(Json &figures, const std::vector<JobAccount> &accounts) {
   if (accounts.empty())
     return;
-  double cpuSeconds = 0;
+  std::optional<double> cpuSeconds;
   double longest = 0;
   std::map<std::string, std::uint64_t> states;
   for (const JobAccount &account : accounts) {
-    cpuSeconds += account.cpuSeconds;
+    if (account.cpuSeconds)
+      cpuSeconds = cpuSeconds.value_or(0) + *account.cpuSeconds;
     longest = std::max(longest, account.seconds);
     ++states[account.state.substr(0, account.state.find(' '))];
   }
-  figures["jobs_cpu_seconds"] = cpuSeconds;
+  if (cpuSeconds)
+    figures["jobs_cpu_seconds"] = *cpuSeconds;
   figures["longest_job_seconds"] = longest;
   for (const auto &[state, count] : states)
     figures["job_states"][state] = count;
+}
+
+/// The nodes on which jobs failed and none ended well: a disk may be full there.
+std::vector<std::string> nodesThatFail(const std::vector<JobAccount> &accounts) {
+  std::set<std::string> failed;
+  for (const JobAccount &account : accounts)
+    if (!account.node.empty() && !account.state.starts_with("COMPLETED"))
+      failed.insert(account.node);
+  for (const JobAccount &account : accounts)
+    if (account.state.starts_with("COMPLETED"))
+      failed.erase(account.node);
+  return {failed.begin(), failed.end()};
 }
 
 /// Why work is left, as far as Slurm can say.
@@ -151,6 +169,7 @@ Slurm slurmOf(const PlanRun &run, const SlurmMeans &means) {
 Expected<void> runBySlurm(const PlanRun &run, const SlurmMeans &means, Json &figures) {
   const Slurm slurm = slurmOf(run, means);
   std::set<std::string> arrays;
+  std::vector<std::string> avoid;
   std::uint64_t submitted = 0;
   for (bool isFirst = true;; isFirst = false) {
     // In this order: what ends meanwhile stands, and is not handed over twice.
@@ -165,17 +184,23 @@ Expected<void> runBySlurm(const PlanRun &run, const SlurmMeans &means, Json &fig
                 " outputs are still missing, and are asked for again");
     if (missing.empty())
       break;
-    const auto jobs = handOver(run, slurm, missing, *queue, arrays);
+    std::set<std::string> round;
+    const auto jobs = handOver(run, slurm, missing, *queue, avoid, round);
     if (!jobs)
       return jobs.error();
+    arrays.insert(round.begin(), round.end());
     submitted += *jobs;
     figures["submitted"] = submitted;
     if (!means.wait)
       return {};
     if (auto waited = Waiting(run, means, slurm).forAll(missing.count()); !waited)
       return waited;
-    if (const MissingWork left = run.missing(); left == missing)
-      return whatFailed(run, left, slurm.accounts({arrays.begin(), arrays.end()}));
+    // What failed wherever it ran may do on another node: once, if nothing else was done meanwhile.
+    const std::vector<JobAccount> accounts = slurm.accounts({round.begin(), round.end()});
+    const bool wasElsewhere = !avoid.empty();
+    avoid = nodesThatFail(accounts);
+    if (const MissingWork left = run.missing(); left == missing && (wasElsewhere || avoid.empty()))
+      return whatFailed(run, left, accounts);
   }
   addAccounts(figures, slurm.accounts({arrays.begin(), arrays.end()}));
   return {};

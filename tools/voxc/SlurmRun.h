@@ -19,8 +19,9 @@ cluster::Slurm slurmOf(const PlanRun &run, const SlurmMeans &means);
 
 /// Hands over what is missing and neither waits nor runs already: an array for the parts, and one for each
 /// level of merges, which begins when those below have ended well. Waits for them, hands over again what
-/// failed as long as some of it got done, and tells what the jobs took by Slurm's accounting. Errors: Slurm
-/// does not answer, a job that fails twice, or the wait was stopped, which leaves the jobs to run.
+/// failed as long as some of it got done, and once more to other nodes, and tells what the jobs took by
+/// Slurm's accounting. Errors: Slurm does not answer, a job that fails twice, or the wait was stopped, which
+/// leaves the jobs to run.
 Expected<void> runBySlurm(const PlanRun &run, const SlurmMeans &means, Json &figures);
 
 } // namespace voxc::tool
