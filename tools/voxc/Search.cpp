@@ -97,7 +97,10 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
                              memory_, progress_);
   if (!arena)
     return arena.error();
-  Contest contest(race, *arena, *writer, {.seconds = options_.budget - watch_.seconds()});
+  ContestOptions contestOptions{.seconds = options_.budget - watch_.seconds()};
+  if (options_.all)
+    contestOptions.leastGain = -1;
+  Contest contest(race, *arena, *writer, contestOptions);
   contest.takeKnown(known_);
   const Expected<void> measured = contest.run(progress_);
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;

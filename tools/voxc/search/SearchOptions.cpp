@@ -74,6 +74,7 @@ void SearchOptions::declare(CLI::App &app) {
       ->type_name("R.bin");
   app.add_option("--formats", formatsPath, "A file of formats, one a line, to choose from and nothing else")
       ->type_name("FILE");
+  app.add_flag("--all", all, "Measure all formats that are looked at, however little they promise");
   app.add_option("--max-levels", explore.maxLevels, "The most levels of a format")
       ->type_name("N")
       ->check(CLI::Range(1, 8).description(""))

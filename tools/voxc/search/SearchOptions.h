@@ -25,6 +25,7 @@ struct SearchOptions {
   std::string formatsPath; ///< "": all of the space.
   ExploreOptions explore;
   std::size_t check = 2000;
+  bool all = false; ///< Measure whatever is looked at.
   std::uint32_t seed = 1;
   BuildArguments building;
   CommonOptions common;
