@@ -33,6 +33,10 @@ std::vector<std::string> tailsOf(int side) {
     tails.push_back("G(" + number(side - 2) + ")" + masked(2));
   if (side > 2 && side % 2 == 0)
     tails.push_back("G(" + number(side - 2) + ", 2)" + masked(2));
+  // A small grid takes few words where most of its cells are full, and is read with one look.
+  for (const int grid : {1, 2})
+    if (side > grid + 1)
+      tails.push_back("R(" + number(grid) + "^3)" + masked(side - grid));
   if (side <= 3)
     tails.push_back("R(" + number(side) + "^3)");
   return tails;

@@ -59,8 +59,14 @@ private:
            watch_.seconds() > options_.seconds;
   }
 
+  /// What a format is known by: its plan, as another word for the same walk makes no other kernel.
+  static std::string keyOf(const Candidate &candidate) {
+    const auto plan = makePlan(candidate.format, kCpuPlan);
+    return plan ? printPlan(*plan) : printIr(candidate.format);
+  }
+
   void take(Candidate candidate) {
-    if (!known_.insert(printIr(candidate.format)).second)
+    if (!known_.insert(keyOf(candidate)).second)
       return;
     progress_.at("explore",
                  static_cast<double>(++explored_.rated) / static_cast<double>(options_.mostFormats));
@@ -133,7 +139,7 @@ private:
   const Progress &progress_;
   std::vector<Known> formats_;
   std::set<Composition> tried_;
-  std::set<std::string> known_; ///< Their IR: so that equal formats are priced once.
+  std::set<std::string> known_; ///< Their keys: so that equal formats are priced once.
   Explored explored_;
   Stopwatch watch_;
 };

@@ -62,7 +62,7 @@ private:
         break;
     }
     cost_.lookups += countsVisits_ ? visits : 1;
-    cost_.switches += countsVisits_ ? visits - 1 : 0;
+    cost_.switches += isDirect_ ? 0 : visits - 1;
   }
 
   /// Lines that no ray of the packet has read: those of the nodes from a height down, or of the cell of a
