@@ -19,7 +19,7 @@ struct ContestOptions {
   std::size_t together = 4;  ///< Formats of a batch.
   unsigned rounds = 3;       ///< In which each is traced.
   unsigned lastRounds = 7;   ///< The same of the frontier.
-  double leastGain = 0.0005; ///< Of the area below the frontier, that a format must promise; below 0: none.
+  double leastGain = 0.0001; ///< Of the area below the frontier, that a format must promise; below 0: none.
 };
 
 class Contest {
