@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds volumes by plans under a Slurm of its own (scripts/slurm-loopback.sh) and hurts it on the way: each time one voxc submit
 # must finish with the bytes of one build, and no part that stood may have been built again. Part of ./check --full; takes about
-# three minutes without a model, most of them waits for Slurm.
+# four minutes without a model, most of them waits for Slurm.
 #
 # Usage: scripts/slurm-loopback.sh scripts/cluster.sh BUILD [FORMAT INPUT]
 set -euo pipefail
@@ -29,10 +29,14 @@ parts_stand() { [ "$(find "$plan.d" -name 'part-*.hvf' | wc -l)" -ge 4 ]; }
 # process, and `node`, the number of its node.
 catch() {
   local end=$((SECONDS + 60))
-  until parts_stand && task="$(pgrep -o -f -- " $1 --plan $plan")" && kill -STOP "$task" 2> /dev/null; do
+  node=
+  # A task that ends just then has no environment any more: the next one is waited for.
+  until [ -n "$node" ]; do
     [ $SECONDS -lt $end ] || fail "no $1 task ran"
-  done
-  node="$(tr '\0' '\n' < "/proc/$task/environ" | sed -n 's/^SLURMD_NODENAME=node//p')"
+    if parts_stand && task="$(pgrep -o -f -- " $1 --plan $plan")" && kill -STOP "$task" 2> /dev/null; then
+      node="$(tr '\0' '\n' 2> /dev/null < "/proc/$task/environ" | sed -n 's/^SLURMD_NODENAME=node//p')" || node=
+    fi
+  done 2> /dev/null
 }
 
 # The parts that stand now, by their inodes.
@@ -49,6 +53,7 @@ finish() {
 }
 
 node_is_idle() { [ "$(sinfo --noheader --nodes="node$1" --format=%T)" = idle ]; }
+node_is_drained() { sinfo --noheader --nodes="node$1" --format=%T | grep -q drain; }
 await_node() {
   local end=$((SECONDS + 60))
   until node_is_idle "$1"; do
@@ -85,7 +90,14 @@ finish "a node killed"
 start_node "$node"
 await_node "$node"
 
-# The task ends while there is no controller, which the submit asks in vain.
+# The task ends while there is no controller, which the submit asks in vain. The new controller starts from what the old one had
+# saved. It may take jobs for running that have ended, until their nodes register again, and launch some a second time, which drains
+# their nodes: whoever looks after the cluster has both put right.
+resume_nodes() {
+  for node in 1 2 3; do
+    node_is_drained "$node" && scontrol update NodeName="node$node" State=RESUME || true
+  done
+}
 begin
 catch build
 note_parts
@@ -95,14 +107,17 @@ note_parts
   kill -CONT "$task"
   sleep 4
   start_controller
-) &
+  while sleep 5; do
+    scontrol reconfigure || true
+    resume_nodes
+  done
+) 2> /dev/null &
+administrator=$!
 finish "the controller killed and started again"
-wait
-# Jobs that it lost while it launched them cost it the trust in their nodes.
-for node in 1 2 3; do
-  node_is_idle "$node" || scontrol update NodeName="node$node" State=RESUME || true
-  await_node "$node"
-done
+kill "$administrator"
+wait "$administrator" || true
+resume_nodes
+for node in 1 2 3; do await_node "$node"; done
 
 begin
 catch build

@@ -76,8 +76,9 @@ chmod 400 "$SLURM_LOOPBACK/munge/key"
 munged --force --key-file="$SLURM_LOOPBACK/munge/key" --socket="$SLURM_LOOPBACK/munge/socket" \
   --pid-file="$SLURM_LOOPBACK/munge/pid" --log-file="$SLURM_LOOPBACK/munge/log" --seed-file="$SLURM_LOOPBACK/munge/seed"
 
-# The times are short, so that tests need not wait for them: when a node that is silent counts as lost, and (cred_expire) how long
-# a job that was requeued waits before it may begin.
+# The times are short, so that tests need not wait for them: when a node that is silent counts as lost, how long a job that was
+# requeued waits before it may begin (cred_expire), and how old a job must be to be requeued if its node does not know it
+# (the last three).
 host="$(hostname -s)"
 cat > "$SLURM_CONF" << CONF
 ClusterName=loopback
@@ -102,6 +103,9 @@ SelectTypeParameters=CR_Core
 SchedulerParameters=sched_interval=1,batch_sched_delay=0
 ReturnToService=2
 SlurmdTimeout=10
+BatchStartTimeout=2
+MessageTimeout=5
+ResumeTimeout=5
 KillWait=2
 JobRequeue=1
 JobCompType=jobcomp/none
