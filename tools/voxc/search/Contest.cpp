@@ -2,6 +2,7 @@
 #include "search/Contest.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace voxc::tool {
@@ -12,6 +13,8 @@ namespace {
 
 /// A format whose best time is so many times the frontier's at its size is not traced on.
 constexpr double kBeaten = 1.25;
+/// Formats that take so many times the frontier's time are in the last rounds too: they may be as fast.
+constexpr double kNear = 1.04;
 /// The last rounds are more than those of a batch, and count words by a kernel of their own.
 constexpr double kLastCost = 2;
 
@@ -43,6 +46,8 @@ void Contest::takeKnown(const std::vector<Record> &records) {
     if (finding.nanoseconds.size() != race_.formats()[i].costs.size())
       continue; // Those that failed are tried again.
     race_.take(i, finding.nanoseconds);
+    if (finding.records.front().speed.rounds == options_.lastRounds)
+      last_.insert(i);
     findings_[i] = std::move(finding);
   }
 }
@@ -89,18 +94,22 @@ Expected<void> Contest::measure(const std::vector<std::size_t> &formats, const H
   return {};
 }
 
-std::vector<std::size_t> Contest::frontier() const {
+std::vector<std::size_t> Contest::nearFrontier(double times) const {
   std::vector<std::size_t> order;
   for (const auto &[index, finding] : findings_)
-    if (race_.timeOf(index))
+    if (race_.timeOf(index) && (last_.empty() || last_.contains(index)))
       order.push_back(index);
   std::ranges::stable_sort(
       order, {}, [&](std::size_t i) { return std::pair(race_.formats()[i].bytes(), *race_.timeOf(i)); });
-  std::vector<std::size_t> leading;
-  for (const std::size_t i : order)
-    if (leading.empty() || *race_.timeOf(i) < *race_.timeOf(leading.back()))
-      leading.push_back(i);
-  return leading;
+  std::vector<std::size_t> near;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : order) {
+    const double time = *race_.timeOf(i);
+    if (time < least || (times > 1 && time <= times * least))
+      near.push_back(i);
+    least = std::min(least, time);
+  }
+  return near;
 }
 
 /// Volumes of formats that are not on the frontier any more make room.
@@ -116,12 +125,17 @@ void Contest::forgetBeaten() const {
 double Contest::reserve() const {
   return measuredCount_ == 0 ? 0
                              : kLastCost * measuredSeconds_ / static_cast<double>(measuredCount_) *
-                                   static_cast<double>(frontier().size());
+                                   static_cast<double>(nearFrontier(kNear).size());
 }
 
 Expected<void> Contest::measureFrontier(const Progress &progress) {
-  const std::vector<std::size_t> leading = frontier();
-  return leading.empty() ? Expected<void>() : measure(leading, {options_.lastRounds, true, {}}, progress);
+  const std::vector<std::size_t> near = nearFrontier(kNear);
+  if (near.empty())
+    return {};
+  if (auto measured = measure(near, {options_.lastRounds, true, {}}, progress); !measured)
+    return measured;
+  last_.insert(near.begin(), near.end());
+  return {};
 }
 
 Expected<void> Contest::run(const Progress &progress) {
@@ -132,6 +146,7 @@ Expected<void> Contest::run(const Progress &progress) {
     if (isComplete_)
       break;
     progress.at("measure", std::min(watch_.seconds() / options_.seconds, 1.0), findings_.size());
+    last_.clear();
     const Frontier leading = race_.frontier();
     const auto isBeaten = [&](double bytes, double nanoseconds) {
       return nanoseconds > kBeaten * 1000 / std::max(leading.speedAt(bytes), 1e-9);

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace voxc::tool {
@@ -38,12 +39,15 @@ public:
   bool isComplete() const { return isComplete_; }
   /// What was found of each format, by its number in the race.
   const std::map<std::size_t, Finding> &findings() const { return findings_; }
-  /// Numbers of measured formats that no other beats in both size and speed, from small to large.
-  std::vector<std::size_t> frontier() const;
+  /// Numbers of measured formats that no other beats in both size and speed, from small to large; of those of
+  /// the last rounds, if there were any, since times of other moments may be those of a busy machine.
+  std::vector<std::size_t> frontier() const { return nearFrontier(1); }
 
 private:
   Expected<void> measure(const std::vector<std::size_t> &formats, const Heat &heat, const Progress &progress);
   Expected<void> measureFrontier(const Progress &progress);
+  /// Those that take at most so many times the time of the frontier at their size.
+  std::vector<std::size_t> nearFrontier(double times) const;
   void forgetBeaten() const;
   std::vector<double> predict(std::size_t index) const;
   /// Seconds that the last rounds are expected to take.
@@ -54,6 +58,7 @@ private:
   bench::RecordWriter &writer_;
   ContestOptions options_;
   std::map<std::size_t, Finding> findings_;
+  std::set<std::size_t> last_; ///< Formats of the last rounds.
   Stopwatch watch_;
   double measuredSeconds_ = 0;    ///< Of batches,
   std::size_t measuredCount_ = 0; ///< and their formats.
