@@ -104,11 +104,8 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
   contest.takeKnown(known_);
   const Expected<void> measured = contest.run(progress_);
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
-  if (!measured && !isInterrupted)
+  if (!measured && (!isInterrupted || contest.findings().empty()))
     return measured;
-  if (!contest.findings().empty())
-    if (Expected<void> kept = keepSpeedModel(axes.devices.front().part.name, race.model()); !kept)
-      return kept;
   Expected<void> told = tell({.input = options_.input,
                               .arguments = options_.inputArguments,
                               .device = axes.devices.front().part.name,
@@ -119,6 +116,10 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
                               .race = race,
                               .contest = contest},
                              figures);
+  // The answer stands without what the next search would begin with.
+  if (Expected<void> remembered = keepSpeedModel(axes.devices.front().part.name, race.model());
+      !remembered && !options_.common.quiet)
+    printNote("what was learned of the device is not kept: " + remembered.error().message);
   return told ? measured : told;
 }
 

@@ -5,17 +5,13 @@
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "search/ObjectiveOption.h"
 
 #include <cstdio>
-#include <map>
 
 namespace voxc::tool {
 
 namespace {
-
-const std::map<std::string, Wish::Objective> kObjectives = {{"balanced", Wish::Objective::Balanced},
-                                                            {"fastest", Wish::Objective::Fastest},
-                                                            {"smallest", Wish::Objective::Smallest}};
 
 class SuggestCommand final : public Subcommand {
 public:
@@ -24,11 +20,7 @@ public:
     addInputArguments(app, request_.arguments);
     app.get_option("--resolution")
         ->description("Voxels on the longest axis; default: " + std::to_string(kDefaultResolution));
-    app.add_option("--objective", objective_,
-                   "What is wanted: balanced (default; twice the speed is worth four times the bytes), "
-                   "fastest or smallest")
-        ->type_name("WISH")
-        ->check(CLI::IsMember(kObjectives).description(""));
+    addObjectiveArgument(app, objective_, "What is wanted");
     addMaxBytesArgument(app, buildArguments_);
     app.get_option("--max-bytes")
         ->description("The most bytes that the volume's words may take, such as 64MiB");
@@ -48,7 +40,7 @@ public:
 
   Expected<void> run() override {
     ProgressBar bar(common_.quiet);
-    request_.wish = {kObjectives.at(objective_),
+    request_.wish = {objectiveOf(objective_),
                      std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t)};
     request_.memory = makeWorkingMemory(buildArguments_);
     Json figures;

@@ -11,6 +11,7 @@
 #include "voxc/Support/File.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <numeric>
 
@@ -130,11 +131,31 @@ void addVolume(const Json &figures, Record &record) {
   record.model.size = figures.value("extent", std::array<std::uint64_t, 3>{});
 }
 
+/// True if the figures have all that `addVolume` takes: anything may stand in a file.
+bool areWhole(const Json &figures) {
+  const auto has = [&](const char *key, bool (Json::*is)() const noexcept) {
+    return figures.contains(key) && (figures[key].*is)();
+  };
+  const auto isCount = [&](const char *key) { return has(key, &Json::is_number_unsigned); };
+  const auto isNumber = [&](const char *key) { return has(key, &Json::is_number); };
+  const auto isLevel = [](const Json &level) {
+    return level.is_object() && level.contains("words") && level["words"].is_number_unsigned();
+  };
+  return figures.is_object() &&
+         std::ranges::all_of(std::array{"words", "bytes", "file_bytes", "voxels"}, isCount) &&
+         std::ranges::all_of(
+             std::array{"compile_seconds", "build_seconds", "build_cpu_seconds", "write_seconds"},
+             isNumber) &&
+         has("levels", &Json::is_array) && std::ranges::all_of(figures["levels"], isLevel) &&
+         has("extent", &Json::is_array) && figures["extent"].size() == 3 &&
+         std::ranges::all_of(figures["extent"], [](const Json &axis) { return axis.is_number_unsigned(); });
+}
+
 /// Of a volume that was built before; none if there is none, or it is broken.
 std::optional<Volume> loadKept(const std::string &path, const std::string &figuresPath, Json &figures) {
   const auto text = readTextFile(figuresPath);
   figures = text ? Json::parse(*text, nullptr, false) : Json();
-  if (!figures.is_object())
+  if (!areWhole(figures))
     return std::nullopt;
   auto volume = Volume::load(path, {.trusted = true});
   return volume ? std::optional(std::move(*volume)) : std::nullopt;

@@ -17,11 +17,14 @@ constexpr double kBeaten = 1.25;
 constexpr double kNear = 1.04;
 /// The last rounds are more than those of a batch, and count words by a kernel of their own.
 constexpr double kLastCost = 2;
+/// What a format takes, until that is measured.
+constexpr double kUsualSeconds = 0.7;
 
 /// What a record says of the time of a ray.
 std::optional<double> nanosecondsOf(const Record &record) {
   const auto &speed = bench::speedOf(record);
-  return record.isMeasured() && speed ? std::optional(1000 / speed->median) : std::nullopt;
+  const bool isUsable = record.isMeasured() && speed && speed->median > 0;
+  return isUsable ? std::optional(1000 / speed->median) : std::nullopt;
 }
 
 } // namespace
@@ -123,9 +126,9 @@ void Contest::forgetBeaten() const {
 }
 
 double Contest::reserve() const {
-  return measuredCount_ == 0 ? 0
-                             : kLastCost * measuredSeconds_ / static_cast<double>(measuredCount_) *
-                                   static_cast<double>(nearFrontier(kNear).size());
+  const double each =
+      measuredCount_ == 0 ? kUsualSeconds : measuredSeconds_ / static_cast<double>(measuredCount_);
+  return kLastCost * each * static_cast<double>(nearFrontier(kNear).size());
 }
 
 Expected<void> Contest::measureFrontier(const Progress &progress) {

@@ -2,6 +2,7 @@
 #include "search/SearchOptions.h"
 
 #include "common/ShellWord.h"
+#include "search/ObjectiveOption.h"
 #include "sweep/Machine.h"
 #include "sweep/Model.h"
 
@@ -11,10 +12,6 @@
 namespace voxc::tool {
 
 namespace {
-
-const std::map<std::string, Wish::Objective> kObjectives = {{"balanced", Wish::Objective::Balanced},
-                                                            {"fastest", Wish::Objective::Fastest},
-                                                            {"smallest", Wish::Objective::Smallest}};
 
 /// "180", "180s", "3m", "2h" in seconds; 0 for what is none of these.
 double secondsOf(const std::string &text) {
@@ -52,11 +49,7 @@ void SearchOptions::declare(CLI::App &app) {
                                                      kPrecisionAttribute.values.end()))
                   .description(""))
       ->capture_default_str();
-  app.add_option("--objective", objective_,
-                 "Whose command is told: balanced (default; twice the speed is worth four times the bytes), "
-                 "fastest or smallest")
-      ->type_name("WISH")
-      ->check(CLI::IsMember(kObjectives).description(""));
+  addObjectiveArgument(app, objective_, "Whose command is told");
   addMaxBytesArgument(app, building);
   app.get_option("--max-bytes")->description("The most bytes that a volume's words may take, such as 64MiB");
   app.add_option("--min-speed", leastSpeed, "The least speed that is of use, in million rays a second")
@@ -99,7 +92,7 @@ Expected<void> SearchOptions::read() {
   budget = secondsOf(budgetText_);
   if (budget <= 0)
     return Error::usage("--budget '" + budgetText_ + "' is no time; it should be such as 90s, 5m or 2h");
-  wish = {kObjectives.at(objective_), std::min(maxWordsOf(building), kMaxWords) * sizeof(std::uint32_t)};
+  wish = {objectiveOf(objective_), std::min(maxWordsOf(building), kMaxWords) * sizeof(std::uint32_t)};
   // Several volumes of a batch lie in memory together, on a device too.
   constexpr std::uint64_t kShare = 12;
   if (building.maxBytes.empty())

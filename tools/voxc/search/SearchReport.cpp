@@ -40,21 +40,31 @@ std::string speedsOf(const SearchResult &result, std::size_t index) {
   return text;
 }
 
-/// How fast the format was foretold to be, of how fast it is.
+/// How fast the format was foretold to be, of how fast it is; 0 if that is not known, as of what `voxc bench`
+/// measured.
 double foretold(const SearchResult &result, std::size_t index) {
   double nanoseconds = 0;
   const auto &records = result.contest.findings().at(index).records;
-  for (const Record &record : records)
-    nanoseconds += 1000 / record.predicted->mraysPerS.value_or(1) / static_cast<double>(records.size());
+  for (const Record &record : records) {
+    const double speed = record.predicted ? record.predicted->mraysPerS.value_or(0) : 0;
+    if (speed <= 0)
+      return 0;
+    nanoseconds += 1000 / speed / static_cast<double>(records.size());
+  }
   return *result.race.timeOf(index) / nanoseconds;
+}
+
+std::string foretoldText(const SearchResult &result, std::size_t index) {
+  const double ratio = foretold(result, index);
+  return ratio > 0 ? print("%4.2f", ratio) : "-";
 }
 
 std::string table(const SearchResult &result, const std::vector<std::size_t> &leading) {
   std::string text = "\n        size  speed" + std::string(38, ' ') + "foretold  format\n";
   for (const std::size_t i : leading)
     text +=
-        print("  %10s  %-40s  x %4.2f  ", sizeText(static_cast<double>(formatOf(result, i).bytes())).c_str(),
-              speedsOf(result, i).c_str(), foretold(result, i)) +
+        print("  %10s  %-40s  x %4s  ", sizeText(static_cast<double>(formatOf(result, i).bytes())).c_str(),
+              speedsOf(result, i).c_str(), foretoldText(result, i).c_str()) +
         nameOf(formatOf(result, i).candidate) + "\n";
   return text;
 }
@@ -108,8 +118,8 @@ Checked checkedBy(const SearchResult &result) {
 double medianError(const SearchResult &result) {
   std::vector<double> errors;
   for (const auto &[index, finding] : result.contest.findings())
-    if (result.race.timeOf(index))
-      errors.push_back(std::abs(foretold(result, index) - 1));
+    if (const double ratio = result.race.timeOf(index) ? foretold(result, index) : 0; ratio > 0)
+      errors.push_back(std::abs(ratio - 1));
   return median(errors);
 }
 
