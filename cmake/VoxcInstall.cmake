@@ -1,20 +1,59 @@
-# What `cmake --install` puts where, and the package that `find_package(voxc)` finds: voxc::runtime needs nothing more,
-# voxc::compiler also the compiler's libraries, which are looked for only if that component is asked for.
+# What `cmake --install` puts where, in four components that are Debian packages of their own (VoxcPackages.cmake): `runtime`, the
+# shared C libraries; `tools`, with their manual and completion; `dev`, all to compile and link programs; `python`.
 include(CMakePackageConfigHelpers)
 set(packageDirectory "${CMAKE_INSTALL_LIBDIR}/cmake/voxc")
 
+# The libraries for C++, whose interface changes with the version: archives.
 foreach(component runtime compiler)
   set_target_properties(voxc-${component} PROPERTIES EXPORT_NAME ${component})
-  install(TARGETS voxc-${component} EXPORT voxc-${component} ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  install(EXPORT voxc-${component} FILE voxc-${component}.cmake NAMESPACE voxc:: DESTINATION "${packageDirectory}")
+  install(TARGETS voxc-${component} EXPORT voxc-${component} ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
+endforeach()
+# Those for C.
+foreach(library c c-runtime)
+  install(TARGETS voxc-${library} EXPORT voxc-c
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT dev
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
+  set_target_properties(voxc-${library} PROPERTIES EXPORT_NAME ${library})
+endforeach()
+foreach(export runtime compiler c)
+  install(EXPORT voxc-${export} FILE voxc-${export}.cmake NAMESPACE voxc:: DESTINATION "${packageDirectory}" COMPONENT dev)
 endforeach()
 
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/voxc" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-install(TARGETS voxc voxc-opt voxc-trace RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# Headers, but for what only this repository uses and what this build lacks.
+set(internalHeaders PATTERN "Stopwatch.h" EXCLUDE)
+if(NOT VOXC_OPENVDB)
+  list(APPEND internalHeaders PATTERN "OpenVdb" EXCLUDE)
+endif()
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/voxc" "${PROJECT_SOURCE_DIR}/include/voxc-c"
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev ${internalHeaders})
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/voxc-config.cmake.in" "${PROJECT_BINARY_DIR}/voxc-config.cmake"
                               INSTALL_DESTINATION "${packageDirectory}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/voxc-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/voxc-config.cmake" "${PROJECT_BINARY_DIR}/voxc-config-version.cmake"
-        DESTINATION "${packageDirectory}")
+        DESTINATION "${packageDirectory}" COMPONENT dev)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/voxc.pc.in" "${PROJECT_BINARY_DIR}/voxc.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/voxc.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
+
+# The tools, with a page of the manual for each command and completion for bash, both from the tables of their help.
+install(TARGETS voxc voxc-opt voxc-trace RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
+set(manual "${PROJECT_BINARY_DIR}/manual")
+add_custom_command(OUTPUT "${manual}/voxc" "${manual}/man1/voxc.1"
+                   COMMAND voxc manual -o "${manual}/man1"
+                   COMMAND voxc completion bash > "${manual}/voxc"
+                   DEPENDS voxc VERBATIM)
+add_custom_target(manual ALL DEPENDS "${manual}/voxc")
+install(DIRECTORY "${manual}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT tools)
+install(FILES "${manual}/voxc" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT tools)
+
+# What explains the libraries: docs without records of measurements, and the examples.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT dev PATTERN "evaluation" EXCLUDE)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT dev)
+
+# The module for Python is text, and finds the C library of the system.
+set(VOXC_PYTHON_DIRECTORY "lib/python3/dist-packages" CACHE STRING "Where Python looks for modules, below the prefix")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/voxc" DESTINATION "${VOXC_PYTHON_DIRECTORY}" COMPONENT python
+        FILES_MATCHING PATTERN "*.py")
+
+include(VoxcPackages)

@@ -2,6 +2,7 @@
 import os
 import platform
 import shutil
+import subprocess
 import sys
 
 import lit.formats
@@ -50,5 +51,11 @@ if os.path.exists(lavapipe):
     config.available_features.add("vulkan")
 if platform.machine() == "x86_64":
     config.available_features.add("x86-64")
+# The Python that has NumPy need not be the one that runs lit.
+for python in [sys.executable, "/usr/bin/python3"]:
+    if subprocess.run([python, "-c", "import numpy"], capture_output=True).returncode == 0:
+        config.available_features.add("numpy")
+        config.substitutions.insert(0, ("%numpython", python))
+        break
 if shutil.which("readelf"):
     config.available_features.add("readelf")

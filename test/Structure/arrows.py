@@ -20,8 +20,9 @@ def read_list(path):
 
 
 def includes(root):
-    """Every include below a folder of parts: part, file, '<' or '"', header."""
-    for path in sorted(root.rglob("*")):
+    """Every include below a folder of parts: part, file, '<' or '"', header. Headers beside the folders include parts for those
+    who want all of them."""
+    for path in sorted(root.glob("*/**/*")):
         if path.suffix in (".h", ".cpp"):
             part = path.relative_to(root).parts[0]
             for mark, header in INCLUDE.findall(path.read_text()):

@@ -2,6 +2,7 @@
 #include "CameraOptions.h"
 
 #include "CameraFile.h"
+#include "Help.h"
 
 #include <glm/matrix.hpp>
 
@@ -113,6 +114,7 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Tr
 bool isInModelUnits(const CameraOptions &options) { return options.camera.starts_with(kModelUnits); }
 
 void addCameraOptions(CLI::App &command, CameraOptions &options) {
+  const OptionGroup group(command, "Picture");
   command
       .add_option(
           "--camera", options.camera,

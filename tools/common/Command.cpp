@@ -1,6 +1,7 @@
 // How every command is run.
 #include "Command.h"
 
+#include "Help.h"
 #include "Interrupt.h"
 #include "Misspelling.h"
 #include "Process.h"
@@ -49,10 +50,11 @@ int parseFailure(CLI::App &app, const CLI::ParseError &failure) {
 } // namespace
 
 void addCommonOptions(CLI::App &command, CommonOptions &options) {
+  const OptionGroup group(command, "Common options");
   command.add_option("--stats", options.stats, "Write figures as JSON; - for standard output")
       ->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "No progress and no notes");
-  command.set_version_flag("--version", versionText());
+  command.set_version_flag("--version", versionText(), "Tell the version and exit");
 }
 
 int runTool(CLI::App &app, int argc, char **argv, const std::function<Expected<void>()> &body) {

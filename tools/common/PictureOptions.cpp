@@ -1,6 +1,7 @@
 // The options of a picture.
 #include "PictureOptions.h"
 
+#include "Help.h"
 #include "PictureFile.h"
 
 #include "voxc/Render/View.h"
@@ -57,6 +58,7 @@ std::string pointText(const glm::dvec3 &point) {
 } // namespace
 
 void addPictureOptions(CLI::App &command, PictureOptions &options) {
+  const OptionGroup group(command, "Picture");
   command.add_option("--style", options.style, styleHelp())
       ->type_name("STYLE")
       ->check(CLI::IsMember(namesOf<Style>()).description(""));

@@ -1,27 +1,21 @@
 // The progress bar.
 #include "Terminal.h"
 
+#include "Help.h"
 #include "Interrupt.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace voxc::tool {
 namespace {
 
 constexpr int kBarCells = 30;
+constexpr int kUsualColumns = 80;
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr const char *kEraseLine = "\r\x1b[K";
-
-/// Columns of the terminal, or a usual number if it does not say.
-int terminalColumns() {
-  winsize size{};
-  constexpr int kUsual = 80;
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
-}
 
 } // namespace
 
@@ -62,7 +56,8 @@ void ProgressBar::draw(std::string_view stage, double fraction, std::uint64_t do
   std::snprintf(text, sizeof text, "%-12s [%s] %3d%%%s", stage_.c_str(), bar.c_str(),
                 static_cast<int>(shown * 100), paceText(seconds, shown, done).c_str());
   // A line that wraps could not be erased.
-  std::fprintf(stderr, "%s%.*s", kEraseLine, std::max(terminalColumns() - 1, 1), text);
+  std::fprintf(stderr, "%s%.*s", kEraseLine, std::max(terminalColumns(STDERR_FILENO, kUsualColumns) - 1, 1),
+               text);
 }
 
 std::string paceText(double seconds, double fraction, std::uint64_t done) {

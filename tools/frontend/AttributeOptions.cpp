@@ -1,6 +1,7 @@
 // Attribute options, generated from the table of attributes.
 #include "frontend/AttributeOptions.h"
 
+#include "common/Help.h"
 #include "voxc/IR/Query.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ std::vector<std::string> namesOf(const AttributeList &list, bool isUsual) {
 } // namespace
 
 void AttributeOptions::declare(CLI::App &app) {
+  const OptionGroup group(app, "Kernel");
   for (const AttributeKind *kind : formatAttributes()) {
     if (kind->effect == AttributeEffect::Storage) // Passes set those.
       continue;

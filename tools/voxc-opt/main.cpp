@@ -3,6 +3,7 @@
 #include "PlanPipeline.h"
 
 #include "common/Command.h"
+#include "common/Help.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Passes/Pass.h"
@@ -150,6 +151,7 @@ Expected<void> optimise(const Options &options) {
 
 int main(int argc, char **argv) {
   CLI::App app{"Runs passes over the level IR or the plan of a format", "voxc-opt"};
+  useWrappedHelp(app);
   Options options;
   declare(app, options);
   return runTool(app, argc, argv, [&] { return optimise(options); });

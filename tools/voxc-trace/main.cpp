@@ -1,6 +1,7 @@
 // voxc-trace: traces rays or takes a picture with a kernel that was compiled elsewhere.
 #include "common/Command.h"
 #include "common/Files.h"
+#include "common/Help.h"
 #include "common/PictureFile.h"
 #include "common/PictureOptions.h"
 #include "common/RayTally.h"
@@ -166,6 +167,7 @@ Expected<void> run(const CLI::App &app, const Options &options) {
 int main(int argc, char **argv) {
   CLI::App app("Traces rays through a volume, or takes a picture of it, with a compiled kernel.",
                "voxc-trace");
+  useWrappedHelp(app);
   Options options;
   addOptions(app, options);
   return runTool(app, argc, argv, [&] {

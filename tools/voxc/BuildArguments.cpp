@@ -1,6 +1,8 @@
 // Options of building, and sizes as people write them.
 #include "BuildArguments.h"
 
+#include "common/Help.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -53,6 +55,7 @@ std::string checkMemory(const std::string &text) {
 } // namespace
 
 void addMemoryArguments(CLI::App &app, BuildArguments &arguments) {
+  const OptionGroup group(app, "Memory and threads");
   app.add_option("--memory", arguments.memory,
                  "Bound on the memory of building, such as 512MiB; default: a quarter of the machine's")
       ->type_name("SIZE")
@@ -67,6 +70,7 @@ void addCompressArgument(CLI::App &app, bool &compress) {
 }
 
 void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
+  const OptionGroup group(app, "Memory and threads");
   app.add_option("--threads", arguments.threads, "Threads that build; default: as many as the machine has")
       ->type_name("N")
       ->check(CLI::Range(1u, 1024u).description(""));

@@ -1,6 +1,8 @@
 // Options of inputs.
 #include "InputArguments.h"
 
+#include "common/Help.h"
+
 #ifdef VOXC_HAS_OPENVDB
 #include "voxc/OpenVdb/OpenVdb.h"
 #endif
@@ -101,6 +103,7 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
 }
 
 void addInputArguments(CLI::App &app, InputArguments &arguments) {
+  const OptionGroup group(app, "Input");
   app.add_option("--resolution", arguments.resolution,
                  "Voxels on the longest axis; default: what the format holds")
       ->type_name("N")

@@ -1,6 +1,7 @@
 // Devices, kernels and tracers for the driver.
 #include "Tracing.h"
 
+#include "common/Help.h"
 #include "common/Statistics.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
@@ -10,6 +11,7 @@
 namespace voxc::tool {
 
 void Tracing::declare(CLI::App &app) {
+  const OptionGroup group(app, "Device");
   app.add_option(
          "--device", deviceName_,
          "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "

@@ -1,6 +1,8 @@
 // voxc: the driver. A thin client of the libraries; each command is a file of this folder.
+#include "Examples.h"
 #include "Subcommand.h"
 
+#include "common/Help.h"
 #include "common/Misspelling.h"
 
 #include <algorithm>
@@ -15,34 +17,48 @@ namespace {
 using namespace voxc;
 using namespace voxc::tool;
 
+// The groups of commands in the help.
+constexpr const char *kMake = "Making volumes";
+constexpr const char *kUse = "Using volumes";
+constexpr const char *kChoose = "Choosing a format";
+constexpr const char *kCheck = "Checking";
+constexpr const char *kLarge = "Building in parts";
+constexpr const char *kHelp = "Help";
+
 struct CommandKind {
+  const char *group;
   const char *name;
   const char *summary;
   std::unique_ptr<Subcommand> (*make)();
 };
 
 constexpr CommandKind kCommands[] = {
-    {"compile", "Write the code that is generated for a format", makeCompileCommand},
-    {"build", "Voxelize an input and construct its volume", makeBuildCommand},
-    {"plan", "Cut the building of a volume into parts, for many processes or machines", makePlanCommand},
-    {"submit", "Carry out a build plan, on processes of this machine or by Slurm", makeSubmitCommand},
-    {"status", "Say what stands of a build plan", makeStatusCommand},
-    {"merge", "Join the fragments of a volume", makeMergeCommand},
-    {"split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
-    {"render", "Render a picture of a volume", makeRenderCommand},
-    {"run", "Compile, build and render in one go", makeRunCommand},
-    {"trace", "Trace the rays of a file through a volume", makeTraceCommand},
-    {"verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
-    {"hard-rays", "Check the kernels of many formats on rays that are hard to trace", makeHardRaysCommand},
-    {"accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
-    {"bench", "Measure size, speed and error of many formats", makeBenchCommand},
-    {"export", "Write a volume as a dense grid, points or MagicaVoxel, or as another .hvx",
+    {kMake, "compile", "Write the code that is generated for a format", makeCompileCommand},
+    {kMake, "build", "Voxelize an input and construct its volume", makeBuildCommand},
+    {kUse, "render", "Render a picture of a volume", makeRenderCommand},
+    {kUse, "run", "Compile, build and render in one go", makeRunCommand},
+    {kUse, "trace", "Trace the rays of a file through a volume", makeTraceCommand},
+    {kUse, "export", "Write a volume as a dense grid, points or MagicaVoxel, or as another .hvx",
      makeExportCommand},
-    {"facts", "Measure what an input is like, to choose a format by", makeFactsCommand},
-    {"suggest", "Say which format an input asks for, and why", makeSuggestCommand},
-    {"search", "Find the best formats for an input by measuring those that promise most", makeSearchCommand},
-    {"info", "Describe a volume", makeInfoCommand},
-    {"devices", "List the devices that can trace", makeDevicesCommand},
+    {kUse, "info", "Describe a volume", makeInfoCommand},
+    {kUse, "devices", "List the devices that can trace", makeDevicesCommand},
+    {kChoose, "bench", "Measure size, speed and error of many formats", makeBenchCommand},
+    {kChoose, "facts", "Measure what an input is like, to choose a format by", makeFactsCommand},
+    {kChoose, "suggest", "Say which format an input asks for, and why", makeSuggestCommand},
+    {kChoose, "search", "Find the best formats for an input by measuring those that promise most",
+     makeSearchCommand},
+    {kCheck, "verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
+    {kCheck, "hard-rays", "Check the kernels of many formats on rays that are hard to trace",
+     makeHardRaysCommand},
+    {kCheck, "accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
+    {kLarge, "plan", "Cut the building of a volume into parts, for many processes or machines",
+     makePlanCommand},
+    {kLarge, "submit", "Carry out a build plan, on processes of this machine or by Slurm", makeSubmitCommand},
+    {kLarge, "status", "Say what stands of a build plan", makeStatusCommand},
+    {kLarge, "merge", "Join the fragments of a volume", makeMergeCommand},
+    {kLarge, "split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
+    {kHelp, "manual", "Write the manual page of a command, or all of them", makeManualCommand},
+    {kHelp, "completion", "Write what a shell needs to complete this command line", makeCompletionCommand},
 };
 
 /// CLI11 says only that a command is missing where one is misspelt.
@@ -71,13 +87,16 @@ Error unknownCommand(std::string_view word) {
 
 int main(int argc, char **argv) {
   CLI::App app{"A compiler for hybrid voxel formats", "voxc"};
-  app.set_version_flag("--version", versionText());
+  useWrappedHelp(app);
+  app.set_version_flag("--version", versionText(), "Tell the version and exit");
+  app.footer("'voxc COMMAND --help' says more. To begin with: voxc run builtin:terrain -o terrain.png");
   app.require_subcommand(1);
 
   std::vector<std::pair<CLI::App *, std::unique_ptr<Subcommand>>> commands;
   for (const CommandKind &kind : kCommands) {
-    CLI::App *subcommand = app.add_subcommand(kind.name, kind.summary);
+    CLI::App *subcommand = app.add_subcommand(kind.name, kind.summary)->group(kind.group);
     commands.emplace_back(subcommand, kind.make()).second->declare(*subcommand);
+    addExamples(*subcommand);
   }
 
   if (argc > 1 && isStrayOption(app, argv[1])) {

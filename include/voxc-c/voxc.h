@@ -1,0 +1,127 @@
+/* voxc in C, all of it: formats, building, kernels and pictures. What is said at the top of runtime.h holds
+ * here too. */
+#ifndef VOXC_C_VOXC_H
+#define VOXC_C_VOXC_H
+
+#include <voxc-c/runtime.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Formats. */
+
+typedef struct voxc_format voxc_format;
+
+/* Parses a format string, such as "R(4, 4, 4) G(5)", or the text of the level IR, and runs passes on it:
+ * their names with commas between, such as "whole-level-dedup,palette=4"; null: none. Errors: what is wrong
+ * with the text, with the place; an unknown pass. */
+VOXC_API voxc_error *voxc_format_parse(const char *text, const char *passes, voxc_format **format);
+/* The format of a volume. */
+VOXC_API voxc_error *voxc_format_of_volume(const voxc_volume *volume, voxc_format **format);
+VOXC_API void voxc_format_free(voxc_format *format);
+/* As the text of the level IR. */
+VOXC_API const char *voxc_format_ir(const voxc_format *format);
+/* The voxels that it holds along x, y and z. */
+VOXC_API void voxc_format_extent(const voxc_format *format, int32_t extent[3]);
+
+/* The traversal as functions, in one text of GLSL and C++ (docs/library.md). `name` is put into their names;
+ * null: one that is made of the format. The text is the caller's, who frees it by voxc_free. */
+VOXC_API voxc_error *voxc_emit_header(const voxc_format *format, const char *name, char **text);
+/* The intersection kernel in GLSL. The text is the caller's, who frees it by voxc_free. */
+VOXC_API voxc_error *voxc_emit_glsl(const voxc_format *format, char **text);
+/* The same as SPIR-V, for any device: what voxc_tracer_load takes. The words are the caller's, who frees them
+ * by voxc_free. */
+VOXC_API voxc_error *voxc_compile_spirv(const voxc_format *format, uint32_t **words, size_t *count);
+
+/* Building. */
+
+typedef struct voxc_build_options {
+  size_t struct_size;
+  unsigned threads;       /* 0: 1. */
+  uint64_t memory_bytes;  /* That may be resident; what does not fit lies in a scratch file. 0: a quarter of
+                           * the  machine's. */
+  const char *path;       /* Where the volume is written while it is built; null: it stays in memory. */
+  int compress;           /* Compresses the file at `path`. */
+  const char *provenance; /* Kept in the volume; null: what the input says. */
+  const voxc_progress *progress; /* Null: none. */
+} voxc_build_options;
+#define VOXC_BUILD_OPTIONS {.struct_size = sizeof(voxc_build_options)}
+
+/* Builds a dense grid of voxels, x fastest, then y, then z; 0 is empty. The grid is only read during the
+ * call. Errors: an extent that is not from 1 to 2^21 an axis, or larger than the format. `options` may be
+ * null here and below. */
+VOXC_API voxc_error *voxc_build_grid(const voxc_format *format, const uint32_t *words,
+                                     const int32_t extent[3], const voxc_build_options *options,
+                                     voxc_volume **volume);
+
+/* Builds a list of voxels: places[3 * i] to places[3 * i + 2] is that of words[i]. Of several at one place
+ * the last counts, and a word of 0 leaves it empty. `extent` may be null: as far as the list reaches. Errors:
+ * a place outside the extent or the format. */
+VOXC_API voxc_error *voxc_build_voxels(const voxc_format *format, const int32_t *places,
+                                       const uint32_t *words, uint64_t count, const int32_t *extent,
+                                       const voxc_build_options *options, voxc_volume **volume);
+
+/* Voxels by a function, for scenes that do not lie in memory. */
+typedef struct voxc_source {
+  int32_t extent[3];
+  /* The word of a voxel inside the extent. It may be called by several threads at once. */
+  uint32_t (*voxel)(void *user, int32_t x, int32_t y, int32_t z);
+  /* 1 only if the cube of `side` voxels from (x, y, z) on has no voxel; null: nobody knows. Cubes may reach
+   * outside. */
+  int (*is_empty)(void *user, int32_t x, int32_t y, int32_t z, int32_t side);
+  void *user;
+} voxc_source;
+
+VOXC_API voxc_error *voxc_build_source(const voxc_format *format, const voxc_source *source,
+                                       const voxc_build_options *options, voxc_volume **volume);
+
+/* How a file becomes voxels; a member that is 0 or null has the usual value of the command line. */
+typedef struct voxc_input_options {
+  size_t struct_size;
+  int32_t resolution; /* Voxels on the longest axis of a mesh; 0: what the format holds. */
+  const char
+      *coverage; /* Of a mesh: "conservative", "centre", "floodfill", as the command line names them. */
+  int z_up;      /* 1: +z is up; -1: +y is up; 0: by the kind of file. */
+  const double
+      *threshold; /* Samples of a dense volume from here up are voxels; null: found by the histogram. */
+  const char *colour_map; /* Of a dense volume. */
+} voxc_input_options;
+#define VOXC_INPUT_OPTIONS {.struct_size = sizeof(voxc_input_options)}
+
+/* Builds a mesh, points, MagicaVoxel models or a dense volume: all that `voxc build` takes as INPUT. */
+VOXC_API voxc_error *voxc_build_input(const voxc_format *format, const char *input,
+                                      const voxc_input_options *input_options,
+                                      const voxc_build_options *options, voxc_volume **volume);
+
+/* Tracing and pictures. */
+
+/* A tracer by a kernel that is compiled for this volume and device. The volume may be freed before the
+ * tracer. */
+VOXC_API voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_options *options,
+                                        voxc_tracer **tracer);
+
+typedef struct voxc_picture_options {
+  size_t struct_size;
+  int32_t width;       /* 0: 1280. */
+  int32_t height;      /* 0: 720. */
+  const char *style;   /* "lit" (null), "flat", "ao", "normals", "depth". */
+  const char *view;    /* "auto" (null), "iso", "front", "top", "inside"; where no eye is given. */
+  const double *eye;   /* Three numbers, in voxels, */
+  const double *look;  /* and the point looked at: both, or neither. */
+  double vertical_fov; /* In degrees; 0: the view's own. */
+  unsigned samples;    /* Rays a pixel; 0: the style's own. */
+  const voxc_progress *progress;
+} voxc_picture_options;
+#define VOXC_PICTURE_OPTIONS {.struct_size = sizeof(voxc_picture_options)}
+
+/* A picture by a tracer of the closest hits with voxel, t and colour: rows from the top, RGBA8 with R in the
+ * low byte, as many as width times height. Errors: a style or view that there is not; an eye without a point;
+ * those of tracing. */
+VOXC_API voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,149 @@
+// Building volumes in C.
+#include "C/FormatHandle.h"
+#include "Source/GridExtent.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Input/Input.h"
+#include "voxc/Source/Sources.h"
+
+#include <algorithm>
+
+using namespace voxc;
+using namespace voxc::c;
+
+namespace {
+
+std::shared_ptr<WorkingMemory> memoryOf(const voxc_build_options &options) {
+  return options.memory_bytes > 0 ? WorkingMemory::create(options.memory_bytes)
+                                  : WorkingMemory::createDefault();
+}
+
+/// Builds an opened source; `provenance` is what the input says of itself.
+voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_build_options &given,
+                  std::shared_ptr<WorkingMemory> memory, const Progress &progress,
+                  const std::string &provenance, voxc_volume **volume) {
+  const Expected<Constructor> constructor = Constructor::compile(format->format);
+  if (!constructor)
+    return wrap(constructor.error());
+  BuildOptions options;
+  options.provenance = textOr(given.provenance, provenance.c_str());
+  options.threads = std::max(given.threads, 1u);
+  options.memory = std::move(memory);
+  options.path = textOr(given.path, "");
+  options.progress = progress;
+  options.compress = given.compress != 0;
+  Expected<Built> built = constructor->build(source, options);
+  if (!built)
+    return wrap(built.error());
+  *volume = new voxc_volume(std::move(built->volume));
+  return nullptr;
+}
+
+voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_build_options *options,
+                  voxc_volume **volume) {
+  const voxc_build_options given = optionsOf(options);
+  const CallersProgress progress(given.progress);
+  return build(format, source, given, memoryOf(given), progress.get(), "", volume);
+}
+
+/// As far as a list of places reaches.
+Int3 extentOf(const std::int32_t *places, std::uint64_t count) {
+  Int3 extent{1, 1, 1};
+  for (const std::int32_t *place = places; place != places + 3 * count; place += 3)
+    extent = {std::max(extent.x, place[0] + 1), std::max(extent.y, place[1] + 1),
+              std::max(extent.z, place[2] + 1)};
+  return extent;
+}
+
+/// Sorts a list of voxels; of several at one place the last counts.
+Expected<std::vector<CodedVoxel>> sorted(const std::int32_t *places, const std::uint32_t *words,
+                                         std::uint64_t count, Int3 extent) {
+  std::vector<CodedVoxel> voxels;
+  voxels.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Int3 place{places[3 * i], places[3 * i + 1], places[3 * i + 2]};
+    if (place.x < 0 || place.y < 0 || place.z < 0 || place.x >= extent.x || place.y >= extent.y ||
+        place.z >= extent.z)
+      return Error::input("voxel " + std::to_string(i) + " lies at " + std::to_string(place.x) + ", " +
+                          std::to_string(place.y) + ", " + std::to_string(place.z) +
+                          ", outside of an extent of " + toText(extent));
+    voxels.push_back({mortonCode(place), words[i]});
+  }
+  std::ranges::stable_sort(voxels, {}, &CodedVoxel::code);
+  const auto last = std::unique(voxels.rbegin(), voxels.rend(),
+                                [](const CodedVoxel &a, const CodedVoxel &b) { return a.code == b.code; });
+  voxels.erase(voxels.begin(), last.base());
+  std::erase_if(voxels, [](const CodedVoxel &voxel) { return voxel.word == 0; });
+  return voxels;
+}
+
+} // namespace
+
+voxc_error *voxc_build_grid(const voxc_format *format, const uint32_t *words, const int32_t extent[3],
+                            const voxc_build_options *options, voxc_volume **volume) {
+  return guarded([&]() -> voxc_error * {
+    const Int3 size{extent[0], extent[1], extent[2]};
+    if (Expected<void> checked = checkGridExtent(size); !checked)
+      return wrap(checked);
+    const std::uint64_t count = std::uint64_t(size.x) * size.y * size.z;
+    return build(format, *makeGridSource(size, {words, words + count}), options, volume);
+  });
+}
+
+voxc_error *voxc_build_voxels(const voxc_format *format, const int32_t *places, const uint32_t *words,
+                              uint64_t count, const int32_t *extent, const voxc_build_options *options,
+                              voxc_volume **volume) {
+  return guarded([&]() -> voxc_error * {
+    const Int3 size = extent ? Int3{extent[0], extent[1], extent[2]} : extentOf(places, count);
+    if (Expected<void> checked = checkGridExtent(size); !checked)
+      return wrap(checked);
+    Expected<std::vector<CodedVoxel>> voxels = sorted(places, words, count, size);
+    if (!voxels)
+      return wrap(voxels.error());
+    return build(format, *makeSortedSource(size, std::move(*voxels)), options, volume);
+  });
+}
+
+voxc_error *voxc_build_source(const voxc_format *format, const voxc_source *source,
+                              const voxc_build_options *options, voxc_volume **volume) {
+  return guarded([&]() -> voxc_error * {
+    const voxc_source given = *source;
+    const Int3 size{given.extent[0], given.extent[1], given.extent[2]};
+    if (Expected<void> checked = checkGridExtent(size); !checked)
+      return wrap(checked);
+    std::function<bool(const Cube &)> empty;
+    if (given.is_empty)
+      empty = [given](const Cube &cube) {
+        return given.is_empty(given.user, cube.low.x, cube.low.y, cube.low.z, std::int32_t(cube.side())) != 0;
+      };
+    const auto voxel = [given](Int3 cell) { return given.voxel(given.user, cell.x, cell.y, cell.z); };
+    return build(format, *makeFunctionSource(size, voxel, empty), options, volume);
+  });
+}
+
+voxc_error *voxc_build_input(const voxc_format *format, const char *input,
+                             const voxc_input_options *input_options, const voxc_build_options *options,
+                             voxc_volume **volume) {
+  return guarded([&]() -> voxc_error * {
+    const voxc_build_options given = optionsOf(options);
+    const voxc_input_options read = optionsOf(input_options);
+    const CallersProgress progress(given.progress);
+    InputOptions choices{.resolution = read.resolution, .formatExtent = format->format.extent()};
+    choices.isUpKnown = read.z_up != 0;
+    choices.zUp = read.z_up > 0;
+    choices.isAutomatic = true;
+    if (read.threshold)
+      choices.threshold = *read.threshold;
+    choices.colourMap = textOr(read.colour_map, choices.colourMap.c_str());
+    const std::string coverage = textOr(read.coverage, "conservative");
+    if (coverage != "conservative" && coverage != "thin")
+      return wrap(Error::usage("the coverage is conservative or thin, not '" + coverage + "'"));
+    choices.coverage = coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
+    choices.threads = std::max(given.threads, 1u);
+    choices.memory = memoryOf(given);
+    choices.progress = progress.get();
+    Expected<Input> opened = openInput(input, choices);
+    if (!opened)
+      return wrap(opened.error());
+    return build(format, *opened->source, given, choices.memory, progress.get(), opened->provenance, volume);
+  });
+}

@@ -1,0 +1,88 @@
+// Formats in C, and what is emitted for them.
+#include "C/FormatHandle.h"
+#include "voxc/Emit/Emit.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Plan/Plan.h"
+
+#include <cstdlib>
+
+using namespace voxc;
+using namespace voxc::c;
+
+namespace {
+
+/// A copy that `voxc_free` takes.
+template <typename Value> Value *copyOf(const Value *values, std::size_t count) {
+  auto *const copy = static_cast<Value *>(std::malloc(std::max<std::size_t>(count, 1) * sizeof(Value)));
+  if (!copy)
+    throw std::bad_alloc();
+  std::copy_n(values, count, copy);
+  return copy;
+}
+
+char *copyOf(const std::string &text) { return copyOf(text.c_str(), text.size() + 1); }
+
+} // namespace
+
+voxc_error *voxc_format_parse(const char *text, const char *passes, voxc_format **format) {
+  return guarded([&]() -> voxc_error * {
+    Expected<Format> parsed = parseFormat(text);
+    if (!parsed)
+      return wrap(parsed.error());
+    if (Expected<void> passed = runPasses(*parsed, namesIn(textOr(passes, ""))); !passed)
+      return wrap(passed);
+    *format = new voxc_format(std::move(*parsed));
+    return nullptr;
+  });
+}
+
+voxc_error *voxc_format_of_volume(const voxc_volume *volume, voxc_format **format) {
+  return guarded([&]() -> voxc_error * {
+    *format = new voxc_format(volume->volume->format());
+    return nullptr;
+  });
+}
+
+void voxc_format_free(voxc_format *format) { delete format; }
+
+const char *voxc_format_ir(const voxc_format *format) { return format->ir.c_str(); }
+
+void voxc_format_extent(const voxc_format *format, int32_t extent[3]) {
+  const Int3 size = format->format.extent();
+  extent[0] = size.x, extent[1] = size.y, extent[2] = size.z;
+}
+
+voxc_error *voxc_emit_header(const voxc_format *format, const char *name, char **text) {
+  return guarded([&]() -> voxc_error * {
+    const Expected<Plan> plan = makePlan(format->format, kHeaderPlan);
+    if (!plan)
+      return wrap(plan.error());
+    const std::string chosen = name ? name : headerName(plan->layout);
+    if (!isHeaderName(chosen))
+      return wrap(Error::usage("a name has letters, digits and single underscores between them, unlike '" +
+                               chosen + "'"));
+    *text = copyOf(emitHeader(*plan, chosen));
+    return nullptr;
+  });
+}
+
+voxc_error *voxc_emit_glsl(const voxc_format *format, char **text) {
+  return guarded([&]() -> voxc_error * {
+    const Expected<Plan> plan = makePlan(format->format, {});
+    if (!plan)
+      return wrap(plan.error());
+    *text = copyOf(emitIntersect(*plan));
+    return nullptr;
+  });
+}
+
+voxc_error *voxc_compile_spirv(const voxc_format *format, uint32_t **words, size_t *count) {
+  return guarded([&]() -> voxc_error * {
+    const Expected<Kernel> kernel = compileKernel(format->format);
+    if (!kernel)
+      return wrap(kernel.error());
+    *words = copyOf(kernel->spirv.data(), kernel->spirv.size());
+    *count = kernel->spirv.size();
+    return nullptr;
+  });
+}

@@ -1,0 +1,84 @@
+// Devices in C, and tracers by kernels that lie in files.
+#include "C/Handles.h"
+#include "voxc/Trace/CpuKernel.h"
+
+#include <cstdio>
+#include <vector>
+
+using namespace voxc;
+using namespace voxc::c;
+
+static_assert(sizeof(voxc_ray) == sizeof(Ray) && sizeof(voxc_hit) == sizeof(Hit));
+
+namespace {
+
+template <std::size_t N> void copyText(char (&to)[N], const std::string &from) {
+  std::snprintf(to, N, "%s", from.c_str());
+}
+
+voxc_device_info infoOf(const DeviceInfo &device) {
+  voxc_device_info info{};
+  copyText(info.name, device.name);
+  copyText(info.kind, device.kind);
+  copyText(info.uuid, device.uuid);
+  info.memory_bytes = device.memoryBytes;
+  info.usable = device.usable;
+  return info;
+}
+
+} // namespace
+
+size_t voxc_devices(voxc_device_info *devices, size_t capacity) {
+  std::size_t count = 0;
+  voxc_error *const failure = guarded([&]() -> voxc_error * {
+    std::vector<DeviceInfo> all = listDevices();
+    all.push_back(cpuDeviceInfo());
+    for (std::size_t i = 0; i < std::min(capacity, all.size()); ++i)
+      devices[i] = infoOf(all[i]);
+    count = all.size();
+    return nullptr;
+  });
+  voxc_error_free(failure);
+  return count;
+}
+
+voxc_error *voxc_tracer_load(const voxc_volume *volume, const char *kernel_path,
+                             const voxc_tracer_options *options, voxc_tracer **tracer) {
+  return guarded([&]() -> voxc_error * {
+    const voxc_tracer_options given = optionsOf(options);
+    Expected<Kernel> kernel = Kernel::load(kernel_path);
+    if (!kernel)
+      return wrap(kernel.error());
+    Expected<Device> device = Device::open(textOr(given.device, ""));
+    if (!device)
+      return wrap(device.error());
+    auto made = std::make_unique<voxc_tracer>();
+    made->volume = volume->volume;
+    made->device = std::make_unique<Device>(std::move(*device));
+    made->deviceName = made->device->info().name;
+    made->threads = given.threads;
+    auto opened = createTracer(*made->device, *kernel, *made->volume, given.threads);
+    if (!opened)
+      return wrap(opened.error());
+    made->tracer = std::move(*opened);
+    *tracer = made.release();
+    return nullptr;
+  });
+}
+
+void voxc_tracer_free(voxc_tracer *tracer) {
+  if (tracer)
+    tracer->tracer.reset(); // Before its device.
+  delete tracer;
+}
+
+const char *voxc_tracer_device(const voxc_tracer *tracer) { return tracer->deviceName.c_str(); }
+
+voxc_error *voxc_tracer_trace(voxc_tracer *tracer, const voxc_ray *rays, uint64_t count, voxc_hit *hits) {
+  return guarded([&]() -> voxc_error * {
+    const auto *const first = reinterpret_cast<const Ray *>(rays);
+    const Expected<TraceReport> traced = tracer->tracer->trace(
+        {first, std::size_t(count)}, {reinterpret_cast<Hit *>(hits), std::size_t(count)});
+    return traced ? nullptr : wrap(traced.error());
+  });
+}

@@ -1,0 +1,90 @@
+// Tracers in C whose kernels are compiled, and pictures.
+#include "C/FormatHandle.h"
+#include "voxc/IR/Query.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Render/View.h"
+
+using namespace voxc;
+using namespace voxc::c;
+
+namespace {
+
+/// Sets what is stored of a hit to the names in a list.
+Expected<void> setOutputs(Format &format, std::string_view list) {
+  std::vector<std::string> names = namesIn(list);
+  for (const AttributeKind *kind : {&kVoxelAttribute, &kTAttribute, &kFaceAttribute, &kColourAttribute})
+    format.setAttribute(*kind, std::erase(names, std::string(kind->name)) > 0 ? "yes" : "no");
+  if (!names.empty())
+    return Error::usage("'" + names.front() + "' is no output; those are voxel, t, face and colour");
+  return {};
+}
+
+/// What a kernel shall do, as a format.
+Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &options) {
+  Format format = volume.format();
+  const struct {
+    const AttributeKind &kind;
+    const char *value;
+  } choices[] = {{kQueryAttribute, options.query}, {kPrecisionAttribute, options.precision}};
+  for (const auto &[kind, value] : choices) {
+    if (!value)
+      continue;
+    if (std::ranges::find(kind.values, std::string_view(value)) == kind.values.end())
+      return Error::usage(std::string(kind.name) + " cannot be '" + value + "'");
+    format.setAttribute(kind, value);
+  }
+  if (options.outputs)
+    if (Expected<void> set = setOutputs(format, options.outputs); !set)
+      return set.error();
+  if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
+    return Error::usage("the format " + std::string(problem));
+  if (Expected<void> passed = runPasses(format, namesIn(textOr(options.passes, ""))); !passed)
+    return passed.error();
+  return format;
+}
+
+Expected<std::unique_ptr<Tracer>> compileTracer(voxc_tracer &made) {
+  if (!made.device) {
+    const Expected<CpuKernel> kernel = compileCpuKernel(made.format);
+    if (!kernel)
+      return kernel.error();
+    return createCpuTracer(*kernel, *made.volume, made.threads);
+  }
+  const DeviceInfo &device = made.device->info();
+  const Expected<Kernel> kernel =
+      compileKernel(made.format, {.addressing = made.device->addressingFor(made.volume->words().size()),
+                                  .loops = device.loops,
+                                  .arithmetic = device.arithmetic});
+  if (!kernel)
+    return kernel.error();
+  return createTracer(*made.device, *kernel, *made.volume, made.threads);
+}
+
+} // namespace
+
+voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_options *options,
+                               voxc_tracer **tracer) {
+  return guarded([&]() -> voxc_error * {
+    const voxc_tracer_options given = optionsOf(options);
+    const DeviceInfo processor = cpuDeviceInfo();
+    auto made = std::make_unique<voxc_tracer>();
+    made->volume = volume->volume;
+    made->threads = given.threads;
+    Expected<Format> format = kernelFormat(*volume->volume, given);
+    if (!format)
+      return wrap(format.error());
+    made->format = std::move(*format);
+    auto device = openDevice(given, processor.name);
+    if (!device)
+      return wrap(device.error());
+    made->device = std::move(*device);
+    made->deviceName = made->device ? made->device->info().name : processor.name;
+    auto opened = compileTracer(*made);
+    if (!opened)
+      return wrap(opened.error());
+    made->tracer = std::move(*opened);
+    *tracer = made.release();
+    return nullptr;
+  });
+}

@@ -1,0 +1,87 @@
+// Volumes in C.
+#include "C/Handles.h"
+
+using namespace voxc;
+using namespace voxc::c;
+
+namespace {
+
+constexpr std::uint64_t kMostRead = std::uint64_t{1} << 40; ///< Voxels of a box.
+
+/// Reads a row of a box: each look-up tells how far its value goes.
+std::uint32_t *readRow(const Volume &volume, Int3 low, std::int32_t count, std::uint32_t *words) {
+  for (std::int32_t done = 0; done < count;) {
+    const std::int64_t x = std::int64_t{low.x} + done;
+    const bool isInside = x >= 0 && x < volume.info().extent.x;
+    const Lookup found = isInside ? volume.lookup({std::int32_t(x), low.y, low.z}) : Lookup{};
+    const std::int64_t side = isInside ? std::int64_t{1} << found.log2Side : 1;
+    const std::int64_t run = std::min<std::int64_t>(side - (x & (side - 1)), count - done);
+    words = std::fill_n(words, run, found.value);
+    done += std::int32_t(run);
+  }
+  return words;
+}
+
+} // namespace
+
+voxc_error *voxc_volume_load(const char *path, const voxc_load_options *options, voxc_volume **volume) {
+  return guarded([&] {
+    const voxc_load_options given = optionsOf(options);
+    const CallersProgress progress(given.progress);
+    LoadOptions load{.trusted = given.trusted != 0, .threads = given.threads, .progress = progress.get()};
+    if (given.most_cubes > 0)
+      load.mostCubes = given.most_cubes;
+    return handOver(Volume::load(path, load), volume);
+  });
+}
+
+void voxc_volume_free(voxc_volume *volume) { delete volume; }
+
+voxc_error *voxc_volume_save(const voxc_volume *volume, const char *path, int compress) {
+  return guarded([&] { return wrap(volume->volume->save(path, {.compress = compress != 0})); });
+}
+
+const char *voxc_volume_format(const voxc_volume *volume) { return volume->format.c_str(); }
+
+const char *voxc_volume_provenance(const voxc_volume *volume) {
+  return volume->volume->info().provenance.c_str();
+}
+
+void voxc_volume_extent(const voxc_volume *volume, int32_t extent[3]) {
+  const Int3 size = volume->volume->info().extent;
+  extent[0] = size.x, extent[1] = size.y, extent[2] = size.z;
+}
+
+uint64_t voxc_volume_voxels(const voxc_volume *volume) { return volume->volume->info().voxels; }
+
+uint64_t voxc_volume_bytes(const voxc_volume *volume) { return volume->volume->bytes(); }
+
+const uint32_t *voxc_volume_words(const voxc_volume *volume, uint64_t *count) {
+  const auto words = volume->volume->words();
+  *count = words.size();
+  return words.data();
+}
+
+void voxc_volume_to_model(const voxc_volume *volume, double rows[12]) {
+  std::ranges::copy(rowsOf(volume->volume->info().voxelToModel), rows);
+}
+
+uint32_t voxc_volume_lookup(const voxc_volume *volume, const int32_t voxel[3]) {
+  return volume->volume->lookup({voxel[0], voxel[1], voxel[2]}).value;
+}
+
+voxc_error *voxc_volume_read(const voxc_volume *volume, const int32_t low[3], const int32_t size[3],
+                             uint32_t *words) {
+  return guarded([&]() -> voxc_error * {
+    std::uint64_t most = kMostRead;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (size[axis] < 0 || std::uint64_t(size[axis]) > most)
+        return wrap(Error::usage("a box that is read has sizes from 0 up, and at most 2^40 voxels"));
+      most /= std::max(size[axis], 1);
+    }
+    for (std::int32_t z = 0; z < size[2]; ++z)
+      for (std::int32_t y = 0; y < size[1]; ++y)
+        words = readRow(*volume->volume, {low[0], low[1] + y, low[2] + z}, size[0], words);
+    return nullptr;
+  });
+}

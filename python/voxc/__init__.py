@@ -1,0 +1,20 @@
+"""voxc in Python: volumes of voxels in hybrid formats, built from arrays or files, traced, and made pictures of.
+
+    import voxc
+    volume = voxc.build("R(4, 4, 4) G(4)", "bunny.ply")
+    hits = volume.tracer().trace(origins, directions)
+    voxc.save_picture("bunny.png", volume.render())
+
+Arrays are NumPy's. A grid of voxels is indexed [z, y, x]; its uint32 words are R in the low byte, then G, B and A, and 0
+is empty. What cannot be done raises voxc.Error with the sentence that the tools would print.
+"""
+from ._library import Error, lib as _lib
+from .building import build
+from .format import Format
+from .picture import save_picture
+from .search import search
+from .tracer import HIT, RAY, Tracer, devices
+from .volume import Volume
+
+__version__ = _lib.voxc_version().decode()
+__all__ = ["Error", "Format", "HIT", "RAY", "Tracer", "Volume", "build", "devices", "save_picture", "search"]

@@ -1,0 +1,173 @@
+"""The C library, loaded once: its structures, the types of its functions, and its errors as exceptions."""
+import ctypes
+import ctypes.util
+import os
+from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint, c_uint32, c_uint64, c_void_p
+
+ABI_VERSION = 0
+
+
+class Error(Exception):
+    """What went wrong, in one sentence; `kind` is "input", "usage", "environment" or "interrupted"."""
+
+    KINDS = {1: "input", 2: "usage", 3: "environment", 130: "interrupted"}
+
+    def __init__(self, message, kind):
+        super().__init__(message)
+        self.kind = self.KINDS.get(kind, "input")
+
+
+REPORT = ctypes.CFUNCTYPE(c_int, c_void_p, c_char_p, c_double, c_uint64)
+VOXEL = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_int32, c_int32, c_int32)
+IS_EMPTY = ctypes.CFUNCTYPE(c_int, c_void_p, c_int32, c_int32, c_int32, c_int32)
+
+
+class Progress(ctypes.Structure):
+    _fields_ = [("report", REPORT), ("user", c_void_p)]
+
+
+class LoadOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("trusted", c_int), ("threads", c_uint), ("most_cubes", c_uint64),
+                ("progress", POINTER(Progress))]
+
+
+class DeviceInfo(ctypes.Structure):
+    _fields_ = [("name", ctypes.c_char * 256), ("kind", ctypes.c_char * 32), ("uuid", ctypes.c_char * 40),
+                ("memory_bytes", c_uint64), ("usable", c_int)]
+
+
+class TracerOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("device", c_char_p), ("threads", c_uint), ("query", c_char_p),
+                ("outputs", c_char_p), ("precision", c_char_p), ("passes", c_char_p)]
+
+
+class BuildOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("threads", c_uint), ("memory_bytes", c_uint64), ("path", c_char_p),
+                ("compress", c_int), ("provenance", c_char_p), ("progress", POINTER(Progress))]
+
+
+class Source(ctypes.Structure):
+    _fields_ = [("extent", c_int32 * 3), ("voxel", VOXEL), ("is_empty", IS_EMPTY), ("user", c_void_p)]
+
+
+class InputOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("resolution", c_int32), ("coverage", c_char_p), ("z_up", c_int),
+                ("threshold", POINTER(c_double)), ("colour_map", c_char_p)]
+
+
+class PictureOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("width", c_int32), ("height", c_int32), ("style", c_char_p),
+                ("view", c_char_p), ("eye", POINTER(c_double)), ("look", POINTER(c_double)),
+                ("vertical_fov", c_double), ("samples", c_uint), ("progress", POINTER(Progress))]
+
+
+# Name: result, arguments. What can fail returns a pointer to an error.
+FUNCTIONS = {
+    "voxc_abi_version": (c_uint32, []),
+    "voxc_version": (c_char_p, []),
+    "voxc_error_get_kind": (c_int, [c_void_p]),
+    "voxc_error_message": (c_char_p, [c_void_p]),
+    "voxc_error_free": (None, [c_void_p]),
+    "voxc_free": (None, [c_void_p]),
+    "voxc_volume_load": (c_void_p, [c_char_p, POINTER(LoadOptions), POINTER(c_void_p)]),
+    "voxc_volume_free": (None, [c_void_p]),
+    "voxc_volume_save": (c_void_p, [c_void_p, c_char_p, c_int]),
+    "voxc_volume_format": (c_char_p, [c_void_p]),
+    "voxc_volume_provenance": (c_char_p, [c_void_p]),
+    "voxc_volume_extent": (None, [c_void_p, POINTER(c_int32)]),
+    "voxc_volume_voxels": (c_uint64, [c_void_p]),
+    "voxc_volume_bytes": (c_uint64, [c_void_p]),
+    "voxc_volume_words": (POINTER(c_uint32), [c_void_p, POINTER(c_uint64)]),
+    "voxc_volume_to_model": (None, [c_void_p, POINTER(c_double)]),
+    "voxc_volume_read": (c_void_p, [c_void_p, POINTER(c_int32), POINTER(c_int32), c_void_p]),
+    "voxc_devices": (c_size_t, [POINTER(DeviceInfo), c_size_t]),
+    "voxc_tracer_free": (None, [c_void_p]),
+    "voxc_tracer_device": (c_char_p, [c_void_p]),
+    "voxc_tracer_trace": (c_void_p, [c_void_p, c_void_p, c_uint64, c_void_p]),
+    "voxc_format_parse": (c_void_p, [c_char_p, c_char_p, POINTER(c_void_p)]),
+    "voxc_format_free": (None, [c_void_p]),
+    "voxc_format_ir": (c_char_p, [c_void_p]),
+    "voxc_format_extent": (None, [c_void_p, POINTER(c_int32)]),
+    "voxc_emit_header": (c_void_p, [c_void_p, c_char_p, POINTER(c_void_p)]),
+    "voxc_emit_glsl": (c_void_p, [c_void_p, POINTER(c_void_p)]),
+    "voxc_build_grid": (c_void_p, [c_void_p, c_void_p, POINTER(c_int32), POINTER(BuildOptions), POINTER(c_void_p)]),
+    "voxc_build_voxels": (c_void_p, [c_void_p, c_void_p, c_void_p, c_uint64, POINTER(c_int32), POINTER(BuildOptions),
+                                     POINTER(c_void_p)]),
+    "voxc_build_source": (c_void_p, [c_void_p, POINTER(Source), POINTER(BuildOptions), POINTER(c_void_p)]),
+    "voxc_build_input": (c_void_p, [c_void_p, c_char_p, POINTER(InputOptions), POINTER(BuildOptions),
+                                    POINTER(c_void_p)]),
+    "voxc_tracer_create": (c_void_p, [c_void_p, POINTER(TracerOptions), POINTER(c_void_p)]),
+    "voxc_render": (c_void_p, [c_void_p, POINTER(PictureOptions), c_void_p]),
+}
+
+
+def load():
+    """The library that VOXC_LIBRARY names, or else that of the system."""
+    library = ctypes.CDLL(os.environ.get("VOXC_LIBRARY", f"libvoxc.so.{ABI_VERSION}"))
+    for name, (result, arguments) in FUNCTIONS.items():
+        function = getattr(library, name)
+        function.restype, function.argtypes = result, arguments
+    if library.voxc_abi_version() != ABI_VERSION:
+        raise ImportError(f"the C library has interface {library.voxc_abi_version()}, but this module is for {ABI_VERSION}")
+    return library
+
+
+lib = load()
+
+
+def check(error):
+    """Raises what a function of the library returned, if that is an error."""
+    if error:
+        kind, message = lib.voxc_error_get_kind(error), lib.voxc_error_message(error).decode()
+        lib.voxc_error_free(error)
+        raise KeyboardInterrupt if kind == 130 else Error(message, kind)
+
+
+def make(function, *arguments):
+    """Calls what hands an object over through its last argument."""
+    made = c_void_p()
+    check(function(*arguments, ctypes.byref(made)))
+    return made
+
+
+def text(value):
+    """A str or path as the library takes it; None stays None."""
+    return None if value is None else os.fsencode(value)
+
+
+def options(kind, **members):
+    """A structure of options; members of None keep their usual value."""
+    made = kind(struct_size=ctypes.sizeof(kind))
+    for name, value in members.items():
+        if value is not None:
+            setattr(made, name, value)
+    return made
+
+
+class Reporter:
+    """A function (stage, fraction, done) as the library's progress; what it raises ends the work and is raised again."""
+
+    def __init__(self, function):
+        self.failure = None
+        self.function = function
+        self.callback = REPORT(self.report)
+        self.progress = Progress(self.callback, None)
+
+    def report(self, _, stage, fraction, done):
+        try:
+            if self.function:
+                self.function(stage.decode(), fraction, done)
+            return 0
+        except BaseException as failure:  # Control-C among them.
+            self.failure = failure
+            return 1
+
+    def check(self, error):
+        if self.failure and error:
+            lib.voxc_error_free(error)
+            raise self.failure
+        check(error)
+
+    @property
+    def pointer(self):
+        return ctypes.pointer(self.progress)

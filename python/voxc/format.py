@@ -1,0 +1,52 @@
+"""Formats: what a volume is made of."""
+import ctypes
+
+from ._library import check, lib, make, text
+
+
+def list_of(names):
+    """Names with commas between, from a list or from such a text."""
+    return None if names is None else text(names if isinstance(names, str) else ",".join(names))
+
+
+class Format:
+    """A hybrid format, parsed from a string such as "R(4, 4, 4) G(5)" or from IR text; passes are named as in the tools,
+    "whole-level-dedup", and run in their order."""
+
+    def __init__(self, written, passes=None):
+        self._handle = make(lib.voxc_format_parse, text(written), list_of(passes))
+
+    def __del__(self):
+        if getattr(self, "_handle", None):
+            lib.voxc_format_free(self._handle)
+
+    @property
+    def ir(self):
+        """The format as IR text."""
+        return lib.voxc_format_ir(self._handle).decode()
+
+    @property
+    def extent(self):
+        """The voxels that it holds, (x, y, z)."""
+        extent = (ctypes.c_int32 * 3)()
+        lib.voxc_format_extent(self._handle, extent)
+        return tuple(extent)
+
+    def header(self, name=None):
+        """The traversal as functions: one text of GLSL and C++, as `voxc compile --emit=header` writes it."""
+        return self._emit(lib.voxc_emit_header, text(name))
+
+    def glsl(self):
+        """The intersection kernel in GLSL."""
+        return self._emit(lib.voxc_emit_glsl)
+
+    def _emit(self, function, *arguments):
+        made = ctypes.c_void_p()
+        check(function(self._handle, *arguments, ctypes.byref(made)))
+        try:
+            return ctypes.string_at(made).decode()
+        finally:
+            lib.voxc_free(made)
+
+    def __repr__(self):
+        return self.ir.strip()

@@ -1,0 +1,74 @@
+"""Tracing rays, and pictures of what they hit."""
+import ctypes
+
+import numpy as np
+
+from . import _library as c
+from .format import list_of
+
+RAY = np.dtype([("origin", "<f4", 3), ("direction", "<f4", 3)])
+"""A ray, in voxels, as it lies in files."""
+
+HIT = np.dtype([("voxel", "<i4", 3), ("rgba", "<u4"), ("t", "<f4"), ("face", "<u4")])
+"""A hit: the voxel (-1, -1, -1 of a miss), its colour or label, the t at which the ray enters it, correctly rounded, and
+the face, if that was asked for: twice its axis, and 1 more for the high one; 6 if the ray begins in the voxel."""
+
+
+def devices():
+    """The names of all devices: those of Vulkan, then "cpu"."""
+    count = c.lib.voxc_devices(None, 0)
+    infos = (c.DeviceInfo * count)()
+    count = min(c.lib.voxc_devices(infos, count), count)
+    return [info.name.decode() for info in infos[:count]]
+
+
+class Tracer:
+    """Traces rays through a volume by a kernel that is compiled for it. `device` is a part of a device's name, or "cpu"; by
+    default the best of Vulkan, or the cpu where there is none. `query` is "closest", "any", "occupancy" or "distance";
+    `outputs` names what is stored of the closest hit, of voxel, t, face and colour; `precision` is "exact" or "fast"."""
+
+    def __init__(self, volume, device=None, *, threads=None, query=None, outputs=None, precision=None, passes=None):
+        options = c.options(c.TracerOptions, device=c.text(device), threads=threads, query=c.text(query),
+                            outputs=list_of(outputs), precision=c.text(precision), passes=list_of(passes))
+        self._handle = c.make(c.lib.voxc_tracer_create, volume._handle, ctypes.byref(options))
+
+    def __del__(self):
+        if getattr(self, "_handle", None):
+            c.lib.voxc_tracer_free(self._handle)
+
+    @property
+    def device(self):
+        """The name of the device that it traces on."""
+        return c.lib.voxc_tracer_device(self._handle).decode()
+
+    def trace(self, origins, directions=None):
+        """The hits of rays: an array of HIT, of as many and in the shape of the rays. These are (..., 3) origins and
+        directions, of which one may be a single one for all, or an array of RAY alone."""
+        if directions is None:
+            rays = np.ascontiguousarray(origins, dtype=RAY)
+        else:
+            origins, directions = np.broadcast_arrays(np.asarray(origins, np.float32), np.asarray(directions, np.float32))
+            if origins.shape[-1:] != (3,):
+                raise ValueError(f"origins and directions have three numbers each, not the shape {origins.shape}")
+            rays = np.empty(origins.shape[:-1], RAY)
+            rays["origin"], rays["direction"] = origins, directions
+        hits = np.zeros(rays.shape, HIT)
+        c.check(c.lib.voxc_tracer_trace(self._handle, rays.ctypes.data, rays.size, hits.ctypes.data))
+        return hits
+
+    def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,
+               progress=None):
+        """A picture as an array (height, width, 4) of uint8. `style` and `view` are those of `voxc render`; `eye` and
+        `look` are points in voxels, both or neither."""
+        reporter = c.Reporter(progress)
+        triple = lambda point: None if point is None else (ctypes.c_double * 3)(*point)
+        eye, look = triple(eye), triple(look)
+        pointer = lambda point: None if point is None else ctypes.cast(point, ctypes.POINTER(ctypes.c_double))
+        options = c.options(c.PictureOptions, width=width, height=height, style=c.text(style), view=c.text(view),
+                            eye=pointer(eye), look=pointer(look), vertical_fov=fov, samples=samples,
+                            progress=reporter.pointer)
+        if not (0 < width <= 32768 and 0 < height <= 32768):
+            raise ValueError(f"a picture has 1 to 32768 pixels on each axis, not {width} x {height}")
+        pixels = np.empty((height, width, 4), np.uint8)
+        reporter.check(c.lib.voxc_render(self._handle, ctypes.byref(options), pixels.ctypes.data))
+        return pixels

@@ -1,0 +1,106 @@
+"""Volumes."""
+import ctypes
+
+import numpy as np
+
+from . import _library as c
+from .tracer import Tracer
+
+
+class Volume:
+    """A volume, which never changes. `voxc.build` makes one, `Volume.load` opens a .hvx file."""
+
+    def __init__(self, handle):
+        self._handle = handle
+
+    def __del__(self):
+        if getattr(self, "_handle", None):
+            c.lib.voxc_volume_free(self._handle)
+
+    @classmethod
+    def load(cls, path, trusted=False, threads=None):
+        """Opens a .hvx file. `trusted` leaves out the proof that every offset in it is right."""
+        options = c.options(c.LoadOptions, trusted=int(trusted), threads=threads)
+        return cls(c.make(c.lib.voxc_volume_load, c.text(path), ctypes.byref(options)))
+
+    def save(self, path, compress=False):
+        """Writes a .hvx file; one that was there stays until the new one is whole."""
+        c.check(c.lib.voxc_volume_save(self._handle, c.text(path), int(compress)))
+
+    @property
+    def format(self):
+        """Its format, as IR text."""
+        return c.lib.voxc_volume_format(self._handle).decode()
+
+    @property
+    def provenance(self):
+        """How it was made, as "name=value" with blanks between."""
+        return c.lib.voxc_volume_provenance(self._handle).decode()
+
+    @property
+    def extent(self):
+        """Voxels along (x, y, z)."""
+        extent = (ctypes.c_int32 * 3)()
+        c.lib.voxc_volume_extent(self._handle, extent)
+        return tuple(extent)
+
+    @property
+    def voxels(self):
+        """How many are not empty."""
+        return c.lib.voxc_volume_voxels(self._handle)
+
+    @property
+    def bytes(self):
+        """What all its streams take."""
+        return c.lib.voxc_volume_bytes(self._handle)
+
+    @property
+    def words(self):
+        """What kernels read, as an array that cannot be written."""
+        count = ctypes.c_uint64()
+        first = c.lib.voxc_volume_words(self._handle, ctypes.byref(count))
+        words = np.ctypeslib.as_array(first, (count.value,)).view(_KeepingArray)
+        words.keeps = self
+        words.flags.writeable = False
+        return words
+
+    @property
+    def to_model(self):
+        """The matrix from voxels to the units of the model, (3, 4)."""
+        rows = np.zeros(12)
+        c.lib.voxc_volume_to_model(self._handle, rows.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
+        return rows.reshape(3, 4)
+
+    def read(self, low=(0, 0, 0), size=None):
+        """The words of a box of voxels as an array [z, y, x]; `low` and `size` are of x, y and z. Without `size`: all that
+        is behind `low`."""
+        size = size if size is not None else [end - begin for begin, end in zip(low, self.extent)]
+        if min(size) < 0:
+            raise ValueError(f"a box has sizes from 0 up, not {tuple(size)}")
+        words = np.empty(tuple(size)[::-1], np.uint32)
+        ints = ctypes.c_int32 * 3
+        c.check(c.lib.voxc_volume_read(self._handle, ints(*low), ints(*size), words.ctypes.data))
+        return words
+
+    def tracer(self, device=None, **options):
+        """A Tracer of this volume."""
+        return Tracer(self, device, **options)
+
+    def trace(self, origins, directions, device=None, **options):
+        """The hits of rays, once: `Tracer.trace` of a new tracer, for those who trace no more than this."""
+        return self.tracer(device, **options).trace(origins, directions)
+
+    def render(self, width=1280, height=720, device=None, **options):
+        """A picture, once: `Tracer.render` of a new tracer."""
+        return self.tracer(device).render(width, height, **options)
+
+    def __repr__(self):
+        extent = " x ".join(map(str, self.extent))
+        return f"<voxc.Volume of {self.voxels} voxels in {extent}, {self.bytes} bytes>"
+
+
+class _KeepingArray(np.ndarray):
+    """An array of a volume's memory, which keeps the volume."""
+
+    def __array_finalize__(self, parent):
+        self.keeps = getattr(parent, "keeps", None)

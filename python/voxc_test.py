@@ -1,0 +1,151 @@
+"""Tests of the module: python3 -m unittest voxc_test"""
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import voxc
+
+
+def ball(side=32):
+    """A ball in RGBA words [z, y, x], coloured by place."""
+    z, y, x = np.indices((side, side, side))
+    inside = (x - side / 2) ** 2 + (y - side / 2) ** 2 + (z - side / 2) ** 2 <= (0.4 * side) ** 2
+    words = (4 * x | 4 * y << 8 | 4 * z << 16 | 0xFF000000).astype(np.uint32)
+    return np.where(inside, words, np.uint32(0))
+
+
+class Building(unittest.TestCase):
+    def test_grid_is_read_back(self):
+        words = ball()
+        volume = voxc.build("R(2, 2, 2) G(3)", voxels=words, passes=["whole-level-dedup"])
+        self.assertEqual(volume.extent, (32, 32, 32))
+        self.assertEqual(volume.voxels, np.count_nonzero(words))
+        np.testing.assert_array_equal(volume.read(), words)
+        np.testing.assert_array_equal(volume.read((3, 4, 5), (6, 7, 8)), words[5:13, 4:11, 3:9])
+        self.assertEqual(volume.read((-2, 0, 0), (2, 1, 1)).tolist(), [[[0, 0]]])
+
+    def test_axes_are_z_y_x(self):
+        words = np.zeros((2, 3, 4), np.uint32)
+        words[1, 2, 3] = 7
+        volume = voxc.build("R(2, 2, 2)", voxels=words)
+        self.assertEqual(volume.extent, (4, 3, 2))
+        self.assertEqual(volume.read((3, 2, 1), (1, 1, 1)).item(), 7)
+
+    def test_kinds_of_arrays(self):
+        solid = ball() != 0
+        colours = np.zeros((*solid.shape, 4), np.uint8)
+        colours[solid] = 9, 8, 7, 255
+        grey = np.full((*solid.shape, 3), 0, np.uint8)
+        grey[solid] = 9, 8, 7
+        for voxels, word in ((solid, 0xFFFFFFFF), (colours, 0xFF070809), (grey, 0xFF070809)):
+            read = voxc.build("G(5)", voxels=voxels).read()
+            np.testing.assert_array_equal(read, np.where(solid, np.uint32(word), np.uint32(0)))
+        with self.assertRaisesRegex(ValueError, r"indexed \[z, y, x\]"):
+            voxc.build("G(5)", voxels=np.zeros(5))
+
+    def test_places_and_functions(self):
+        words = ball()
+        z, y, x = np.nonzero(words)
+        places = np.stack([x, y, z], 1)
+        listed = voxc.build("G(5)", places=places, colours=words[z, y, x], extent=(32, 32, 32))
+        called = voxc.build("G(5)", voxel=lambda x, y, z: words[z, y, x], extent=(32, 32, 32))
+        gridded = voxc.build("G(5)", voxels=words)
+        self.assertEqual(listed.words.tolist(), gridded.words.tolist())
+        self.assertEqual(called.words.tolist(), gridded.words.tolist())
+        twice = voxc.build("G(5)", places=[[1, 2, 3], [1, 2, 3]], colours=np.array([5, 6], np.uint32))
+        self.assertEqual((twice.extent, twice.read((1, 2, 3), (1, 1, 1)).item()), ((2, 3, 4), 6))
+        with self.assertRaisesRegex(voxc.Error, "voxel 0 lies at -1, 0, 0, outside"):
+            voxc.build("G(5)", places=[[-1, 0, 0]])
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "terrain.hvx"
+            built = voxc.build("R(2, 2, 2) G(4)", "builtin:terrain", path=path)
+            built.save(pathlib.Path(folder) / "copy.hvx", compress=True)
+            for name in ("terrain.hvx", "copy.hvx"):
+                loaded = voxc.Volume.load(pathlib.Path(folder) / name)
+                self.assertEqual(loaded.words.tolist(), built.words.tolist())
+                self.assertEqual(loaded.format, built.format)
+            with self.assertRaisesRegex(voxc.Error, "No such file"):
+                voxc.Volume.load(pathlib.Path(folder) / "none.hvx")
+
+    def test_errors_are_the_sentences_of_the_tools(self):
+        with self.assertRaisesRegex(voxc.Error, "error: .*Q"):
+            voxc.Format("Q(3)")
+        with self.assertRaisesRegex(voxc.Error, "'nothing' is no pass; the passes are whole-level-dedup") as caught:
+            voxc.Format("G(3)", "nothing")
+        self.assertEqual(caught.exception.kind, "usage")
+        with self.assertRaises(voxc.Error):
+            voxc.build("G(2)", voxels=ball())
+
+    def test_progress_can_stop(self):
+        def stop(stage, fraction, done):
+            raise LookupError(stage)
+
+        with self.assertRaises(LookupError):
+            voxc.build("R(3, 3, 3) G(5)", "builtin:terrain", progress=stop)
+
+
+class Tracing(unittest.TestCase):
+    def test_hits(self):
+        words = ball()
+        volume = voxc.build("R(2, 2, 2) G(3)", voxels=words)
+        tracer = volume.tracer("cpu", outputs="voxel,t,face,colour")
+        self.assertEqual(tracer.device, "cpu")
+        y, z = np.mgrid[0:32, 0:32] + 0.5
+        origins = np.stack([np.full_like(y, -10), y, z], -1)
+        hits = tracer.trace(origins, (1, 0, 0))
+        self.assertEqual(hits.shape, (32, 32))
+        first = np.argmax(words != 0, axis=2).T  # Along x, indexed [y, z].
+        found = (words != 0).any(axis=2).T
+        np.testing.assert_array_equal(hits["voxel"][..., 0], np.where(found, first, -1))
+        np.testing.assert_array_equal(hits["t"], np.where(found, first + 10, 0))
+        np.testing.assert_array_equal(hits["face"][found], 0)
+
+    def test_rays_of_files(self):
+        volume = voxc.build("G(5)", voxels=ball())
+        rays = np.zeros(3, voxc.RAY)
+        rays["origin"], rays["direction"] = (16, 16, -4), (0, 0, 2)
+        hits = volume.trace(rays, None, "cpu")
+        np.testing.assert_array_equal(hits["voxel"], [(16, 16, 4)] * 3)
+        np.testing.assert_array_equal(hits["t"], [4] * 3)
+
+    def test_queries(self):
+        volume = voxc.build("G(5)", voxels=ball())
+        self.assertEqual(volume.trace((-1, 16, 16), (1, 0, 0), "cpu", query="any")["voxel"].tolist(), [0, 0, 0])
+        with self.assertRaisesRegex(voxc.Error, "query cannot be 'all'"):
+            volume.tracer("cpu", query="all")
+        with self.assertRaisesRegex(voxc.Error, "'steps' is no output"):
+            volume.tracer("cpu", outputs="voxel,steps")
+
+    def test_the_volume_may_go_first(self):
+        tracer = voxc.build("G(5)", voxels=ball()).tracer("cpu")
+        self.assertEqual(tracer.trace((16, 16, -1), (0, 0, 1))["voxel"].tolist(), [16, 16, 4])
+        words = voxc.build("G(5)", voxels=ball()).words[5:]
+        self.assertGreater(words.sum(), 0)
+
+
+class Pictures(unittest.TestCase):
+    def test_picture(self):
+        picture = voxc.build("G(5)", voxels=ball()).render(40, 30, device="cpu")
+        self.assertEqual((picture.shape, picture.dtype), ((30, 40, 4), np.uint8))
+        self.assertNotEqual(picture[15, 20].tolist(), picture[0, 0].tolist())
+        self.assertEqual(picture[15, 20, 3], 255)
+        with tempfile.NamedTemporaryFile(suffix=".png") as file:
+            voxc.save_picture(file.name, picture)
+            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+
+    def test_choices(self):
+        tracer = voxc.build("G(5)", voxels=ball()).tracer("cpu")
+        depth = tracer.render(20, 20, style="depth", eye=(16, 16, -30), look=(16, 16, 16), fov=40)
+        self.assertEqual(depth.shape, (20, 20, 4))
+        with self.assertRaisesRegex(voxc.Error, "'oil' is no style; there are lit, flat"):
+            tracer.render(20, 20, style="oil")
+        with self.assertRaisesRegex(voxc.Error, "an eye needs the point"):
+            tracer.render(20, 20, eye=(0, 0, 0))
+
+
+if __name__ == "__main__":
+    unittest.main()
