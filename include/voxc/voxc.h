@@ -1,4 +1,5 @@
-// All that most programs need of the libraries: the runtime, and the compiler from a format to volumes and kernels.
+// All that most programs need of the libraries: the runtime, and the compiler from a format to volumes and
+// kernels.
 #pragma once
 
 #include "voxc/Construct/Constructor.h"

@@ -51,7 +51,7 @@ Constructor::Constructor(Constructor &&) noexcept = default;
 
 double Constructor::compileSeconds() const { return state_->compileSeconds; }
 
-Expected<Constructor> Constructor::compile(const Format &format) {
+Expected<Constructor> Constructor::compile(const Format &format, const CompileCache *cache) {
   const Stopwatch watch;
   const auto plan = makePlan(format);
   if (!plan)
@@ -60,7 +60,7 @@ Expected<Constructor> Constructor::compile(const Format &format) {
   // -O1: a third less compile time than -O2, and builds that are as fast; they wait for the source, not for
   // this code.
   auto code = JitCode::compile({{"construct.cpp", text}, {"voxc_construct.h", constructHeader()}},
-                               {.optimisation = 1});
+                               {.optimisation = 1}, cache);
   if (!code)
     return code.error();
   auto whole = code->find("voxc_construct");

@@ -5,6 +5,7 @@
 
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Basic/DiagnosticOptions.h>
+#include <clang/Basic/Version.h>
 #include <clang/CodeGen/CodeGenAction.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/CompilerInvocation.h>
@@ -20,7 +21,6 @@
 #include <mutex>
 
 namespace voxc {
-namespace {
 
 void initializeTarget() {
   static std::once_flag once;
@@ -30,6 +30,8 @@ void initializeTarget() {
     llvm::InitializeNativeTargetAsmParser();
   });
 }
+
+namespace {
 
 /// cc1's arguments for a processor.
 std::vector<std::string> processorArguments(const std::string &processor) {
@@ -122,11 +124,33 @@ Expected<std::string> compile(clang::FrontendAction &action, const std::vector<M
   return std::string(output);
 }
 
+/// All that an object depends on: Clang, which is a library of its own, its arguments, and the files.
+std::vector<std::string> keyOf(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+  std::vector<std::string> key = {clang::getClangFullVersion()};
+  for (std::string &argument : arguments(files[0].name, options))
+    key.push_back(std::move(argument));
+  for (const MemoryFile &file : files) {
+    key.push_back(file.name);
+    key.emplace_back(file.text);
+  }
+  return key;
+}
+
 } // namespace
 
-Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options,
+                                      const CompileCache *cache) {
+  constexpr std::string_view kCacheKind = "object";
+  const std::vector<std::string> key = cache ? keyOf(files, options) : std::vector<std::string>();
+  const std::vector<std::string_view> parts(key.begin(), key.end());
+  if (cache)
+    if (std::optional<std::string> found = cache->find(kCacheKind, parts))
+      return std::move(*found);
   clang::EmitObjAction action;
-  return compile(action, files, options);
+  Expected<std::string> object = compile(action, files, options);
+  if (cache && object)
+    cache->store(kCacheKind, parts, *object);
+  return object;
 }
 
 Expected<std::string> compileToBitcode(const std::vector<MemoryFile> &files, const ClangOptions &options) {

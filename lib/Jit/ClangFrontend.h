@@ -1,6 +1,7 @@
 // C++ text to object code with Clang; the one file that includes Clang's frontend is ClangFrontend.cpp.
 #pragma once
 
+#include "voxc/Support/CompileCache.h"
 #include "voxc/Support/Error.h"
 
 #include <string>
@@ -22,9 +23,13 @@ struct ClangOptions {
   std::string processor = "native";
 };
 
+/// Makes LLVM know this processor, once; what compiles and what links calls it.
+void initializeTarget();
+
 /// Compiles freestanding C++20 (`files[0]`, which may include the others) to position-independent object code
-/// of this platform. Error: the compiler's diagnostics.
-Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options);
+/// of this platform; or finds it in `cache`, if there is one. Error: the compiler's diagnostics.
+Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options,
+                                      const CompileCache *cache = nullptr);
 
 /// The same to LLVM's bitcode, optimised; each function in it knows its processor.
 Expected<std::string> compileToBitcode(const std::vector<MemoryFile> &files, const ClangOptions &options);

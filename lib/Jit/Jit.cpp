@@ -22,6 +22,7 @@ JitCode::~JitCode() = default;
 JitCode::JitCode(JitCode &&) noexcept = default;
 
 Expected<JitCode> JitCode::link(std::string_view object) {
+  initializeTarget(); // The object may have been compiled by an earlier process.
   auto jit = llvm::orc::LLJITBuilder().create();
   if (!jit)
     return fromLlvm(jit.takeError());
@@ -31,8 +32,9 @@ Expected<JitCode> JitCode::link(std::string_view object) {
   return JitCode(std::make_unique<State>(State{std::move(*jit)}));
 }
 
-Expected<JitCode> JitCode::compile(const std::vector<MemoryFile> &files, const ClangOptions &options) {
-  auto object = compileToObject(files, options);
+Expected<JitCode> JitCode::compile(const std::vector<MemoryFile> &files, const ClangOptions &options,
+                                   const CompileCache *cache) {
+  auto object = compileToObject(files, options, cache);
   if (!object)
     return object.error();
   return link(*object);

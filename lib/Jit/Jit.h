@@ -18,7 +18,8 @@ public:
   /// Links object code that `compileToObject` made for this processor. Error: the linker's message.
   static Expected<JitCode> link(std::string_view object);
   /// Compiles and links. Errors: as of either.
-  static Expected<JitCode> compile(const std::vector<MemoryFile> &files, const ClangOptions &options);
+  static Expected<JitCode> compile(const std::vector<MemoryFile> &files, const ClangOptions &options,
+                                   const CompileCache *cache = nullptr);
   ~JitCode();
   JitCode(JitCode &&) noexcept;
 

@@ -5,7 +5,25 @@
 
 #include "voxc/Emit/Emit.h"
 
+#include <cstring>
+
 namespace voxc {
+
+namespace {
+
+constexpr std::string_view kCacheKind = "spirv";
+
+std::string_view bytesOf(const SpirvWords &words) {
+  return {reinterpret_cast<const char *>(words.data()), words.size() * sizeof words[0]};
+}
+
+SpirvWords wordsOf(std::string_view bytes) {
+  SpirvWords words(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof words[0]);
+  return words;
+}
+
+} // namespace
 
 Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise) {
   auto module = glslToSpirv({.glsl = glsl});
@@ -24,7 +42,18 @@ Expected<Kernel> compileKernel(const Format &format, const KernelOptions &option
   const auto plan = makePlan(format, {options.addressing, options.loops, options.arithmetic});
   if (!plan)
     return plan.error();
-  return compileGlsl(emitIntersect(*plan), *plan, options.optimise);
+  const std::string glsl = emitIntersect(*plan);
+  if (!options.cache)
+    return compileGlsl(glsl, *plan, options.optimise);
+  // glslang and SPIRV-Tools are part of this very program or library, which the cache tells by itself.
+  const std::string_view parts[] = {glsl, options.optimise ? "optimised" : ""};
+  if (const std::optional<std::string> found = options.cache->find(kCacheKind, parts))
+    if (auto kernel = Kernel::fromSpirv(wordsOf(*found)))
+      return kernel;
+  auto kernel = compileGlsl(glsl, *plan, options.optimise);
+  if (kernel)
+    options.cache->store(kCacheKind, parts, bytesOf(kernel->spirv));
+  return kernel;
 }
 
 Expected<std::vector<std::uint32_t>> compileRayShader(const Plan &plan, std::string_view name,

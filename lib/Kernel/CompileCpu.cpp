@@ -35,8 +35,9 @@ std::vector<MemoryFile> kernelFiles(const std::string &text) {
   return files;
 }
 
-Expected<std::string> compile(const std::string &text, const std::string &processor) {
-  return compileToObject(kernelFiles(text), {.optimisation = kOptimisation, .processor = processor});
+Expected<std::string> compile(const std::string &text, const std::string &processor,
+                              const CompileCache *cache = nullptr) {
+  return compileToObject(kernelFiles(text), {.optimisation = kOptimisation, .processor = processor}, cache);
 }
 
 bool isIdentifier(const std::string &name) {
@@ -47,11 +48,11 @@ bool isIdentifier(const std::string &name) {
 
 } // namespace
 
-Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords) {
+Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, const CompileCache *cache) {
   const auto plan = makePlan(format, kCpuPlan);
   if (!plan)
     return plan.error();
-  const auto object = compile(emitIntersectCpp(*plan, kSymbol, countWords), "native");
+  const auto object = compile(emitIntersectCpp(*plan, kSymbol, countWords), "native", cache);
   if (!object)
     return object.error();
   auto code = JitCode::link(*object);

@@ -4,6 +4,7 @@
 #include "Figures.h"
 
 #include "common/Statistics.h"
+#include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "search/BuildCommand.h"
 #include "search/Suggestion.h"
@@ -229,7 +230,7 @@ Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptio
   Input *input = &opened->input;
   const unsigned threads = threadsOf(buildArguments_);
   BuildOptions options{"", threads, opened->options.memory, "", progress};
-  Expected<Constructor> constructor = Constructor::compile(format);
+  Expected<Constructor> constructor = Constructor::compile(format, compileCache());
   if (!constructor)
     return constructor.error();
   options.provenance = input->provenance;

@@ -8,6 +8,7 @@
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
 
 namespace voxc::tool {
@@ -55,7 +56,7 @@ private:
     Expected<Format> format = formatOfFragment(fragments_.front());
     if (!format)
       return format.error();
-    Expected<Constructor> constructor = Constructor::compile(*format);
+    Expected<Constructor> constructor = Constructor::compile(*format, compileCache());
     if (!constructor)
       return constructor.error();
     const BuildOptions options{.threads = threadsOf(arguments_),

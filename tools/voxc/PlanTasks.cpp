@@ -5,6 +5,7 @@
 
 #include "cluster/NumberList.h"
 #include "cluster/PlanFiles.h"
+#include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Input/Input.h"
 
@@ -126,7 +127,7 @@ Expected<void> buildParts(const std::string &path, const std::string &numbers,
     auto input = openPlanned(*task, options);
     if (!input)
       return input.error();
-    auto constructor = Constructor::compile(task->plan.format);
+    auto constructor = Constructor::compile(task->plan.format, compileCache());
     if (!constructor)
       return constructor.error();
     options.provenance = input->provenance;
@@ -180,7 +181,7 @@ Expected<void> mergeParts(const std::string &path, const std::string &numbers,
   std::uint64_t voxels = 0;
   const BuildOptions options = optionsOf(arguments, progress);
   if (!task->missing.empty()) {
-    auto constructor = Constructor::compile(task->plan.format);
+    auto constructor = Constructor::compile(task->plan.format, compileCache());
     if (!constructor)
       return constructor.error();
     const PlanFiles files(task->plan, path);

@@ -45,6 +45,7 @@ private:
       return format.error();
     if (Expected<void> applied = rendering_.applyTo(*format); !applied)
       return applied;
+    tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)

@@ -41,6 +41,7 @@ public:
 
 private:
   Expected<void> buildAndRender(ProgressBar &bar, Json &figures) {
+    tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     Expected<Format> format =

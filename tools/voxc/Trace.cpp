@@ -81,6 +81,7 @@ private:
     Expected<std::vector<Ray>> rays = readRays(rays_);
     if (!rays)
       return rays.error();
+    tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)

@@ -64,7 +64,7 @@ Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json
 Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, const Format &format,
                                                          Json &figures) {
   const Stopwatch watch;
-  const Expected<CpuKernel> kernel = compileCpuKernel(format);
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, false, cache_);
   if (!kernel)
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();
@@ -74,7 +74,7 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, c
 Expected<void> Tracing::prepareToCountWords(const Volume &volume, const Format &format) {
   if (device_)
     return {};
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, true);
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, true, cache_);
   if (!kernel)
     return kernel.error();
   auto tracer = createCpuTracer(*kernel, volume, threads_);
@@ -91,7 +91,8 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
   Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing,
                                                    .loops = device_->info().loops,
                                                    .arithmetic = device_->info().arithmetic,
-                                                   .optimise = optimise_});
+                                                   .optimise = optimise_,
+                                                   .cache = cache_});
   if (!kernel)
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();

@@ -3,6 +3,7 @@
 
 #include "common/Command.h"
 #include "common/Json.h"
+#include "common/UserCache.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Trace/CpuKernel.h"
 #include "voxc/Trace/Tracer.h"
@@ -22,6 +23,9 @@ public:
 
   /// Chooses as --device and --threads do, in a command that has several of these.
   void choose(const std::string &device, unsigned threads);
+
+  /// Looks for kernels among those that were compiled before: for commands that do not measure compiling.
+  void useCache() { cache_ = compileCache(); }
 
   /// Opens the device; asked first, so that its absence is told before long work. Where no device was named
   /// and there is none of Vulkan's, it is this processor, and a note says so.
@@ -55,6 +59,7 @@ private:
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
+  const CompileCache *cache_ = nullptr;
   std::string order_ = "auto";
   std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
   std::unique_ptr<Tracer> tracer_;

@@ -23,7 +23,7 @@ constexpr const char *kUse = "Using volumes";
 constexpr const char *kChoose = "Choosing a format";
 constexpr const char *kCheck = "Checking";
 constexpr const char *kLarge = "Building in parts";
-constexpr const char *kHelp = "Help";
+constexpr const char *kHelp = "About voxc itself";
 
 struct CommandKind {
   const char *group;
@@ -57,6 +57,7 @@ constexpr CommandKind kCommands[] = {
     {kLarge, "status", "Say what stands of a build plan", makeStatusCommand},
     {kLarge, "merge", "Join the fragments of a volume", makeMergeCommand},
     {kLarge, "split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
+    {kHelp, "cache", "Say what is kept of compiled code, or clear it", makeCacheCommand},
     {kHelp, "manual", "Write the manual page of a command, or all of them", makeManualCommand},
     {kHelp, "completion", "Write what a shell needs to complete this command line", makeCompletionCommand},
 };

@@ -4,6 +4,7 @@
 #include "voxc/IR/Format.h"
 #include "voxc/Source/Rounding.h"
 #include "voxc/Source/VoxelSource.h"
+#include "voxc/Support/CompileCache.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/WorkingMemory.h"
 #include "voxc/Volume/Volume.h"
@@ -84,8 +85,9 @@ struct FragmentShare {
 /// Construction code of one format, compiled and callable.
 class Constructor {
 public:
-  /// Emits construct.cpp for `format` (verified) and compiles it with Clang in this process.
-  static Expected<Constructor> compile(const Format &format);
+  /// Emits construct.cpp for `format` (verified) and compiles it with Clang in this process, or finds it in
+  /// `cache`.
+  static Expected<Constructor> compile(const Format &format, const CompileCache *cache = nullptr);
   ~Constructor();
   Constructor(Constructor &&) noexcept;
 

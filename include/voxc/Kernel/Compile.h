@@ -3,6 +3,7 @@
 
 #include "voxc/Emit/Emit.h"
 #include "voxc/Plan/Plan.h"
+#include "voxc/Support/CompileCache.h"
 #include "voxc/Trace/Kernel.h"
 
 #include <string>
@@ -14,7 +15,8 @@ struct KernelOptions {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut; ///< `DeviceInfo::loops`; the safe choice, where the device is not known.
   Arithmetic arithmetic = Arithmetic::Any; ///< `DeviceInfo::arithmetic`; the safe choice too.
-  bool optimise = false; ///< spirv-opt -O: may help a GPU's driver; lavapipe is slower with it.
+  bool optimise = false;               ///< spirv-opt -O: may help a GPU's driver; lavapipe is slower with it.
+  const CompileCache *cache = nullptr; ///< Where it is looked for first.
 };
 
 /// Emits, compiles and validates the kernel of `format`. An error here is a defect of voxc and says so.

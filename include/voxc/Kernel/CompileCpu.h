@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Plan/Plan.h"
+#include "voxc/Support/CompileCache.h"
 #include "voxc/Trace/CpuKernel.h"
 
 #include <string>
@@ -9,8 +10,10 @@
 namespace voxc {
 
 /// Emits and compiles the kernel of `format` for this very processor, in the process. An error here is a
-/// defect of voxc and says so. `countWords`: a kernel for `TraceOptions::countWords` and nothing else.
-Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = false);
+/// defect of voxc and says so. `countWords`: a kernel for `TraceOptions::countWords` and nothing else. It is
+/// looked for in `cache` first.
+Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = false,
+                                     const CompileCache *cache = nullptr);
 
 struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels

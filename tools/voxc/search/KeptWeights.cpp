@@ -3,13 +3,13 @@
 
 #include "common/Files.h"
 #include "common/Json.h"
+#include "common/UserCache.h"
 #include "sweep/Machine.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -22,13 +22,10 @@ namespace fs = std::filesystem;
 /// Weights of another list of terms are of no use.
 constexpr int kVersion = 1;
 
-/// "" without a home.
+/// Empty without a home.
 fs::path keptPath() {
-  const char *cache = std::getenv("XDG_CACHE_HOME");
-  if (cache && *cache)
-    return fs::path(cache) / "voxc" / "speeds.json";
-  const char *home = std::getenv("HOME");
-  return home && *home ? fs::path(home) / ".cache" / "voxc" / "speeds.json" : fs::path();
+  const fs::path cache = userCache();
+  return cache.empty() ? cache : cache / "speeds.json";
 }
 
 Json readKept() {
