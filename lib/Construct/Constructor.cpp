@@ -1,6 +1,7 @@
 // Building volumes: emit, compile, run.
 #include "voxc/Construct/Constructor.h"
 
+#include "EditedParts.h"
 #include "FragmentSet.h"
 #include "JoinedParts.h"
 #include "ParallelParts.h"
@@ -175,6 +176,24 @@ Expected<Built> Constructor::buildVoxels(VoxelSource &source, const BuildOptions
   if (built)
     built->report.readSeconds = source.readSeconds() - readBefore;
   return built;
+}
+
+Expected<Built> Constructor::edit(const std::shared_ptr<const Volume> &volume,
+                                  const std::vector<VoxelEdit> &edits, const BuildOptions &given) const {
+  const BuildOptions options = withMemory(given);
+  if (!(volume->format() == state_->format))
+    return Error::input("the volume is of the format " + toString(volume->format()) + ", not " +
+                        toString(state_->format));
+  auto source = makeEditedSource(volume, edits);
+  if (!source)
+    return source.error();
+  const auto rounded = roundedAs(state_->format, **source);
+  VolumeInfo info = infoOf(**source, state_->format, options);
+  auto parts = EditedParts::create(*volume, rounded ? rounded->view() : (*source)->view(), edits,
+                                   state_->functions, options);
+  if (!parts)
+    return parts.error();
+  return joinParts(**parts, std::move(info), state_->functions, options, Origin::Built);
 }
 
 PartNumbers partNumbersOf(const VoxelSource &source, const Format &format) {

@@ -14,9 +14,6 @@
 
 namespace voxc::tool {
 
-namespace {
-
-/// "rrggbb" or "rrggbbaa" as a word, R in the low byte.
 std::optional<std::uint32_t> parseColour(std::string_view text) {
   std::uint32_t digits = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), digits, 16);
@@ -26,6 +23,8 @@ std::optional<std::uint32_t> parseColour(std::string_view text) {
     digits = digits << 8 | 255;
   return digits >> 24 | (digits >> 8 & 0xff00) | (digits << 8 & 0xff0000) | digits << 24;
 }
+
+namespace {
 
 std::string checkColour(const std::string &text) {
   const std::optional<std::uint32_t> word = parseColour(text);

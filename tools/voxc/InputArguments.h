@@ -38,6 +38,9 @@ inline constexpr const char *kInputHelp =
 /// `Usage`, naming the first that does not.
 Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input);
 
+/// "rrggbb" or "rrggbbaa" as a word, R in the low byte; nothing if it is neither.
+std::optional<std::uint32_t> parseColour(std::string_view text);
+
 /// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map, --window, --interior,
 /// --fill-colour and --crop to a command.
 void addInputArguments(CLI::App &app, InputArguments &arguments);

@@ -35,6 +35,7 @@ struct CommandKind {
 constexpr CommandKind kCommands[] = {
     {kMake, "compile", "Write the code that is generated for a format", makeCompileCommand},
     {kMake, "build", "Voxelize an input and construct its volume", makeBuildCommand},
+    {kMake, "edit", "Replace boxes of a volume, building only what they touch", makeEditCommand},
     {kUse, "render", "Render a picture of a volume", makeRenderCommand},
     {kUse, "run", "Compile, build and render in one go", makeRunCommand},
     {kUse, "trace", "Trace the rays of a file through a volume", makeTraceCommand},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/Source/Edit.h"
 #include "voxc/Source/Rounding.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/CompileCache.h"
@@ -98,6 +99,12 @@ public:
   /// than the format or failed (its error), more than `maxWords` words are needed (`Input`, naming
   /// the size reached), memory or disk is full, or the build was stopped.
   Expected<Built> build(VoxelSource &source, const BuildOptions &options = {}) const;
+
+  /// Builds what `volume`, which is of the same format, becomes by the edits, one after the other: the words
+  /// are those of a build of the edited voxels. What edits do not touch is neither decoded nor built. Errors:
+  /// another format, an edit that reaches out of the volume; as `build`.
+  Expected<Built> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
+                       const BuildOptions &options = {}) const;
 
   /// Builds the parts of a volume whose numbers, in Morton order, lie in the fragment `index` of `count` (0
   /// to count - 1), and writes them to `path` for `merge`. The report's levels say nothing. Errors: as

@@ -1,0 +1,114 @@
+// An edited volume has the words of a build of the edited voxels.
+#include "TestLength.h"
+
+#include "testing/HardScenes.h"
+#include "testing/RandomFormat.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Source/Edit.h"
+#include "voxc/Source/Sources.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace voxc {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+std::shared_ptr<const Volume> buildVolume(const Format &format, VoxelSource &source) {
+  const auto constructor = Constructor::compile(format);
+  auto built = constructor->build(source);
+  return built ? std::make_shared<const Volume>(std::move(built->volume)) : nullptr;
+}
+
+std::shared_ptr<const Volume> smallVolume(std::mt19937 &random, Int3 extent) {
+  const Format format = *parseFormat("R(1^3) G(4)");
+  const auto scenes = test::hardScenes(extent);
+  return buildVolume(format, *scenes[std::size_t(test::pick(random, 0, int(scenes.size()) - 1))].source());
+}
+
+Int3 within(std::mt19937 &random, Int3 most) {
+  return {test::pick(random, 0, most.x), test::pick(random, 0, most.y), test::pick(random, 0, most.z)};
+}
+
+VoxelEdit randomEdit(std::mt19937 &random, Int3 extent) {
+  constexpr std::uint32_t kWords[] = {0, 0xff0000ff, 0x7f102030};
+  const Int3 low = within(random, extent);
+  VoxelEdit edit{low, within(random, extent - low), kWords[test::pick(random, 0, 2)], nullptr};
+  const Int3 &size = edit.size;
+  const bool canPaste =
+      size.x > 0 && size.y > 0 && size.z > 0 && size.x <= 32 && size.y <= 32 && size.z <= 32;
+  if (canPaste && test::pick(random, 0, 1) == 1)
+    edit.pasted = smallVolume(random, edit.size);
+  return edit;
+}
+
+/// What a voxel becomes, cell by cell, as `VoxelEdit` says it.
+std::uint32_t edited(const Volume &volume, const std::vector<VoxelEdit> &edits, Int3 cell) {
+  std::uint32_t word = volume.lookup(cell).value;
+  for (const VoxelEdit &edit : edits) {
+    const Int3 inside = cell - edit.low;
+    if (!contains(edit.size, inside))
+      continue;
+    if (!edit.pasted)
+      word = edit.word;
+    else if (const std::uint32_t pasted = edit.pasted->lookup(inside).value; pasted != 0)
+      word = pasted;
+  }
+  return word;
+}
+
+void expectSameAsBuild(const Format &format, const test::HardScene &scene, std::mt19937 &random) {
+  const auto constructor = Constructor::compile(format);
+  ASSERT_TRUE(constructor) << constructor.error().message;
+  const auto volume = buildVolume(format, *scene.source());
+  if (!volume) // The scene has more than the format's payload keeps.
+    return;
+  std::vector<VoxelEdit> edits;
+  for (int i = test::pick(random, 0, 3); i >= 0; --i)
+    edits.push_back(randomEdit(random, scene.extent));
+  const auto after =
+      makeFunctionSource(scene.extent, [&](Int3 cell) { return edited(*volume, edits, cell); });
+  const auto expected = constructor->build(*after);
+  const auto found = constructor->edit(volume, edits);
+  ASSERT_EQ(bool(found), bool(expected))
+      << toString(format) << " " << scene.name << " " << (found ? expected : found).error().message;
+  if (!found)
+    return;
+  EXPECT_EQ(Words(found->volume.words().begin(), found->volume.words().end()),
+            Words(expected->volume.words().begin(), expected->volume.words().end()))
+      << printIr(format) << " " << scene.name;
+  EXPECT_EQ(found->volume.info().voxels, expected->volume.info().voxels);
+  EXPECT_EQ(found->report.voxels, expected->report.voxels);
+}
+
+TEST(Edit, GivesTheWordsOfABuild) {
+  std::mt19937 random(3);
+  for (int i = 0; i < test::rounds(16); ++i) {
+    const Format format = test::randomFormat(random, test::pick(random, 3, 7));
+    const auto scenes = test::hardScenes(format.extent());
+    expectSameAsBuild(format, scenes[std::size_t(test::pick(random, 0, int(scenes.size()) - 1))], random);
+  }
+}
+
+TEST(Edit, WhatIsOutsideOfTheVolumeIsAnError) {
+  const auto source = makeBuiltinSource("terrain", 16);
+  const Format format = *parseFormat("R(2^3) G(2)");
+  const auto volume = buildVolume(format, **source);
+  const auto constructor = Constructor::compile(format);
+  for (const VoxelEdit &edit :
+       {VoxelEdit{{10, 0, 0}, {7, 1, 1}}, VoxelEdit{{-1, 0, 0}, {1, 1, 1}}, VoxelEdit{{0, 0, 0}, {1, 1, -1}},
+        VoxelEdit{{2147483647, 0, 0}, {2147483647, 1, 1}}})
+    EXPECT_FALSE(constructor->edit(volume, {edit}));
+  const auto failed =
+      constructor->edit(volume, {VoxelEdit{{0, 0, 0}, {1, 1, 1}}, VoxelEdit{{0, 16, 0}, {1, 1, 1}}});
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().message,
+            "edit 2 has (1, 1, 1) voxels from (0, 16, 0) on, but the volume ends at (16, 16, 16)");
+  const auto other = Constructor::compile(*parseFormat("G(4)"));
+  ASSERT_FALSE(other->edit(volume, {}));
+}
+
+} // namespace
+} // namespace voxc
