@@ -1,4 +1,4 @@
-// Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text.
+// Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text, or GLSL ES.
 #include "Embedded.h"
 #include "KernelFunctions.h"
 #include "Names.h"
@@ -47,6 +47,18 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   return names;
 }
 
+std::string runtime(std::string_view file, const TemplateNames &names) {
+  return fillFile(shaderFiles(), std::string(file) + ".glsl", names);
+}
+
+/// All functions, with what a language lacks before them, by names that are a format's own.
+std::string prefixed(const std::string &lacking, const Plan &plan, const TemplateNames &names) {
+  const std::string functions = volumeSize(plan) + "\n" + lacking + "\n" + runtime("header/load", names) +
+                                kernelFunctions(plan) + "\n" + runtime("walk_on", names) + "\n" +
+                                runtime("header/bounds", names) + "\n" + runtime("header/queries", names);
+  return embedded(functions, names.holes.at("prefix"));
+}
+
 } // namespace
 
 bool isHeaderName(std::string_view name) {
@@ -73,13 +85,13 @@ std::string headerFile(std::string_view name) { return "voxc_" + std::string(nam
 
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
-  const auto file = [&](std::string_view path) {
-    return fillFile(shaderFiles(), "header/" + std::string(path), names);
-  };
-  const std::string functions = volumeSize(plan) + "\n" + file("load.glsl") + kernelFunctions(plan) + "\n" +
-                                fillFile(shaderFiles(), "walk_on.glsl", names) + "\n" + file("bounds.glsl") +
-                                "\n" + file("queries.glsl");
-  return file("begin.glsl") + embedded(functions, names.holes.at("prefix")) + file("end.glsl");
+  return runtime("header/begin", names) + prefixed("", plan, names) + runtime("header/end", names);
+}
+
+std::string emitWebGl(const Plan &plan, std::string_view name) {
+  const TemplateNames names = headerNames(plan, name);
+  return runtime("webgl/begin", names) + prefixed(runtime("webgl/builtins", names), plan, names) +
+         runtime("webgl/end", names);
 }
 
 std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {
