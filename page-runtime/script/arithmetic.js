@@ -17,13 +17,7 @@ async function isArithmeticSound() {
   const target = framebuffer(sums, others), given = integers(side, side, 4, pairs);
   program.use().texture("pairs", given, 0);
   draw(target, side, side);
-  const read = attachment => {
-    const words = new Uint32Array(pairs.length);
-    gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
-    gl.readPixels(0, 0, side, side, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
-    return words;
-  };
-  const sumBits = read(0), otherBits = read(1);
+  const sumBits = await contentsOf(target, side, side, 0), otherBits = await contentsOf(target, side, side, 1);
   const told = new Float32Array(sumBits.buffer), numbers = new Float32Array(pairs.buffer);
   gl.deleteFramebuffer(target);
   for (const texture of [sums, others, given]) gl.deleteTexture(texture);

@@ -85,6 +85,23 @@ function draw(target, width, height, first = 0, rows = height) {
   gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
 
+// What stands in a target, once the device has drawn it: words, four a place, or with `kind` UNSIGNED_BYTE bytes.
+async function contentsOf(target, width, height, attachment = 0, kind = gl.UNSIGNED_INT) {
+  const contents = new (kind === gl.UNSIGNED_INT ? Uint32Array : Uint8Array)(4 * width * height), buffer = gl.createBuffer();
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+  gl.bufferData(gl.PIXEL_PACK_BUFFER, contents.byteLength, gl.STREAM_READ);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+  gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
+  gl.readPixels(0, 0, width, height, kind === gl.UNSIGNED_INT ? gl.RGBA_INTEGER : gl.RGBA, kind, 0);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  await finished();
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+  gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, contents);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  gl.deleteBuffer(buffer);
+  return contents;
+}
+
 // The words of the volume, as a texture.
 function wordTexture(words) {
   const rows = Math.ceil(words.length / PLACES_A_ROW), most = gl.getParameter(gl.MAX_TEXTURE_SIZE);

@@ -7,13 +7,18 @@ const english = number => number.toLocaleString("en");
 const wordsOnDevice = wordTexture(words);
 const kept = {};
 
+// The functions of the exact kernel or of the fast one: what one of them has alone is marked.
+const functionsOf = precision => shaders.functions.split("\n").filter(line => line[0] !== (precision === "exact" ? "+" : "-")).map(line => line.slice(1)).join("\n");
+
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const text = rest => shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + shaders[precision] + rest;
+    const text = rest => shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision) + rest;
     const [picture, develop] = await Promise.all([programOf(text(shaders["light.glsl"] + shaders["picture.frag"])), programOf(shaders["develop.frag"])]);
+    const programs = { words: wordsOnDevice, picture, develop };
+    await warmUp(programs);
     let answer;
-    return { words: wordsOnDevice, picture, develop, answering: () => answer ??= programOf(text(shaders["answer.frag"])) };
+    return { ...programs, answering: () => answer ??= programOf(text(shaders["answer.frag"])) };
   })();
 }
 
@@ -25,68 +30,72 @@ async function answers(precision) {
 let precision = "exact", moved = true, wake = () => {};
 const changed = () => { moved = true; wake(); };
 
-function tellArithmetic(differences) {
-  const here = differences === undefined ? "" : differences ? `; here ${english(differences)} of ${english(checks.length)} rays differ` :
-    `; here all ${english(checks.length)} rays of a check have the exact hit`;
-  element("arithmetic").textContent = (precision === "exact" ? "exact" : `fast: ${scene.fast}`) + here;
-  element("switch").textContent = precision === "exact" ? "fast" : "exact";
+// What is known of the hits, and of those that this browser finds.
+function tellArithmetic(errors) {
+  const rays = english(checks.length), isExact = precision === "exact";
+  const here = !errors ? "" : isExact && !errors.others && !errors.worst ? `: here, all ${rays} rays of a check have the exact hit` :
+    `${isExact ? ", but not here" : "; here"}: of ${rays} rays ${english(errors.others)} hit another voxel, and t is off by ${errors.worst.toPrecision(2)} voxels at most`;
+  element("arithmetic").textContent = (isExact ? "exact" : `fast: ${scene.fast}`) + here;
+  element("switch").textContent = `switch to ${isExact ? "fast" : "exact"}`;
 }
 
-// One picture of as many pixels as the device does quickly.
-async function takeQuickPicture(programs, films) {
-  const [wide, high] = [canvas.width, canvas.height];
-  const wanted = Math.min(1, Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (wide * high)));
-  const part = Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 0.1);
-  const [width, height] = [Math.ceil(wide * part), Math.ceil(high * part)];
-  if (films.quick?.width !== width || films.quick?.height !== height) {
-    films.quick?.free();
-    films.quick = makeFilm(width, height);
+// A film of a part of the canvas's pixels along each side, kept under a name.
+function filmOf(films, name, part) {
+  const [width, height] = [Math.ceil(canvas.width * part), Math.ceil(canvas.height * part)];
+  if (films[name]?.width !== width || films[name]?.height !== height) {
+    films[name]?.free();
+    films[name] = makeFilm(width, height);
   }
-  films.quick.begin(camera.view(wide, high));
-  films.quick.expose(programs, 0, height);
-  learnSpeed(width * height, await finished());
-  films.quick.wind();
-  films.quick.develop(programs, null, wide, high);
+  films[name].begin(camera.view(canvas.width, canvas.height));
+  return films[name];
 }
 
-function fitCanvas(films) {
+function fitCanvas() {
   const scale = Math.min(devicePixelRatio, 2);
   const [width, height] = [Math.max(Math.round(canvas.clientWidth * scale), 1), Math.max(Math.round(canvas.clientHeight * scale), 1)];
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-  if (films.whole?.width !== width || films.whole?.height !== height) {
-    films.whole?.free();
-    films.whole = makeFilm(width, height);
-    films.whole.several = true;
-  }
+}
+
+// A picture of as many pixels as the device does quickly. Tells which part that is.
+async function takeQuickPicture(programs, films) {
+  const wanted = Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (canvas.width * canvas.height));
+  const part = Math.min(Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 1 / 8), 1);
+  const film = filmOf(films, "quick", part);
+  film.expose(programs, 0, film.height);
+  learnSpeed(film.width * film.height, await finished());
+  film.wind();
+  film.develop(programs, null, canvas.width, canvas.height);
+  return part;
 }
 
 async function checkHere() {
-  const checked = precision, differences = await countDifferences(await answers(checked), checks);
-  document.documentElement.dataset.differences = differences;
-  if (precision === checked) tellArithmetic(differences);
+  const checked = precision, errors = await errorsHere(await answers(checked), checks);
+  if (precision !== checked) return;
+  document.documentElement.dataset.checked = JSON.stringify({ precision, ...errors });
+  tellArithmetic(errors);
 }
 
-// Draws for as long as the page is there: few pixels while the camera moves, then all of them again and again.
+// Draws for as long as the page is there: few pixels while the camera moves, then more, then all of them again and again.
 async function show() {
   const films = {};
-  let restsSince = 0, isChecked = null;
+  let restsSince = 0, part = 1, film = null, isChecked = null;
   for (;;) {
     const programs = await programsOf(precision);
     await nextFrame();
     if (moved) {
       moved = false;
-      fitCanvas(films);
-      films.whole.begin(camera.view(canvas.width, canvas.height));
-      await takeQuickPicture(programs, films);
+      fitCanvas();
+      part = await takeQuickPicture(programs, films);
+      film = null;
       restsSince = performance.now();
     } else if (performance.now() - restsSince < REST_MILLISECONDS) {
       await sleep(10);
-    } else if (films.whole.samples < MOST_SAMPLES) {
-      if (!await exposeSample(programs, films.whole, () => moved)) continue;
-      films.whole.develop(programs, null, canvas.width, canvas.height);
-      element("status").textContent = `${english(films.whole.samples)} of ${MOST_SAMPLES} samples a pixel`;
-      document.documentElement.dataset.samples = films.whole.samples;
-      if (isChecked !== precision) {
+    } else if (!film || film.samples < MOST_SAMPLES) {
+      if (!film || part < 1) film = filmOf(films, "still", part = film ? Math.min(2 * part, 1) : part < 0.5 ? 2 * part : 1);
+      if (!await exposeSample(programs, film, () => moved)) continue;
+      film.develop(programs, null, canvas.width, canvas.height);
+      if (part === 1) tellSamples(film.samples);
+      if (part === 1 && isChecked !== precision) {
         isChecked = precision;
         await checkHere();
       }
@@ -94,6 +103,11 @@ async function show() {
       await new Promise(done => wake = done);
     }
   }
+}
+
+function tellSamples(samples) {
+  element("status").textContent = `${english(samples)} of ${MOST_SAMPLES} samples a pixel`;
+  document.documentElement.dataset.samples = samples;
 }
 
 // The place that is seen at a pixel.
@@ -127,7 +141,7 @@ async function start() {
   canvas.addEventListener("webglcontextlost", () => element("status").textContent = "The graphics device was lost; load the page again.");
   listen(changed, pick);
   await programsOf(precision);
-  document.documentElement.dataset.arithmetic = precision;
+  document.documentElement.dataset.ready = precision;
   await show();
 }
 return start();

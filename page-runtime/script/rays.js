@@ -20,14 +20,7 @@ async function traceSome(programs, bits, hits, first, count) {
   const target = framebuffer(textures[1], textures[2]);
   programs.answer.use().texture("words", programs.words, 0).texture("rays", textures[0], 1);
   draw(target, RAYS_A_ROW, rows);
-  await finished();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-  const [place, rest] = [0, 1].map(attachment => {
-    const read = new Uint32Array(4 * RAYS_A_ROW * rows);
-    gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
-    gl.readPixels(0, 0, RAYS_A_ROW, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, read);
-    return read;
-  });
+  const place = await contentsOf(target, RAYS_A_ROW, rows, 0), rest = await contentsOf(target, RAYS_A_ROW, rows, 1);
   for (let i = 0; i < count; i++)
     hits.set([place[4 * i], place[4 * i + 1], place[4 * i + 2], rest[4 * i], place[4 * i + 3], rest[4 * i + 1]], 6 * (first + i));
   gl.deleteFramebuffer(target);
@@ -47,15 +40,31 @@ function checkRays(count) {
   return rays;
 }
 
-// A byte of each hit's voxel, colour and t.
+// A byte of a hit's voxel and colour.
 function digestOf(hits, i) {
   let digest = 0;
-  for (let k = 0; k < 5; k++) digest = noise(digest ^ hits[6 * i + k]);
+  for (let k = 0; k < 4; k++) digest = noise(digest ^ hits[6 * i + k]);
   return digest & 255;
 }
 
-// How many of the rays whose hits the page's maker knew have another hit here.
-async function countDifferences(programs, checks) {
-  const hits = await trace(programs, checkRays(checks.length));
-  return checks.reduce((count, digest, i) => count + (digest !== digestOf(hits, i)), 0);
+// When a ray enters a voxel, by doubles.
+function entryOf(rays, hits, i) {
+  let latest = 0;
+  for (let axis = 0; axis < 3; axis++) {
+    const [from, way] = [rays[6 * i + axis], rays[6 * i + 3 + axis]];
+    if (way) latest = Math.max(latest, (hits[6 * i + axis] + (way < 0) - from) / way);
+  }
+  return latest;
+}
+
+// Of the rays whose hits the page's maker knew: how many have another voxel here, and how wrong a t is at most, in voxels.
+async function errorsHere(programs, checks) {
+  const rays = checkRays(checks.length), hits = await trace(programs, rays), times = new Float32Array(hits.buffer);
+  let others = 0, worst = 0;
+  checks.forEach((digest, i) => {
+    if (digest !== digestOf(hits, i)) others++;
+    else if (!(hits[6 * i] >> 31) && times[6 * i + 4] !== Math.fround(entryOf(rays, hits, i)))
+      worst = Math.max(worst, Math.abs(times[6 * i + 4] - entryOf(rays, hits, i)) * Math.hypot(...rays.subarray(6 * i + 3, 6 * i + 6)));
+  });
+  return { others, worst };
 }

@@ -1,6 +1,7 @@
 // One more sample of each pixel: a ray from the eye, and from what it meets one to the sun and one to the sky.
-uniform highp usampler2D before; // The samples so far: light, and how many rays have hit; as bits.
-uniform int samples;             // How many they are.
+uniform highp usampler2D before_sun; // The samples so far.
+uniform highp usampler2D before_sky;
+uniform int samples; // How many they are.
 uniform ivec2 size;
 uniform vec3 eye;
 uniform vec3 front;
@@ -10,7 +11,8 @@ uniform vec2 place;   // Where in a pixel.
 uniform vec2 numbers; // For directions to the sky.
 uniform vec3 sun;
 uniform float open_scale;
-out uvec4 after;
+layout(location = 0) out uvec4 after_sun; // The bits of the sun's light, and: 9 bits, how many rays have hit; 3, the first one's face; 20, its t.
+layout(location = 1) out uvec4 after_sky; // The bits of the light of a sky that nothing hides, and of how much of it is seen.
 
 const int SUN = 1, SKY = 2, DONE = 3;
 
@@ -27,19 +29,21 @@ void main() {
   vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
   vec3 origin = eye;
   vec3 direction = normalize(front + right * at.x - up * at.y);
-  vec4 light = vec4(0.0);
+  vec3 by_sun = vec3(0.0);
+  vec4 by_sky = vec4(0.0);
+  uint first = 0u; // Face and t.
   vec3 colour, normal, start;
   for (int task = 0; task < DONE;) {
     voxc_scene_Hit hit;
     bool found = voxc_scene_closest(0, origin, direction, 0.0, uintBitsToFloat(0x7f800000u), hit);
     if (task == SKY) {
-      light.rgb += colour * sky_light(normal) * (found ? PASSED_ON * hit.t / (hit.t + open_scale) : 1.0);
+      by_sky = vec4(colour * sky_light(normal), found ? PASSED_ON * hit.t / (hit.t + open_scale) : 1.0);
       task = DONE;
     } else if (task == SUN) {
-      light.rgb += found ? vec3(0.0) : colour * SUN_LIGHT * dot(normal, sun);
+      by_sun = found ? vec3(0.0) : colour * SUN_LIGHT * dot(normal, sun);
       task = SKY;
     } else if (found) {
-      light.a = 1.0;
+      first = floatBitsToUint(hit.t) >> 12 << 12 | (hit.axis < 0 ? 6u : uint(2 * hit.axis + max(hit.side, 0))) << 9 | 1u;
       colour = colour_of_word(hit.colour);
       normal = hit.axis < 0 ? -direction : voxc_scene_normal(hit);
       start = voxc_scene_outside(origin, direction, hit);
@@ -50,7 +54,12 @@ void main() {
     origin = start;
     direction = task == SUN ? sun : sky_direction(normal, numbers_of(pixel));
   }
-  if (samples > 0)
-    light += uintBitsToFloat(texelFetch(before, ivec2(gl_FragCoord.xy), 0));
-  after = floatBitsToUint(light);
+  if (samples > 0) {
+    uvec4 sun_before = texelFetch(before_sun, ivec2(gl_FragCoord.xy), 0);
+    by_sun += uintBitsToFloat(sun_before.xyz);
+    by_sky += uintBitsToFloat(texelFetch(before_sky, ivec2(gl_FragCoord.xy), 0));
+    first = sun_before.w == 0u ? first : sun_before.w + (first & 1u);
+  }
+  after_sun = uvec4(floatBitsToUint(by_sun), first);
+  after_sky = floatBitsToUint(by_sky);
 }

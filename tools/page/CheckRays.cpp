@@ -1,8 +1,6 @@
 // Rays whose hits a page knows.
 #include "page/CheckRays.h"
 
-#include <bit>
-
 namespace voxc::page {
 namespace {
 
@@ -37,9 +35,7 @@ std::string digestsOf(std::span<const Hit> hits) {
     std::uint32_t digest = 0;
     for (const std::int32_t coordinate : hit.voxel)
       digest = noise(digest ^ static_cast<std::uint32_t>(coordinate));
-    digest = noise(digest ^ hit.rgba);
-    digest = noise(digest ^ std::bit_cast<std::uint32_t>(hit.t));
-    digests += static_cast<char>(digest & 255);
+    digests += static_cast<char>(noise(digest ^ hit.rgba) & 255);
   }
   return digests;
 }

@@ -16,7 +16,7 @@ namespace voxc::page {
 /// page-runtime/script/rays.js makes too, to the bit.
 std::vector<Ray> checkRays(Int3 extent, std::size_t count);
 
-/// A byte for each hit, of its voxel, colour and t; as page-runtime/script/rays.js has it.
+/// A byte for each hit, of its voxel and colour; as page-runtime/script/rays.js has it.
 std::string digestsOf(std::span<const Hit> hits);
 
 } // namespace voxc::page

@@ -41,7 +41,8 @@ std::string factsOf(const Volume &volume) {
   const Int3 extent = info.extent;
   const std::uint64_t bytes = volume.words().size_bytes();
   char each[64];
-  std::snprintf(each, sizeof each, "%.2f bytes a voxel", double(bytes) / double(info.voxels ? info.voxels : 1));
+  std::snprintf(each, sizeof each, "%.2f bytes a voxel",
+                double(bytes) / double(info.voxels ? info.voxels : 1));
   return fact("Format", "<code>" + escaped(volume.layout().format) + "</code>") +
          fact("Extent", std::to_string(extent.x) + " × " + std::to_string(extent.y) + " × " +
                             std::to_string(extent.z)) +

@@ -15,10 +15,10 @@ namespace voxc::page {
 /// What a page says and shows beside the volume.
 struct PageContents {
   std::string title;
-  Camera camera;    ///< With which it begins. Pages know no way up but +y.
-  glm::dvec3 sun;   ///< Towards it; of any length but 0.
-  float exposure;   ///< That makes a picture of the light.
-  ErrorFigures fast; ///< Of fast arithmetic.
+  Camera camera;      ///< With which it begins. Pages know no way up but +y.
+  glm::dvec3 sun;     ///< Towards it; of any length but 0.
+  float exposure;     ///< That makes a picture of the light.
+  ErrorFigures fast;  ///< Of fast arithmetic.
   std::string checks; ///< `digestsOf` the exact hits of the first of `checkRays`.
 };
 

@@ -1,6 +1,8 @@
 // What a page does.
 #include "page/Script.h"
 
+#include "page/Merged.h"
+
 #include "common/Json.h"
 #include "voxc/Emit/Emit.h"
 #include "voxc/IR/Attribute.h"
@@ -10,7 +12,6 @@
 #include <glm/geometric.hpp>
 
 #include <array>
-#include <cstdio>
 
 namespace voxc {
 
@@ -24,8 +25,10 @@ using tool::Json;
 
 /// In the order in which they build on each other.
 constexpr std::array kScripts = {"device", "arithmetic", "camera", "controls", "picture", "rays", "main"};
-constexpr std::array kShaders = {"words.glsl",   "light.glsl",   "all.vert",       "picture.frag",
+constexpr std::array kShaders = {"words.glsl",   "light.glsl",  "all.vert",       "picture.frag",
                                  "develop.frag", "answer.frag", "arithmetic.frag"};
+
+constexpr std::string_view kName = "scene"; ///< Of the functions, which shaders know.
 
 std::string_view fileText(std::string_view path) {
   for (const EmbeddedFile &file : pageFiles())
@@ -53,19 +56,15 @@ Expected<std::string> functionsOf(Format format, std::string_view precision) {
   const Expected<Plan> plan = makePlan(format, kHeaderPlan);
   if (!plan)
     return plan.error();
-  return terse(emitWebGl(*plan, "scene"));
+  return terse(emitWebGl(*plan, kName));
 }
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
 
 /// What fast arithmetic gets wrong, in a sentence.
 std::string errorText(const ErrorFigures &error) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "plain float32; of %llu rays %llu hit another voxel, and t is wrong by %.3g voxels at most",
-                static_cast<unsigned long long>(error.rays),
-                static_cast<unsigned long long>(error.differences()), error.maxDt);
-  return text;
+  return "plain float32; of " + std::to_string(error.rays) + " rays on the cpu " +
+         std::to_string(error.differences()) + " hit another voxel";
 }
 
 Json sceneOf(const Volume &volume, const PageContents &contents) {
@@ -89,17 +88,15 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
 std::string tersely(std::string_view path) { return terse(fileText(path)); }
 
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents) {
-  Json shaders;
-  for (const std::string_view precision : {"exact", "fast"}) {
-    Expected<std::string> functions = functionsOf(volume.format(), precision);
-    if (!functions)
-      return functions.error();
-    shaders[std::string(precision)] = std::move(*functions);
-  }
+  const Expected<std::string> exact = functionsOf(volume.format(), "exact");
+  const Expected<std::string> fast = functionsOf(volume.format(), "fast");
+  if (!exact || !fast)
+    return exact ? fast.error() : exact.error();
+  Json shaders{{"functions", merged(*exact, *fast)}};
   for (const std::string name : kShaders)
     shaders[name] = tersely("shader/" + name);
-  std::string script = "const scene = " + sceneOf(volume, contents).dump() +
-                       ";\nconst shaders = " + shaders.dump() + ";\n";
+  std::string script =
+      "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders.dump() + ";\n";
   for (const std::string name : kScripts)
     script += tersely("script/" + name + ".js");
   return script;

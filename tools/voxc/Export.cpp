@@ -21,7 +21,8 @@ public:
   void declare(CLI::App &app) override {
     volume_.declare(app);
     app.add_option("-o,--output", output_,
-                   "File to write; its ending says what: .raw, .ply, .vox, .hvx for the volume itself, or .html for a "
+                   "File to write; its ending says what: .raw, .ply, .vox, .hvx for the volume itself, or "
+                   ".html for a "
                    "page that shows it in a browser, with the words and the kernel in it")
         ->type_name("FILE")
         ->required();
@@ -55,7 +56,8 @@ private:
     if (!isPage(output_))
       return exportVoxels(volume, output_, {.compress = compress_, .progress = progress});
     if (compress_)
-      return Error::usage("--compress is for a file that ends in .hvx; the words of a page are always compressed");
+      return Error::usage(
+          "--compress is for a file that ends in .hvx; the words of a page are always compressed");
     return page_.write(volume, volume_.path(), output_, progress, figures);
   }
 

@@ -78,7 +78,9 @@ bool PageExport::isGiven() const {
 
 Expected<void> PageExport::check(const std::string &path) const {
   if (!isPage(path) && isGiven())
-    return Error::usage("'" + path + "' is no page; --title, --view, --camera, --fov and --sun are for one, whose name ends in .html");
+    return Error::usage(
+        "'" + path +
+        "' is no page; --title, --view, --camera, --fov and --sun are for one, whose name ends in .html");
   return checkPictureOptions(picture_);
 }
 
