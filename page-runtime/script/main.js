@@ -1,6 +1,6 @@
 // What the page does.
 
-const MOST_SAMPLES = 256, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150;
+const MOST_SAMPLES = 256, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150, PATIENCE_MILLISECONDS = 15000;
 const element = id => document.getElementById(id);
 const english = number => number.toLocaleString("en");
 
@@ -27,7 +27,7 @@ async function answers(precision) {
   return { ...programs, answer: await programs.answering() };
 }
 
-let precision = "exact", moved = true, wake = () => {};
+let precision = "exact", moved = true, wake = () => {}, why = "";
 const changed = () => { moved = true; wake(); };
 
 // What is known of the hits, and of those that this browser finds.
@@ -35,7 +35,7 @@ function tellArithmetic(errors) {
   const rays = english(checks.length), isExact = precision === "exact";
   const here = !errors ? "" : isExact && !errors.others && !errors.worst ? `: here, all ${rays} rays of a check have the exact hit` :
     `${isExact ? ", but not here" : "; here"}: of ${rays} rays ${english(errors.others)} hit another voxel, and t is off by ${errors.worst.toPrecision(2)} voxels at most`;
-  element("arithmetic").textContent = (isExact ? "exact" : `fast: ${scene.fast}`) + here;
+  element("arithmetic").textContent = (isExact ? "exact" : `fast: ${scene.fast}`) + here + why;
   element("switch").textContent = `switch to ${isExact ? "fast" : "exact"}`;
 }
 
@@ -127,19 +127,31 @@ window.voxc = {
   picture: async (width, height, samples) => takePicture(await programsOf(precision), width, height, samples),
 };
 
+function choose(chosen, because = "") {
+  [precision, why] = [chosen, because];
+  element("status").textContent = scene.wait;
+  tellArithmetic();
+  changed();
+}
+
+// Exact where the browser can: its arithmetic is sound, and its compiler takes the kernel, within some patience.
+async function choosePrecision() {
+  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
+  const exact = programsOf("exact").then(() => "", problem => `; the exact kernel is not taken here: ${problem.message}`);
+  const because = await Promise.race([exact, sleep(PATIENCE_MILLISECONDS).then(() => "; the exact kernel is still being compiled here")]);
+  if (!because) return;
+  choose("fast", because);
+  exact.then(problem => problem || precision === "exact" || choose("exact"));
+}
+
 async function start() {
-  if (!await isArithmeticSound()) precision = "fast";
   tellArithmetic();
   element("switch").hidden = false;
-  element("switch").addEventListener("click", () => {
-    precision = precision === "exact" ? "fast" : "exact";
-    element("status").textContent = scene.wait;
-    tellArithmetic();
-    changed();
-  });
+  element("switch").addEventListener("click", () => choose(precision === "exact" ? "fast" : "exact"));
   if (matchMedia("(max-width: 600px)").matches) element("about").open = false;
   canvas.addEventListener("webglcontextlost", () => element("status").textContent = "The graphics device was lost; load the page again.");
   listen(changed, pick);
+  await choosePrecision();
   await programsOf(precision);
   document.documentElement.dataset.ready = precision;
   await show();
