@@ -27,8 +27,8 @@
     let from = ${SCRIPT_BYTES};
     for (let first = 0; first < words.length; first += block) {
       const count = Math.min(block, words.length - first);
-      for (let i = 0; i < count; i++)
-        words[first + i] = whole[from + i] | whole[from + count + i] << 8 | whole[from + 2 * count + i] << 16 | whole[from + 3 * count + i] << 24;
+      for (let rank = 0; rank < 4; rank++)
+        for (let i = 0; i < count; i++) words[first + i] |= whole[from + rank * count + i] << 8 * rank;
       from += 4 * count;
     }
     const checks = whole.subarray(from);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <span>
 
 namespace voxc {
 namespace {
@@ -51,13 +52,21 @@ std::string runtime(std::string_view file, const TemplateNames &names) {
   return fillFile(shaderFiles(), std::string(file) + ".glsl", names);
 }
 
-/// All functions, with what a language lacks before them, by names that are a format's own.
-std::string prefixed(const std::string &lacking, const Plan &plan, const TemplateNames &names) {
-  const std::string functions = volumeSize(plan) + "\n" + lacking + "\n" + runtime("header/load", names) +
-                                kernelFunctions(plan) + "\n" + runtime("walk_on", names) + "\n" +
-                                runtime("header/bounds", names) + "\n" + runtime("header/queries", names);
+/// All functions, with what a language lacks before them, by names that are a format's own. `queries`: the
+/// files of those that are called from outside.
+std::string prefixed(const std::string &lacking, std::span<const std::string_view> queries, const Plan &plan,
+                     const TemplateNames &names) {
+  std::string functions = volumeSize(plan) + "\n" + lacking + "\n" + runtime("header/load", names) +
+                          kernelFunctions(plan) + "\n" + runtime("walk_on", names);
+  for (const std::string_view file : queries)
+    functions += "\n" + runtime(file, names);
   return embedded(functions, names.holes.at("prefix"));
 }
+
+/// Of plans with bounds.
+constexpr std::string_view kQueries[] = {"header/bounds", "header/hit", "header/queries"};
+/// Of plans without.
+constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
 
 } // namespace
 
@@ -85,12 +94,15 @@ std::string headerFile(std::string_view name) { return "voxc_" + std::string(nam
 
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
-  return runtime("header/begin", names) + prefixed("", plan, names) + runtime("header/end", names);
+  return runtime("header/begin", names) + prefixed("", kQueries, plan, names) + runtime("header/end", names);
 }
 
 std::string emitWebGl(const Plan &plan, std::string_view name) {
-  const TemplateNames names = headerNames(plan, name);
-  return runtime("webgl/begin", names) + prefixed(runtime("webgl/builtins", names), plan, names) +
+  TemplateNames names = headerNames(plan, name);
+  const std::string builtins = runtime("webgl/builtins", names);
+  return runtime("webgl/begin", names) +
+         prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
+                  names) +
          runtime("webgl/end", names);
 }
 

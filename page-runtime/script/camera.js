@@ -2,6 +2,7 @@
 
 const extent = scene.extent, size = Math.max(...extent);
 const add = (a, b, times = 1) => a.map((value, axis) => value + b[axis] * times);
+const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 const camera = {
   // Without an argument, the camera of the page's maker.
   reset({ eye, look, fov } = scene.camera) {
@@ -11,6 +12,18 @@ const camera = {
     this.yaw = Math.atan2(way[0], way[2]);
     this.pitch = Math.asin(way[1] / this.distance);
     this.tangent = Math.tan(fov * Math.PI / 360);
+    this.wide = this.widthOfBox();
+  },
+  // How wide a picture must be to have the volume's box in it, per unit of distance: half of that, and no more than the maker's camera has.
+  widthOfBox() {
+    const { front, right } = this.axes(), eye = this.eye(), most = this.tangent * scene.camera.aspect;
+    let wide = 0;
+    for (let corner = 0; corner < 8; corner++) {
+      const way = add(extent.map((side, axis) => corner >> axis & 1 ? side : 0), eye, -1);
+      const far = dot(way, front);
+      wide = Math.max(wide, far > 0 ? Math.abs(dot(way, right)) / far * 1.04 : most);
+    }
+    return Math.min(wide, most);
   },
   axes() {
     const [s, c, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
@@ -18,10 +31,10 @@ const camera = {
   },
   eye() { return add(this.look, this.axes().front, -this.distance); },
   isInside() { return this.eye().every((value, axis) => value >= 0 && value < extent[axis]); },
-  // A picture that is narrower than the camera was made for is taken with a wider angle, from outside also from further off.
+  // A picture that is too narrow is taken with a wider angle, from outside also from further off.
   view(width, height) {
     const { front, right, up } = this.axes();
-    const narrow = Math.max(1, scene.camera.aspect * height / width);
+    const narrow = Math.max(1, this.wide / this.tangent * height / width);
     const wider = Math.min(narrow, this.isInside() ? 1.7 : 1.3);
     const further = this.isInside() ? 0 : this.distance * (narrow / wider - 1);
     const [x, y] = [this.tangent * wider * width / height, this.tangent * wider];

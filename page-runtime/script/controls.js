@@ -37,7 +37,8 @@ function listen(changed, pick) {
     if (place) act(() => camera.lookAt(place));
   });
   const keys = {
-    ArrowLeft: () => camera.turn(0.1, 0), ArrowRight: () => camera.turn(-0.1, 0), ArrowUp: () => camera.turn(0, 0.1), ArrowDown: () => camera.turn(0, -0.1),
+    ArrowLeft: () => camera.turn(0.1, 0), ArrowRight: () => camera.turn(-0.1, 0),
+    ArrowUp: () => camera.turn(0, 0.1), ArrowDown: () => camera.turn(0, -0.1),
     "+": () => camera.approach(1.15), "=": () => camera.approach(1.15), "-": () => camera.approach(1 / 1.15), 0: () => camera.reset(),
     w: () => camera.move(0, 0, 0.06), s: () => camera.move(0, 0, -0.06), a: () => camera.move(-0.06, 0), d: () => camera.move(0.06, 0),
   };

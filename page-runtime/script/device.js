@@ -1,7 +1,7 @@
 // The graphics device: programs, textures of integers, and waiting for what it does.
 
 const canvas = document.querySelector("canvas");
-const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false, powerPreference: "high-performance" });
+const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, powerPreference: "high-performance" });
 if (!gl) throw new Error("this browser has no WebGL 2");
 const parallel = gl.getExtension("KHR_parallel_shader_compile");
 const PLACES_A_ROW = 4096;
@@ -106,6 +106,6 @@ async function contentsOf(target, width, height, attachment = 0, kind = gl.UNSIG
 function wordTexture(words) {
   const rows = Math.ceil(words.length / PLACES_A_ROW), most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   if (rows > most || PLACES_A_ROW > most)
-    throw new Error(`the volume has ${words.length.toLocaleString("en")} words; this device holds ${(Math.min(most, PLACES_A_ROW) * most).toLocaleString("en")}`);
+    throw new Error(`the volume has ${words.length} words, and this device holds ${Math.min(most, PLACES_A_ROW) * most}`);
   return integers(PLACES_A_ROW, rows, 1, words);
 }

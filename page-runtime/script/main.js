@@ -8,17 +8,20 @@ const wordsOnDevice = wordTexture(words);
 const kept = {};
 
 // The functions of the exact kernel or of the fast one: what one of them has alone is marked.
-const functionsOf = precision => shaders.functions.split("\n").filter(line => line[0] !== (precision === "exact" ? "+" : "-")).map(line => line.slice(1)).join("\n");
+function functionsOf(precision) {
+  const other = precision === "exact" ? "+" : "-";
+  return shaders.functions.split("\n").filter(line => line[0] !== other).map(line => line.slice(1)).join("\n");
+}
 
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const text = rest => shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision) + rest;
-    const [picture, develop] = await Promise.all([programOf(text(shaders["light.glsl"] + shaders["picture.frag"])), programOf(shaders["develop.frag"])]);
-    const programs = { words: wordsOnDevice, picture, develop };
+    const before = shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
+    const picture = programOf(before + shaders["light.glsl"] + shaders["picture.frag"]), develop = programOf(shaders["develop.frag"]);
+    const programs = { words: wordsOnDevice, picture: await picture, develop: await develop };
     await warmUp(programs);
     let answer;
-    return { ...programs, answering: () => answer ??= programOf(text(shaders["answer.frag"])) };
+    return { ...programs, answering: () => answer ??= programOf(before + shaders["answer.frag"]) };
   })();
 }
 
@@ -32,10 +35,15 @@ const changed = () => { moved = true; wake(); };
 
 // What is known of the hits, and of those that this browser finds.
 function tellArithmetic(errors) {
-  const rays = english(checks.length), isExact = precision === "exact";
-  const here = !errors ? "" : isExact && !errors.others && !errors.worst ? `: here, all ${rays} rays of a check have the exact hit` :
-    `${isExact ? ", but not here" : "; here"}: of ${rays} rays ${english(errors.others)} hit another voxel, and t is off by ${errors.worst.toPrecision(2)} voxels at most`;
-  element("arithmetic").textContent = (isExact ? "exact" : `fast: ${scene.fast}`) + here + why;
+  const isExact = precision === "exact", { rays, others } = scene.fast, checked = english(checks.length);
+  const kind = isExact ? "exact" : `fast: plain float32; of ${english(rays)} rays on the maker's cpu ${english(others)} hit another voxel`;
+  let here = "";
+  if (errors && isExact && !errors.others && !errors.worst)
+    here = `: here, all ${checked} rays of a check have the exact hit`;
+  else if (errors)
+    here = `${isExact ? ", but not here" : "; here"}: of ${checked} rays ${english(errors.others)} hit another voxel, ` +
+      `and t is off by ${errors.worst.toPrecision(2)} voxels at most`;
+  element("arithmetic").textContent = kind + here + why;
   element("switch").textContent = `switch to ${isExact ? "fast" : "exact"}`;
 }
 

@@ -24,7 +24,8 @@ function makeFilm(width, height) {
     wind() { this.samples++; },
     develop(programs, target, pixelsWide, pixelsHigh) {
       const { front, right, up } = this.view, { sun, sky } = lights[this.samples % 2];
-      programs.develop.use().texture("sun_light", sun, 0).texture("sky_light", sky, 1).set("1f", "samples", this.samples).set("1f", "exposure", scene.exposure)
+      programs.develop.use().texture("sun_light", sun, 0).texture("sky_light", sky, 1)
+        .set("1f", "samples", this.samples).set("1f", "exposure", scene.exposure)
         .set("2f", "canvas", pixelsWide, pixelsHigh).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up);
       draw(target, pixelsWide, pixelsHigh);
     },

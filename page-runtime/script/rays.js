@@ -32,8 +32,8 @@ function checkRays(count) {
   const rays = new Float32Array(6 * count);
   for (let i = 0; i < count; i++)
     for (let axis = 0; axis < 3; axis++) {
-      const from = (noise(8 * i + axis) >>> 16) / 65536 * 2 * extent[axis] - extent[axis] / 2;
-      const to = (noise(8 * i + 4 + axis) >>> 16) / 65536 * extent[axis];
+      const from = (noise(8 * i + axis) >>> 8) / 16777216 * 2 * extent[axis] - extent[axis] / 2;
+      const to = (noise(8 * i + 4 + axis) >>> 8) / 16777216 * extent[axis];
       rays[6 * i + axis] = from;
       rays[6 * i + 3 + axis] = to - from;
     }

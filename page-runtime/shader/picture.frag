@@ -11,8 +11,10 @@ uniform vec2 place;   // Where in a pixel.
 uniform vec2 numbers; // For directions to the sky.
 uniform vec3 sun;
 uniform float open_scale;
-layout(location = 0) out uvec4 after_sun; // The bits of the sun's light, and: 9 bits, how many rays have hit; 3, the first one's face; 20, its t.
-layout(location = 1) out uvec4 after_sky; // The bits of the light of a sky that nothing hides, and of how much of it is seen.
+// The bits of the sun's light, and in 9 bits how many rays have hit, in 3 the first one's face, in 20 its t.
+layout(location = 0) out uvec4 after_sun;
+// The bits of the light of a sky that nothing hides, and of how much of it is seen.
+layout(location = 1) out uvec4 after_sky;
 
 const int SUN = 1, SKY = 2, DONE = 3;
 
@@ -35,7 +37,7 @@ void main() {
   vec3 colour, normal, start;
   for (int task = 0; task < DONE;) {
     voxc_scene_Hit hit;
-    bool found = voxc_scene_closest(0, origin, direction, 0.0, uintBitsToFloat(0x7f800000u), hit);
+    bool found = voxc_scene_first(0, origin, direction, hit);
     if (task == SKY) {
       by_sky = vec4(colour * sky_light(normal), found ? PASSED_ON * hit.t / (hit.t + open_scale) : 1.0);
       task = DONE;

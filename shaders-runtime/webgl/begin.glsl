@@ -1,8 +1,12 @@
 // ${prefix}*: rays through volumes of the format ${FORMAT}, as functions for GLSL ES 3.00, the language of WebGL 2.
 //
+%if bounded
 //     bool ${prefix}closest(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax, out ${prefix}Hit hit)
 //     bool ${prefix}next(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmax, inout ${prefix}Hit hit)
 //     bool ${prefix}any(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax)
+%else
+//     bool ${prefix}first(VOXC_VOLUME volume, vec3 origin, vec3 direction, out ${prefix}Hit hit)
+%end
 //     vec3 ${prefix}normal(const ${prefix}Hit hit)
 //     vec3 ${prefix}outside(vec3 origin, vec3 direction, const ${prefix}Hit hit)
 //

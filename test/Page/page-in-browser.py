@@ -101,10 +101,12 @@ class Page(Browser):
         return self.bytes_of(f"""voxc.trace(new Float32Array(
             Uint8Array.from(atob("{base64.b64encode(rays).decode()}"), c => c.charCodeAt(0)).buffer), "{precision}")""")
 
-    def difference(self, picture, size, samples):
-        """How far the page's picture is from a file's: the mean over all channels, and the share of pixels that are off by more than 8."""
+    def difference(self, picture, size, samples, exposure):
+        """How far the page's picture is from a file's of that exposure: the mean over all channels, and the share of pixels that are off
+        by more than 8."""
         width, height = size
         return self.evaluate(f"""(async () => {{
+            voxc.scene.exposure = {exposure};
             const mine = await voxc.picture({width}, {height}, {samples}), image = new Image();
             image.src = "data:image/png;base64,{base64.b64encode(Path(picture).read_bytes()).decode()}";
             await image.decode();
@@ -129,6 +131,13 @@ def exact_hits(volume, rays, folder):
     error = told["error"]
     assert error["rays"] == len(rays) // 24 and error["missed"] + error["ghost"] + error["wrong"] + error["colour"] == 0, error
     return (folder / "hits.bin").read_bytes()
+
+
+def render(volume, picture, size, samples, camera):
+    """Takes a picture as pages do, and tells its exposure."""
+    told = figures(Path(picture).with_suffix(".json"), "render", volume, "--device", "cpu", "--size", "{}x{}".format(*size), "--normals", "flat",
+                   "--samples", samples, "-o", picture, *camera.split())
+    return told["exposure"]
 
 
 def differences(hits, exact):
@@ -176,10 +185,9 @@ class Pages(unittest.TestCase):
 
     def test_the_picture_is_that_of_render(self):
         size, samples = (320, 180), 4
-        voxc("render", self.folder / "terrain.hvx", "--device", "cpu", "--size", "320x180", "--normals", "flat", "--samples", samples,
-             "-o", self.folder / "terrain.png", *self.made["camera"].split())
+        exposure = render(self.folder / "terrain.hvx", self.folder / "terrain.png", size, samples, self.made["camera"])
         with self.opened(self.page) as page:
-            mean, far = page.difference(self.folder / "terrain.png", size, samples)
+            mean, far = page.difference(self.folder / "terrain.png", size, samples, exposure)
             self.assertLess(mean, 1)
             self.assertLess(far, 0.005)
 
@@ -194,7 +202,7 @@ class Pages(unittest.TestCase):
             page.evaluate("document.getElementById('switch').click()")
             page.wait(f"JSON.parse({STATE}.checked).precision === 'fast'")
             self.assertRegex(page.evaluate("document.getElementById('arithmetic').textContent"),
-                             r"^fast: plain float32; of 20000 rays on the cpu \d+ hit another voxel; here: of 1,024 rays \d+ hit another voxel, and t is off by [0-9.e-]+ voxels at most$")
+                             r"^fast: plain float32; of 20,000 rays on the maker's cpu \d+ hit another voxel; here: of 1,024 rays \d+ hit another voxel, and t is off by [0-9.e-]+ voxels at most$")
 
     def test_fits_its_window(self):
         for width, height in ((1280, 800), (390, 844)):
@@ -264,9 +272,8 @@ def look_at(volume):
                 hits = opened.trace(rays, precision)
                 print(f"  {precision}: of {RAYS} rays {differences(hits, exact)} differ from the exact hit, {other_voxels(hits, exact)} in the voxel")
             size, samples = (1280, 720), 1
-            voxc("render", volume, "--device", "cpu", "--size", "1280x720", "--normals", "flat", "--samples", samples,
-                 "-o", folder / "render.png", *made["camera"].split())
-            mean, far = opened.difference(folder / "render.png", size, samples)
+            exposure = render(volume, folder / "render.png", size, samples, made["camera"])
+            mean, far = opened.difference(folder / "render.png", size, samples, exposure)
             print(f"  picture: {mean:.3f} of 255 from that of voxc render, {100 * far:.3f} % of the pixels off by more than 8")
         for width, height in ((1280, 800), (390, 844)):
             with Page(page, width, height) as opened:

@@ -11,8 +11,8 @@ std::uint32_t noise(std::uint32_t number) {
   return number ^ number >> 15;
 }
 
-/// From 0 to 1, a multiple of 2^-16: products with the sides of volumes are exact.
-double share(std::uint32_t number) { return (noise(number) >> 16) / 65536.0; }
+/// From 0 to 1, a multiple of 2^-24: products with the sides of volumes are exact.
+double share(std::uint32_t number) { return (noise(number) >> 8) / 16777216.0; }
 
 } // namespace
 

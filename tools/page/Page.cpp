@@ -5,6 +5,7 @@
 #include "page/Script.h"
 
 #include "Emit/Template.h"
+#include "common/Command.h"
 #include "plot/Svg.h"
 
 #include <cstdio>
@@ -46,7 +47,8 @@ std::string factsOf(const Volume &volume) {
   return fact("Format", "<code>" + escaped(volume.layout().format) + "</code>") +
          fact("Extent", std::to_string(extent.x) + " × " + std::to_string(extent.y) + " × " +
                             std::to_string(extent.z)) +
-         fact("Voxels", grouped(info.voxels)) + fact("Memory", bytesText(bytes) + ", " + each);
+         fact("Voxels", grouped(info.voxels)) + fact("Memory", bytesText(bytes) + ", " + each) +
+         fact("Made by", tool::versionText());
 }
 
 } // namespace

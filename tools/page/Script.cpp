@@ -53,19 +53,13 @@ std::string terse(std::string_view text) {
 /// The functions that trace rays of a format, by one of the values of `precision`.
 Expected<std::string> functionsOf(Format format, std::string_view precision) {
   format.setAttribute(kPrecisionAttribute, precision);
-  const Expected<Plan> plan = makePlan(format, kHeaderPlan);
+  const Expected<Plan> plan = makePlan(format, kFirstHitPlan);
   if (!plan)
     return plan.error();
   return terse(emitWebGl(*plan, kName));
 }
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
-
-/// What fast arithmetic gets wrong, in a sentence.
-std::string errorText(const ErrorFigures &error) {
-  return "plain float32; of " + std::to_string(error.rays) + " rays on the cpu " +
-         std::to_string(error.differences()) + " hit another voxel";
-}
 
 Json sceneOf(const Volume &volume, const PageContents &contents) {
   const Int3 extent = volume.info().extent;
@@ -79,7 +73,7 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
           {"sun", numbers(glm::normalize(contents.sun))},
           {"exposure", contents.exposure},
           {"labels", volume.layout().payload == Payload::Material},
-          {"fast", errorText(contents.fast)},
+          {"fast", {{"rays", contents.fast.rays}, {"others", contents.fast.differences()}}},
           {"wait", kWait}};
 }
 
