@@ -4,13 +4,13 @@ const extent = scene.extent, size = Math.max(...extent);
 const add = (a, b, times = 1) => a.map((value, axis) => value + b[axis] * times);
 const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 const camera = {
-  // Without an argument, the camera of the page's maker.
-  reset({ eye, look, fov } = scene.camera) {
-    const way = add(look, eye, -1);
-    this.distance = Math.hypot(...way);
-    this.look = [...look];
-    this.yaw = Math.atan2(way[0], way[2]);
-    this.pitch = Math.asin(way[1] / this.distance);
+  // The camera of the page's maker.
+  reset() {
+    const { eye, look, up, fov } = scene.camera;
+    this.aim(eye, look);
+    // Straight down or up, the way up tells where the right is: along the way x up.
+    const way = add(look, eye, -1), [x, z] = [way[1] * up[2] - way[2] * up[1], way[0] * up[1] - way[1] * up[0]];
+    if (x || z) this.yaw = Math.atan2(z, -x);
     this.tangent = Math.tan(fov * Math.PI / 360);
     this.wide = this.widthOfBox();
   },
@@ -59,11 +59,10 @@ const camera = {
     if (times > 1 && next < least) this.look = add(eye, this.axes().front, this.distance + least / 2);
     else this.distance = Math.min(next, size * 20);
   },
-  // Looks at a place from where the eye is.
-  lookAt(place) {
-    const way = add(place, this.eye(), -1);
+  aim(eye, look) {
+    const way = add(look, eye, -1);
     this.distance = Math.hypot(...way);
-    this.look = place;
+    this.look = [...look];
     this.yaw = Math.atan2(way[0], way[2]);
     this.pitch = Math.asin(way[1] / this.distance);
   },

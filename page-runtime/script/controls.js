@@ -34,7 +34,7 @@ function listen(changed, pick) {
   }, { passive: false });
   canvas.addEventListener("dblclick", async event => {
     const place = await pick(event.clientX, event.clientY);
-    if (place) act(() => camera.lookAt(place));
+    if (place) act(() => camera.aim(camera.eye(), place));
   });
   const keys = {
     ArrowLeft: () => camera.turn(0.1, 0), ArrowRight: () => camera.turn(-0.1, 0),

@@ -49,10 +49,10 @@ def figures(path, *arguments):
     return json.loads(Path(path).read_text())
 
 
-def page_of(volume, folder):
+def page_of(volume, folder, *options):
     """The page of a volume, and the figures of its making."""
-    page = folder / (Path(volume).stem + ".html")
-    return page, figures(folder / "figures.json", "export", volume, "-o", page)
+    page = folder / (Path(volume).stem + "".join(options) + ".html")
+    return page, figures(folder / "figures.json", "export", volume, "-o", page, *options)
 
 
 def hard_rays(extent):
@@ -185,11 +185,13 @@ class Pages(unittest.TestCase):
 
     def test_the_picture_is_that_of_render(self):
         size, samples = (320, 180), 4
-        exposure = render(self.folder / "terrain.hvx", self.folder / "terrain.png", size, samples, self.made["camera"])
-        with self.opened(self.page) as page:
-            mean, far = page.difference(self.folder / "terrain.png", size, samples, exposure)
-            self.assertLess(mean, 1)
-            self.assertLess(far, 0.005)
+        for view in ("iso", "top"):
+            page, made = page_of(self.folder / "terrain.hvx", self.folder, "--view", view)
+            exposure = render(self.folder / "terrain.hvx", self.folder / "terrain.png", size, samples, made["camera"])
+            with self.subTest(view), self.opened(page) as page:
+                mean, far = page.difference(self.folder / "terrain.png", size, samples, exposure)
+                self.assertLess(mean, 0.1)
+                self.assertLess(far, 0.001)
 
     def test_says_what_it_is(self):
         with self.opened(self.page) as page:

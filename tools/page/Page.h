@@ -15,7 +15,7 @@ namespace voxc::page {
 /// What a page says and shows beside the volume.
 struct PageContents {
   std::string title;
-  Camera camera;      ///< With which it begins. Pages know no way up but +y.
+  Camera camera;      ///< With which it begins. What is level is level in its picture.
   glm::dvec3 sun;     ///< Towards it; of any length but 0.
   float exposure;     ///< That makes a picture of the light.
   ErrorFigures fast;  ///< Of fast arithmetic.

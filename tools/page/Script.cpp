@@ -68,6 +68,7 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
           {"camera",
            {{"eye", numbers(camera.eye)},
             {"look", numbers(camera.look)},
+            {"up", numbers(camera.up)},
             {"fov", camera.verticalFov},
             {"aspect", double(camera.width) / camera.height}}},
           {"sun", numbers(glm::normalize(contents.sun))},

@@ -9,8 +9,11 @@
 #include "voxc/IR/Attribute.h"
 #include "voxc/Oracle/Oracle.h"
 
-#include <glm/trigonometric.hpp>
+#include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace voxc::tool {
@@ -22,6 +25,12 @@ constexpr std::size_t kMeasured = 20000;
 
 /// Large enough for its exposure to be that of a larger one.
 constexpr const char *kPictureSize = "640x360";
+
+/// True if what is level is level in the picture; a camera in units of a model is rounded.
+bool isUpright(const Camera &camera) {
+  const glm::dvec3 right = glm::cross(camera.look - camera.eye, camera.up);
+  return std::abs(right.y) <= 1e-6 * glm::length(right);
+}
 
 /// The hits of rays by a kernel of this processor.
 Expected<std::vector<Hit>> hitsOf(const Volume &volume, std::string_view precision,
@@ -59,7 +68,8 @@ Expected<void> measure(const Volume &volume, const Progress &progress, page::Pag
 } // namespace
 
 bool isPage(const std::string &path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   return ending == ".html" || ending == ".htm";
 }
 
@@ -101,6 +111,9 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   const Expected<TakenPicture> taken = takePicture(options, volume, {trace, trace}, trace, 0, progress);
   if (!taken)
     return taken.error();
+  if (!isUpright(taken->camera))
+    return Error::usage("--camera \"" + options.camera.camera +
+                        "\" is tilted; the way up of a page is +y, so leave out the third point");
   page::PageContents contents;
   contents.title = title_.empty() ? std::filesystem::path(source).stem().string() : title_;
   contents.camera = taken->camera;
