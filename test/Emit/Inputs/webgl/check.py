@@ -1,4 +1,5 @@
 """Functions for WebGL of formats with every kind of level, walk and payload through glslang: check.py VOXC FOLDER"""
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -46,6 +47,11 @@ for number, line in enumerate(FORMATS):
     options = ("--" + passes).split() if passes else []
     functions = subprocess.run([VOXC, "compile", text, *options, "--emit=webgl", "--name", "v", "-o", "-"], check=True,
                                capture_output=True, text=True).stdout
+    # What WebGL refuses beyond the language: a choice by ?: between structures.
+    structures = re.findall(r"^VOXC_\w+ voxc_v_[A-Z]\w* (voxc_v_\w+)\(", functions, re.M)
+    for choice in re.findall(r"\? (voxc_v_\w+)\(", functions):
+        if choice in structures:
+            sys.exit(f"{line}\n{choice} gives a structure, and stands behind a ?")
     shader = FOLDER / f"{number}.frag"
     shader.write_text(SHADER.format(functions=functions))
     told = subprocess.run(["glslangValidator", "-S", "frag", shader], capture_output=True, text=True)
