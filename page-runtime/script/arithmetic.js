@@ -24,8 +24,9 @@ async function isArithmeticSound() {
   const isNear = (told, exact, roundings) => Math.abs(told - exact) <= Math.abs(exact) * roundings / 8388608;
   let isSound = true;
   for (let i = 0; i < pairs.length; i += 4) {
-    const [a, b] = [numbers[i], numbers[i + 1]], floor = new Uint32Array(Float32Array.of(Math.floor(a)).buffer)[0];
-    isSound &&= isNear(told[i], a + b, 1) && isNear(told[i + 1], a - b, 1) && isNear(told[i + 2], a * b, 1) && isNear(told[i + 3], 1 / b, 2.5) &&
+    const [a, b] = [numbers[i], numbers[i + 1]], [floor] = new Uint32Array(Float32Array.of(Math.floor(a)).buffer);
+    isSound &&= isNear(told[i], a + b, 1) && isNear(told[i + 1], a - b, 1) &&
+      isNear(told[i + 2], a * b, 1) && isNear(told[i + 3], 1 / b, 2.5) &&
       otherBits[i] === floor && otherBits[i + 1] === pairs[i] && otherBits[i + 2] === Math.imul(pairs[i], pairs[i + 1]) >>> 0 &&
       otherBits[i + 3] | 0 === Math.floor(a);
   }

@@ -17,7 +17,8 @@ function functionsOf(precision) {
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
     const before = shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
-    const picture = programOf(before + shaders["light.glsl"] + shaders["picture.frag"]), develop = programOf(shaders["develop.frag"]);
+    const develop = programOf(shaders["develop.frag"]);
+    const picture = programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
     const programs = { words: wordsOnDevice, picture: await picture, develop: await develop };
     await warmUp(programs);
     let answer;
@@ -69,9 +70,11 @@ async function takeQuickPicture(programs, films) {
   const wanted = Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (canvas.width * canvas.height));
   const part = Math.min(Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 1 / 8), 1);
   const film = filmOf(films, "quick", part);
-  film.expose(programs, 0, film.height);
-  learnSpeed(film.width * film.height, await finished());
-  film.wind();
+  while (!film.samples) {
+    film.expose(programs, 0, film.height);
+    learnSpeed(film.width * film.height, await finished());
+    film.wind();
+  }
   film.develop(programs, null, canvas.width, canvas.height);
   return part;
 }

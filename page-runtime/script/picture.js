@@ -7,25 +7,32 @@ const DIRECTIONS = 16; // Of a square of pixels, to the sky.
 function makeFilm(width, height) {
   const lights = [0, 1].map(() => ({ sun: integers(width, height, 4), sky: integers(width, height, 4) }));
   const targets = lights.map(({ sun, sky }) => framebuffer(sun, sky));
+  const latest = film => lights[film.passes % 2];
   return {
-    width, height, samples: 0, view: null,
-    begin(view) { this.samples = 0; this.view = view; },
-    // Rows of the next sample.
+    // Of smooth surfaces the first pass is a sketch: where they are, without light.
+    width, height, passes: 0, samples: 0, view: null,
+    begin(view) { this.passes = 0; this.samples = 0; this.view = view; },
+    isSketch() { return scene.smooth && this.passes === 0; },
+    // Rows of the next pass.
     expose(programs, first, rows) {
-      const { eye, front, right, up } = this.view, before = lights[this.samples % 2];
-      programs.picture.use().texture("words", programs.words, 0).texture("before_sun", before.sun, 1).texture("before_sky", before.sky, 2)
-        .set("1i", "samples", this.samples).set("2i", "size", width, height)
+      const { eye, front, right, up } = this.view, { sun, sky } = latest(this);
+      programs.picture.use().texture("words", programs.words, 0).texture("before_sun", sun, 1).texture("before_sky", sky, 2)
+        .set("1i", "is_sketch", this.isSketch()).set("1i", "is_further", this.passes > 0).set("1i", "is_smooth", scene.smooth)
+        .set("2i", "size", width, height)
         .set("3f", "eye", ...eye).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up)
         .set("2f", "place", ...evenNumbers(this.samples)).set("2f", "numbers", ...evenNumbers(this.samples * DIRECTIONS))
         .set("3f", "sun", ...scene.sun).set("1f", "open_scale", 0.06 * size);
-      draw(targets[1 - this.samples % 2], width, height, first, rows);
+      draw(targets[1 - this.passes % 2], width, height, first, rows);
     },
-    // The sample is whole.
-    wind() { this.samples++; },
+    // The pass is whole.
+    wind() {
+      if (!this.isSketch()) this.samples++;
+      this.passes++;
+    },
     develop(programs, target, pixelsWide, pixelsHigh) {
-      const { front, right, up } = this.view, { sun, sky } = lights[this.samples % 2];
+      const { front, right, up } = this.view, { sun, sky } = latest(this);
       programs.develop.use().texture("sun_light", sun, 0).texture("sky_light", sky, 1)
-        .set("1f", "samples", this.samples).set("1f", "exposure", scene.exposure)
+        .set("1f", "samples", this.samples).set("1i", "is_smooth", scene.smooth).set("1f", "exposure", scene.exposure)
         .set("2f", "canvas", pixelsWide, pixelsHigh).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up);
       draw(target, pixelsWide, pixelsHigh);
     },
@@ -39,14 +46,14 @@ function makeFilm(width, height) {
 // Exposes one sample in strips that take the device a twentieth of a second or so; ends early where `isStale` says so.
 let pixelsAMillisecond = 200;
 async function exposeSample(programs, film, isStale) {
-  for (let first = 0; first < film.height;) {
-    const rows = Math.min(Math.max(Math.round(pixelsAMillisecond * 50 / film.width), 4), film.height - first);
-    film.expose(programs, first, rows);
-    learnSpeed(rows * film.width, await finished());
-    if (isStale()) return false;
-    first += rows;
-  }
-  film.wind();
+  for (const samples = film.samples; film.samples === samples; film.wind())
+    for (let first = 0; first < film.height;) {
+      const rows = Math.min(Math.max(Math.round(pixelsAMillisecond * 50 / film.width), 4), film.height - first);
+      film.expose(programs, first, rows);
+      learnSpeed(rows * film.width, await finished());
+      if (isStale()) return false;
+      first += rows;
+    }
   return true;
 }
 

@@ -5,6 +5,7 @@ precision highp int;
 uniform highp usampler2D sun_light; // As picture.frag leaves them.
 uniform highp usampler2D sky_light;
 uniform float samples;
+uniform bool is_smooth;
 uniform float exposure;
 uniform vec2 canvas;
 uniform vec3 front;
@@ -49,7 +50,8 @@ float seen_of_sky(ivec2 at, uint first, float seen) {
     uint other = texelFetch(sun_light, place, 0).w;
     vec3 apart = point_of(place, other) - point;
     float off = abs(apart[min(int(first >> 10 & 3u), 2)]);
-    if (other != 0u && (other >> 9 & 7u) == (first >> 9 & 7u) && off < 1.5 + 0.35 * length(apart)) {
+    bool is_kin = is_smooth ? length(apart) < 6.0 : (other >> 9 & 7u) == (first >> 9 & 7u) && off < 1.5 + 0.35 * length(apart);
+    if (other != 0u && is_kin) {
       sum += uintBitsToFloat(texelFetch(sky_light, place, 0).w);
       count += float(other & 511u);
     }

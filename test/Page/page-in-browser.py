@@ -7,6 +7,7 @@ Every hit that a page finds is compared with `voxc trace`'s, which the exact ora
 import base64
 import contextlib
 import json
+import math
 import subprocess
 import sys
 import tempfile
@@ -123,6 +124,21 @@ class Page(Browser):
         }})()""")
 
 
+def ball_mesh():
+    """A sphere of triangles, as .obj."""
+    turns, rings = 48, 24
+    lines = []
+    for ring in range(rings + 1):
+        for turn in range(turns):
+            tilt, angle = math.pi * ring / rings, 2 * math.pi * turn / turns
+            lines.append(f"v {math.sin(tilt) * math.cos(angle)} {math.cos(tilt)} {math.sin(tilt) * math.sin(angle)}")
+    for ring in range(rings):
+        for turn in range(turns):
+            a, b = ring * turns + turn + 1, ring * turns + (turn + 1) % turns + 1
+            lines.append(f"f {a} {b} {b + turns} {a + turns}")
+    return "\n".join(lines) + "\n"
+
+
 def exact_hits(volume, rays, folder):
     """What `voxc trace` answers, once the oracle has agreed."""
     (folder / "rays.bin").write_bytes(rays)
@@ -135,7 +151,7 @@ def exact_hits(volume, rays, folder):
 
 def render(volume, picture, size, samples, camera):
     """Takes a picture as pages do, and tells its exposure."""
-    told = figures(Path(picture).with_suffix(".json"), "render", volume, "--device", "cpu", "--size", "{}x{}".format(*size), "--normals", "flat",
+    told = figures(Path(picture).with_suffix(".json"), "render", volume, "--device", "cpu", "--size", "{}x{}".format(*size),
                    "--samples", samples, "-o", picture, *camera.split())
     return told["exposure"]
 
@@ -192,6 +208,19 @@ class Pages(unittest.TestCase):
                 mean, far = page.difference(self.folder / "terrain.png", size, samples, exposure)
                 self.assertLess(mean, 0.1)
                 self.assertLess(far, 0.001)
+
+    def test_smooth_surfaces_are_nearly_those_of_render(self):
+        size, samples, ball = (320, 180), 4, self.folder / "ball.obj"
+        ball.write_text(ball_mesh())
+        voxc("build", "G(7)", ball, "-o", self.folder / "ball.hvx")
+        page, made = page_of(self.folder / "ball.hvx", self.folder)
+        exposure = render(self.folder / "ball.hvx", self.folder / "ball.png", size, samples, made["camera"])
+        with self.opened(page) as page:
+            mean, far = page.difference(self.folder / "ball.png", size, samples, exposure)
+            self.assertLess(mean, 2)
+            self.assertLess(far, 0.05)
+            page.evaluate("voxc.scene.smooth = false")
+            self.assertGreater(page.difference(self.folder / "ball.png", size, samples, exposure)[1], 2 * far)
 
     def test_says_what_it_is(self):
         with self.opened(self.page) as page:

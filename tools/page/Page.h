@@ -15,11 +15,12 @@ namespace voxc::page {
 /// What a page says and shows beside the volume.
 struct PageContents {
   std::string title;
-  Camera camera;      ///< With which it begins. What is level is level in its picture.
-  glm::dvec3 sun;     ///< Towards it; of any length but 0.
-  float exposure;     ///< That makes a picture of the light.
-  ErrorFigures fast;  ///< Of fast arithmetic.
-  std::string checks; ///< `digestsOf` the exact hits of the first of `checkRays`.
+  Camera camera;       ///< With which it begins. What is level is level in its picture.
+  glm::dvec3 sun;      ///< Towards it; of any length but 0.
+  bool smooth = false; ///< Surfaces have the direction of their neighbourhood, as `RenderOptions::isSmooth`.
+  float exposure;      ///< That makes a picture of the light.
+  ErrorFigures fast;   ///< Of fast arithmetic.
+  std::string checks;  ///< `digestsOf` the exact hits of the first of `checkRays`.
 };
 
 /// More words than this are more than browsers keep in a texture: 4096 places a row, 16384 rows.

@@ -25,8 +25,8 @@ using tool::Json;
 
 /// In the order in which they build on each other.
 constexpr std::array kScripts = {"device", "arithmetic", "camera", "controls", "picture", "rays", "main"};
-constexpr std::array kShaders = {"words.glsl",   "light.glsl",  "all.vert",       "picture.frag",
-                                 "develop.frag", "answer.frag", "arithmetic.frag"};
+constexpr std::array kShaders = {"words.glsl",   "light.glsl",   "surface.glsl", "all.vert",
+                                 "picture.frag", "develop.frag", "answer.frag",  "arithmetic.frag"};
 
 constexpr std::string_view kName = "scene"; ///< Of the functions, which shaders know.
 
@@ -72,6 +72,7 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
             {"fov", camera.verticalFov},
             {"aspect", double(camera.width) / camera.height}}},
           {"sun", numbers(glm::normalize(contents.sun))},
+          {"smooth", contents.smooth},
           {"exposure", contents.exposure},
           {"labels", volume.layout().payload == Payload::Material},
           {"fast", {{"rays", contents.fast.rays}, {"others", contents.fast.differences()}}},

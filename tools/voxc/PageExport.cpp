@@ -106,7 +106,6 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
     return report ? Expected<void>() : report.error();
   };
   PictureOptions options = picture_;
-  options.normals = "flat";
   options.camera.size = kPictureSize;
   const Expected<TakenPicture> taken = takePicture(options, volume, {trace, trace}, trace, 0, progress);
   if (!taken)
@@ -118,6 +117,7 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   contents.title = title_.empty() ? std::filesystem::path(source).stem().string() : title_;
   contents.camera = taken->camera;
   contents.sun = sunOf(options);
+  contents.smooth = isSmoothSurface(volume.info());
   contents.exposure = taken->rendering.exposure;
   if (Expected<void> measured = measure(volume, progress, contents); !measured)
     return measured;
