@@ -68,7 +68,10 @@ Distance distance_to(uint face, uint origin) {
   if (origin >= SIGN_BIT) {
     a = sum_of(a, b);
   } else {
-    a = is_below(a, b) ? difference_of(b, a) : difference_of(a, b);
+    if (is_below(a, b))
+      a = difference_of(b, a);
+    else
+      a = difference_of(a, b);
     if (distance.inexact) // What fell off was to be taken away.
       a = difference_of(a, Wide(0u, 1u));
   }

@@ -1,4 +1,4 @@
-// Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text.
+// Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text, or GLSL ES.
 #include "Embedded.h"
 #include "KernelFunctions.h"
 #include "Names.h"
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <span>
 
 namespace voxc {
 namespace {
@@ -47,6 +48,26 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   return names;
 }
 
+std::string runtime(std::string_view file, const TemplateNames &names) {
+  return fillFile(shaderFiles(), std::string(file) + ".glsl", names);
+}
+
+/// All functions, with what a language lacks before them, by names that are a format's own. `queries`: the
+/// files of those that are called from outside.
+std::string prefixed(const std::string &lacking, std::span<const std::string_view> queries, const Plan &plan,
+                     const TemplateNames &names) {
+  std::string functions = volumeSize(plan) + "\n" + lacking + "\n" + runtime("header/load", names) +
+                          kernelFunctions(plan) + "\n" + runtime("walk_on", names);
+  for (const std::string_view file : queries)
+    functions += "\n" + runtime(file, names);
+  return embedded(functions, names.holes.at("prefix"));
+}
+
+/// Of plans with bounds.
+constexpr std::string_view kQueries[] = {"header/bounds", "header/hit", "header/queries"};
+/// Of plans without.
+constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
+
 } // namespace
 
 bool isHeaderName(std::string_view name) {
@@ -73,13 +94,16 @@ std::string headerFile(std::string_view name) { return "voxc_" + std::string(nam
 
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
-  const auto file = [&](std::string_view path) {
-    return fillFile(shaderFiles(), "header/" + std::string(path), names);
-  };
-  const std::string functions = volumeSize(plan) + "\n" + file("load.glsl") + kernelFunctions(plan) + "\n" +
-                                fillFile(shaderFiles(), "walk_on.glsl", names) + "\n" + file("bounds.glsl") +
-                                "\n" + file("queries.glsl");
-  return file("begin.glsl") + embedded(functions, names.holes.at("prefix")) + file("end.glsl");
+  return runtime("header/begin", names) + prefixed("", kQueries, plan, names) + runtime("header/end", names);
+}
+
+std::string emitWebGl(const Plan &plan, std::string_view name) {
+  TemplateNames names = headerNames(plan, name);
+  const std::string builtins = runtime("webgl/builtins", names);
+  return runtime("webgl/begin", names) +
+         prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
+                  names) +
+         runtime("webgl/end", names);
 }
 
 std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {

@@ -135,8 +135,9 @@ Expected<void> exportVoxels(const Volume &volume, const std::string &path, const
       return written;
     return file->commit();
   }
-  return Error::input("'" + path +
-                      "' is no kind of export that is known; it ends in .raw, .ply, .vox or .hvx");
+  return Error::input(
+      "'" + path +
+      "' is no kind of export that is known; it ends in .raw, .ply, .vox or .hvx, or of a page in .html");
 }
 
 } // namespace voxc

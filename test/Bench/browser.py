@@ -12,10 +12,12 @@ TIMEOUT_SECONDS = 60
 
 
 class Browser:
-    """One page of one browser; use it in a `with`. `errors` holds what the page threw, logged or was refused."""
+    """One page of one browser; use it in a `with`. `errors` holds what the page threw, logged or was refused. `draws`: the page draws
+    by WebGL, on this processor."""
 
-    def __init__(self, width=1280, height=900):
+    def __init__(self, width=1280, height=900, draws=False):
         self.errors = []
+        self.graphics = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if draws else ["--disable-gpu"]
         self.size = (width, height)
 
     def __enter__(self):
@@ -31,7 +33,7 @@ class Browser:
 
         program = shutil.which("chromium") or "chromium"
         self.process = subprocess.Popen(
-            [program, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--remote-debugging-pipe",
+            [program, "--headless=new", "--no-sandbox", *self.graphics, "--hide-scrollbars", "--remote-debugging-pipe",
              f"--user-data-dir={self.profile}", "about:blank"],
             close_fds=False, preexec_fn=place_pipes, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(commands)

@@ -113,7 +113,7 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Tr
 
 bool isInModelUnits(const CameraOptions &options) { return options.camera.starts_with(kModelUnits); }
 
-void addCameraOptions(CLI::App &command, CameraOptions &options) {
+void addCameraPlace(CLI::App &command, CameraOptions &options) {
   const OptionGroup group(command, "Picture");
   command
       .add_option(
@@ -121,12 +121,16 @@ void addCameraOptions(CLI::App &command, CameraOptions &options) {
           "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
           "units of the model; or a camera of a camera file; the default sees the whole volume")
       ->type_name("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
+  command.add_option("--fov", options.fov, "Vertical field of view; the default is the camera's")
+      ->type_name("DEGREES");
+}
+
+void addCameraOptions(CLI::App &command, CameraOptions &options) {
+  addCameraPlace(command, options);
   command
       .add_option("--size", options.size,
                   "Pixels of the picture; the default is the camera file's, or 1280x720")
       ->type_name("WxH");
-  command.add_option("--fov", options.fov, "Vertical field of view; the default is the camera's")
-      ->type_name("DEGREES");
 }
 
 Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {

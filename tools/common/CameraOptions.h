@@ -28,7 +28,10 @@ inline constexpr const char *kModelUnits = "model:";
 /// Whether the camera is given in them.
 bool isInModelUnits(const CameraOptions &options);
 
-/// Adds --camera, --size and --fov to a command.
+/// Adds --camera and --fov to a command.
+void addCameraPlace(CLI::App &command, CameraOptions &options);
+
+/// The same, and --size.
 void addCameraOptions(CLI::App &command, CameraOptions &options);
 
 /// The camera for a volume of `extent` voxels whose units are the model's by `voxelToModel`. Errors: `Usage`

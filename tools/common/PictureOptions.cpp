@@ -40,12 +40,7 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
   result.samples = options.samples;
   result.isSmooth = options.normals == "auto" ? isSmoothSurface(volume.info()) : options.normals == "smooth";
   result.lod = options.lod;
-  if (options.sun.size() == 2) {
-    const double azimuth = glm::radians(options.sun[0]);
-    const double elevation = glm::radians(options.sun[1]);
-    result.sun = {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                  std::cos(azimuth) * std::cos(elevation)};
-  }
+  result.sun = sunOf(options);
   return result;
 }
 
@@ -56,6 +51,23 @@ std::string pointText(const glm::dvec3 &point) {
 }
 
 } // namespace
+
+void addViewOptions(CLI::App &command, PictureOptions &options) {
+  command
+      .add_option("--sun", options.sun,
+                  "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and "
+                  "elevation; default: -40,49")
+      ->type_name("AZ,EL")
+      ->delimiter(',')
+      ->expected(2);
+  command
+      .add_option(
+          "--view", options.view,
+          "A camera by a word: iso, from above a corner; front; top; inside, from where most of the inside "
+          "is seen; auto (default): inside of a building or a yard, else iso")
+      ->type_name("WORD")
+      ->check(CLI::IsMember(namesOf<View>()).description(""));
+}
 
 void addPictureOptions(CLI::App &command, PictureOptions &options) {
   const OptionGroup group(command, "Picture");
@@ -75,20 +87,7 @@ void addPictureOptions(CLI::App &command, PictureOptions &options) {
                   "(default): flat for .vox files and built-in scenes")
       ->type_name("KIND")
       ->check(CLI::IsMember({"auto", "smooth", "flat"}).description(""));
-  command
-      .add_option("--sun", options.sun,
-                  "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and "
-                  "elevation; default: -40,49")
-      ->type_name("AZ,EL")
-      ->delimiter(',')
-      ->expected(2);
-  command
-      .add_option(
-          "--view", options.view,
-          "A camera by a word: iso, from above a corner; front; top; inside, from where most of the inside "
-          "is seen; auto (default): inside of a building or a yard, else iso")
-      ->type_name("WORD")
-      ->check(CLI::IsMember(namesOf<View>()).description(""));
+  addViewOptions(command, options);
   addCameraOptions(command, options.camera);
 }
 
@@ -108,6 +107,15 @@ Expected<void> checkPictureOptions(const PictureOptions &options) {
                         std::string(toString(kind.style)) + " has no use for them");
   Expected<Camera> camera = makeCamera(options.camera, {1, 1, 1});
   return camera ? Expected<void>() : camera.error();
+}
+
+glm::dvec3 sunOf(const PictureOptions &options) {
+  if (options.sun.size() != 2)
+    return RenderOptions{}.sun;
+  const double azimuth = glm::radians(options.sun[0]);
+  const double elevation = glm::radians(options.sun[1]);
+  return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+          std::cos(azimuth) * std::cos(elevation)};
 }
 
 Style styleOf(const PictureOptions &options) {

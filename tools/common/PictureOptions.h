@@ -26,9 +26,15 @@ struct PictureOptions {
 /// Adds --style, --heatmap, --samples, --normals, --sun, --view and the camera's options to a command.
 void addPictureOptions(CLI::App &command, PictureOptions &options);
 
+/// Adds --sun and --view alone.
+void addViewOptions(CLI::App &command, PictureOptions &options);
+
 /// Looks at the options before any work: whatever the volume will be, they are right or wrong for any.
 /// Errors: `Usage`; `Input`, a camera file that is missing or broken.
 Expected<void> checkPictureOptions(const PictureOptions &options);
+
+/// Towards the sun.
+glm::dvec3 sunOf(const PictureOptions &options);
 
 Style styleOf(const PictureOptions &options);
 

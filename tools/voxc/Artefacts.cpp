@@ -102,6 +102,11 @@ Expected<std::string> makeHeader(Generator &generator) {
   return plan ? emitHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
 }
 
+Expected<std::string> makeWebGl(Generator &generator) {
+  Expected<const Plan *> plan = generator.headerPlan();
+  return plan ? emitWebGl(**plan, generator.name()) : Expected<std::string>(plan.error());
+}
+
 Expected<std::string> makeIntersection(Generator &generator) {
   Expected<const Plan *> plan = generator.headerPlan();
   if (!plan)
@@ -154,6 +159,7 @@ constexpr ArtefactKind kArtefacts[] = {
     {"cpp", "intersect.cpp", makeCpp, cppCompanions},
     {"cpu", "intersect.o", makeCpuObject, cpuCompanions},
     {"header", "voxc_*.h", makeHeader, noCompanions},
+    {"webgl", "voxc_*.glsl", makeWebGl, noCompanions},
     {"rint", "voxc_*.rint", makeIntersection, intersectionCompanions},
 };
 

@@ -39,7 +39,7 @@ constexpr CommandKind kCommands[] = {
     {kUse, "render", "Render a picture of a volume", makeRenderCommand},
     {kUse, "run", "Compile, build and render in one go", makeRunCommand},
     {kUse, "trace", "Trace the rays of a file through a volume", makeTraceCommand},
-    {kUse, "export", "Write a volume as a dense grid, points or MagicaVoxel, or as another .hvx",
+    {kUse, "export", "Write a volume as a dense grid, points, MagicaVoxel, another .hvx, or a page for browsers",
      makeExportCommand},
     {kUse, "info", "Describe a volume", makeInfoCommand},
     {kUse, "devices", "List the devices that can trace", makeDevicesCommand},

@@ -118,6 +118,10 @@ inline constexpr PlanOptions kCpuPlan = {
 inline constexpr PlanOptions kHeaderPlan = {
     .loops = Loops::Whole, .bounded = true, .question = Question{Query::Closest, {.face = true}}};
 
+/// The same where rays have no bounds.
+inline constexpr PlanOptions kFirstHitPlan = {.loops = Loops::Whole,
+                                              .question = Question{Query::Closest, {.face = true}}};
+
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
 /// that.
 Plan lowerToPlan(const Format &format, const PlanOptions &options = {});

@@ -1,0 +1,170 @@
+// What the page does.
+
+const MOST_SAMPLES = 256, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150, PATIENCE_MILLISECONDS = 15000;
+const element = id => document.getElementById(id);
+const english = number => number.toLocaleString("en");
+
+const wordsOnDevice = wordTexture(words);
+const kept = {};
+
+// The functions of the exact kernel or of the fast one: what one of them has alone is marked.
+function functionsOf(precision) {
+  const other = precision === "exact" ? "+" : "-";
+  return shaders.functions.split("\n").filter(line => line[0] !== other).map(line => line.slice(1)).join("\n");
+}
+
+// What draws and answers by one of the two kernels; compiled when it is first asked for.
+function programsOf(precision) {
+  return kept[precision] ??= (async () => {
+    const before = shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
+    const develop = programOf(shaders["develop.frag"]);
+    const picture = programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
+    const programs = { words: wordsOnDevice, picture: await picture, develop: await develop };
+    await warmUp(programs);
+    let answer;
+    return { ...programs, answering: () => answer ??= programOf(before + shaders["answer.frag"]) };
+  })();
+}
+
+async function answers(precision) {
+  const programs = await programsOf(precision);
+  return { ...programs, answer: await programs.answering() };
+}
+
+let precision = "exact", moved = true, wake = () => {}, why = "";
+const changed = () => { moved = true; wake(); };
+
+// What is known of the hits, and of those that this browser finds.
+function tellArithmetic(errors) {
+  const isExact = precision === "exact", { rays, others } = scene.fast, checked = english(checks.length);
+  const kind = isExact ? "exact" : `fast: plain float32; of ${english(rays)} rays on the maker's cpu ${english(others)} hit another voxel`;
+  let here = "";
+  if (errors && isExact && !errors.others && !errors.worst)
+    here = `: here, all ${checked} rays of a check have the exact hit`;
+  else if (errors)
+    here = `${isExact ? ", but not here" : "; here"}: of ${checked} rays ${english(errors.others)} hit another voxel, ` +
+      `and t is off by ${errors.worst.toPrecision(2)} voxels at most`;
+  element("arithmetic").textContent = kind + here + why;
+  element("switch").textContent = `switch to ${isExact ? "fast" : "exact"}`;
+}
+
+// A film of a part of the canvas's pixels along each side, kept under a name.
+function filmOf(films, name, part) {
+  const [width, height] = [Math.ceil(canvas.width * part), Math.ceil(canvas.height * part)];
+  if (films[name]?.width !== width || films[name]?.height !== height) {
+    films[name]?.free();
+    films[name] = makeFilm(width, height);
+  }
+  films[name].begin(camera.view(canvas.width, canvas.height));
+  return films[name];
+}
+
+function fitCanvas() {
+  const scale = Math.min(devicePixelRatio, 2);
+  const [width, height] = [Math.max(Math.round(canvas.clientWidth * scale), 1), Math.max(Math.round(canvas.clientHeight * scale), 1)];
+  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+}
+
+// A picture of as many pixels as the device does quickly. Tells which part that is.
+async function takeQuickPicture(programs, films) {
+  const wanted = Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (canvas.width * canvas.height));
+  const part = Math.min(Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 1 / 8), 1);
+  const film = filmOf(films, "quick", part);
+  while (!film.samples) {
+    film.expose(programs, 0, film.height);
+    learnSpeed(film.width * film.height, await finished());
+    film.wind();
+  }
+  film.develop(programs, null, canvas.width, canvas.height);
+  return part;
+}
+
+async function checkHere() {
+  const checked = precision, errors = await errorsHere(await answers(checked), checks);
+  if (precision !== checked) return;
+  document.documentElement.dataset.checked = JSON.stringify({ precision, ...errors });
+  tellArithmetic(errors);
+}
+
+// Draws for as long as the page is there: few pixels while the camera moves, then more, then all of them again and again.
+async function show() {
+  const films = {};
+  let restsSince = 0, part = 1, film = null, isChecked = null;
+  for (;;) {
+    const programs = await programsOf(precision);
+    await nextFrame();
+    if (moved) {
+      moved = false;
+      fitCanvas();
+      part = await takeQuickPicture(programs, films);
+      film = null;
+      restsSince = performance.now();
+    } else if (performance.now() - restsSince < REST_MILLISECONDS) {
+      await sleep(10);
+    } else if (!film || film.samples < MOST_SAMPLES) {
+      if (!film || part < 1) film = filmOf(films, "still", part = film ? Math.min(2 * part, 1) : part < 0.5 ? 2 * part : 1);
+      if (!await exposeSample(programs, film, () => moved)) continue;
+      film.develop(programs, null, canvas.width, canvas.height);
+      if (part === 1) tellSamples(film.samples);
+      if (part === 1 && isChecked !== precision) {
+        isChecked = precision;
+        await checkHere();
+      }
+    } else {
+      await new Promise(done => wake = done);
+    }
+  }
+}
+
+function tellSamples(samples) {
+  element("status").textContent = `${english(samples)} of ${MOST_SAMPLES} samples a pixel`;
+  document.documentElement.dataset.samples = samples;
+}
+
+// The place that is seen at a pixel.
+async function pick(x, y) {
+  const { eye, front, right, up } = camera.view(canvas.clientWidth, canvas.clientHeight);
+  const [across, down] = [2 * x / canvas.clientWidth - 1, 2 * y / canvas.clientHeight - 1];
+  const ray = new Float32Array([...eye, ...add(add(front, right, across), up, -down)]);
+  const hits = await trace(await answers(precision), ray);
+  const t = new Float32Array(hits.buffer)[4];
+  return hits[0] >> 31 ? null : [0, 1, 2].map(axis => ray[axis] + t * ray[3 + axis]);
+}
+
+// For tests and the curious.
+window.voxc = {
+  scene, camera, checkRays, changed,
+  trace: async (rays, kernel = precision) => trace(await answers(kernel), rays),
+  picture: async (width, height, samples) => takePicture(await programsOf(precision), width, height, samples),
+};
+
+function choose(chosen, because = "") {
+  [precision, why] = [chosen, because];
+  element("status").textContent = scene.wait;
+  tellArithmetic();
+  changed();
+}
+
+// Exact where the browser can: its arithmetic is sound, and its compiler takes the kernel, within some patience.
+async function choosePrecision() {
+  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
+  const exact = programsOf("exact").then(() => "", problem => `; the exact kernel is not taken here: ${problem.message}`);
+  const because = await Promise.race([exact, sleep(PATIENCE_MILLISECONDS).then(() => "; the exact kernel is still being compiled here")]);
+  if (!because) return;
+  choose("fast", because);
+  exact.then(problem => problem || precision === "exact" || choose("exact"));
+}
+
+async function start() {
+  tellArithmetic();
+  element("switch").hidden = false;
+  element("switch").addEventListener("click", () => choose(precision === "exact" ? "fast" : "exact"));
+  if (matchMedia("(max-width: 600px)").matches) element("about").open = false;
+  canvas.addEventListener("webglcontextlost", () => element("status").textContent = "The graphics device was lost; load the page again.");
+  listen(changed, pick);
+  await choosePrecision();
+  await programsOf(precision);
+  document.documentElement.dataset.ready = precision;
+  await show();
+}
+return start();

@@ -1,0 +1,88 @@
+// Pictures, sample by sample: light gathers in textures, as the bits of numbers, and is developed from there.
+
+// The i-th of an evenly spread sequence of pairs of numbers from 0 to 1 (additive recurrence by the plastic number).
+const evenNumbers = i => [0.5 + i / 1.324717957244746, 0.5 + i / 1.7548776662466927].map(value => value - Math.floor(value));
+const DIRECTIONS = 16; // Of a square of pixels, to the sky.
+
+function makeFilm(width, height) {
+  const lights = [0, 1].map(() => ({ sun: integers(width, height, 4), sky: integers(width, height, 4) }));
+  const targets = lights.map(({ sun, sky }) => framebuffer(sun, sky));
+  const latest = film => lights[film.passes % 2];
+  return {
+    // Of smooth surfaces the first pass is a sketch: where they are, without light.
+    width, height, passes: 0, samples: 0, view: null,
+    begin(view) { this.passes = 0; this.samples = 0; this.view = view; },
+    isSketch() { return scene.smooth && this.passes === 0; },
+    // Rows of the next pass.
+    expose(programs, first, rows) {
+      const { eye, front, right, up } = this.view, { sun, sky } = latest(this);
+      programs.picture.use().texture("words", programs.words, 0).texture("before_sun", sun, 1).texture("before_sky", sky, 2)
+        .set("1i", "is_sketch", this.isSketch()).set("1i", "is_further", this.passes > 0).set("1i", "is_smooth", scene.smooth)
+        .set("2i", "size", width, height)
+        .set("3f", "eye", ...eye).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up)
+        .set("2f", "place", ...evenNumbers(this.samples)).set("2f", "numbers", ...evenNumbers(this.samples * DIRECTIONS))
+        .set("3f", "sun", ...scene.sun).set("1f", "open_scale", 0.06 * size);
+      draw(targets[1 - this.passes % 2], width, height, first, rows);
+    },
+    // The pass is whole.
+    wind() {
+      if (!this.isSketch()) this.samples++;
+      this.passes++;
+    },
+    develop(programs, target, pixelsWide, pixelsHigh) {
+      const { front, right, up } = this.view, { sun, sky } = latest(this);
+      programs.develop.use().texture("sun_light", sun, 0).texture("sky_light", sky, 1)
+        .set("1f", "samples", this.samples).set("1i", "is_smooth", scene.smooth).set("1f", "exposure", scene.exposure)
+        .set("2f", "canvas", pixelsWide, pixelsHigh).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up);
+      draw(target, pixelsWide, pixelsHigh);
+    },
+    free() {
+      for (const { sun, sky } of lights) [sun, sky].forEach(texture => gl.deleteTexture(texture));
+      targets.forEach(target => gl.deleteFramebuffer(target));
+    },
+  };
+}
+
+// Exposes one sample in strips that take the device a twentieth of a second or so; ends early where `isStale` says so.
+let pixelsAMillisecond = 200;
+async function exposeSample(programs, film, isStale) {
+  for (const samples = film.samples; film.samples === samples; film.wind())
+    for (let first = 0; first < film.height;) {
+      const rows = Math.min(Math.max(Math.round(pixelsAMillisecond * 50 / film.width), 4), film.height - first);
+      film.expose(programs, first, rows);
+      learnSpeed(rows * film.width, await finished());
+      if (isStale()) return false;
+      first += rows;
+    }
+  return true;
+}
+
+// The first pixel has the device make its code ready, which may take seconds and says nothing of its speed.
+async function warmUp(programs) {
+  const film = makeFilm(1, 1);
+  film.begin(camera.view(1, 1));
+  film.expose(programs, 0, 1);
+  await finished();
+  film.free();
+}
+
+function learnSpeed(pixels, milliseconds) {
+  pixelsAMillisecond = Math.sqrt(pixelsAMillisecond * Math.min(Math.max(pixels / Math.max(milliseconds, 1), 2), 1e6));
+}
+
+// The picture of the camera at a size, of so many samples: its red, green, blue and alpha, rows from the top.
+async function takePicture(programs, width, height, samples) {
+  const film = makeFilm(width, height), shown = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, shown);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
+  const target = framebuffer(shown), picture = new Uint8Array(4 * width * height);
+  film.begin(camera.view(width, height));
+  for (let i = 0; i < samples; i++) await exposeSample(programs, film, () => false);
+  film.develop(programs, target, width, height);
+  const rows = await contentsOf(target, width, height, 0, gl.UNSIGNED_BYTE);
+  for (let row = 0; row < height; row++) picture.set(rows.subarray(4 * width * row, 4 * width * (row + 1)), 4 * width * (height - 1 - row));
+  film.free();
+  gl.deleteTexture(shown);
+  gl.deleteFramebuffer(target);
+  return picture;
+}

@@ -1,0 +1,70 @@
+// Hits of rays through the functions that make the picture.
+
+const RAYS_A_ROW = 128, RAYS_AT_ONCE = 16384;
+
+// Six words a hit, as voxc trace --outputs voxel,t,face,colour writes them; `rays` is a Float32Array, six numbers a ray.
+async function trace(programs, rays) {
+  const count = rays.length / 6, hits = new Uint32Array(6 * count), bits = new Uint32Array(rays.buffer, rays.byteOffset, rays.length);
+  for (let first = 0; first < count; first += RAYS_AT_ONCE)
+    await traceSome(programs, bits, hits, first, Math.min(RAYS_AT_ONCE, count - first));
+  return hits;
+}
+
+async function traceSome(programs, bits, hits, first, count) {
+  const rows = Math.ceil(count / RAYS_A_ROW), given = new Uint32Array(8 * RAYS_A_ROW * rows);
+  for (let i = 0; i < count; i++) {
+    given.set(bits.subarray(6 * (first + i), 6 * (first + i) + 3), 8 * i);
+    given.set(bits.subarray(6 * (first + i) + 3, 6 * (first + i) + 6), 8 * i + 4);
+  }
+  const textures = [integers(2 * RAYS_A_ROW, rows, 4, given), integers(RAYS_A_ROW, rows, 4), integers(RAYS_A_ROW, rows, 4)];
+  const target = framebuffer(textures[1], textures[2]);
+  programs.answer.use().texture("words", programs.words, 0).texture("rays", textures[0], 1);
+  draw(target, RAYS_A_ROW, rows);
+  const place = await contentsOf(target, RAYS_A_ROW, rows, 0), rest = await contentsOf(target, RAYS_A_ROW, rows, 1);
+  for (let i = 0; i < count; i++)
+    hits.set([place[4 * i], place[4 * i + 1], place[4 * i + 2], rest[4 * i], place[4 * i + 3], rest[4 * i + 1]], 6 * (first + i));
+  gl.deleteFramebuffer(target);
+  textures.forEach(texture => gl.deleteTexture(texture));
+}
+
+// Rays from in and around the volume to places in it: the same here and where the page was made.
+function checkRays(count) {
+  const rays = new Float32Array(6 * count);
+  for (let i = 0; i < count; i++)
+    for (let axis = 0; axis < 3; axis++) {
+      const from = (noise(8 * i + axis) >>> 8) / 16777216 * 2 * extent[axis] - extent[axis] / 2;
+      const to = (noise(8 * i + 4 + axis) >>> 8) / 16777216 * extent[axis];
+      rays[6 * i + axis] = from;
+      rays[6 * i + 3 + axis] = to - from;
+    }
+  return rays;
+}
+
+// A byte of a hit's voxel and colour.
+function digestOf(hits, i) {
+  let digest = 0;
+  for (let k = 0; k < 4; k++) digest = noise(digest ^ hits[6 * i + k]);
+  return digest & 255;
+}
+
+// When a ray enters a voxel, by doubles.
+function entryOf(rays, hits, i) {
+  let latest = 0;
+  for (let axis = 0; axis < 3; axis++) {
+    const [from, way] = [rays[6 * i + axis], rays[6 * i + 3 + axis]];
+    if (way) latest = Math.max(latest, (hits[6 * i + axis] + (way < 0) - from) / way);
+  }
+  return latest;
+}
+
+// Of the rays whose hits the page's maker knew: how many have another voxel here, and how wrong a t is at most, in voxels.
+async function errorsHere(programs, checks) {
+  const rays = checkRays(checks.length), hits = await trace(programs, rays), times = new Float32Array(hits.buffer);
+  let others = 0, worst = 0;
+  checks.forEach((digest, i) => {
+    if (digest !== digestOf(hits, i)) others++;
+    else if (!(hits[6 * i] >> 31) && times[6 * i + 4] !== Math.fround(entryOf(rays, hits, i)))
+      worst = Math.max(worst, Math.abs(times[6 * i + 4] - entryOf(rays, hits, i)) * Math.hypot(...rays.subarray(6 * i + 3, 6 * i + 6)));
+  });
+  return { others, worst };
+}

@@ -1,0 +1,82 @@
+// One more sample of each pixel: a ray from the eye, and from what it meets one to the sun and one to the sky; or a sketch, the first
+// of these alone.
+uniform highp usampler2D before_sky;
+uniform bool is_sketch;  // No light yet: only where surfaces are.
+uniform bool is_further; // There are samples, or a sketch, before this one.
+uniform bool is_smooth;  // Surfaces have the direction of their neighbourhood.
+uniform vec2 place;      // Where in a pixel.
+uniform vec2 numbers;    // For directions to the sky.
+uniform vec3 sun;
+uniform float open_scale;
+// The bits of the sun's light, and in 9 bits how many rays have hit, in 3 the first one's face, in 20 its t.
+layout(location = 0) out uvec4 after_sun;
+// The bits of the light of a sky that nothing hides, and of how much of it is seen.
+layout(location = 1) out uvec4 after_sky;
+
+const int SUN = 1, SKY = 2, DONE = 3;
+
+// In a square of four by four pixels all rays to the sky go elsewhere.
+vec2 numbers_of(ivec2 pixel) {
+  int x = pixel.x, y = pixel.y;
+  int order = ((x ^ y) & 1) << 3 | (y & 1) << 2 | ((x ^ y) & 2) | (y & 2) >> 1;
+  return fract(numbers + float(order) * vec2(0.7548776662, 0.5698402910));
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  pixel.y = size.y - 1 - pixel.y;
+  vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
+  vec3 origin = eye;
+  vec3 direction = normalize(front + right * at.x - up * at.y);
+  vec3 by_sun = vec3(0.0);
+  vec4 by_sky = vec4(0.0);
+  uint first = 0u; // Face and t.
+  vec3 colour, normal, point, start, face, before_face;
+  float room = 0.0; // Above a smooth surface, so many voxels, its steps hide nothing of it any more.
+  for (int task = 0; task < DONE;) {
+    voxc_scene_Hit hit;
+    bool found = voxc_scene_first(0, origin, direction, hit);
+    if (task == 0) {
+      task = DONE;
+      if (found) {
+        first = floatBitsToUint(hit.t) >> 12 << 12 | (hit.axis < 0 ? 6u : uint(2 * hit.axis + max(hit.side, 0))) << 9 | uint(!is_sketch);
+        colour = colour_of_word(hit.colour);
+        normal = face = hit.axis < 0 ? -direction : voxc_scene_normal(hit);
+        point = origin + hit.t * direction;
+        start = before_face = voxc_scene_outside(origin, direction, hit);
+        if (is_smooth && !is_sketch && hit.axis >= 0)
+          normal = surface_normal(ivec2(gl_FragCoord.xy), hit.voxel, hit.t, direction);
+        if (normal == vec3(0.0)) {
+          normal = face;
+        } else if (normal != face) {
+          room = 2.0;
+          start = point + room * normal;
+        }
+        task = is_sketch ? DONE : dot(normal, sun) > 0.0 ? SUN : SKY;
+      }
+    } else if (found && hit.axis < 0 && room > 0.0) {
+      // There is no room for that: nearer, or as the face is.
+      room -= 1.0;
+      normal = room > 0.0 ? normal : face;
+      start = room > 0.0 ? point + room * normal : before_face;
+      by_sun = vec3(0.0);
+      task = dot(normal, sun) > 0.0 ? SUN : SKY;
+    } else if (task == SUN) {
+      by_sun = found ? vec3(0.0) : colour * SUN_LIGHT * dot(normal, sun);
+      task = SKY;
+    } else {
+      by_sky = vec4(colour * sky_light(normal), found ? PASSED_ON * hit.t / (hit.t + open_scale) : 1.0);
+      task = DONE;
+    }
+    origin = start;
+    direction = task == SUN ? sun : sky_direction(normal, numbers_of(pixel));
+  }
+  if (is_further) {
+    uvec4 sun_before = texelFetch(before_sun, ivec2(gl_FragCoord.xy), 0);
+    by_sun += uintBitsToFloat(sun_before.xyz);
+    by_sky += uintBitsToFloat(texelFetch(before_sky, ivec2(gl_FragCoord.xy), 0));
+    first = sun_before.w == 0u ? first : sun_before.w + (first & 1u);
+  }
+  after_sun = uvec4(floatBitsToUint(by_sun), first);
+  after_sky = floatBitsToUint(by_sky);
+}

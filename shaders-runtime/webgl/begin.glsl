@@ -1,0 +1,32 @@
+// ${prefix}*: rays through volumes of the format ${FORMAT}, as functions for GLSL ES 3.00, the language of WebGL 2.
+//
+%if bounded
+//     bool ${prefix}closest(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax, out ${prefix}Hit hit)
+//     bool ${prefix}next(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmax, inout ${prefix}Hit hit)
+//     bool ${prefix}any(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax)
+%else
+//     bool ${prefix}first(VOXC_VOLUME volume, vec3 origin, vec3 direction, out ${prefix}Hit hit)
+%end
+//     vec3 ${prefix}normal(const ${prefix}Hit hit)
+//     vec3 ${prefix}outside(vec3 origin, vec3 direction, const ${prefix}Hit hit)
+//
+// A volume is what you take for one: before this text, say its type, and how a word of it is loaded. Words in an integer texture:
+//
+//     uniform highp usampler2D words; // R32UI, 4096 words a row.
+//     #define VOXC_VOLUME int
+//     #define VOXC_LOAD(volume, index) texelFetch(words, ivec2(int((index) & 4095u), int((index) >> 12)), 0).x
+//
+// Rays are in voxels; a direction may have any length, and t counts in it. All that this text leaves behind has a name that begins
+// with ${prefix}.
+#if !defined(VOXC_VOLUME) || !defined(VOXC_LOAD)
+#error define VOXC_VOLUME as the type of a volume and VOXC_LOAD(volume, index) as a word of one
+#endif
+#define VOXC_IN(type) const type
+#define VOXC_INOUT(type) inout type
+#define VOXC_OUT(type) out type
+#define VOXC_FUNCTION
+#define VOXC_SELDOM
+#define VOXC_INDEX uint
+
+precision highp float;
+precision highp int;

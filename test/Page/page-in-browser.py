@@ -1,0 +1,321 @@
+#!/usr/bin/env python3
+"""Pages of volumes in a real browser: page-in-browser.py VOXC [V.hvx ...]
+
+Every hit that a page finds is compared with `voxc trace`'s, which the exact oracle has looked at, and pictures with those of
+`voxc render`. Of volumes that are named, pictures of 1280 and 390 pixels are left beside them, and their figures are printed.
+"""
+import base64
+import contextlib
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent / "Bench"))
+import browser
+from browser import Browser
+
+browser.TIMEOUT_SECONDS = 600  # A processor that stands for a graphics device takes its time, above all to compile.
+STATE = "document.documentElement.dataset"
+RAYS = 20000
+# One of each kind of level, walk and payload.
+FORMATS = """
+R(2^3) G(3) --whole-level-dedup
+G(5) --restart-sv --inline-leaves
+G(6, 2) --unroll-sv
+S(5)
+S(2) S(3) --flat-walk
+D(3^3,6) R(2^3) --direct-walk
+D(2^3,15) G(3) --df-packing
+D(3^3,15) M(2^3) --octant-distances --df-packing --share-grids --values-apart
+H(3^3) M(2^3) --share-grids --short-pointers
+M(1^3) M(2^3) M(2^3) --payload auto --share-grids --values-apart
+R(1^3) G(4) --values-apart --payload auto
+R(2^3) G(0) G(3) --granules=4
+G(5) --rgb565
+""".strip().splitlines()
+
+
+def voxc(*arguments):
+    subprocess.run([VOXC, *map(str, arguments), "--quiet"], check=True)
+
+
+def figures(path, *arguments):
+    voxc(*arguments, "--stats", path)
+    return json.loads(Path(path).read_text())
+
+
+def page_of(volume, folder, *options):
+    """The page of a volume, and the figures of its making."""
+    page = folder / (Path(volume).stem + "".join(options) + ".html")
+    return page, figures(folder / "figures.json", "export", volume, "-o", page, *options)
+
+
+def hard_rays(extent):
+    """Rays of all kinds, as those of the tests of headers are, for a volume of 32 voxels a side."""
+    assert max(extent) <= 32
+    script = HERE.parent / "Emit" / "Inputs" / "header" / "queries.py"
+    return subprocess.run([sys.executable, script, "rays"], check=True, capture_output=True).stdout
+
+
+class Page(Browser):
+    """The page of a volume."""
+
+    def __init__(self, path, width=320, height=240):
+        super().__init__(width, height, draws=True)
+        self.path = path
+
+    def __enter__(self):
+        super().__enter__()
+        self.open(self.path)
+        self.wait(f"{STATE}.ready")
+        return self
+
+    def wait(self, expression):
+        end = time.monotonic() + browser.TIMEOUT_SECONDS
+        while not (value := self.evaluate(f"{STATE}.problem ? 'problem' : {expression}")):
+            if time.monotonic() > end:
+                raise TimeoutError(f"{expression} does not come true")
+            time.sleep(0.1)
+        if value == "problem":
+            raise RuntimeError(self.evaluate(f"{STATE}.problem"))
+        return value
+
+    def bytes_of(self, expression):
+        """The bytes of a typed array that a promise brings."""
+        return base64.b64decode(self.evaluate(f"""{expression}.then(array => {{
+            const bytes = new Uint8Array(array.buffer);
+            let text = "";
+            for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+            return btoa(text);
+        }})"""))
+
+    def check_rays(self, count):
+        return self.bytes_of(f"Promise.resolve(voxc.checkRays({count}))")
+
+    def trace(self, rays, precision):
+        return self.bytes_of(f"""voxc.trace(new Float32Array(
+            Uint8Array.from(atob("{base64.b64encode(rays).decode()}"), c => c.charCodeAt(0)).buffer), "{precision}")""")
+
+    def difference(self, picture, size, samples, exposure):
+        """How far the page's picture is from a file's of that exposure: the mean over all channels, and the share of pixels that are off
+        by more than 8."""
+        width, height = size
+        return self.evaluate(f"""(async () => {{
+            voxc.scene.exposure = {exposure};
+            const mine = await voxc.picture({width}, {height}, {samples}), image = new Image();
+            image.src = "data:image/png;base64,{base64.b64encode(Path(picture).read_bytes()).decode()}";
+            await image.decode();
+            const context = Object.assign(document.createElement("canvas"), {{ width: {width}, height: {height} }}).getContext("2d");
+            context.drawImage(image, 0, 0);
+            const other = context.getImageData(0, 0, {width}, {height}).data;
+            let sum = 0, far = 0;
+            for (let i = 0; i < other.length; i += 4) {{
+              const off = [0, 1, 2].map(k => Math.abs(other[i + k] - mine[i + k]));
+              sum += off[0] + off[1] + off[2];
+              far += Math.max(...off) > 8;
+            }}
+            return [sum / (3 * {width * height}), far / {width * height}];
+        }})()""")
+
+
+def ball_mesh():
+    """A sphere of triangles, as .obj."""
+    turns, rings = 48, 24
+    lines = []
+    for ring in range(rings + 1):
+        for turn in range(turns):
+            tilt, angle = math.pi * ring / rings, 2 * math.pi * turn / turns
+            lines.append(f"v {math.sin(tilt) * math.cos(angle)} {math.cos(tilt)} {math.sin(tilt) * math.sin(angle)}")
+    for ring in range(rings):
+        for turn in range(turns):
+            a, b = ring * turns + turn + 1, ring * turns + (turn + 1) % turns + 1
+            lines.append(f"f {a} {b} {b + turns} {a + turns}")
+    return "\n".join(lines) + "\n"
+
+
+def exact_hits(volume, rays, folder):
+    """What `voxc trace` answers, once the oracle has agreed."""
+    (folder / "rays.bin").write_bytes(rays)
+    told = figures(folder / "trace.json", "trace", volume, "--rays", folder / "rays.bin", "--device", "cpu", "--check", len(rays) // 24,
+                   "-o", folder / "hits.bin", "--outputs", "voxel,t,face,colour")
+    error = told["error"]
+    assert error["rays"] == len(rays) // 24 and error["missed"] + error["ghost"] + error["wrong"] + error["colour"] == 0, error
+    return (folder / "hits.bin").read_bytes()
+
+
+def render(volume, picture, size, samples, camera):
+    """Takes a picture as pages do, and tells its exposure."""
+    told = figures(Path(picture).with_suffix(".json"), "render", volume, "--device", "cpu", "--size", "{}x{}".format(*size),
+                   "--samples", samples, "-o", picture, *camera.split())
+    return told["exposure"]
+
+
+def differences(hits, exact):
+    return sum(hits[i:i + 24] != exact[i:i + 24] for i in range(0, len(exact), 24))
+
+
+def other_voxels(hits, exact):
+    return sum(hits[i:i + 12] != exact[i:i + 12] for i in range(0, len(exact), 24))
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.kept.name)
+        voxc("build", "R(2^3) G(4)", "builtin:terrain:64", "--whole-level-dedup", "-o", cls.folder / "terrain.hvx")
+        cls.page, cls.made = page_of(cls.folder / "terrain.hvx", cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.kept.cleanup()
+
+    @contextlib.contextmanager
+    def opened(self, path, *size):
+        """An open page; whatever it logs or asks the network for is an error."""
+        with Page(path, *size) as page:
+            yield page
+            self.assertEqual(page.errors, [])
+
+    def test_every_hit_is_exact(self):
+        for number, line in enumerate(FORMATS):
+            text, *passes = line.replace(" --", "\n--").split("\n")
+            with self.subTest(line):
+                volume = self.folder / f"{number}.hvx"
+                voxc("build", text, "builtin:terrain:32", *" ".join(passes).split(), "-o", volume)
+                with self.opened(page_of(volume, self.folder)[0]) as page:
+                    rays = page.check_rays(RAYS) + hard_rays([32, 32, 32])
+                    self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(volume, rays, self.folder)), 0)
+
+    def test_fast_hits_are_seldom_others(self):
+        with self.opened(self.page) as page:
+            rays = page.check_rays(RAYS)
+            exact = exact_hits(self.folder / "terrain.hvx", rays, self.folder)
+            self.assertLess(other_voxels(page.trace(rays, "fast"), exact), RAYS / 1000)
+
+    def test_the_picture_is_that_of_render(self):
+        size, samples = (320, 180), 4
+        for view in ("iso", "top"):
+            page, made = page_of(self.folder / "terrain.hvx", self.folder, "--view", view)
+            exposure = render(self.folder / "terrain.hvx", self.folder / "terrain.png", size, samples, made["camera"])
+            with self.subTest(view), self.opened(page) as page:
+                mean, far = page.difference(self.folder / "terrain.png", size, samples, exposure)
+                self.assertLess(mean, 0.1)
+                self.assertLess(far, 0.001)
+
+    def test_smooth_surfaces_are_nearly_those_of_render(self):
+        size, samples, ball = (320, 180), 4, self.folder / "ball.obj"
+        ball.write_text(ball_mesh())
+        voxc("build", "G(7)", ball, "-o", self.folder / "ball.hvx")
+        page, made = page_of(self.folder / "ball.hvx", self.folder)
+        exposure = render(self.folder / "ball.hvx", self.folder / "ball.png", size, samples, made["camera"])
+        with self.opened(page) as page:
+            mean, far = page.difference(self.folder / "ball.png", size, samples, exposure)
+            self.assertLess(mean, 2)
+            self.assertLess(far, 0.05)
+            page.evaluate("voxc.scene.smooth = false")
+            self.assertGreater(page.difference(self.folder / "ball.png", size, samples, exposure)[1], 2 * far)
+
+    def test_says_what_it_is(self):
+        with self.opened(self.page) as page:
+            text = page.evaluate("document.getElementById('about').textContent")
+            for word in ("terrain", "R(2, 2, 2) G(4)", "64 × 64 × 64", "bytes a voxel", "exact"):
+                self.assertIn(word, text)
+            page.wait(f"{STATE}.checked && JSON.parse({STATE}.checked).precision === 'exact'") # A slow compiler has it begin with fast.
+            self.assertEqual(json.loads(page.evaluate(f"{STATE}.checked")), {"precision": "exact", "others": 0, "worst": 0})
+            self.assertIn("here, all 1,024 rays of a check have the exact hit", page.evaluate("document.getElementById('arithmetic').textContent"))
+            page.evaluate("document.getElementById('switch').click()")
+            page.wait(f"JSON.parse({STATE}.checked).precision === 'fast'")
+            self.assertRegex(page.evaluate("document.getElementById('arithmetic').textContent"),
+                             r"^fast: plain float32; of 20,000 rays on the maker's cpu \d+ hit another voxel; here: of 1,024 rays \d+ hit another voxel, and t is off by [0-9.e-]+ voxels at most$")
+
+    def test_fits_its_window(self):
+        for width, height in ((1280, 800), (390, 844)):
+            with self.opened(self.page, width, height) as page:
+                self.assertEqual(page.evaluate("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]"), [width, height])
+                box = page.evaluate("(b => [b.left, b.top, b.right, b.bottom])(document.getElementById('about').getBoundingClientRect())")
+                self.assertTrue(0 <= box[0] < box[2] <= width and 0 <= box[1] < box[3] <= height, box)
+                self.assertEqual(page.evaluate("document.getElementById('about').open"), width == 1280)
+
+    def test_is_light_and_dark(self):
+        with self.opened(self.page) as page:
+            colours = set()
+            for scheme in ("light", "dark"):
+                page.prefer(scheme)
+                colours.add(page.evaluate("getComputedStyle(document.getElementById('about')).backgroundColor"))
+            self.assertEqual(len(colours), 2)
+
+    def test_turns_and_comes_closer(self):
+        with self.opened(self.page) as page:
+            mouse = lambda kind, x, y, **more: page.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+            camera = lambda: page.evaluate("[voxc.camera.yaw, voxc.camera.distance, ...voxc.camera.look]")
+            first = camera()
+            mouse("mousePressed", 200, 60, button="left", clickCount=1)
+            mouse("mouseMoved", 240, 60, button="left", buttons=1)
+            mouse("mouseReleased", 240, 60, button="left", clickCount=1)
+            turned = camera()
+            self.assertNotEqual(turned[0], first[0])
+            self.assertEqual(turned[1:], first[1:])
+            mouse("mouseWheel", 200, 60, deltaX=0, deltaY=-100)
+            page.wait(f"voxc.camera.distance < {turned[1]}")
+            nearer = camera()
+            finger = lambda *places: [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+            page.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+            page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=finger((150, 60), (190, 60)))
+            page.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=finger((130, 60), (230, 60)))
+            page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+            page.wait(f"voxc.camera.distance < {nearer[1]}")
+            self.assertNotEqual(camera()[2:], nearer[2:])
+            page.evaluate("document.querySelector('canvas').focus()")
+            page.call("Input.dispatchKeyEvent", type="keyDown", key="0", code="Digit0", text="0", windowsVirtualKeyCode=48)
+            page.wait(f"voxc.camera.yaw === {first[0]}")
+            self.assertEqual(camera(), first)
+
+    def test_says_what_a_browser_lacks(self):
+        page = self.enterContext(Browser(320, 240, draws=True))
+        page.call("Page.addScriptToEvaluateOnNewDocument", source="HTMLCanvasElement.prototype.getContext = () => null")
+        page.open(self.page)
+        page.settle()
+        while page.evaluate(f"!{STATE}.problem"):
+            time.sleep(0.1)
+        self.assertEqual(page.evaluate("document.getElementById('status').textContent"), "This page cannot be shown here: this browser has no WebGL 2")
+
+
+def look_at(volume):
+    """Pictures of a page and its figures."""
+    volume = Path(volume)
+    with tempfile.TemporaryDirectory() as kept:
+        folder = Path(kept)
+        page, made = page_of(volume, folder)
+        voxc("export", volume, "--compress", "-o", folder / "small.hvx")
+        small = (folder / "small.hvx").stat().st_size
+        print(f"{volume.name}: page {page.stat().st_size} bytes, {page.stat().st_size / small:.3f} times the compressed volume")
+        with Page(page) as opened:
+            rays = opened.check_rays(RAYS)
+            exact = exact_hits(volume, rays, folder)
+            for precision in ("exact", "fast"):
+                hits = opened.trace(rays, precision)
+                print(f"  {precision}: of {RAYS} rays {differences(hits, exact)} differ from the exact hit, {other_voxels(hits, exact)} in the voxel")
+            size, samples = (1280, 720), 1
+            exposure = render(volume, folder / "render.png", size, samples, made["camera"])
+            mean, far = opened.difference(folder / "render.png", size, samples, exposure)
+            print(f"  picture: {mean:.3f} of 255 from that of voxc render, {100 * far:.3f} % of the pixels off by more than 8")
+        for width, height in ((1280, 800), (390, 844)):
+            with Page(page, width, height) as opened:
+                opened.wait(f"{STATE}.checked")
+                opened.picture(volume.with_name(f"{volume.stem}-{width}.png"), height=height)
+
+
+if __name__ == "__main__":
+    VOXC = sys.argv.pop(1)
+    if len(sys.argv) > 1 and sys.argv[1].endswith(".hvx"):
+        for path in sys.argv[1:]:
+            look_at(path)
+    else:
+        unittest.main()

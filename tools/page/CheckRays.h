@@ -1,0 +1,22 @@
+// Rays whose hits a page knows, so that it can say whether the browser that shows it finds them.
+#pragma once
+
+#include "voxc/Support/Geometry.h"
+#include "voxc/Trace/Ray.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voxc::page {
+
+/// The first so many rays of a sequence, from in and around a box of this extent to places in it: those that
+/// page-runtime/script/rays.js makes too, to the bit.
+std::vector<Ray> checkRays(Int3 extent, std::size_t count);
+
+/// A byte for each hit, of its voxel and colour; as page-runtime/script/rays.js has it.
+std::string digestsOf(std::span<const Hit> hits);
+
+} // namespace voxc::page

@@ -1,0 +1,82 @@
+// A volume as one page for browsers.
+#include "page/Page.h"
+
+#include "page/Packed.h"
+#include "page/Script.h"
+
+#include "Emit/Template.h"
+#include "common/Command.h"
+#include "plot/Svg.h"
+
+#include <cstdio>
+
+namespace voxc::page {
+namespace {
+
+using plot::escaped;
+
+/// In groups of three digits.
+std::string grouped(std::uint64_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3; at -= 3)
+    text.insert(at - 3, ",");
+  return text;
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  char text[64];
+  if (bytes < std::uint64_t{1} << 20)
+    std::snprintf(text, sizeof text, "%.1f KiB", double(bytes) / 1024);
+  else
+    std::snprintf(text, sizeof text, "%.2f MiB", double(bytes) / 1048576);
+  return text;
+}
+
+std::string fact(std::string_view name, const std::string &value) {
+  return "<dt>" + std::string(name) + "</dt><dd>" + value + "</dd>\n";
+}
+
+/// The figures that a volume has everywhere.
+std::string factsOf(const Volume &volume) {
+  const VolumeInfo &info = volume.info();
+  const Int3 extent = info.extent;
+  const std::uint64_t bytes = volume.words().size_bytes();
+  char each[64];
+  std::snprintf(each, sizeof each, "%.2f bytes a voxel",
+                double(bytes) / double(info.voxels ? info.voxels : 1));
+  return fact("Format", "<code>" + escaped(volume.layout().format) + "</code>") +
+         fact("Extent", std::to_string(extent.x) + " × " + std::to_string(extent.y) + " × " +
+                            std::to_string(extent.z)) +
+         fact("Voxels", grouped(info.voxels)) + fact("Memory", bytesText(bytes) + ", " + each) +
+         fact("Made by", tool::versionText());
+}
+
+} // namespace
+
+Expected<std::string> makePage(const Volume &volume, const PageContents &contents) {
+  if (volume.words().size() > kMostWords)
+    return Error::input("the volume has " + grouped(volume.words().size()) +
+                        " words, and browsers keep no more than " + grouped(kMostWords) +
+                        " in a texture; a smaller format or resolution fits");
+  const Expected<std::string> script = makeScript(volume, contents);
+  if (!script)
+    return script.error();
+  const std::string packed = deflated(*script + planesOf(volume.words()) + contents.checks);
+  TemplateNames names;
+  names.holes = {{"BYTES", std::to_string(packed.size())},
+                 {"SCRIPT_BYTES", std::to_string(script->size())},
+                 {"WORDS", std::to_string(volume.words().size())},
+                 {"BLOCK_WORDS", std::to_string(kBlockWords)},
+                 {"TITLE", escaped(contents.title)},
+                 {"STYLE", tersely("style.css")},
+                 {"FACTS", factsOf(volume)},
+                 {"WAIT", std::string(kWait)},
+                 {"PACKED", sevenBitText(packed)}};
+  const Expected<std::string> unpack = fillTemplate(tersely("unpack.js"), names);
+  if (!unpack)
+    return unpack.error();
+  names.holes["UNPACK"] = *unpack;
+  return fillTemplate(tersely("page.html"), names);
+}
+
+} // namespace voxc::page

@@ -1,0 +1,133 @@
+// A volume as a page for browsers.
+#include "PageExport.h"
+
+#include "ErrorCheck.h"
+
+#include "common/Files.h"
+#include "page/CheckRays.h"
+#include "page/Page.h"
+#include "voxc/IR/Attribute.h"
+#include "voxc/Oracle/Oracle.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+namespace voxc::tool {
+namespace {
+
+/// Rays whose hits every browser is asked for; and those that tell the error of fast arithmetic.
+constexpr std::size_t kChecked = 1024;
+constexpr std::size_t kMeasured = 20000;
+
+/// Large enough for its exposure to be that of a larger one.
+constexpr const char *kPictureSize = "640x360";
+
+/// True if what is level is level in the picture; a camera in units of a model is rounded.
+bool isUpright(const Camera &camera) {
+  const glm::dvec3 right = glm::cross(camera.look - camera.eye, camera.up);
+  return std::abs(right.y) <= 1e-6 * glm::length(right);
+}
+
+/// The hits of rays by a kernel of this processor.
+Expected<std::vector<Hit>> hitsOf(const Volume &volume, std::string_view precision,
+                                  std::span<const Ray> rays) {
+  Format format = volume.format();
+  format.setAttribute(kPrecisionAttribute, precision);
+  Tracing tracing;
+  tracing.choose(cpuDeviceInfo().name, 0);
+  Json unused;
+  if (Expected<void> prepared = tracing.prepare(volume, format, unused); !prepared)
+    return prepared.error();
+  std::vector<Hit> hits(rays.size());
+  if (Expected<TraceReport> traced = tracing.trace(rays, hits, {}); !traced)
+    return traced.error();
+  return hits;
+}
+
+/// What the exact hits of rays tell the page.
+Expected<void> measure(const Volume &volume, const Progress &progress, page::PageContents &contents) {
+  const std::vector<Ray> rays = page::checkRays(volume.info().extent, kMeasured);
+  const Expected<Oracle> oracle = Oracle::of(volume, progress);
+  if (!oracle)
+    return oracle.error();
+  const Expected<std::vector<Hit>> exact = oracle->trace(rays, 0, progress);
+  if (!exact)
+    return exact.error();
+  const Expected<std::vector<Hit>> fast = hitsOf(volume, "fast", rays);
+  if (!fast)
+    return fast.error();
+  contents.fast = compare(*oracle, rays, *exact, *fast);
+  contents.checks = page::digestsOf(std::span(*exact).first(kChecked));
+  return {};
+}
+
+} // namespace
+
+bool isPage(const std::string &path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".html" || ending == ".htm";
+}
+
+void PageExport::declare(CLI::App &app) {
+  app.add_option("--title", title_, "What a page is called; the default is the name of the volume's file")
+      ->type_name("TEXT");
+  addViewOptions(app, picture_);
+  addCameraPlace(app, picture_.camera);
+}
+
+bool PageExport::isGiven() const {
+  const CameraOptions &camera = picture_.camera;
+  return !title_.empty() || !picture_.view.empty() || !picture_.sun.empty() || !camera.camera.empty() ||
+         camera.fov != 0;
+}
+
+Expected<void> PageExport::check(const std::string &path) const {
+  if (!isPage(path) && isGiven())
+    return Error::usage(
+        "'" + path +
+        "' is no page; --title, --view, --camera, --fov and --sun are for one, whose name ends in .html");
+  return checkPictureOptions(picture_);
+}
+
+Expected<void> PageExport::write(const Volume &volume, const std::string &source, const std::string &path,
+                                 const Progress &progress, Json &figures) {
+  Tracing tracing;
+  tracing.choose(cpuDeviceInfo().name, 0);
+  if (Expected<void> prepared = tracing.prepare(volume, volume.format(), figures); !prepared)
+    return prepared;
+  const auto trace = [&](std::span<const Ray> rays, std::span<Hit> hits,
+                         const TraceOptions &options) -> Expected<void> {
+    Expected<TraceReport> report = tracing.trace(rays, hits, options);
+    return report ? Expected<void>() : report.error();
+  };
+  PictureOptions options = picture_;
+  options.camera.size = kPictureSize;
+  const Expected<TakenPicture> taken = takePicture(options, volume, {trace, trace}, trace, 0, progress);
+  if (!taken)
+    return taken.error();
+  if (!isUpright(taken->camera))
+    return Error::usage("--camera \"" + options.camera.camera +
+                        "\" is tilted; the way up of a page is +y, so leave out the third point");
+  page::PageContents contents;
+  contents.title = title_.empty() ? std::filesystem::path(source).stem().string() : title_;
+  contents.camera = taken->camera;
+  contents.sun = sunOf(options);
+  contents.smooth = isSmoothSurface(volume.info());
+  contents.exposure = taken->rendering.exposure;
+  if (Expected<void> measured = measure(volume, progress, contents); !measured)
+    return measured;
+  const Expected<std::string> page = page::makePage(volume, contents);
+  if (!page)
+    return page.error();
+  figures["camera"] = cameraText(options, taken->camera, volume);
+  figures["exposure"] = contents.exposure;
+  figures["fast_error"] = errorJson(contents.fast);
+  return writeText(path, *page);
+}
+
+} // namespace voxc::tool
