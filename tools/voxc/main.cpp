@@ -30,6 +30,7 @@ constexpr CommandKind kCommands[] = {
     {"merge", "Join the fragments of a volume", makeMergeCommand},
     {"split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
     {"render", "Render a picture of a volume", makeRenderCommand},
+    {"view", "Walk through a volume in a window", makeViewCommand},
     {"run", "Compile, build and render in one go", makeRunCommand},
     {"trace", "Trace the rays of a file through a volume", makeTraceCommand},
     {"verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
