@@ -4,7 +4,6 @@
 #include "Exposure.h"
 #include "Film.h"
 #include "Lighting.h"
-#include "SurfaceNormals.h"
 
 #include "Support/ParallelFor.h"
 #include "Trace/EntryFace.h"
@@ -82,7 +81,8 @@ public:
            const RenderOptions &options)
       : volume_(volume), camera_(camera), tracers_(tracers), options_(options), kind_(kindOf(options.style)),
         samples_(options.samples > 0 ? options.samples : kind_.samples),
-        sun_(glm::normalize(glm::vec3(options.sun))), normals_(volume, options.threads) {
+        sun_(glm::normalize(glm::vec3(options.sun))), ownNormals_(volume, options.threads),
+        normals_(options.normals ? options.normals : &ownNormals_) {
     const Int3 extent = volume.info().extent;
     openScale_ = 0.06f * float(std::max({extent.x, extent.y, extent.z, 1}));
   }
@@ -113,7 +113,8 @@ private:
   const StyleKind &kind_;
   unsigned samples_;
   glm::vec3 sun_;
-  SurfaceNormals normals_;
+  SurfaceNormals ownNormals_;
+  SurfaceNormals *normals_;
   float openScale_;
   std::vector<Surface> surfaces_; ///< Of the current band and sample; those of misses mean nothing.
   std::vector<glm::vec3> backdrop_;
@@ -142,8 +143,9 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
     for (const Hit &hit : hits)
       if (hit.isHit())
         distances_.push_back(hit.t);
-  if (isSmooth())
-    normals_.learn(hits);
+  if (isSmooth() && !options_.isDraft)
+    if (Expected<void> learned = normals_->learn(hits, options_.progress); !learned)
+      return learned;
   gather(film, rays, hits);
   return kind_.isLit ? light(film, sample, hits) : Expected<void>();
 }
@@ -162,7 +164,7 @@ void Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vecto
         continue;
       }
       if (hits[i].isHit())
-        surfaces_[i] = surfaceOf(rays[i], hits[i], isSmooth() ? &normals_ : nullptr);
+        surfaces_[i] = surfaceOf(rays[i], hits[i], isSmooth() ? normals_ : nullptr);
       gatherPixel(pixel, rays[i], hits[i], surfaces_[i]);
     }
   });

@@ -34,9 +34,11 @@ Expected<Picture> paint(const Shot &shot, const RefinementStep &step, const Prog
     const Expected<TraceReport> report = scene.tracer->trace(rays, hits, options);
     return report ? Expected<void>() : report.error();
   };
-  RenderOptions options{
-      .style = look.style, .samples = step.samples, .isSmooth = look.isSmooth, .sun = look.sun};
-  options.threads = look.threads;
+  RenderOptions options{.style = look.style, .samples = step.samples, .isSmooth = look.isSmooth};
+  options.sun = look.sun;
+  options.normals = scene->normals.get();
+  options.isDraft = step.isDraft;
+  options.threads = scene->threads;
   options.progress = progress;
   Expected<Rendering> rendering = render(*scene->model.volume, small, {trace, trace}, options);
   if (!rendering)

@@ -2,26 +2,17 @@
 #include "view/Refinement.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 
 namespace voxc::view {
 namespace {
 
-/// From fine to coarse.
-constexpr int kDivisors[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+/// The coarsest divisor, and the one with which one begins that knows nothing.
+constexpr int kCoarsest = 32, kUnknown = 8;
 
-/// With which one begins that knows nothing.
-constexpr int kUnknownDivisor = 8;
-
-/// Each step takes at least so many times as long as the one before.
+/// Each step has so many times the pixels a side as the one before, or so many times the samples.
 constexpr int kFiner = 2;
 constexpr unsigned kMoreSamples = 4;
-
-/// The finest divisor that is at least `divisor`.
-int atLeast(int divisor) {
-  const int *const found = std::ranges::lower_bound(kDivisors, divisor);
-  return found == std::end(kDivisors) ? kDivisors[std::size(kDivisors) - 1] : *found;
-}
 
 } // namespace
 
@@ -32,25 +23,25 @@ void Refinement::forgetTimes() {
 
 int Refinement::firstDivisor() const {
   if (!secondsOfAll_)
-    return kUnknownDivisor;
-  // What a step takes beside its pixels is taken for theirs, so that finer ones are dared a little at a time.
-  const int *const found = std::ranges::find_if(
-      kDivisors, [this](int divisor) { return *secondsOfAll_ / (divisor * divisor) <= budget_; });
-  return found == std::end(kDivisors) ? kDivisors[std::size(kDivisors) - 1] : *found;
+    return kUnknown;
+  // What a draft takes beside its pixels is taken for theirs, so that finer ones are dared a little at a
+  // time.
+  const double divisor = std::ceil(std::sqrt(*secondsOfAll_ / budget_));
+  return int(std::clamp(divisor, 1.0, double(kCoarsest)));
 }
 
 std::optional<RefinementStep> Refinement::next() const {
   if (!last_)
-    return RefinementStep{firstDivisor(), 1};
-  if (last_->divisor > 1)
-    return RefinementStep{last_->divisor <= kFiner ? 1 : atLeast((last_->divisor + kFiner - 1) / kFiner), 1};
+    return RefinementStep{firstDivisor(), 1, true};
+  if (last_->divisor > 1 || last_->isDraft)
+    return RefinementStep{(last_->divisor + kFiner - 1) / kFiner, 1, false};
   if (last_->samples < mostSamples_)
-    return RefinementStep{1, std::min(last_->samples * kMoreSamples, mostSamples_)};
+    return RefinementStep{1, std::min(last_->samples * kMoreSamples, mostSamples_), false};
   return std::nullopt;
 }
 
 void Refinement::took(const RefinementStep &step, double seconds) {
-  if (step.samples == 1)
+  if (step.isDraft)
     secondsOfAll_ = seconds * step.divisor * step.divisor;
 }
 

@@ -10,6 +10,7 @@ namespace voxc::view {
 struct RefinementStep {
   int divisor = 1;      ///< A pixel of it is a square of so many pixels a side.
   unsigned samples = 1; ///< Rays through each of its pixels.
+  bool isDraft = true;  ///< It does without what can be left for later (`RenderOptions::isDraft`).
 
   bool operator==(const RefinementStep &) const = default;
 };
@@ -17,8 +18,8 @@ struct RefinementStep {
 /// Pure bookkeeping: it looks at no clock.
 class Refinement {
 public:
-  /// The first step of a picture shall take at most `budget` seconds, if the coarsest one does; the last has
-  /// so many samples.
+  /// The first step of a picture, its draft, shall take at most `budget` seconds, if the coarsest one does;
+  /// the last has so many samples.
   Refinement(double budget, unsigned mostSamples) : budget_(budget), mostSamples_(mostSamples) {}
 
   /// Something changed: the next step is the first again. What is known of times is kept.
@@ -40,8 +41,7 @@ private:
 
   double budget_;
   unsigned mostSamples_;
-  std::optional<double>
-      secondsOfAll_; ///< That one sample of every pixel would take, by the last step that had one.
+  std::optional<double> secondsOfAll_; ///< That a draft of every pixel would take, by the last one.
   std::optional<RefinementStep> last_;
 };
 

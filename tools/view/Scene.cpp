@@ -22,6 +22,8 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   if (!tracer)
     return tracer.error();
   scene->tracer = std::move(*tracer);
+  scene->normals = std::make_unique<SurfaceNormals>(*scene->model.volume, maker.threads);
+  scene->threads = maker.threads;
   return scene;
 }
 

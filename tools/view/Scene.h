@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/Render/SurfaceNormals.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Trace/Tracer.h"
@@ -24,9 +25,11 @@ struct Scene {
   Model model;
   std::string device; ///< Its name.
   std::unique_ptr<Tracer> tracer;
+  std::unique_ptr<SurfaceNormals> normals; ///< That its pictures have found.
+  unsigned threads = 0;                    ///< That shade; 0: all of the machine.
 };
 
-/// Makes what scenes are made of. Both functions are called on a thread of the viewer, one call at a time.
+/// Makes what scenes are made of. The functions are called on a thread of the viewer, one call at a time.
 struct SceneMaker {
   /// The model in a format ("" for the one of the beginning). Errors: the text is no format, the input does
   /// not fit, all those of building.
@@ -34,6 +37,7 @@ struct SceneMaker {
   /// A tracer on the device that `name` names ("" for the best one), which keeps the volume alive; `name`
   /// becomes the device's own. Errors: those of devices and kernels.
   std::function<Expected<std::unique_ptr<Tracer>>(const Model &model, std::string &name)> makeTracer;
+  unsigned threads = 0; ///< Of scenes.
 };
 
 /// What to show next; both as `SceneMaker` takes them.

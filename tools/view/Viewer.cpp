@@ -21,7 +21,7 @@ namespace {
 constexpr double kBudget = 0.04;
 
 /// Samples of the finest picture, unless somebody says otherwise.
-constexpr unsigned kFinest = 64;
+constexpr unsigned kFinest = 16;
 
 /// Of the longest axis, that one moves in a second.
 constexpr double kStride = 0.3;
@@ -138,8 +138,8 @@ void Viewer::show() {
     return;
   const RenderOptions options = tool::renderOptions(options_.picture, *scene_->model.volume);
   const bool isSmooth = options.isSmooth && kindOf(state_.style).needsNormals;
-  const std::uint64_t number = painter_.show({scene_, camera_->camera(options_.width, options_.height),
-                                              Look{state_.style, isSmooth, options.sun, options_.threads}});
+  const std::uint64_t number = painter_.show(
+      {scene_, camera_->camera(options_.width, options_.height), Look{state_.style, isSmooth, options.sun}});
   if (!waiting_)
     waiting_ = Waiting{number, {}};
 }

@@ -21,7 +21,6 @@ namespace voxc::view {
 
 struct ViewerOptions {
   tool::PictureOptions picture;
-  unsigned threads = 0; ///< That shade; 0: all of the machine.
   int width = 1280, height = 720;
   SceneWish wish;                   ///< The first scene.
   std::vector<std::string> devices; ///< Names that a scene may wish for.

@@ -41,7 +41,6 @@ public:
     if (!camera)
       return camera.error();
     view::ViewerOptions options{.picture = picture_,
-                                .threads = source_.threads(),
                                 .width = camera->width,
                                 .height = camera->height,
                                 .wish = source_.wish(),

@@ -82,7 +82,8 @@ view::SceneMaker SceneSource::maker(const CommonOptions &common) {
           },
           [this, common](const view::Model &model, std::string &device) {
             return makeTracer(model, common, device);
-          }};
+          },
+          building_.threads};
 }
 
 Expected<view::Model> SceneSource::makeModel(const std::string &text, const CommonOptions &common,
