@@ -93,7 +93,10 @@ private:
   bool isMap() const { return !kind_.unit.empty(); }
   bool isSmooth() const { return options_.isSmooth && kind_.needsNormals; }
   bool isSpread() const { return samples_ < kManySamples; }
+  bool isStopped() const { return options_.progress.stopped(); }
   TraceOptions traceOptions() const;
+  /// Calls `work(row)` for each of so many rows, on threads; not for all of them once it is to stop.
+  void forRows(int rows, FunctionRef<void(int row)> work) const;
 
   Expected<void> expose(Film &film, unsigned sample);
   void gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
@@ -130,6 +133,13 @@ TraceOptions Renderer::traceOptions() const {
   return options;
 }
 
+void Renderer::forRows(int rows, FunctionRef<void(int row)> work) const {
+  parallelFor(std::uint64_t(rows), options_.threads, [&](std::uint64_t row) {
+    if (!isStopped())
+      work(int(row));
+  });
+}
+
 /// Adds one sample to each pixel of a band.
 Expected<void> Renderer::expose(Film &film, unsigned sample) {
   const glm::vec2 place = samples_ == 1 ? glm::vec2(0.5f) : evenNumbers(sample);
@@ -154,7 +164,7 @@ void Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vecto
   surfaces_.resize(rays.size());
   // Colours of faces are those of a screen already.
   const Picture faces = options_.style == Style::Flat ? shade(rays, hits, film.width, film.rows) : Picture{};
-  parallelFor(std::uint64_t(film.rows), options_.threads, [&](std::uint64_t row) {
+  forRows(film.rows, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(film.width);
     for (std::size_t i = first; i < first + std::size_t(film.width); ++i) {
       FilmPixel &pixel = film.pixels[i];
@@ -253,8 +263,8 @@ Expected<void> Renderer::lightBySky(Film &film, unsigned sample, const std::vect
 
 /// Writes the light of some rows of a band into the result.
 void Renderer::develop(const Film &film, int first, int rows) {
-  parallelFor(std::uint64_t(rows), options_.threads, [&](std::uint64_t offset) {
-    const int row = first + int(offset);
+  forRows(rows, [&](int offset) {
+    const int row = first + offset;
     const std::vector<float> sky =
         kind_.isLit ? skyShares(film, row, isSpread()) : std::vector<float>(std::size_t(film.width));
     for (int column = 0; column < film.width; ++column) {
@@ -292,13 +302,16 @@ void Renderer::finishMap() {
 void Renderer::finish() {
   result_.exposure = options_.style == Style::Lit ? exposureOf(result_.light) : 1;
   result_.picture = {camera_.width, camera_.height, std::vector<std::uint32_t>(backdrop_.size())};
-  for (std::size_t i = 0; i < backdrop_.size(); ++i) {
-    const float *const light = &result_.light[4 * i];
-    glm::vec3 colour = glm::vec3(light[0], light[1], light[2]);
-    if (options_.style == Style::Lit && light[3] > 0)
-      colour = compress(colour * (result_.exposure / light[3])) * light[3];
-    result_.picture.pixels[i] = screenPixel(colour + backdrop_[i]);
-  }
+  forRows(camera_.height, [&](int row) {
+    const std::size_t first = std::size_t(row) * std::size_t(camera_.width);
+    for (std::size_t i = first; i < first + std::size_t(camera_.width); ++i) {
+      const float *const light = &result_.light[4 * i];
+      glm::vec3 colour = glm::vec3(light[0], light[1], light[2]);
+      if (options_.style == Style::Lit && light[3] > 0)
+        colour = compress(colour * (result_.exposure / light[3])) * light[3];
+      result_.picture.pixels[i] = screenPixel(colour + backdrop_[i]);
+    }
+  });
 }
 
 Expected<Rendering> Renderer::run() {
@@ -320,9 +333,13 @@ Expected<Rendering> Renderer::run() {
         return exposed.error();
     }
     develop(film, row, rows);
+    if (isStopped())
+      return Error::interrupted();
   }
   finishDistances();
   isMap() ? finishMap() : finish();
+  if (isStopped())
+    return Error::interrupted();
   return std::move(result_);
 }
 

@@ -50,6 +50,12 @@ std::string formatText(const Format &format) {
   return std::string(trim(line, kBlanks));
 }
 
+std::string spelledText(std::string_view text) {
+  const FormatText parts = parseFormatText(text);
+  const Expected<Format> format = parseFormat(parts.format);
+  return format ? formatText(formatText(*format), parts.passes) : std::string(text);
+}
+
 Expected<Format> readFormatText(const FormatText &text) {
   Expected<Format> format = parseFormat(text.format);
   if (!format)

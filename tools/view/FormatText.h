@@ -19,6 +19,9 @@ struct FormatText {
 /// Parts the passes from the format. Quotes around the format are taken off.
 FormatText parseFormatText(std::string_view text);
 std::string formatText(const std::string &format, std::span<const std::string> passes);
+/// The same in the spelling of voxc, so that what means the same is the same text; as it is, if it is no
+/// format.
+std::string spelledText(std::string_view text);
 
 /// A text that gives this very format: a format string if that says all, else its IR in one line.
 std::string formatText(const Format &format);

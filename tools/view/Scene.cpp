@@ -1,7 +1,16 @@
 // Making scenes.
 #include "view/Scene.h"
 
+#include "view/SlicedTracer.h"
+#include "voxc/Trace/CpuKernel.h"
+
 namespace voxc::view {
+namespace {
+
+/// Seconds for which a device may go on when a picture is no longer wanted.
+constexpr double kSlice = 0.01;
+
+} // namespace
 
 Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneWish &wish, const Scene *old,
                                            const Progress &progress) {
@@ -21,7 +30,9 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   auto tracer = maker.makeTracer(scene->model, scene->device);
   if (!tracer)
     return tracer.error();
-  scene->tracer = std::move(*tracer);
+  // This processor ends by itself as soon as it is told to.
+  const bool endsLate = scene->device != cpuDeviceInfo().name;
+  scene->tracer = endsLate ? inSlices(std::move(*tracer), kSlice) : std::move(*tracer);
   scene->normals = std::make_unique<SurfaceNormals>(*scene->model.volume, maker.threads);
   scene->threads = maker.threads;
   return scene;

@@ -72,7 +72,7 @@ SearchPoints makeSearchPoints(std::span<const Record> records) {
   for (const Record &record : records) {
     if (!isMeasured(record) || !areComparable(record, *first))
       continue;
-    Times &times = formats[formatText(record.format.name, record.format.passes)];
+    Times &times = formats[spelledText(formatText(record.format.name, record.format.passes))];
     times.bytes = double(*record.volume.bytes);
     times.secondsPerMray[record.rays.digest] = 1 / tool::bench::speedOf(record)->median;
     sets = std::max(sets, times.secondsPerMray.size());

@@ -115,13 +115,17 @@ void Viewer::useDevice(const std::string &device) {
 
 void Viewer::fail(const Error &error) {
   state_.error = error.message;
-  log_.tell("error " + error.message);
+  if (!failure_)
+    log_.tell("error " + error.message);
 }
 
 void Viewer::takeLoaded(Loaded loaded) {
   state_.work.clear();
-  if (!loaded.scene)
+  if (!loaded.scene) {
+    if (!scene_)
+      failure_ = loaded.scene.error();
     return fail(loaded.scene.error());
+  }
   scene_ = std::move(*loaded.scene);
   if (loaded.camera)
     setCamera(*(home_ = ViewCamera(*loaded.camera)));

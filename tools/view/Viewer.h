@@ -70,6 +70,8 @@ public:
   /// Whether keys are held that move.
   bool isMoving() const { return motion_.isMoving(); }
 
+  /// Why there is nothing to see, and will not be: the first scene failed.
+  const std::optional<Error> &failure() const { return failure_; }
   const ViewerState &state() const { return state_; }
   const ViewerOptions &options() const { return options_; }
   /// The newest picture, if it was not taken yet; else null. It stays until the next `advance`.
@@ -114,6 +116,7 @@ private:
   std::function<void()> wake_;
   ViewerState state_;
   SceneWish wish_; ///< The last that was asked for.
+  std::optional<Error> failure_;
   std::shared_ptr<Scene> scene_;
   std::optional<ViewCamera> camera_;
   std::optional<ViewCamera> home_;

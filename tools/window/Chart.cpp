@@ -25,7 +25,8 @@ void drawTicks(ImDrawList &list, const SearchChart &chart, const ImVec2 &corner,
   for (const plot::Tick &tick : chart.speedTicks()) {
     const float y = corner.y + float(tick.place);
     list.AddLine({corner.x, y}, {corner.x + width, y}, kGrid);
-    list.AddText({corner.x + 2, y - ImGui::GetTextLineHeight()}, kText, tick.text.c_str());
+    list.AddText({corner.x + 2, std::max(corner.y, y - ImGui::GetTextLineHeight())}, kText,
+                 tick.text.c_str());
   }
   for (const plot::Tick &tick : chart.sizeTicks()) {
     const float x = corner.x + float(tick.place), half = ImGui::CalcTextSize(tick.text.c_str()).x / 2;

@@ -79,6 +79,8 @@ void Panel::drawFormat(Viewer &viewer) {
 
 void Panel::drawScene(Viewer &viewer) {
   const ViewerState &state = viewer.state();
+  if (ImGui::CalcTextSize(state.format.c_str()).x > kWidth - 2 * kMargin)
+    wrapped(state.format);
   if (!state.work.empty())
     ImGui::TextColored({1, 0.85f, 0.4f, 1}, "loading: %s", state.work.c_str());
   if (!state.error.empty()) {

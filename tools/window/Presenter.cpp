@@ -95,7 +95,7 @@ struct Presenter::State {
 };
 
 void Presenter::State::startImGui() {
-  ImGui_ImplGlfw_InitForVulkan(glfw, true);
+  ImGui_ImplGlfw_InitForVulkan(glfw, false); // Whoever has the window tells ImGui what it hears.
   ImGui_ImplVulkan_InitInfo info{};
   info.Instance = *window.instance;
   info.PhysicalDevice = *window.physical;

@@ -8,6 +8,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -46,19 +47,15 @@ public:
          EventLog &log)
       : handle_(std::move(handle)), presenter_(std::move(presenter)),
         viewer_(std::move(options), std::move(maker), log, [] { glfwPostEmptyEvent(); }) {
-    glfwSetWindowUserPointer(handle_.get(), this);
+    listen();
   }
 
   Expected<void> run();
 
-  /// To be called before ImGui listens, which passes on what it hears.
-  static void listen(GLFWwindow *handle);
-
 private:
+  void listen();
   template <auto method, typename... Arguments> static void hear(GLFWwindow *handle, Arguments... arguments) {
     auto *const window = static_cast<Window *>(glfwGetWindowUserPointer(handle));
-    if (!window)
-      return;
     window->frames_ = kFramesOfInput;
     (window->*method)(arguments...);
   }
@@ -69,6 +66,12 @@ private:
   void onFocus(int isFocused);
   void onSize(int width, int height) { viewer_.resize(width, height); }
   void onRefresh() {}
+  void onCharacter(unsigned character) { ImGui_ImplGlfw_CharCallback(handle_.get(), character); }
+  void releaseLate();
+
+  struct Released {
+    int key, code, modifiers;
+  };
 
   bool isClosing() const;
   Expected<void> draw();
@@ -77,13 +80,16 @@ private:
   std::unique_ptr<Presenter> presenter_;
   Panel panel_;
   Viewer viewer_;
-  int frames_ = kFramesOfInput; ///< That are to be drawn.
-  int button_ = -1;             ///< That went down on the picture; -1: none.
+  int frames_ = kFramesOfInput;    ///< That are to be drawn.
+  int button_ = -1;                ///< That went down on the picture; -1: none.
+  std::vector<Released> released_; ///< Since the last frame.
   glm::dvec2 mouse_{}, pressed_{};
   bool isDragging_ = false;
 };
 
-void Window::listen(GLFWwindow *handle) {
+void Window::listen() {
+  GLFWwindow *const handle = handle_.get();
+  glfwSetWindowUserPointer(handle, this);
   glfwSetKeyCallback(handle, hear<&Window::onKey, int, int, int, int>);
   glfwSetMouseButtonCallback(handle, hear<&Window::onButton, int, int, int>);
   glfwSetCursorPosCallback(handle, hear<&Window::onMove, double, double>);
@@ -91,9 +97,15 @@ void Window::listen(GLFWwindow *handle) {
   glfwSetWindowFocusCallback(handle, hear<&Window::onFocus, int>);
   glfwSetFramebufferSizeCallback(handle, hear<&Window::onSize, int, int>);
   glfwSetWindowRefreshCallback(handle, hear<&Window::onRefresh>);
+  glfwSetCharCallback(handle, hear<&Window::onCharacter, unsigned>);
 }
 
-void Window::onKey(int key, int, int event, int modifiers) {
+void Window::onKey(int key, int code, int event, int modifiers) {
+  // ImGui looks at keys once a frame: one that is up again before that must stay down for it until then.
+  if (event == GLFW_RELEASE)
+    released_.push_back({key, code, modifiers});
+  else
+    ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, event, modifiers);
   const std::optional<Action> action = actionOfKey(key);
   if (!action)
     return;
@@ -103,7 +115,13 @@ void Window::onKey(int key, int, int event, int modifiers) {
     viewer_.press(*action);
 }
 
-void Window::onButton(int button, int event, int) {
+void Window::releaseLate() {
+  for (const Released &key : std::exchange(released_, {}))
+    ImGui_ImplGlfw_KeyCallback(handle_.get(), key.key, key.code, GLFW_RELEASE, key.modifiers);
+}
+
+void Window::onButton(int button, int event, int modifiers) {
+  ImGui_ImplGlfw_MouseButtonCallback(handle_.get(), button, event, modifiers);
   if (event == GLFW_PRESS && !panel_.covers(mouse_.x, mouse_.y)) {
     button_ = button;
     pressed_ = mouse_;
@@ -125,12 +143,14 @@ void Window::onMove(double column, double row) {
     viewer_.drag(column - before.x, row - before.y, button_ != GLFW_MOUSE_BUTTON_LEFT);
 }
 
-void Window::onScroll(double, double up) {
+void Window::onScroll(double right, double up) {
+  ImGui_ImplGlfw_ScrollCallback(handle_.get(), right, up);
   if (!panel_.covers(mouse_.x, mouse_.y))
     viewer_.zoom(up);
 }
 
 void Window::onFocus(int isFocused) {
+  ImGui_ImplGlfw_WindowFocusCallback(handle_.get(), isFocused);
   if (!isFocused)
     viewer_.releaseKeys();
 }
@@ -144,6 +164,7 @@ Expected<void> Window::draw() {
   ImGui::NewFrame();
   panel_.draw(viewer_);
   ImGui::Render();
+  releaseLate();
   if (const Picture *const picture = viewer_.takePicture())
     presenter_->setPicture(*picture);
   const Expected<bool> presented = presenter_->present(ImGui::GetDrawData());
@@ -170,6 +191,8 @@ Expected<void> Window::run() {
     const double now = glfwGetTime();
     if (viewer_.advance(now - std::exchange(advanced, now)))
       frames_ = std::max(frames_, 1);
+    if (viewer_.failure())
+      return *viewer_.failure();
     if (frames_ == 0 || now < drawn + kFrame)
       continue;
     drawn = now;
@@ -203,7 +226,6 @@ Expected<void> runWindow(const std::string &title, ViewerOptions options, SceneM
   Expected<WindowHandle> handle = makeWindow(title, options.width, options.height);
   if (!handle)
     return handle.error();
-  Window::listen(handle->get());
   const ImGuiContextOwner context;
   auto presenter = Presenter::create(handle->get());
   if (!presenter)

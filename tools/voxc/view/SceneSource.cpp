@@ -29,15 +29,6 @@ private:
   Tracing tracing_;
 };
 
-/// A format in the spelling of voxc, so that equal ones have equal texts.
-Expected<view::FormatText> spelled(view::FormatText text) {
-  Expected<Format> format = readFormat(text.format);
-  if (!format)
-    return format.error();
-  text.format = view::formatText(*format);
-  return text;
-}
-
 } // namespace
 
 void SceneSource::declare(CLI::App &app) {
@@ -128,10 +119,7 @@ Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, con
 }
 
 Expected<view::Model> SceneSource::buildModel(const std::string &text, const Progress &progress) const {
-  const Expected<view::FormatText> parts = spelled(view::parseFormatText(text));
-  if (!parts)
-    return parts.error();
-  Expected<Format> format = view::readFormatText(*parts);
+  Expected<Format> format = view::readFormatText(view::parseFormatText(text));
   if (!format)
     return format.error();
   InputOptions options = makeInputOptions(inputArguments_, format->extent());
@@ -153,7 +141,7 @@ Expected<view::Model> SceneSource::buildModel(const std::string &text, const Pro
   if (!built)
     return built.error();
   return view::Model{std::make_shared<const Volume>(std::move(built->volume)), std::move(*format),
-                     view::formatText(parts->format, parts->passes)};
+                     view::spelledText(text)};
 }
 
 Expected<std::unique_ptr<Tracer>>
