@@ -152,7 +152,8 @@ void Viewer::takePainting(Painting painting) {
   if (!painting.picture)
     return fail(painting.picture.error());
   state_.picture = stepText(painting);
-  log_.note("painted " + state_.picture + (painting.isLast ? ", the finest" : ""));
+  fineness_ = state_.picture + (painting.isLast ? ", the finest" : "");
+  log_.note("painted " + fineness_);
   picture_ = std::move(*painting.picture);
   pictureNumber_ = painting.number;
   isPictureNew_ = true;
@@ -164,6 +165,7 @@ const Picture *Viewer::takePicture() {
 }
 
 void Viewer::presented() {
+  log_.note("shown " + fineness_);
   if (!waiting_ || takenNumber_ < waiting_->number)
     return;
   char text[64];
@@ -246,8 +248,8 @@ void Viewer::drag(double right, double down, bool isMoving) {
     const double pixel = pixelSpread(camera) * camera_->distance();
     camera_->move(-right * pixel, down * pixel, 0);
   } else {
-    // In orbit one turns the thing, in flight the head.
-    const double sign = state_.isFlying ? 1 : -1;
+    // What is seen follows the mouse: in orbit because it turns, in flight because the head turns away.
+    const double sign = state_.isFlying ? -1 : 1;
     camera_->turn(sign * right * kTurnOfPixel, -sign * down * kTurnOfPixel);
   }
   show();

@@ -76,7 +76,7 @@ public:
   const ViewerOptions &options() const { return options_; }
   /// The newest picture, if it was not taken yet; else null. It stays until the next `advance`.
   const Picture *takePicture();
-  /// What was taken is on the screen: tells the log how long an input took until then.
+  /// What was taken is on its way to the screen: tells the log how long an input took until then.
   void presented();
   /// A text for the clipboard, once.
   std::optional<std::string> takeCopied() { return std::exchange(copied_, std::nullopt); }
@@ -125,6 +125,7 @@ private:
   std::size_t view_ = 0;           ///< The last word that `nextView` took.
   std::optional<Hit> touched_;
   Picture picture_;
+  std::string fineness_; ///< Of it, for the log.
   std::uint64_t pictureNumber_ = 0, takenNumber_ = 0; ///< Of the shots that it, and what was taken, is of.
   bool isPictureNew_ = false;
   std::optional<std::string> copied_;

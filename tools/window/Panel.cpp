@@ -27,6 +27,7 @@ void heading(const char *text) {
 
 void Panel::draw(Viewer &viewer) {
   width_ = height_ = 0;
+  hasPopup_ = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   const bool wantsText = viewer.takeEditing();
   if (wantsText)
     isWriting_ = true;
@@ -59,7 +60,8 @@ void Panel::draw(Viewer &viewer) {
 }
 
 bool Panel::covers(double column, double row) const {
-  return ImGui::GetIO().WantCaptureMouse || (column < width_ && row < height_);
+  // ImGui itself knows only where the mouse was when the last frame was drawn.
+  return hasPopup_ || (column < width_ && row < height_);
 }
 
 void Panel::drawFormat(Viewer &viewer) {

@@ -85,6 +85,7 @@ private:
   std::vector<Released> released_; ///< Since the last frame.
   glm::dvec2 mouse_{}, pressed_{};
   bool isDragging_ = false;
+  bool isPictureNew_ = false; ///< It was not presented yet.
 };
 
 void Window::listen() {
@@ -165,15 +166,18 @@ Expected<void> Window::draw() {
   panel_.draw(viewer_);
   ImGui::Render();
   releaseLate();
-  if (const Picture *const picture = viewer_.takePicture())
+  if (const Picture *const picture = viewer_.takePicture()) {
     presenter_->setPicture(*picture);
+    isPictureNew_ = true;
+  }
   const Expected<bool> presented = presenter_->present(ImGui::GetDrawData());
   if (!presented)
     return presented.error();
   if (!*presented)
     return {};
   --frames_;
-  viewer_.presented();
+  if (std::exchange(isPictureNew_, false))
+    viewer_.presented();
   if (const std::optional<std::string> text = viewer_.takeCopied())
     glfwSetClipboardString(handle_.get(), text->c_str());
   return {};

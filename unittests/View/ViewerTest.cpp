@@ -61,6 +61,14 @@ protected:
     return {};
   }
 
+  /// The line that says that the picture on the screen is as fine as it gets.
+  std::string finest() {
+    std::string line = wait("the finest");
+    while (!line.starts_with("shown") && !HasFailure())
+      line = wait("the finest");
+    return line;
+  }
+
   std::filesystem::path folder_;
   std::unique_ptr<EventLog> log_;
   std::streamoff position_ = 0;
@@ -70,7 +78,7 @@ protected:
 TEST_F(ViewerTest, ShowsTheFirstSceneUntilItIsFine) {
   begin();
   EXPECT_THAT(wait("scene"), StartsWith("scene R(4, 4, 4) on cpu: 16 x 16 x 16, "));
-  EXPECT_THAT(wait("finest"), StartsWith("painted 64x48, 16 samples"));
+  EXPECT_THAT(finest(), StartsWith("shown 64x48, 16 samples"));
   EXPECT_EQ(viewer_->state().device, "cpu");
   EXPECT_THAT(viewer_->state().picture, StartsWith("64x48, 16 samples"));
   EXPECT_EQ(viewer_->state().work, "");
@@ -78,7 +86,7 @@ TEST_F(ViewerTest, ShowsTheFirstSceneUntilItIsFine) {
 
 TEST_F(ViewerTest, LoadsAFormatAndKeepsTheSceneIfItCannot) {
   begin();
-  wait("finest");
+  finest();
   viewer_->load("R(2^3) S(2)");
   EXPECT_THAT(wait("scene"), StartsWith("scene R(2, 2, 2) S(2) on cpu"));
   for (const char *wrong : {"R(2^3", "S(2)", "G(4) --nonsense"}) {
@@ -95,7 +103,7 @@ TEST_F(ViewerTest, LoadsAFormatAndKeepsTheSceneIfItCannot) {
 
 TEST_F(ViewerTest, GoesThroughTheDevices) {
   begin();
-  wait("finest");
+  finest();
   viewer_->press(Action::NextDevice);
   EXPECT_THAT(wait("scene"), HasSubstr(" on other"));
   viewer_->press(Action::NextDevice);
@@ -116,20 +124,20 @@ TEST_F(ViewerTest, FailsIfTheFirstSceneDoes) {
 
 TEST_F(ViewerTest, KeysChooseStyles) {
   begin();
-  wait("finest");
+  finest();
   viewer_->press(Action::StyleNormals);
   EXPECT_EQ(wait("style"), "style normals");
   viewer_->press(Action::ToggleHeatmap);
   EXPECT_EQ(wait("style"), "style heatmap");
   viewer_->press(Action::ToggleHeatmap);
   EXPECT_EQ(wait("style"), "style normals");
-  wait("finest");
+  finest();
   EXPECT_EQ(viewer_->state().style, Style::Normals);
 }
 
 TEST_F(ViewerTest, MovesAndReturnsHome) {
   begin();
-  wait("finest");
+  finest();
   const auto camera = [this] {
     viewer_->press(Action::CopyCamera);
     return wait("camera");
@@ -162,9 +170,35 @@ TEST_F(ViewerTest, MovesAndReturnsHome) {
   EXPECT_THAT(wait("painted"), HasSubstr("painted"));
 }
 
+TEST_F(ViewerTest, WhatIsDraggedFollowsTheMouse) {
+  ViewerOptions options;
+  options.picture.camera.camera = "8,8,40:8,8,8"; // Looks along -z, and +x is to the right.
+  begin(std::move(options));
+  finest();
+  const auto points = [this] {
+    viewer_->press(Action::CopyCamera);
+    std::array<double, 6> numbers{};
+    std::sscanf(wait("camera").c_str(), "camera --camera %lf,%lf,%lf:%lf,%lf,%lf", &numbers[0], &numbers[1],
+                &numbers[2], &numbers[3], &numbers[4], &numbers[5]);
+    return numbers;
+  };
+  viewer_->drag(10, 10, false);
+  EXPECT_LT(points()[0], 8);
+  EXPECT_GT(points()[1], 8);
+  viewer_->press(Action::Home);
+  viewer_->drag(10, 10, true);
+  EXPECT_LT(points()[0], 8);
+  EXPECT_GT(points()[1], 8);
+  viewer_->press(Action::Home);
+  viewer_->press(Action::ToggleFly);
+  viewer_->drag(10, 10, false);
+  EXPECT_LT(points()[3], 8);
+  EXPECT_GT(points()[4], 8);
+}
+
 TEST_F(ViewerTest, AClickTellsAndCanBeOrbited) {
   begin();
-  wait("finest");
+  finest();
   viewer_->click(32, 30);
   EXPECT_THAT(wait("picked"), StartsWith("picked voxel "));
   EXPECT_THAT(viewer_->state().touched, HasSubstr("the oracle agrees"));
@@ -178,7 +212,7 @@ TEST_F(ViewerTest, AClickTellsAndCanBeOrbited) {
 
 TEST_F(ViewerTest, WritesScreenshotsBesideEachOther) {
   begin();
-  wait("finest");
+  finest();
   viewer_->press(Action::Screenshot);
   viewer_->press(Action::Screenshot);
   wait("screenshot");
@@ -189,20 +223,20 @@ TEST_F(ViewerTest, WritesScreenshotsBesideEachOther) {
 
 TEST_F(ViewerTest, AnotherSizeIsPaintedAnew) {
   begin();
-  wait("finest");
+  finest();
   viewer_->resize(30, 20);
-  EXPECT_THAT(wait("finest"), HasSubstr("30x20"));
+  EXPECT_THAT(finest(), HasSubstr("30x20"));
   viewer_->resize(0, 0);
   viewer_->press(Action::NextView);
   EXPECT_EQ(wait("view"), "view iso");
-  EXPECT_THAT(wait("finest"), HasSubstr("30x20"));
+  EXPECT_THAT(finest(), HasSubstr("30x20"));
 }
 
 TEST_F(ViewerTest, GoesAlongTheFrontierOfASearch) {
   ViewerOptions options;
   options.search.points = {{"G(4)", 100, 1, true}, {"S(4)", 200, 0.5, false}, {"R(4, 4, 4)", 300, 2, true}};
   begin(std::move(options));
-  wait("finest");
+  finest();
   viewer_->press(Action::NextPoint);
   EXPECT_THAT(wait("scene"), StartsWith("scene G(4) on"));
   viewer_->press(Action::NextPoint);
@@ -221,7 +255,7 @@ TEST_F(ViewerTest, InputBeforeTheFirstSceneIsHarmless) {
   viewer_->zoom(1);
   viewer_->click(1, 1);
   EXPECT_TRUE(viewer_->state().isClosing);
-  wait("finest");
+  finest();
 }
 
 } // namespace

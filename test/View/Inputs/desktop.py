@@ -26,6 +26,33 @@ class Screen:
     def bytes(self):
         return self.memory[self.begin : self.begin + self.stride * self.height]
 
+    def picture(self):
+        """The bytes of what lies to the right of the panel."""
+        data, left = self.bytes(), 4 * 360
+        return b"".join(data[y * self.stride + left : y * self.stride + 4 * self.width] for y in range(self.height))
+
+    def settled(self, before=None):
+        """The picture, once it is not `before` any more and has stayed the same for a moment."""
+        end = time.monotonic() + PATIENCE
+        last = None
+        while time.monotonic() < end:
+            now = self.picture()
+            if now == last and now != before:
+                return now
+            last = now
+            time.sleep(0.3)
+        return None
+
+    def find(self, colour, side):
+        """The middle of the last square of one colour, as one reads."""
+        rows = list(self.rows())
+        wanted = bytes(colour) * side
+        for y in range(self.height - side, -1, -1):
+            at = rows[y].rfind(wanted)
+            if at >= 0 and at % 3 == 0 and all(row[at : at + 3 * side] == wanted for row in rows[y : y + side]):
+                return at // 3 + side // 2, y + side // 2
+        sys.exit("there is no square of this colour on the screen")
+
     def rows(self):
         data = self.bytes()
         for y in range(self.height):
@@ -47,7 +74,7 @@ class Screen:
 class Viewer:
     """`with Viewer([voxc, "view", ...]) as viewer`: a viewer that runs; its log is read as it grows."""
 
-    def __init__(self, command, size=(1280, 720)):
+    def __init__(self, command, size=(800, 600)):
         self.folder = tempfile.mkdtemp()
         self.log = os.path.join(self.folder, "log")
         self.command, self.size, self.position = command, size, 0
@@ -71,9 +98,12 @@ class Viewer:
             stdout=self.output,
             stderr=subprocess.STDOUT,
         )
-        self.wait("window ")
-        self.do("search", "--sync", "--onlyvisible", "--name", "voxc view", "windowfocus", "--sync")
         return self
+
+    def focus(self):
+        """Waits for the window, and gives it the keys, as no window manager does here."""
+        self.wait("^window ")
+        self.do("search", "--sync", "--onlyvisible", "--name", "voxc view", "windowfocus", "--sync")
 
     def __exit__(self, *_):
         self.process.kill()
@@ -92,6 +122,10 @@ class Viewer:
 
     def move(self, x, y):
         self.do("mousemove", str(x), str(y))
+
+    def rest(self):
+        """The mouse lies where it hides nothing of the picture."""
+        self.move(20, 30)
 
     def click(self, x, y, button=1):
         self.do("mousemove", str(x), str(y), "click", str(button))
