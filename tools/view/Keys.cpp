@@ -19,7 +19,7 @@ constexpr KeyKind kKeys[] = {
     {Action::TurnDown, "Down", "turn downwards", true},
     {Action::Nearer, "=", "go nearer to the point looked at", true},
     {Action::Further, "-", "go further away from it", true},
-    {Action::ToggleFly, "F", "turn about the eye (fly), or again about the point looked at (orbit)", false},
+    {Action::ToggleFly, "F", "fly: turn about the eye; or again orbit: about the point looked at", false},
     {Action::Orbit, "O", "look at the voxel that was clicked, and orbit around it", false},
     {Action::NextView, "V", "next view: iso, front, top, inside", false},
     {Action::Home, "R", "return to the camera of the beginning", false},

@@ -19,6 +19,9 @@ public:
   void declare(CLI::App &app) override {
     source_.declare(app);
     addPictureOptions(app, picture_);
+    app.get_option("--samples")->description("Rays through each pixel of the finest picture; default: 16");
+    app.get_option("--size")->description(
+        "Pixels of the window; the default is the camera file's, or 1280x720");
     app.add_option("--search", search_,
                    "Shows what voxc search measured as a chart, whose points load formats")
         ->type_name("DIR");
@@ -27,6 +30,7 @@ public:
         ->capture_default_str();
     app.add_option("--log", log_, "Writes all that happens, with its time, to a file")->type_name("FILE");
     addCommonOptions(app, common_);
+    app.remove_option(app.get_option("--stats")); // There is no end of which figures would tell.
     app.footer("Keys and the mouse:\n" + view::keysHelp());
   }
 

@@ -141,6 +141,7 @@ void Panel::drawHelp() {
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoSavedSettings;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 0});
   ImGui::Begin("keys", nullptr, kFlags);
   if (ImGui::BeginTable("keys", 2)) {
     const auto row = [](std::string_view name, std::string_view summary) {
@@ -156,6 +157,7 @@ void Panel::drawHelp() {
     ImGui::EndTable();
   }
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 } // namespace voxc::view

@@ -44,6 +44,8 @@ void SceneSource::declare(CLI::App &app) {
                  "devices', or on cpu")
       ->type_name("NAME");
   addThreadsArgument(app, building_);
+  app.get_option("--threads")
+      ->description("Threads that build and trace; default: as many as the machine has");
   addInputArguments(app, inputArguments_);
   addMemoryArguments(app, building_);
   passes_.declare(app, PassChoice::All);
