@@ -3,7 +3,7 @@
 
 #include "common/Files.h"
 #include "common/Png.h"
-#include "view/FormatText.h"
+#include "view/Words.h"
 #include "voxc/Render/View.h"
 
 #include <glm/trigonometric.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 /// Seconds that the first step of a picture shall take: with ending the step before it, copying and
 /// presenting, an input is seen within a tenth of a second.
-constexpr double kBudget = 0.04;
+constexpr double kBudget = 0.03;
 
 /// Samples of the finest picture, unless somebody says otherwise.
 constexpr unsigned kFinest = 16;
@@ -31,33 +31,6 @@ constexpr double kTurnOfPixel = glm::radians(0.25), kNearerOfStep = 1.15;
 
 /// What does not come from a key in time is not caught up with.
 constexpr double kLongestStep = 0.1;
-
-std::string bytesText(double bytes) {
-  constexpr const char *kUnits[] = {"B", "KiB", "MiB", "GiB", "TiB"};
-  std::size_t unit = 0;
-  for (; bytes >= 1024 && unit + 1 < std::size(kUnits); ++unit)
-    bytes /= 1024;
-  char text[48];
-  std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.2f %s", bytes, kUnits[unit]);
-  return text;
-}
-
-std::string sizeText(const Volume &volume) {
-  const VolumeInfo &info = volume.info();
-  return std::to_string(info.extent.x) + " x " + std::to_string(info.extent.y) + " x " +
-         std::to_string(info.extent.z) + ", " + std::to_string(info.voxels) + " voxels, " +
-         bytesText(double(volume.bytes()));
-}
-
-std::string stepText(const Painting &painting) {
-  const Picture &picture = *painting.picture;
-  const int divisor = painting.step.divisor;
-  char text[96];
-  std::snprintf(text, sizeof text, "%dx%d, %u sample%s, %.0f ms", std::max(picture.width / divisor, 1),
-                std::max(picture.height / divisor, 1), painting.step.samples,
-                painting.step.samples == 1 ? "" : "s", 1e3 * painting.seconds);
-  return text;
-}
 
 /// Traces by a scene that no other thread has.
 Expected<Camera> placeIn(const Scene &scene, const tool::PictureOptions &options) {
@@ -175,14 +148,13 @@ void Viewer::presented() {
 }
 
 bool Viewer::advance(double seconds) {
-  bool hasChanged = false;
-  if (camera_ && motion_.advance(*camera_, std::min(seconds, kLongestStep), [this] {
-        const Int3 extent = scene_->model.volume->info().extent;
-        return kStride * std::max({extent.x, extent.y, extent.z});
-      }())) {
-    show();
-    hasChanged = true;
+  if (isPlaced()) {
+    const Int3 extent = scene_->model.volume->info().extent;
+    const double stride = kStride * std::max({extent.x, extent.y, extent.z});
+    if (motion_.advance(*camera_, std::min(seconds, kLongestStep), stride))
+      show();
   }
+  bool hasChanged = false;
   const auto take = [&hasChanged](auto &from, const auto &use) {
     if (auto thing = from.take()) {
       use(std::move(*thing));

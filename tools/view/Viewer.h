@@ -65,7 +65,8 @@ public:
   void load(const std::string &format);
   void useDevice(const std::string &device);
 
-  /// Goes on by so many seconds: moves by held keys, takes what threads brought. True if anything changed.
+  /// Goes on by so many seconds: moves by held keys, takes what threads brought. True if there is something
+  /// new to be seen.
   bool advance(double seconds);
   /// Whether keys are held that move.
   bool isMoving() const { return motion_.isMoving(); }
@@ -125,7 +126,7 @@ private:
   std::size_t view_ = 0;           ///< The last word that `nextView` took.
   std::optional<Hit> touched_;
   Picture picture_;
-  std::string fineness_; ///< Of it, for the log.
+  std::string fineness_;                              ///< Of it, for the log.
   std::uint64_t pictureNumber_ = 0, takenNumber_ = 0; ///< Of the shots that it, and what was taken, is of.
   bool isPictureNew_ = false;
   std::optional<std::string> copied_;

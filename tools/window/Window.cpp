@@ -55,19 +55,20 @@ public:
 private:
   void listen();
   template <auto method, typename... Arguments> static void hear(GLFWwindow *handle, Arguments... arguments) {
-    auto *const window = static_cast<Window *>(glfwGetWindowUserPointer(handle));
-    window->frames_ = kFramesOfInput;
-    (window->*method)(arguments...);
+    (static_cast<Window *>(glfwGetWindowUserPointer(handle))->*method)(arguments...);
   }
   void onKey(int key, int code, int action, int modifiers);
   void onButton(int button, int action, int modifiers);
   void onMove(double column, double row);
   void onScroll(double right, double up);
   void onFocus(int isFocused);
-  void onSize(int width, int height) { viewer_.resize(width, height); }
-  void onRefresh() {}
-  void onCharacter(unsigned character) { ImGui_ImplGlfw_CharCallback(handle_.get(), character); }
+  void onSize(int width, int height);
+  void onRefresh() { wake(); }
+  void onCharacter(unsigned character);
   void releaseLate();
+  /// Something but the picture may look different now. What only moves the camera is seen with the next
+  /// picture: a frame before that would take time from it.
+  void wake() { frames_ = kFramesOfInput; }
 
   struct Released {
     int key, code, modifiers;
@@ -108,6 +109,8 @@ void Window::onKey(int key, int code, int event, int modifiers) {
   else
     ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, event, modifiers);
   const std::optional<Action> action = actionOfKey(key);
+  if (panel_.isWriting() || (action && !keyKinds()[std::size_t(*action)].isHeld))
+    wake();
   if (!action)
     return;
   if (event == GLFW_RELEASE)
@@ -122,6 +125,7 @@ void Window::releaseLate() {
 }
 
 void Window::onButton(int button, int event, int modifiers) {
+  wake();
   ImGui_ImplGlfw_MouseButtonCallback(handle_.get(), button, event, modifiers);
   if (event == GLFW_PRESS && !panel_.covers(mouse_.x, mouse_.y)) {
     button_ = button;
@@ -136,6 +140,8 @@ void Window::onButton(int button, int event, int modifiers) {
 
 void Window::onMove(double column, double row) {
   const glm::dvec2 place(column, row), before = isDragging_ ? mouse_ : pressed_;
+  if (panel_.covers(column, row) || panel_.covers(mouse_.x, mouse_.y))
+    wake();
   mouse_ = place;
   if (button_ < 0)
     return;
@@ -146,14 +152,27 @@ void Window::onMove(double column, double row) {
 
 void Window::onScroll(double right, double up) {
   ImGui_ImplGlfw_ScrollCallback(handle_.get(), right, up);
-  if (!panel_.covers(mouse_.x, mouse_.y))
+  if (panel_.covers(mouse_.x, mouse_.y))
+    wake();
+  else
     viewer_.zoom(up);
 }
 
 void Window::onFocus(int isFocused) {
   ImGui_ImplGlfw_WindowFocusCallback(handle_.get(), isFocused);
+  wake();
   if (!isFocused)
     viewer_.releaseKeys();
+}
+
+void Window::onSize(int width, int height) {
+  viewer_.resize(width, height);
+  wake();
+}
+
+void Window::onCharacter(unsigned character) {
+  ImGui_ImplGlfw_CharCallback(handle_.get(), character);
+  wake();
 }
 
 bool Window::isClosing() const {
