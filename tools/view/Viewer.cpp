@@ -1,8 +1,6 @@
 // What the viewer does with input, and with what its threads bring.
 #include "view/Viewer.h"
 
-#include "common/Files.h"
-#include "common/Png.h"
 #include "view/Words.h"
 #include "voxc/Render/View.h"
 
@@ -11,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace voxc::view {
 namespace {
@@ -46,7 +43,7 @@ Expected<Camera> placeIn(const Scene &scene, const tool::PictureOptions &options
 
 Viewer::Viewer(ViewerOptions options, SceneMaker maker, EventLog &log, std::function<void()> wake)
     : options_(std::move(options)), maker_(std::move(maker)), log_(log), wake_(std::move(wake)),
-      witness_(wake_),
+      screenshots_(options_.screenshots, wake_), witness_(wake_),
       painter_({kBudget, options_.picture.samples > 0 ? options_.picture.samples : kFinest}, wake_) {
   state_.style = tool::styleOf(options_.picture);
   request(options_.wish);
@@ -165,7 +162,7 @@ bool Viewer::advance(double seconds) {
   take(loaded_, [this](Loaded loaded) { takeLoaded(std::move(loaded)); });
   take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
   take(touch_, [this](const Expected<Touch> &touch) { takeTouch(touch); });
-  take(written_, [this](const Expected<std::string> &told) { takeScreenshot(told); });
+  take(screenshots_, [this](const Expected<std::string> &path) { takeScreenshot(path); });
   take(placed_, [this](const Expected<Camera> &camera) { takeCamera(camera); });
   take(witness_, [this](const Expected<Testimony> &testimony) {
     if (!testimony)
@@ -336,29 +333,15 @@ void Viewer::copyCamera() {
 void Viewer::writeScreenshot() {
   if (picture_.pixels.empty())
     return;
-  namespace fs = std::filesystem;
-  fs::path path;
-  std::error_code ignored;
-  do {
-    char name[48];
-    std::snprintf(name, sizeof name, "voxc-%04d.png", ++screenshot_);
-    path = fs::path(options_.screenshots) / name;
-  } while (fs::exists(path, ignored));
-  // Of two in quick succession the first is told before the second is begun.
-  writer_ = {};
-  if (const auto told = written_.take())
-    takeScreenshot(*told);
-  writer_ = std::jthread([this, path = path.string(), picture = picture_, fine = state_.picture] {
-    const Expected<void> written = tool::writePng(path, picture);
-    written_.put(written ? Expected<std::string>(path + ": " + fine) : written.error());
-    wake_();
-  });
+  if (const auto before = screenshots_.write(picture_))
+    takeScreenshot(*before);
+  shot_ = state_.picture;
 }
 
-void Viewer::takeScreenshot(const Expected<std::string> &told) {
-  if (!told)
-    return fail(told.error());
-  log_.tell("screenshot " + *told);
+void Viewer::takeScreenshot(const Expected<std::string> &path) {
+  if (!path)
+    return fail(path.error());
+  log_.tell("screenshot " + *path + ": " + shot_);
 }
 
 } // namespace voxc::view

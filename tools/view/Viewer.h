@@ -4,6 +4,7 @@
 #include "view/EventLog.h"
 #include "view/Motion.h"
 #include "view/Painter.h"
+#include "view/Screenshots.h"
 #include "view/SearchPoints.h"
 #include "view/Witness.h"
 
@@ -13,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -109,7 +109,7 @@ private:
   void setFlying(bool isFlying);
   void copyCamera();
   void writeScreenshot();
-  void takeScreenshot(const Expected<std::string> &told);
+  void takeScreenshot(const Expected<std::string> &path);
 
   ViewerOptions options_;
   SceneMaker maker_;
@@ -131,7 +131,7 @@ private:
   bool isPictureNew_ = false;
   std::optional<std::string> copied_;
   bool isEditing_ = false;
-  int screenshot_ = 0;
+  std::string shot_; ///< How fine the last screenshot is.
 
   /// An input that was not seen yet.
   struct Waiting {
@@ -144,11 +144,10 @@ private:
   Mailbox<std::string> work_;
   Mailbox<Expected<Touch>> touch_;
   Mailbox<Expected<Camera>> placed_;
-  Mailbox<Expected<std::string>> written_;
+  Screenshots screenshots_;
   Witness witness_;
   Painter painter_;
-  JobThread loader_;
-  std::jthread writer_; // Threads last: they use all others.
+  JobThread loader_; // Threads last: they use all others.
 };
 
 } // namespace voxc::view
