@@ -29,3 +29,16 @@ endif()
 
 # The tools.
 find_package(CLI11 REQUIRED CONFIG)
+
+# The window of `voxc view`, where there is all that it needs: GLFW, Dear ImGui (which needs stb's library) and a Vulkan loader.
+option(VOXC_VIEW "Build the window of voxc view, if GLFW and Dear ImGui are found" ON)
+if(VOXC_VIEW)
+  find_package(glfw3 3.3 CONFIG QUIET)
+  find_path(VOXC_IMGUI_INCLUDE imgui.h PATH_SUFFIXES imgui)
+  find_library(VOXC_IMGUI_LIBRARY imgui)
+  find_library(VOXC_STB_LIBRARY stb)
+  if(NOT (TARGET glfw AND TARGET Vulkan::Vulkan AND VOXC_IMGUI_INCLUDE AND VOXC_IMGUI_LIBRARY AND VOXC_STB_LIBRARY))
+    message(STATUS "GLFW or Dear ImGui is missing: voxc view will have no window")
+    set(VOXC_VIEW OFF)
+  endif()
+endif()

@@ -39,6 +39,12 @@ if config.sanitized:
     config.available_features.add("sanitized")
     config.environment["ASAN_OPTIONS"] = "detect_leaks=0"
 
+# The viewer needs a build with windows; to be used, a display of its own and hands for it.
+if config.has_window:
+    config.available_features.add("window")
+    if shutil.which("Xvfb") and shutil.which("xdotool"):
+        config.available_features.add("display")
+
 # What a search keeps of devices is not the user's.
 config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
 

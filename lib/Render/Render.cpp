@@ -4,17 +4,14 @@
 #include "Exposure.h"
 #include "Film.h"
 #include "Lighting.h"
-#include "SurfaceNormals.h"
+#include "Surface.h"
 
 #include "Support/ParallelFor.h"
-#include "Trace/EntryFace.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace voxc {
 
@@ -25,49 +22,6 @@ constexpr std::int64_t kBandRays = std::int64_t{1} << 20;
 
 /// From so many samples on, a pixel has looked in directions enough of its own.
 constexpr unsigned kManySamples = 32;
-
-/// Where a sample's ray met the volume.
-struct Surface {
-  glm::vec3 point{};
-  glm::vec3 normal{}; ///< Towards the eye, unit length.
-  glm::vec3 start{};  ///< Of rays to the light.
-};
-
-glm::vec3 vectorOf(const float (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
-
-/// So far in front of a face that float32 tells it from the face.
-float clearance(const glm::vec3 &point) {
-  const float size = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-  return std::max(1e-3f, size * 4 * std::numeric_limits<float>::epsilon());
-}
-
-/// Gives a surface the direction of its neighbourhood, where its rays to the light can begin above it.
-void smooth(Surface &surface, const SurfaceNormal &normal, const glm::vec3 &direction) {
-  const bool isAlong = glm::dot(normal.direction, direction) < 0;
-  const float room = isAlong ? normal.roomAlong : normal.roomAgainst;
-  if (room == 0)
-    return;
-  surface.normal = isAlong ? normal.direction : -normal.direction;
-  surface.start = surface.point + surface.normal * room;
-}
-
-Surface surfaceOf(const Ray &ray, const Hit &hit, const SurfaceNormals *normals) {
-  Surface surface;
-  const glm::vec3 direction = vectorOf(ray.direction);
-  surface.point = vectorOf(ray.origin) + direction * hit.t;
-  const EntryFace face = entryFace(ray, hit);
-  if (face.axis < 0) {
-    surface.normal = -glm::normalize(direction);
-    surface.start = surface.point;
-    return surface;
-  }
-  surface.normal[face.axis] = face.high ? 1.0f : -1.0f;
-  surface.point[face.axis] = float(hit.voxel[face.axis]) + (face.high ? 1.0f : 0.0f);
-  surface.start = surface.point + surface.normal * clearance(surface.point);
-  if (normals)
-    smooth(surface, normals->at(hit), direction);
-  return surface;
-}
 
 /// Which of the directions to the sky a pixel takes: those of a square of pixels are all different.
 std::uint32_t patternOf(int column, int row) {
@@ -82,7 +36,8 @@ public:
            const RenderOptions &options)
       : volume_(volume), camera_(camera), tracers_(tracers), options_(options), kind_(kindOf(options.style)),
         samples_(options.samples > 0 ? options.samples : kind_.samples),
-        sun_(glm::normalize(glm::vec3(options.sun))), normals_(volume, options.threads) {
+        sun_(glm::normalize(glm::vec3(options.sun))), ownNormals_(volume, options.threads),
+        normals_(options.normals ? options.normals : &ownNormals_) {
     const Int3 extent = volume.info().extent;
     openScale_ = 0.06f * float(std::max({extent.x, extent.y, extent.z, 1}));
   }
@@ -93,7 +48,10 @@ private:
   bool isMap() const { return !kind_.unit.empty(); }
   bool isSmooth() const { return options_.isSmooth && kind_.needsNormals; }
   bool isSpread() const { return samples_ < kManySamples; }
+  bool isStopped() const { return options_.progress.stopped(); }
   TraceOptions traceOptions() const;
+  /// Calls `work(row)` for each of so many rows, on threads; not for all of them once it is to stop.
+  void forRows(int rows, FunctionRef<void(int row)> work) const;
 
   Expected<void> expose(Film &film, unsigned sample);
   void gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
@@ -113,7 +71,8 @@ private:
   const StyleKind &kind_;
   unsigned samples_;
   glm::vec3 sun_;
-  SurfaceNormals normals_;
+  SurfaceNormals ownNormals_;
+  SurfaceNormals *normals_;
   float openScale_;
   std::vector<Surface> surfaces_; ///< Of the current band and sample; those of misses mean nothing.
   std::vector<glm::vec3> backdrop_;
@@ -129,6 +88,13 @@ TraceOptions Renderer::traceOptions() const {
   return options;
 }
 
+void Renderer::forRows(int rows, FunctionRef<void(int row)> work) const {
+  parallelFor(std::uint64_t(rows), options_.threads, [&](std::uint64_t row) {
+    if (!isStopped())
+      work(int(row));
+  });
+}
+
 /// Adds one sample to each pixel of a band.
 Expected<void> Renderer::expose(Film &film, unsigned sample) {
   const glm::vec2 place = samples_ == 1 ? glm::vec2(0.5f) : evenNumbers(sample);
@@ -142,8 +108,9 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
     for (const Hit &hit : hits)
       if (hit.isHit())
         distances_.push_back(hit.t);
-  if (isSmooth())
-    normals_.learn(hits);
+  if (isSmooth() && !options_.isDraft)
+    if (Expected<void> learned = normals_->learn(hits, options_.progress); !learned)
+      return learned;
   gather(film, rays, hits);
   return kind_.isLit ? light(film, sample, hits) : Expected<void>();
 }
@@ -152,7 +119,7 @@ void Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vecto
   surfaces_.resize(rays.size());
   // Colours of faces are those of a screen already.
   const Picture faces = options_.style == Style::Flat ? shade(rays, hits, film.width, film.rows) : Picture{};
-  parallelFor(std::uint64_t(film.rows), options_.threads, [&](std::uint64_t row) {
+  forRows(film.rows, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(film.width);
     for (std::size_t i = first; i < first + std::size_t(film.width); ++i) {
       FilmPixel &pixel = film.pixels[i];
@@ -162,7 +129,7 @@ void Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vecto
         continue;
       }
       if (hits[i].isHit())
-        surfaces_[i] = surfaceOf(rays[i], hits[i], isSmooth() ? &normals_ : nullptr);
+        surfaces_[i] = surfaceOf(rays[i], hits[i], isSmooth() ? normals_ : nullptr);
       gatherPixel(pixel, rays[i], hits[i], surfaces_[i]);
     }
   });
@@ -251,8 +218,8 @@ Expected<void> Renderer::lightBySky(Film &film, unsigned sample, const std::vect
 
 /// Writes the light of some rows of a band into the result.
 void Renderer::develop(const Film &film, int first, int rows) {
-  parallelFor(std::uint64_t(rows), options_.threads, [&](std::uint64_t offset) {
-    const int row = first + int(offset);
+  forRows(rows, [&](int offset) {
+    const int row = first + offset;
     const std::vector<float> sky =
         kind_.isLit ? skyShares(film, row, isSpread()) : std::vector<float>(std::size_t(film.width));
     for (int column = 0; column < film.width; ++column) {
@@ -290,13 +257,16 @@ void Renderer::finishMap() {
 void Renderer::finish() {
   result_.exposure = options_.style == Style::Lit ? exposureOf(result_.light) : 1;
   result_.picture = {camera_.width, camera_.height, std::vector<std::uint32_t>(backdrop_.size())};
-  for (std::size_t i = 0; i < backdrop_.size(); ++i) {
-    const float *const light = &result_.light[4 * i];
-    glm::vec3 colour = glm::vec3(light[0], light[1], light[2]);
-    if (options_.style == Style::Lit && light[3] > 0)
-      colour = compress(colour * (result_.exposure / light[3])) * light[3];
-    result_.picture.pixels[i] = screenPixel(colour + backdrop_[i]);
-  }
+  forRows(camera_.height, [&](int row) {
+    const std::size_t first = std::size_t(row) * std::size_t(camera_.width);
+    for (std::size_t i = first; i < first + std::size_t(camera_.width); ++i) {
+      const float *const light = &result_.light[4 * i];
+      glm::vec3 colour = glm::vec3(light[0], light[1], light[2]);
+      if (options_.style == Style::Lit && light[3] > 0)
+        colour = compress(colour * (result_.exposure / light[3])) * light[3];
+      result_.picture.pixels[i] = screenPixel(colour + backdrop_[i]);
+    }
+  });
 }
 
 Expected<Rendering> Renderer::run() {
@@ -318,9 +288,13 @@ Expected<Rendering> Renderer::run() {
         return exposed.error();
     }
     develop(film, row, rows);
+    if (isStopped())
+      return Error::interrupted();
   }
   finishDistances();
   isMap() ? finishMap() : finish();
+  if (isStopped())
+    return Error::interrupted();
   return std::move(result_);
 }
 

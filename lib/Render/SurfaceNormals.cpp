@@ -1,5 +1,5 @@
 // The directions of surfaces at the voxels that rays hit.
-#include "SurfaceNormals.h"
+#include "voxc/Render/SurfaceNormals.h"
 
 #include "PlaneFit.h"
 
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace voxc {
@@ -46,23 +47,26 @@ SurfaceNormal normalOf(const Neighbourhood &voxels) {
 
 } // namespace
 
-void SurfaceNormals::learn(std::span<const Hit> hits) {
+Expected<void> SurfaceNormals::learn(std::span<const Hit> hits, const Progress &progress) {
   if (normals_.size() > kMostNormals)
     normals_.clear();
   std::vector<std::uint64_t> codes;
   for (const Hit &hit : hits)
-    if (hit.isHit() && normals_.try_emplace(codeOf(hit)).second)
+    if (hit.isHit() && !normals_.contains(codeOf(hit)))
       codes.push_back(codeOf(hit));
   std::ranges::sort(codes);
-  std::vector<SurfaceNormal> found(codes.size());
+  codes.erase(std::ranges::unique(codes).begin(), codes.end());
+  std::vector<std::optional<SurfaceNormal>> found(codes.size());
   parallelFor((codes.size() + kChunk - 1) / kChunk, threads_, [&](std::uint64_t chunk) {
     Occupancy occupancy(*volume_);
     const std::size_t first = std::size_t(chunk) * kChunk;
-    for (std::size_t i = first; i < std::min(first + kChunk, codes.size()); ++i)
+    for (std::size_t i = first; i < std::min(first + kChunk, codes.size()) && !progress.stopped(); ++i)
       found[i] = normalOf(occupancy.around(mortonCell(codes[i])));
   });
   for (std::size_t i = 0; i < codes.size(); ++i)
-    normals_[codes[i]] = found[i];
+    if (found[i])
+      normals_.emplace(codes[i], *found[i]);
+  return progress.stopped() ? Error::interrupted() : Expected<void>();
 }
 
 SurfaceNormal SurfaceNormals::at(const Hit &hit) const {

@@ -26,24 +26,6 @@ std::string styleHelp() {
   return text;
 }
 
-Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
-  Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);
-  if (!camera || !options.camera.camera.empty())
-    return camera;
-  const View view = fromString<View>(options.view).value_or(View::Auto);
-  return viewCamera(view, volume, trace, camera->width, camera->height, options.camera.fov);
-}
-
-RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
-  RenderOptions result;
-  result.style = styleOf(options);
-  result.samples = options.samples;
-  result.isSmooth = options.normals == "auto" ? isSmoothSurface(volume.info()) : options.normals == "smooth";
-  result.lod = options.lod;
-  result.sun = sunOf(options);
-  return result;
-}
-
 std::string pointText(const glm::dvec3 &point) {
   char text[96];
   std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", point.x, point.y, point.z);
@@ -120,6 +102,24 @@ glm::dvec3 sunOf(const PictureOptions &options) {
 
 Style styleOf(const PictureOptions &options) {
   return options.heatmap ? Style::Heatmap : fromString<Style>(options.style).value_or(Style::Lit);
+}
+
+Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
+  Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);
+  if (!camera || !options.camera.camera.empty())
+    return camera;
+  const View view = fromString<View>(options.view).value_or(View::Auto);
+  return viewCamera(view, volume, trace, camera->width, camera->height, options.camera.fov);
+}
+
+RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
+  RenderOptions result;
+  result.style = styleOf(options);
+  result.samples = options.samples;
+  result.isSmooth = options.normals == "auto" ? isSmoothSurface(volume.info()) : options.normals == "smooth";
+  result.lod = options.lod;
+  result.sun = sunOf(options);
+  return result;
 }
 
 Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &volume,

@@ -38,6 +38,13 @@ glm::dvec3 sunOf(const PictureOptions &options);
 
 Style styleOf(const PictureOptions &options);
 
+/// How a volume is rendered by the options.
+RenderOptions renderOptions(const PictureOptions &options, const Volume &volume);
+
+/// Where from; the rays by which a view is found go to `trace`. Errors: those of tracing; an empty volume has
+/// no view.
+Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace);
+
 struct TakenPicture {
   Rendering rendering;
   Camera camera;

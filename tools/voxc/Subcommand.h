@@ -27,6 +27,7 @@ std::unique_ptr<Subcommand> makeMergeCommand();
 std::unique_ptr<Subcommand> makeSplitCommand();
 std::unique_ptr<Subcommand> makeRenderCommand();
 std::unique_ptr<Subcommand> makeRunCommand();
+std::unique_ptr<Subcommand> makeViewCommand();
 std::unique_ptr<Subcommand> makeTraceCommand();
 std::unique_ptr<Subcommand> makeVerifyCommand();
 std::unique_ptr<Subcommand> makeHardRaysCommand();

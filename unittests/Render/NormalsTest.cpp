@@ -1,6 +1,8 @@
 // Directions of surfaces from the voxels around.
 #include "Render/PlaneFit.h"
 
+#include "voxc/Render/SurfaceNormals.h"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -49,6 +51,46 @@ TEST(PlaneNormal, OfAHairOrALoneVoxelIsNone) {
   const auto all = voxelsWhere([](const glm::vec3 &) { return true; });
   for (const Neighbourhood &voxels : {hair, lone, all, Neighbourhood{}})
     EXPECT_EQ(planeNormal(voxels), glm::vec3(0));
+}
+
+/// A body with a flat top, and hits of two voxels of that.
+struct Table {
+  Table() : words{1} {
+    info.format = *parseFormat("R(4,4,4)");
+    info.extent = {16, 16, 16};
+    for (int i = 0; i < 4096; ++i)
+      words.push_back(i / 16 % 16 < 8 ? 0xff8090a0u : 0);
+  }
+
+  VolumeInfo info;
+  std::vector<std::uint32_t> words;
+  std::vector<Hit> hits{{{8, 7, 8}}, {{9, 7, 8}}};
+};
+
+TEST(SurfaceNormals, AreKeptForTheNextPicture) {
+  Table table;
+  const Volume volume(table.info, table.words);
+  SurfaceNormals normals(volume, 1);
+  EXPECT_EQ(normals.at(table.hits[0]).direction, glm::vec3(0));
+  ASSERT_TRUE(normals.learn(table.hits));
+  const std::atomic<bool> stop = true;
+  // What is known already takes no work that could be ended.
+  EXPECT_FALSE(normals.learn(table.hits, {.stop = &stop}));
+  for (const Hit &hit : table.hits)
+    EXPECT_LT(degreesBetween(normals.at(hit).direction, {0, 1, 0}), 6);
+}
+
+TEST(SurfaceNormals, OfAnEndedSearchAreFoundByTheNext) {
+  Table table;
+  const Volume volume(table.info, table.words);
+  SurfaceNormals normals(volume, 1);
+  const std::atomic<bool> stop = true;
+  const Expected<void> learned = normals.learn(table.hits, {.stop = &stop});
+  ASSERT_FALSE(learned);
+  EXPECT_EQ(learned.error().kind, ErrorKind::Interrupted);
+  EXPECT_EQ(normals.at(table.hits[0]).direction, glm::vec3(0));
+  ASSERT_TRUE(normals.learn(table.hits));
+  EXPECT_LT(degreesBetween(normals.at(table.hits[0]).direction, {0, 1, 0}), 6);
 }
 
 } // namespace

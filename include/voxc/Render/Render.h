@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Render/Style.h"
+#include "voxc/Render/SurfaceNormals.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/FunctionRef.h"
 #include "voxc/Trace/Camera.h"
@@ -27,6 +28,10 @@ struct RenderOptions {
   Style style = Style::Lit;
   unsigned samples = 0;  ///< Rays a pixel; 0: the style's own number.
   bool isSmooth = false; ///< Surfaces have the direction of their neighbourhood, not of a voxel's face.
+  /// Normals that other pictures of this volume have found, to which this one adds; null: it finds its own.
+  SurfaceNormals *normals = nullptr;
+  /// Looks for no normals beyond those: other surfaces show their faces, as they do in a first draft.
+  bool isDraft = false;
   glm::dvec3 sun{-0.42, 0.76, 0.5}; ///< Towards it; of any length but 0.
   double lod = 0;       ///< Pixels below which the kernel may stop (`TraceOptions::spread`); 0: none.
   unsigned threads = 0; ///< That shade; 0: all of the machine.
@@ -44,8 +49,8 @@ struct Rendering {
   double middle = 0;  ///< Half of the hits are nearer than this.
 };
 
-/// Takes a picture. It depends on nothing but the arguments, and not on the number of threads. Errors: those
-/// of tracing; interrupted.
+/// Takes a picture. It depends on nothing but the arguments (drafts on the normals that are known), and not
+/// on the number of threads. Errors: those of tracing; interrupted.
 Expected<Rendering> render(const Volume &volume, const Camera &camera, const RenderTracers &tracers,
                            const RenderOptions &options);
 

@@ -1,6 +1,8 @@
 // The directions of surfaces at the voxels that rays hit.
 #pragma once
 
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Progress.h"
 #include "voxc/Trace/Ray.h"
 #include "voxc/Volume/Volume.h"
 
@@ -20,14 +22,16 @@ struct SurfaceNormal {
   float roomAgainst = 0;
 };
 
-/// Finds the normals of a smooth surface once a voxel, on threads.
+/// Finds the normals of a smooth surface once a voxel, on threads, and keeps them: several pictures of a
+/// volume may share them, one at a time. The volume must outlive it.
 class SurfaceNormals {
 public:
   SurfaceNormals(const Volume &volume, unsigned threads) : volume_(&volume), threads_(threads) {}
 
-  /// Finds those of all voxels hit that are not known yet.
-  void learn(std::span<const Hit> hits);
-  /// That of a voxel that was learned.
+  /// Finds those of all voxels hit that are not known yet. Error: interrupted, by `progress`; what was found
+  /// until then is kept.
+  Expected<void> learn(std::span<const Hit> hits, const Progress &progress = {});
+  /// That of a voxel; one that was not learned has no direction.
   SurfaceNormal at(const Hit &hit) const;
 
 private:

@@ -1,0 +1,136 @@
+"""session.py VOXC VOLUME SEARCH DIR: a user at the viewer, by real keys and a real mouse in a real window. Prints what the
+viewer told, and what the screen showed; pictures of the screen go to DIR."""
+import os
+import sys
+
+from desktop import Viewer
+
+voxc, volume, search, folder = sys.argv[1:]
+done = 0
+
+# The colour of points that lead (tools/window/Chart.cpp).
+LEADING = (110, 180, 255)
+
+
+def step(name, told=None):
+    """One interaction that did what it should."""
+    global done
+    done += 1
+    print("%2d %s%s" % (done, name, ": " + told if told else ""))
+
+
+def load(viewer, text):
+    viewer.key("t")
+    viewer.wait("^writing")
+    viewer.key("ctrl+a")
+    viewer.type(text)
+    viewer.key("Return")
+    return viewer.wait("^(scene|error) ")
+
+
+def camera(viewer):
+    viewer.key("c")
+    return viewer.wait("^camera --camera ")
+
+
+def finest(viewer, before=None):
+    """What the screen shows when the picture is fine, and not `before` any more."""
+    viewer.wait("^shown .*, the finest")
+    viewer.rest()
+    return viewer.screen.settled(before)
+
+
+def move(viewer):
+    """Whatever moves the camera shows another picture, and is told by other numbers."""
+    moves = [(name, lambda name=name: viewer.key(name)) for name in ["w", "s", "d", "a", "e", "q"]]
+    moves += [(name, lambda name=name: viewer.key(name)) for name in ["Left", "Up", "equal", "minus"]]
+    moves += [("drag", lambda: viewer.drag(500, 300, 560, 330))]
+    moves += [("drag by the right button", lambda: viewer.drag(500, 300, 540, 280, 3))]
+    moves += [("wheel", lambda: viewer.click(500, 300, 4))]
+    home, shown = camera(viewer), viewer.screen.settled()
+    last = home
+    for name, act in moves:
+        act()
+        shown = finest(viewer, before=shown)
+        now = camera(viewer)
+        step(name, "another picture" if shown and now != last else "nothing")
+        last = now
+    viewer.key("f")
+    step("fly", viewer.wait("^mode "))
+    eye = camera(viewer).split(":")[0]
+    viewer.drag(500, 300, 530, 300)
+    finest(viewer, before=shown)
+    step("drag", "the eye stays" if camera(viewer).split(":")[0] == eye else "the eye moves")
+    viewer.key("f")
+    viewer.wait("^mode orbit")
+    viewer.key("r")
+    finest(viewer)
+    step("home", "the camera of the beginning" if camera(viewer) == home else "elsewhere")
+    viewer.key("v")
+    step("view", viewer.wait("^view "))
+    return finest(viewer)
+
+
+def look(viewer, folder):
+    """Every style is another picture."""
+    shown = {}
+    for key in "23456":
+        viewer.key(key)
+        style = viewer.wait("^style ").split()[1]
+        shown[style] = finest(viewer)
+        viewer.screen.save(os.path.join(folder, style + ".png"))
+        step("style", style)
+    print("   %d different pictures" % len(set(shown.values())))
+    viewer.key("h")
+    step("no heat map", viewer.wait("^style "))
+    finest(viewer)
+
+
+def switch(viewer, folder):
+    """Other formats and devices show the same voxels; what cannot be loaded changes nothing."""
+    viewer.rest()
+    before = viewer.screen.settled()
+
+    def told():
+        return "the same picture" if finest(viewer) == before else "another picture"
+
+    step("write a format", load(viewer, "R(3^3) G(3) --whole-level-dedup"))
+    print("   " + told())
+    step("write what is none", load(viewer, "R(3^3) G("))
+    step("write what is too small", load(viewer, "G(4)"))
+    viewer.screen.save(os.path.join(folder, "error.png"))
+    viewer.key("g")
+    step("next device", viewer.wait("^(scene|error) "))
+    print("   " + told())
+    viewer.key("bracketright")
+    step("next of the search", viewer.wait("^(scene|error) "))
+    print("   " + told())
+    viewer.click(*viewer.screen.find(LEADING, 5))
+    step("click a point of the search", viewer.wait("^(scene|error) "))
+    print("   " + told())
+
+
+arguments = [voxc, "view", volume, "--device", "cpu", "--samples", "1", "--search", search, "--screenshots", folder]
+with Viewer(arguments) as viewer:
+    viewer.focus()
+    step("open", viewer.wait("^scene "))
+    finest(viewer)
+    viewer.screen.save(os.path.join(folder, "open.png"))
+    move(viewer)
+    look(viewer, folder)
+    viewer.click(580, 330)
+    step("click", viewer.wait("^picked "))
+    viewer.click(790, 10)
+    step("click", viewer.wait("^picked "))
+    switch(viewer, folder)
+    viewer.key("p")
+    step("screenshot", os.path.basename(viewer.wait("^screenshot ").split(":")[0]))
+    viewer.rest()
+    before = viewer.screen.settled()
+    viewer.key("F1")
+    step("keys", "shown" if viewer.screen.settled(before) else "not shown")
+    viewer.screen.save(os.path.join(folder, "help.png"))
+    viewer.key("Escape")
+    step("close", "exit code %d" % viewer.end())
+    complaints = [line for line in viewer.text().splitlines() if "Validation" in line or "VUID" in line]
+    print("   %d complaints of the validation layer" % len(complaints), *complaints[:3], sep="\n   ")

@@ -1,0 +1,52 @@
+// What the viewer shows: a volume in a format, and a tracer for it on a device.
+#pragma once
+
+#include "voxc/IR/Format.h"
+#include "voxc/Render/SurfaceNormals.h"
+#include "voxc/Support/Error.h"
+#include "voxc/Support/Progress.h"
+#include "voxc/Trace/Tracer.h"
+#include "voxc/Volume/Volume.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace voxc::view {
+
+/// A volume, with the way that its kernel shall walk it.
+struct Model {
+  std::shared_ptr<const Volume> volume;
+  Format format;    ///< With walk attributes.
+  std::string text; ///< The format and its passes, as `FormatText` reads them.
+};
+
+struct Scene {
+  Model model;
+  std::string device; ///< Its name.
+  std::unique_ptr<Tracer> tracer;
+  std::unique_ptr<SurfaceNormals> normals; ///< That its pictures have found.
+  unsigned threads = 0;                    ///< That shade; 0: all of the machine.
+};
+
+/// Makes what scenes are made of. The functions are called on a thread of the viewer, one call at a time.
+struct SceneMaker {
+  /// The model in a format ("" for the one of the beginning). Errors: the text is no format, the input does
+  /// not fit, all those of building.
+  std::function<Expected<Model>(const std::string &text, const Progress &progress)> makeModel;
+  /// A tracer on the device that `name` names ("" for the best one), which keeps the volume alive; `name`
+  /// becomes the device's own. Errors: those of devices and kernels.
+  std::function<Expected<std::unique_ptr<Tracer>>(const Model &model, std::string &name)> makeTracer;
+  unsigned threads = 0; ///< Of scenes.
+};
+
+/// What to show next; both as `SceneMaker` takes them.
+struct SceneWish {
+  std::string format, device;
+};
+
+/// Makes a scene. What `old` has already is taken from there; it may be null. Errors: those of `maker`.
+Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneWish &wish, const Scene *old,
+                                           const Progress &progress);
+
+} // namespace voxc::view

@@ -1,0 +1,99 @@
+// Records to points.
+#include "view/SearchPoints.h"
+
+#include "bench/RecordFile.h"
+#include "report/Pareto.h"
+#include "view/FormatText.h"
+
+#include <algorithm>
+#include <map>
+
+namespace voxc::view {
+namespace {
+
+using tool::bench::Record;
+
+/// The times of one format.
+struct Times {
+  double bytes = 0;
+  std::map<std::string, double> secondsPerMray; ///< By the set of rays.
+};
+
+bool isMeasured(const Record &record) {
+  return record.isMeasured() && record.volume.bytes && tool::bench::speedOf(record) &&
+         tool::bench::speedOf(record)->median > 0;
+}
+
+bool areComparable(const Record &a, const Record &b) {
+  return a.model.digest == b.model.digest && a.device.name == b.device.name && a.precision == b.precision;
+}
+
+double meanSeconds(const Times &times) {
+  double sum = 0;
+  for (const auto &[set, seconds] : times.secondsPerMray)
+    sum += seconds;
+  return sum / double(times.secondsPerMray.size());
+}
+
+void markLeading(std::vector<SearchPoint> &points) {
+  std::vector<report::SizeSpeed> places;
+  for (const SearchPoint &point : points)
+    places.push_back({point.bytes, point.mraysPerS});
+  const std::vector<bool> isOn = report::paretoFrontier(places);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i].isLeading = isOn[i];
+}
+
+} // namespace
+
+std::optional<std::size_t> SearchPoints::find(const std::string &text) const {
+  const auto found = std::ranges::find(points, text, &SearchPoint::text);
+  return found == points.end() ? std::nullopt : std::optional(std::size_t(found - points.begin()));
+}
+
+std::optional<std::size_t> SearchPoints::nextLeading(std::optional<std::size_t> from, int step) const {
+  const auto count = std::ptrdiff_t(points.size());
+  const std::ptrdiff_t before = step > 0 ? -1 : count;
+  for (std::ptrdiff_t i = (from ? std::ptrdiff_t(*from) : before) + step; i >= 0 && i < count; i += step)
+    if (points[std::size_t(i)].isLeading)
+      return std::size_t(i);
+  return std::nullopt;
+}
+
+SearchPoints makeSearchPoints(std::span<const Record> records) {
+  SearchPoints result;
+  const auto first = std::ranges::find_if(records, isMeasured);
+  if (first == records.end())
+    return result;
+  result.device = first->device.name;
+  result.model = first->model.name;
+  std::map<std::string, Times> formats;
+  std::size_t sets = 0;
+  for (const Record &record : records) {
+    if (!isMeasured(record) || !areComparable(record, *first))
+      continue;
+    Times &times = formats[spelledText(formatText(record.format.name, record.format.passes))];
+    times.bytes = double(*record.volume.bytes);
+    times.secondsPerMray[record.rays.digest] = 1 / tool::bench::speedOf(record)->median;
+    sets = std::max(sets, times.secondsPerMray.size());
+  }
+  for (const auto &[text, times] : formats)
+    if (times.secondsPerMray.size() == sets)
+      result.points.push_back({text, times.bytes, 1 / meanSeconds(times)});
+  std::ranges::stable_sort(result.points, {}, &SearchPoint::bytes);
+  markLeading(result.points);
+  return result;
+}
+
+Expected<SearchPoints> readSearchPoints(const std::string &folder) {
+  const auto records = tool::bench::readRecords(folder);
+  if (!records)
+    return records.error();
+  SearchPoints points = makeSearchPoints(*records);
+  if (points.points.empty())
+    return Error::input(folder +
+                        " has no record of a format that was measured; give a folder that voxc search wrote");
+  return points;
+}
+
+} // namespace voxc::view

@@ -1,0 +1,24 @@
+// Rays through single pixels.
+#include "view/Touch.h"
+
+#include <cstdio>
+
+namespace voxc::view {
+
+Expected<Touch> touch(const Shot &shot, int column, int row) {
+  const std::vector<Ray> rays = cameraRays(shot.camera, row, 1, {0.5, 0.5});
+  Touch touch{shot, rays[std::size_t(column)], {}};
+  const Expected<TraceReport> report = shot.scene->tracer->trace({&touch.ray, 1}, {&touch.hit, 1});
+  return report ? Expected<Touch>(std::move(touch)) : report.error();
+}
+
+std::string describe(const Hit &hit) {
+  if (!hit.isHit())
+    return "no voxel";
+  char text[160];
+  std::snprintf(text, sizeof text, "voxel %d,%d,%d, colour #%02x%02x%02x, t %.9g", hit.voxel[0], hit.voxel[1],
+                hit.voxel[2], hit.rgba & 255, hit.rgba >> 8 & 255, hit.rgba >> 16 & 255, double(hit.t));
+  return text;
+}
+
+} // namespace voxc::view

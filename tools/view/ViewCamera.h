@@ -1,0 +1,49 @@
+// The camera of the viewer: what keys and the mouse do to it.
+#pragma once
+
+#include "voxc/Trace/Camera.h"
+
+namespace voxc::view {
+
+/// What turning turns about.
+enum class Turning {
+  Orbit, ///< The point looked at, which stays where it is.
+  Fly,   ///< The eye.
+};
+
+class ViewCamera {
+public:
+  /// Begins where `camera` stands. It keeps what is up there: +y, unless the camera is rolled.
+  explicit ViewCamera(const Camera &camera);
+
+  /// The camera for a picture of this size.
+  Camera camera(int width, int height) const;
+
+  Turning turning() const { return turning_; }
+  void setTurning(Turning turning) { turning_ = turning; }
+
+  /// Turns the view by angles in radians: `right` moves what is seen to the left, `up` moves it down. It
+  /// stops short of looking straight up or down.
+  void turn(double right, double up);
+  /// Moves the eye and the point looked at by so many voxels, as the camera sees these directions; the way
+  /// up is the upright one, whatever the view is tilted.
+  void move(double right, double up, double forward);
+  /// Brings the eye nearer to the point looked at: to 1 / `factor` of its distance (above 0).
+  void approach(double factor);
+  /// Looks at `point` from where the eye is, and orbits around it from now on. A point at the eye is left.
+  void lookAt(const glm::dvec3 &point);
+  /// From the eye to the point looked at, in voxels.
+  double distance() const { return distance_; }
+
+private:
+  glm::dvec3 look() const { return eye_ + forward_ * distance_; }
+
+  glm::dvec3 eye_;
+  glm::dvec3 forward_; ///< Unit length, and at least `kLeastTilt` from the upright.
+  glm::dvec3 upright_; ///< Unit length.
+  double distance_;
+  double verticalFov_;
+  Turning turning_ = Turning::Orbit;
+};
+
+} // namespace voxc::view

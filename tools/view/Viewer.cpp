@@ -1,0 +1,347 @@
+// What the viewer does with input, and with what its threads bring.
+#include "view/Viewer.h"
+
+#include "view/Words.h"
+#include "voxc/Render/View.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace voxc::view {
+namespace {
+
+/// Seconds that the first step of a picture shall take: with ending the step before it, copying and
+/// presenting, an input is seen within a tenth of a second.
+constexpr double kBudget = 0.03;
+
+/// Samples of the finest picture, unless somebody says otherwise.
+constexpr unsigned kFinest = 16;
+
+/// Of the longest axis, that one moves in a second.
+constexpr double kStride = 0.3;
+
+/// A pixel of dragging turns by so much, in radians; a step of the wheel brings so much nearer.
+constexpr double kTurnOfPixel = glm::radians(0.25), kNearerOfStep = 1.15;
+
+/// What does not come from a key in time is not caught up with.
+constexpr double kLongestStep = 0.1;
+
+/// Traces by a scene that no other thread has.
+Expected<Camera> placeIn(const Scene &scene, const tool::PictureOptions &options) {
+  const auto trace = [&scene](std::span<const Ray> rays, std::span<Hit> hits,
+                              const TraceOptions &traceOptions) -> Expected<void> {
+    const Expected<TraceReport> report = scene.tracer->trace(rays, hits, traceOptions);
+    return report ? Expected<void>() : report.error();
+  };
+  return tool::placeCamera(options, *scene.model.volume, trace);
+}
+
+} // namespace
+
+Viewer::Viewer(ViewerOptions options, SceneMaker maker, EventLog &log, std::function<void()> wake)
+    : options_(std::move(options)), maker_(std::move(maker)), log_(log), wake_(std::move(wake)),
+      screenshots_(options_.screenshots, wake_), witness_(wake_),
+      painter_({kBudget, options_.picture.samples > 0 ? options_.picture.samples : kFinest}, wake_) {
+  state_.style = tool::styleOf(options_.picture);
+  request(options_.wish);
+}
+
+void Viewer::request(const SceneWish &wish) {
+  wish_ = wish;
+  state_.error.clear();
+  log_.note("load " + (wish.format.empty() ? "the first format" : wish.format) + " on " +
+            (wish.device.empty() ? "the best device" : wish.device));
+  loader_.post([this, wish, old = scene_](const std::atomic<bool> &stop) {
+    const Progress progress{[this](std::string_view stage, double fraction, std::uint64_t) {
+                              work_.put(std::string(stage) + " " + std::to_string(int(100 * fraction)) +
+                                        " %");
+                              wake_();
+                            },
+                            &stop};
+    Loaded loaded{makeScene(maker_, wish, old.get(), progress), std::nullopt};
+    if (stop)
+      return;
+    if (loaded.scene && !old) {
+      const Expected<Camera> camera = placeIn(**loaded.scene, options_.picture);
+      if (camera)
+        loaded.camera = *camera;
+      else
+        loaded.scene = camera.error();
+    }
+    loaded_.put(std::move(loaded));
+    wake_();
+  });
+  state_.work = "begin";
+}
+
+void Viewer::load(const std::string &format) { request({format, scene_ ? scene_->device : wish_.device}); }
+
+void Viewer::useDevice(const std::string &device) {
+  request({scene_ ? scene_->model.text : wish_.format, device});
+}
+
+void Viewer::fail(const Error &error) {
+  state_.error = error.message;
+  if (!failure_)
+    log_.tell("error " + error.message);
+}
+
+void Viewer::takeLoaded(Loaded loaded) {
+  state_.work.clear();
+  if (!loaded.scene) {
+    if (!scene_)
+      failure_ = loaded.scene.error();
+    return fail(loaded.scene.error());
+  }
+  scene_ = std::move(*loaded.scene);
+  if (loaded.camera)
+    setCamera(*(home_ = ViewCamera(*loaded.camera)));
+  state_.format = scene_->model.text;
+  state_.device = scene_->device;
+  state_.size = sizeText(*scene_->model.volume);
+  log_.tell("scene " + state_.format + " on " + state_.device + ": " + state_.size);
+  if (!loaded.camera)
+    show();
+}
+
+void Viewer::show() {
+  if (!isPlaced())
+    return;
+  const RenderOptions options = tool::renderOptions(options_.picture, *scene_->model.volume);
+  const bool isSmooth = options.isSmooth && kindOf(state_.style).needsNormals;
+  const std::uint64_t number = painter_.show(
+      {scene_, camera_->camera(options_.width, options_.height), Look{state_.style, isSmooth, options.sun}});
+  if (!waiting_)
+    waiting_ = Waiting{number, {}};
+}
+
+void Viewer::takePainting(Painting painting) {
+  if (!painting.picture)
+    return fail(painting.picture.error());
+  state_.picture = stepText(painting);
+  fineness_ = state_.picture + (painting.isLast ? ", the finest" : "");
+  log_.note("painted " + fineness_);
+  picture_ = std::move(*painting.picture);
+  pictureNumber_ = painting.number;
+  isPictureNew_ = true;
+}
+
+const Picture *Viewer::takePicture() {
+  takenNumber_ = pictureNumber_;
+  return std::exchange(isPictureNew_, false) ? &picture_ : nullptr;
+}
+
+void Viewer::presented() {
+  log_.note("shown " + fineness_);
+  if (!waiting_ || takenNumber_ < waiting_->number)
+    return;
+  char text[64];
+  std::snprintf(text, sizeof text, "reacted after %.1f ms", 1e3 * waiting_->watch.seconds());
+  log_.note(text);
+  waiting_.reset();
+}
+
+bool Viewer::advance(double seconds) {
+  if (isPlaced()) {
+    const Int3 extent = scene_->model.volume->info().extent;
+    const double stride = kStride * std::max({extent.x, extent.y, extent.z});
+    if (motion_.advance(*camera_, std::min(seconds, kLongestStep), stride))
+      show();
+  }
+  bool hasChanged = false;
+  const auto take = [&hasChanged](auto &from, const auto &use) {
+    if (auto thing = from.take()) {
+      use(std::move(*thing));
+      hasChanged = true;
+    }
+  };
+  take(work_, [this](std::string work) { state_.work = std::move(work); });
+  take(loaded_, [this](Loaded loaded) { takeLoaded(std::move(loaded)); });
+  take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
+  take(touch_, [this](const Expected<Touch> &touch) { takeTouch(touch); });
+  take(screenshots_, [this](const Expected<std::string> &path) { takeScreenshot(path); });
+  take(placed_, [this](const Expected<Camera> &camera) { takeCamera(camera); });
+  take(witness_, [this](const Expected<Testimony> &testimony) {
+    if (!testimony)
+      return fail(testimony.error());
+    state_.touched = describe(*testimony);
+    log_.tell("picked " + state_.touched);
+  });
+  return hasChanged;
+}
+
+void Viewer::press(Action action) {
+  struct Row {
+    Action action;
+    void (*act)(Viewer &viewer);
+  };
+  static constexpr Row kRows[] = {
+      {Action::ToggleFly, [](Viewer &viewer) { viewer.setFlying(!viewer.state_.isFlying); }},
+      {Action::Orbit, [](Viewer &viewer) { viewer.orbitTouched(); }},
+      {Action::NextView, [](Viewer &viewer) { viewer.nextView(); }},
+      {Action::Home,
+       [](Viewer &viewer) {
+         if (viewer.home_)
+           viewer.setCamera(*viewer.home_);
+       }},
+      {Action::ToggleHeatmap,
+       [](Viewer &viewer) {
+         viewer.setStyle(viewer.state_.style == Style::Heatmap ? viewer.styleBefore_ : Style::Heatmap);
+       }},
+      {Action::NextDevice, [](Viewer &viewer) { viewer.nextDevice(); }},
+      {Action::EditFormat, [](Viewer &viewer) { viewer.isEditing_ = viewer.state_.showsPanel = true; }},
+      {Action::PreviousPoint, [](Viewer &viewer) { viewer.nextPoint(-1); }},
+      {Action::NextPoint, [](Viewer &viewer) { viewer.nextPoint(1); }},
+      {Action::CopyCamera, [](Viewer &viewer) { viewer.copyCamera(); }},
+      {Action::Screenshot, [](Viewer &viewer) { viewer.writeScreenshot(); }},
+      {Action::TogglePanel, [](Viewer &viewer) { viewer.state_.showsPanel = !viewer.state_.showsPanel; }},
+      {Action::ToggleHelp, [](Viewer &viewer) { viewer.state_.showsHelp = !viewer.state_.showsHelp; }},
+      {Action::Quit, [](Viewer &viewer) { viewer.state_.isClosing = true; }},
+  };
+  log_.note("key " + std::string(keyKinds()[std::size_t(action)].key));
+  motion_.press(action);
+  if (action >= Action::StyleLit && action <= Action::StyleHeatmap)
+    setStyle(static_cast<Style>(int(action) - int(Action::StyleLit)));
+  if (const Row *const row = std::ranges::find(kRows, action, &Row::action); row != std::end(kRows))
+    row->act(*this);
+}
+
+void Viewer::drag(double right, double down, bool isMoving) {
+  if (!camera_)
+    return;
+  if (isMoving) {
+    const Camera camera = camera_->camera(options_.width, options_.height);
+    const double pixel = pixelSpread(camera) * camera_->distance();
+    camera_->move(-right * pixel, down * pixel, 0);
+  } else {
+    // What is seen follows the mouse: in orbit because it turns, in flight because the head turns away.
+    const double sign = state_.isFlying ? -1 : 1;
+    camera_->turn(sign * right * kTurnOfPixel, -sign * down * kTurnOfPixel);
+  }
+  show();
+}
+
+void Viewer::zoom(double steps) {
+  if (!camera_)
+    return;
+  camera_->approach(std::pow(kNearerOfStep, steps));
+  show();
+}
+
+void Viewer::resize(int width, int height) {
+  if (width < 1 || height < 1 || (width == options_.width && height == options_.height))
+    return;
+  options_.width = width;
+  options_.height = height;
+  log_.note("size " + std::to_string(width) + "x" + std::to_string(height));
+  show();
+}
+
+void Viewer::setStyle(Style style) {
+  if (style == state_.style)
+    return;
+  if (style == Style::Heatmap)
+    styleBefore_ = state_.style;
+  state_.style = style;
+  log_.tell("style " + std::string(toString(style)));
+  show();
+}
+
+void Viewer::click(int column, int row) {
+  if (!isPlaced() || column < 0 || row < 0 || column >= options_.width || row >= options_.height)
+    return;
+  painter_.ask([this, column, row](const Shot &shot) {
+    if (column < shot.camera.width && row < shot.camera.height)
+      touch_.put(touch(shot, column, row));
+  });
+}
+
+void Viewer::takeTouch(const Expected<Touch> &touch) {
+  if (!touch)
+    return fail(touch.error());
+  touched_ = touch->hit;
+  state_.touched = describe(touch->hit) + "; asking the oracle";
+  witness_.ask(*touch);
+}
+
+void Viewer::setCamera(const ViewCamera &camera) {
+  camera_ = camera;
+  setFlying(state_.isFlying);
+  show();
+}
+
+void Viewer::setFlying(bool isFlying) {
+  if (isFlying != state_.isFlying)
+    log_.tell(isFlying ? "mode fly" : "mode orbit");
+  state_.isFlying = isFlying;
+  if (camera_)
+    camera_->setTurning(isFlying ? Turning::Fly : Turning::Orbit);
+}
+
+void Viewer::orbitTouched() {
+  if (!camera_ || !touched_ || !touched_->isHit())
+    return;
+  camera_->lookAt({touched_->voxel[0] + 0.5, touched_->voxel[1] + 0.5, touched_->voxel[2] + 0.5});
+  setFlying(false);
+  show();
+}
+
+void Viewer::nextView() {
+  constexpr voxc::View kViews[] = {voxc::View::Iso, voxc::View::Front, voxc::View::Top, voxc::View::Inside};
+  if (!isPlaced())
+    return;
+  const voxc::View view = kViews[view_++ % std::size(kViews)];
+  log_.tell("view " + std::string(toString(view)));
+  tool::PictureOptions options = options_.picture;
+  options.view = toString(view);
+  options.camera.camera.clear();
+  options.camera.size = std::to_string(options_.width) + "x" + std::to_string(options_.height);
+  painter_.ask([this, options](const Shot &shot) { placed_.put(placeIn(*shot.scene, options)); });
+}
+
+void Viewer::takeCamera(const Expected<Camera> &camera) {
+  if (!camera)
+    return fail(camera.error());
+  setCamera(ViewCamera(*camera));
+}
+
+void Viewer::nextDevice() {
+  const std::vector<std::string> &devices = options_.devices;
+  if (devices.empty())
+    return;
+  const auto now = std::ranges::find(devices, wish_.device.empty() ? state_.device : wish_.device);
+  useDevice(now == devices.end() || now + 1 == devices.end() ? devices.front() : *(now + 1));
+}
+
+void Viewer::nextPoint(int step) {
+  const auto next = options_.search.nextLeading(options_.search.find(wish_.format), step);
+  if (next)
+    load(options_.search.points[*next].text);
+}
+
+void Viewer::copyCamera() {
+  if (!isPlaced())
+    return;
+  const Camera camera = camera_->camera(options_.width, options_.height);
+  copied_ = tool::cameraText(options_.picture, camera, *scene_->model.volume);
+  log_.tell("camera " + *copied_);
+}
+
+void Viewer::writeScreenshot() {
+  if (picture_.pixels.empty())
+    return;
+  if (const auto before = screenshots_.write(picture_))
+    takeScreenshot(*before);
+  shot_ = state_.picture;
+}
+
+void Viewer::takeScreenshot(const Expected<std::string> &path) {
+  if (!path)
+    return fail(path.error());
+  log_.tell("screenshot " + *path + ": " + shot_);
+}
+
+} // namespace voxc::view

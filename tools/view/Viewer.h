@@ -1,0 +1,153 @@
+// The viewer without its window: what is shown, what input does to it, and what threads bring.
+#pragma once
+
+#include "view/EventLog.h"
+#include "view/Motion.h"
+#include "view/Painter.h"
+#include "view/Screenshots.h"
+#include "view/SearchPoints.h"
+#include "view/Witness.h"
+
+#include "common/PictureOptions.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace voxc::view {
+
+struct ViewerOptions {
+  tool::PictureOptions picture;
+  int width = 1280, height = 720;
+  SceneWish wish;                   ///< The first scene.
+  std::vector<std::string> devices; ///< Names that a scene may wish for.
+  SearchPoints search;              ///< Empty: none.
+  std::string screenshots;          ///< The folder that they are written to.
+};
+
+/// What the panel shows. Texts are "" where there is nothing to say.
+struct ViewerState {
+  Style style = Style::Lit;
+  std::string format, device; ///< Of the scene.
+  std::string size;           ///< Of its volume, in words.
+  std::string work;           ///< What is being loaded, and how far.
+  std::string error;          ///< Of what was asked for last.
+  std::string picture;        ///< How fine it is.
+  std::string touched;        ///< What a click told.
+  bool isFlying = false;
+  bool showsPanel = true, showsHelp = false;
+  bool isClosing = false;
+};
+
+class Viewer {
+public:
+  /// Begins to load the first scene. `wake` is called from threads whenever `advance` has something to do.
+  /// `log` must outlive it.
+  Viewer(ViewerOptions options, SceneMaker maker, EventLog &log, std::function<void()> wake);
+
+  void press(Action action);
+  void release(Action action) { motion_.release(action); }
+  void releaseKeys() { motion_.releaseAll(); }
+  /// The mouse moved by so many pixels with a button down.
+  void drag(double right, double down, bool isMoving);
+  /// The wheel turned by so many steps, away from the user.
+  void zoom(double steps);
+  /// Asks what is to be seen at a pixel.
+  void click(int column, int row);
+  void resize(int width, int height);
+
+  void setStyle(Style style);
+  /// Loads a format, with passes, or the scene on another device. What is shown stays until it is there, and
+  /// for good if it fails.
+  void load(const std::string &format);
+  void useDevice(const std::string &device);
+
+  /// Goes on by so many seconds: moves by held keys, takes what threads brought. True if there is something
+  /// new to be seen.
+  bool advance(double seconds);
+  /// Whether keys are held that move.
+  bool isMoving() const { return motion_.isMoving(); }
+
+  /// Why there is nothing to see, and will not be: the first scene failed.
+  const std::optional<Error> &failure() const { return failure_; }
+  const ViewerState &state() const { return state_; }
+  const ViewerOptions &options() const { return options_; }
+  /// The newest picture, if it was not taken yet; else null. It stays until the next `advance`.
+  const Picture *takePicture();
+  /// What was taken is on its way to the screen: tells the log how long an input took until then.
+  void presented();
+  /// A text for the clipboard, once.
+  std::optional<std::string> takeCopied() { return std::exchange(copied_, std::nullopt); }
+  /// The format is being written.
+  void startedWriting() { log_.note("writing"); }
+  /// Whether the user wants to write a format, once.
+  bool takeEditing() { return std::exchange(isEditing_, false); }
+
+private:
+  /// What the loading thread brings.
+  struct Loaded {
+    Expected<std::shared_ptr<Scene>> scene;
+    std::optional<Camera> camera; ///< With the first scene.
+  };
+
+  bool isPlaced() const { return scene_ && camera_; }
+  void request(const SceneWish &wish);
+  void takeLoaded(Loaded loaded);
+  void takePainting(Painting painting);
+  void takeTouch(const Expected<Touch> &touch);
+  void takeCamera(const Expected<Camera> &camera);
+  void show();
+  void fail(const Error &error);
+  void nextView();
+  void nextDevice();
+  void nextPoint(int step);
+  void orbitTouched();
+  void setCamera(const ViewCamera &camera);
+  void setFlying(bool isFlying);
+  void copyCamera();
+  void writeScreenshot();
+  void takeScreenshot(const Expected<std::string> &path);
+
+  ViewerOptions options_;
+  SceneMaker maker_;
+  EventLog &log_;
+  std::function<void()> wake_;
+  ViewerState state_;
+  SceneWish wish_; ///< The last that was asked for.
+  std::optional<Error> failure_;
+  std::shared_ptr<Scene> scene_;
+  std::optional<ViewCamera> camera_;
+  std::optional<ViewCamera> home_;
+  Motion motion_;
+  Style styleBefore_ = Style::Lit; ///< The heat map.
+  std::size_t view_ = 0;           ///< The last word that `nextView` took.
+  std::optional<Hit> touched_;
+  Picture picture_;
+  std::string fineness_;                              ///< Of it, for the log.
+  std::uint64_t pictureNumber_ = 0, takenNumber_ = 0; ///< Of the shots that it, and what was taken, is of.
+  bool isPictureNew_ = false;
+  std::optional<std::string> copied_;
+  bool isEditing_ = false;
+  std::string shot_; ///< How fine the last screenshot is.
+
+  /// An input that was not seen yet.
+  struct Waiting {
+    std::uint64_t number;
+    Stopwatch watch;
+  };
+  std::optional<Waiting> waiting_;
+
+  Mailbox<Loaded> loaded_;
+  Mailbox<std::string> work_;
+  Mailbox<Expected<Touch>> touch_;
+  Mailbox<Expected<Camera>> placed_;
+  Screenshots screenshots_;
+  Witness witness_;
+  Painter painter_;
+  JobThread loader_; // Threads last: they use all others.
+};
+
+} // namespace voxc::view

@@ -1,0 +1,40 @@
+// Numbers in words.
+#include "view/Words.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+
+namespace voxc::view {
+namespace {
+
+std::string bytesText(double bytes) {
+  constexpr const char *kUnits[] = {"B", "KiB", "MiB", "GiB", "TiB"};
+  std::size_t unit = 0;
+  for (; bytes >= 1024 && unit + 1 < std::size(kUnits); ++unit)
+    bytes /= 1024;
+  char text[48];
+  std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.2f %s", bytes, kUnits[unit]);
+  return text;
+}
+
+} // namespace
+
+std::string sizeText(const Volume &volume) {
+  const VolumeInfo &info = volume.info();
+  return std::to_string(info.extent.x) + " x " + std::to_string(info.extent.y) + " x " +
+         std::to_string(info.extent.z) + ", " + std::to_string(info.voxels) + " voxels, " +
+         bytesText(double(volume.bytes()));
+}
+
+std::string stepText(const Painting &painting) {
+  const Picture &picture = *painting.picture;
+  const int divisor = painting.step.divisor;
+  char text[96];
+  std::snprintf(text, sizeof text, "%dx%d, %u sample%s, %.0f ms", std::max(picture.width / divisor, 1),
+                std::max(picture.height / divisor, 1), painting.step.samples,
+                painting.step.samples == 1 ? "" : "s", 1e3 * painting.seconds);
+  return text;
+}
+
+} // namespace voxc::view

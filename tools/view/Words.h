@@ -1,0 +1,16 @@
+// Sizes and times as the panel and the log tell them.
+#pragma once
+
+#include "view/Painter.h"
+
+#include <string>
+
+namespace voxc::view {
+
+/// "512 x 215 x 315, 2281396 voxels, 13.17 MiB".
+std::string sizeText(const Volume &volume);
+
+/// "320x180, 1 sample, 24 ms". Precondition: there is a picture.
+std::string stepText(const Painting &painting);
+
+} // namespace voxc::view

@@ -1,0 +1,174 @@
+// Scenes for the viewer.
+#include "view/SceneSource.h"
+
+#include "Tracing.h"
+
+#include "frontend/FormatArgument.h"
+#include "search/Suggestion.h"
+#include "view/FormatText.h"
+#include "voxc/Construct/Constructor.h"
+
+#include <algorithm>
+
+namespace voxc::tool {
+namespace {
+
+/// A tracer with the device that it is on, and the volume that it goes through.
+class KeptTracer final : public Tracer {
+public:
+  KeptTracer(std::shared_ptr<const Volume> volume, Tracing tracing)
+      : volume_(std::move(volume)), tracing_(std::move(tracing)) {}
+
+  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+                              const TraceOptions &options) override {
+    return tracing_.trace(rays, hits, options);
+  }
+
+private:
+  std::shared_ptr<const Volume> volume_;
+  Tracing tracing_;
+};
+
+} // namespace
+
+void SceneSource::declare(CLI::App &app) {
+  app.add_option("INPUT", input_, std::string(kInputHelp))->required()->type_name("");
+  app.add_option("--format", format_,
+                 "Format string or .vir file to begin with; the default is a volume's own, and else as voxc "
+                 "suggest chooses")
+      ->type_name("FORMAT");
+  app.add_flag("--trusted", trusted_,
+               "Skip the walk that proves every offset of a volume, for a file of one's own");
+  app.add_option("--device", device_,
+                 "Trace on the device whose name contains this, or which has this number or UUID in 'voxc "
+                 "devices', or on cpu")
+      ->type_name("NAME");
+  addThreadsArgument(app, building_);
+  app.get_option("--threads")
+      ->description("Threads that build and trace; default: as many as the machine has");
+  addInputArguments(app, inputArguments_);
+  addMemoryArguments(app, building_);
+  passes_.declare(app, PassChoice::All);
+}
+
+bool SceneSource::isVolume() const { return input_.ends_with(".hvx"); }
+
+Expected<void> SceneSource::check() const {
+  if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
+    return checked;
+  if (!format_.empty())
+    if (Expected<Format> format = readFormat(format_); !format)
+      return format.error();
+  if (format_.empty() && !isVolume() && !passes_.names().empty())
+    return Error::usage("passes are chosen with the format; give a --format to choose them");
+  if (format_.empty())
+    for (const std::string &name : passes_.names())
+      if (const Pass *const pass = findPass(name); pass && pass->effect != AttributeEffect::Walk)
+        return Error::usage("pass '" + name +
+                            "' changes what a volume stores; give a --format too, and it is built anew");
+  return {};
+}
+
+view::SceneMaker SceneSource::maker(const CommonOptions &common) {
+  return {[this, common](const std::string &text, const Progress &progress) {
+            return makeModel(text, common, progress);
+          },
+          [this, common](const view::Model &model, std::string &device) {
+            return makeTracer(model, common, device);
+          },
+          building_.threads};
+}
+
+Expected<view::Model> SceneSource::makeModel(const std::string &text, const CommonOptions &common,
+                                             const Progress &progress) const {
+  if (!text.empty())
+    return buildModel(text, progress);
+  if (!format_.empty()) {
+    const Expected<Format> format = readFormat(format_);
+    return format ? buildModel(view::formatText(view::formatText(*format), passes_.names()), progress)
+                  : Expected<view::Model>(format.error());
+  }
+  return isVolume() ? loadVolume(progress) : suggestModel(common, progress);
+}
+
+Expected<view::Model> SceneSource::loadVolume(const Progress &progress) const {
+  LoadOptions options{.trusted = trusted_, .threads = building_.threads, .progress = progress};
+  Expected<Volume> volume = Volume::load(input_, options);
+  if (!volume)
+    return volume.error();
+  view::Model model;
+  model.volume = std::make_shared<const Volume>(std::move(*volume));
+  model.format = model.volume->format();
+  model.text = view::formatText(view::formatText(model.format), passes_.names());
+  if (Expected<void> passed = passes_.apply(model.format); !passed)
+    return passed.error();
+  return model;
+}
+
+Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, const Progress &progress) const {
+  SuggestRequest request{.input = input_, .arguments = inputArguments_};
+  request.device = device_.empty() ? "cpu" : device_;
+  request.memory = makeWorkingMemory(building_);
+  request.wish.maxBytes = kMaxWords * sizeof(std::uint32_t);
+  Json figures;
+  CommonOptions quietly = common;
+  quietly.quiet = true;
+  const Expected<Suggestion> suggestion = makeSuggestion(request, quietly, progress, figures);
+  if (!suggestion)
+    return suggestion.error();
+  const Candidate &candidate = suggestion->rated[*suggestion->choice].candidate;
+  return buildModel(view::formatText(candidate.text, candidate.passes), progress);
+}
+
+Expected<view::Model> SceneSource::buildModel(const std::string &text, const Progress &progress) const {
+  Expected<Format> format = view::readFormatText(view::parseFormatText(text));
+  if (!format)
+    return format.error();
+  InputOptions options = makeInputOptions(inputArguments_, format->extent());
+  options.progress = progress;
+  options.memory = makeWorkingMemory(building_);
+  options.threads = threadsOf(building_);
+  Expected<Input> input = openInput(input_, options);
+  if (!input)
+    return input.error();
+  const Expected<Constructor> constructor = Constructor::compile(*format);
+  if (!constructor)
+    return constructor.error();
+  BuildOptions building;
+  building.provenance = input->provenance;
+  building.threads = options.threads;
+  building.memory = options.memory;
+  building.progress = progress;
+  Expected<Built> built = constructor->build(*input->source, building);
+  if (!built)
+    return built.error();
+  return view::Model{std::make_shared<const Volume>(std::move(built->volume)), std::move(*format),
+                     view::spelledText(text)};
+}
+
+Expected<std::unique_ptr<Tracer>>
+SceneSource::makeTracer(const view::Model &model, const CommonOptions &common, std::string &device) const {
+  Tracing tracing;
+  tracing.choose(device, building_.threads);
+  if (Expected<void> opened = tracing.openDevice(common); !opened)
+    return opened.error();
+  Json figures;
+  if (Expected<void> prepared = tracing.prepare(*model.volume, model.format, figures); !prepared)
+    return prepared.error();
+  device = tracing.deviceInfo().name;
+  return std::unique_ptr<Tracer>(std::make_unique<KeptTracer>(model.volume, std::move(tracing)));
+}
+
+std::vector<std::string> deviceNames() {
+  const std::vector<DeviceInfo> devices = listDevices();
+  std::vector<std::string> names;
+  for (const DeviceInfo &device : devices)
+    if (device.usable) {
+      const bool isAlone = std::ranges::count(devices, device.name, &DeviceInfo::name) == 1;
+      names.push_back(isAlone ? device.name : device.uuid);
+    }
+  names.push_back(cpuDeviceInfo().name);
+  return names;
+}
+
+} // namespace voxc::tool

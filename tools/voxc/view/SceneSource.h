@@ -1,0 +1,53 @@
+// Where the viewer's scenes come from: a volume or an input, and the devices that trace.
+#pragma once
+
+#include "BuildArguments.h"
+#include "InputArguments.h"
+
+#include "common/Command.h"
+#include "frontend/PassOptions.h"
+#include "view/Scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace voxc::tool {
+
+class SceneSource {
+public:
+  /// Adds INPUT, --format, the passes, --device, --threads and the options of inputs and volumes to a
+  /// command.
+  void declare(CLI::App &app);
+  /// Looks at the options before any work. Error: `Usage`.
+  Expected<void> check() const;
+
+  const std::string &input() const { return input_; }
+  unsigned threads() const { return building_.threads; }
+  /// The scene that was asked for.
+  view::SceneWish wish() const { return {"", device_}; }
+  /// Makes this and other scenes of the input. It refers to this object.
+  view::SceneMaker maker(const CommonOptions &common);
+
+private:
+  bool isVolume() const;
+  Expected<view::Model> loadVolume(const Progress &progress) const;
+  Expected<view::Model> buildModel(const std::string &text, const Progress &progress) const;
+  Expected<view::Model> suggestModel(const CommonOptions &common, const Progress &progress) const;
+  Expected<view::Model> makeModel(const std::string &text, const CommonOptions &common,
+                                  const Progress &progress) const;
+  Expected<std::unique_ptr<Tracer>> makeTracer(const view::Model &model, const CommonOptions &common,
+                                               std::string &device) const;
+
+  std::string input_, format_, device_;
+  bool trusted_ = false;
+  InputArguments inputArguments_;
+  BuildArguments building_;
+  PassOptions passes_;
+};
+
+/// The devices that the viewer offers: the usable ones of Vulkan, then cpu.
+std::vector<std::string> deviceNames();
+
+} // namespace voxc::tool

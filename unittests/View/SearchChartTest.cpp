@@ -1,0 +1,138 @@
+// What a search measured, as points that can be clicked; and formats in a line.
+#include "view/SearchChart.h"
+#include "view/FormatText.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace voxc::view {
+namespace {
+
+using ::testing::ElementsAre;
+using tool::bench::Record;
+
+Record record(const std::string &format, std::uint64_t bytes, double mraysPerS, const std::string &set = "a",
+              std::vector<std::string> passes = {}) {
+  Record result;
+  result.model.name = "hut";
+  result.model.digest = "1";
+  result.format.name = format;
+  result.format.passes = std::move(passes);
+  result.precision = "exact";
+  result.device = {"cpu", "cpu", "", 2, "cpu"};
+  result.rays.digest = set;
+  result.volume.bytes = bytes;
+  result.speed.mraysPerCpuS = tool::bench::Speed{mraysPerS, mraysPerS, mraysPerS, 0};
+  return result;
+}
+
+TEST(SearchPoints, AreSortedAndKnowTheFrontier) {
+  const SearchPoints search = makeSearchPoints(std::vector{record("G(5)", 300, 5), record("S(5)", 100, 2),
+                                                           record("R(5^3)", 200, 1), record("G(6)", 400, 9)});
+  ASSERT_EQ(search.points.size(), 4u);
+  std::vector<double> bytes;
+  std::vector<bool> leads;
+  for (const SearchPoint &point : search.points) {
+    bytes.push_back(point.bytes);
+    leads.push_back(point.isLeading);
+  }
+  EXPECT_THAT(bytes, ElementsAre(100, 200, 300, 400));
+  EXPECT_THAT(leads, ElementsAre(true, false, true, true));
+  EXPECT_EQ(search.points[1].text, "R(5, 5, 5)");
+  EXPECT_EQ(search.device, "cpu");
+  EXPECT_EQ(search.model, "hut");
+}
+
+TEST(SearchPoints, TakeTheMeanTimeOverAllSetsOfRays) {
+  const SearchPoints search = makeSearchPoints(
+      std::vector{record("G(5)", 300, 4, "a"), record("G(5)", 300, 12, "b"), record("S(5)", 100, 2, "a")});
+  // 1/4 and 1/12 of a second for a million rays; S(5) lacks a set.
+  ASSERT_EQ(search.points.size(), 1u);
+  EXPECT_DOUBLE_EQ(search.points[0].mraysPerS, 6);
+}
+
+TEST(SearchPoints, LeaveOutFailuresAndWhatCannotBeCompared) {
+  Record failed = record("G(7)", 100, 1), other = record("G(8)", 100, 1), fast = record("G(9)", 100, 1);
+  failed.failure = tool::bench::Failure{"build", "no", {}};
+  other.device.name = "llvmpipe";
+  fast.precision = "fast";
+  const SearchPoints search = makeSearchPoints(std::vector{failed, record("G(5)", 300, 5), other, fast});
+  ASSERT_EQ(search.points.size(), 1u);
+  EXPECT_EQ(search.points[0].text, "G(5)");
+  EXPECT_TRUE(makeSearchPoints(std::vector{failed}).points.empty());
+}
+
+TEST(SearchPoints, AreFoundByTheirFormatAndPasses) {
+  const SearchPoints search = makeSearchPoints(
+      std::vector{record("G(5)", 100, 1), record("G(5)", 90, 0.5, "a", {"whole-level-dedup", "palette=4"})});
+  EXPECT_EQ(search.find("G(5) --whole-level-dedup --palette=4"), 0u);
+  EXPECT_EQ(search.find("G(5)"), 1u);
+  EXPECT_FALSE(search.find("G(4)"));
+}
+
+TEST(SearchPoints, TheNextOneLeads) {
+  const SearchPoints search =
+      makeSearchPoints(std::vector{record("S(5)", 100, 2), record("R(5^3)", 200, 1), record("G(5)", 300, 5)});
+  EXPECT_EQ(search.nextLeading({}, 1), 0u);
+  EXPECT_EQ(search.nextLeading({}, -1), 2u);
+  EXPECT_EQ(search.nextLeading(0, 1), 2u);
+  EXPECT_EQ(search.nextLeading(1, -1), 0u);
+  EXPECT_FALSE(search.nextLeading(2, 1));
+}
+
+TEST(SearchChart, PlacesSizesToTheRightAndSpeedsUpwards) {
+  const SearchPoints search = makeSearchPoints(
+      std::vector{record("S(5)", 1024, 2), record("R(5^3)", 2048, 1), record("G(5)", 4096, 4)});
+  const SearchChart chart(search, 300, 100);
+  const auto &places = chart.places();
+  ASSERT_EQ(places.size(), 3u);
+  // Equal ratios are equally far apart, and twice the speed is twice as high.
+  EXPECT_NEAR(places[1].x - places[0].x, places[2].x - places[1].x, 1e-6);
+  EXPECT_GT(places[1].x, places[0].x);
+  EXPECT_NEAR(100 - places[2].y, 2 * (100 - places[0].y), 1e-6);
+  for (const glm::dvec2 &place : places) {
+    EXPECT_TRUE(place.x >= 0 && place.x <= 300);
+    EXPECT_TRUE(place.y >= 0 && place.y <= 100);
+  }
+  EXPECT_EQ(chart.frontier().size(), 5u);
+}
+
+TEST(SearchChart, AClickTakesTheNearestPoint) {
+  const SearchPoints search = makeSearchPoints(std::vector{record("S(5)", 1024, 2), record("G(5)", 4096, 4)});
+  const SearchChart chart(search, 300, 100);
+  EXPECT_EQ(chart.nearest(chart.places()[1] + glm::dvec2(3, -2), 8), 1u);
+  EXPECT_EQ(chart.nearest(chart.places()[0] + glm::dvec2(-5, 0), 8), 0u);
+  EXPECT_FALSE(chart.nearest(chart.places()[0] + glm::dvec2(-9, 0), 8));
+}
+
+TEST(FormatText, PartsPassesFromTheFormat) {
+  const FormatText text = parseFormatText("  'R(4,4,4) G(5)' --whole-level-dedup  --palette=4 ");
+  EXPECT_EQ(text.format, "R(4,4,4) G(5)");
+  EXPECT_THAT(text.passes, ElementsAre("whole-level-dedup", "palette=4"));
+  EXPECT_EQ(formatText(text.format, text.passes), "R(4,4,4) G(5) --whole-level-dedup --palette=4");
+  EXPECT_EQ(parseFormatText("G(5)").passes.size(), 0u);
+  EXPECT_EQ(parseFormatText("").format, "");
+}
+
+TEST(FormatText, IsTheSameForWhatMeansTheSame) {
+  EXPECT_EQ(spelledText("R(4^3)  G(5) --flat-walk"), spelledText("R(4, 4, 4) G(5)   --flat-walk"));
+  EXPECT_EQ(spelledText("no format"), "no format");
+}
+
+TEST(FormatText, GivesAFormatWithItsAttributesAgain) {
+  const Format plain = *parseFormat("R(2,2,2) G(3)");
+  EXPECT_EQ(formatText(plain), "R(2, 2, 2) G(3)");
+  const Format passed = *readFormatText(parseFormatText("R(2,2,2) G(3) --whole-level-dedup"));
+  const std::string line = formatText(passed);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  EXPECT_EQ(*readFormatText(parseFormatText(line)), passed);
+}
+
+TEST(FormatText, TellsWhatIsWrong) {
+  EXPECT_THAT(readFormatText(parseFormatText("G(")).error().message, ::testing::HasSubstr("error"));
+  EXPECT_THAT(readFormatText(parseFormatText("G(4) --nonsense")).error().message,
+              ::testing::HasSubstr("'nonsense' is no pass"));
+}
+
+} // namespace
+} // namespace voxc::view
