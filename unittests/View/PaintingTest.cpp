@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -41,6 +42,14 @@ TEST(Paint, EnlargesPixelsToSquares) {
       colours.insert(picture.pixels[std::size_t(y * 64 + x)]);
     }
   EXPECT_GT(colours.size(), 5u);
+}
+
+TEST(Paint, TheLegendOfAMapIsReadableInAnyStep) {
+  // Every ray takes as many lookups, so that nothing but the legend could differ.
+  Shot shot = shotOf(makeHill(), Style::Heatmap);
+  shot.camera.width = 320;
+  shot.camera.height = 200;
+  EXPECT_EQ(paint(shot, {8, 1, true}, {})->pixels, paint(shot, {1, 1, false}, {})->pixels);
 }
 
 TEST(Paint, TheFinestStepIsTheRenderedPicture) {
@@ -125,6 +134,7 @@ TEST(SlicedTracer, TracesEveryRayOnce) {
     rays[i].origin[0] = float(i);
   std::vector<Hit> hits(rays.size());
   ASSERT_TRUE(tracer->trace(rays, hits));
+  EXPECT_EQ(std::accumulate(calls.begin(), calls.end(), std::size_t{0}), rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
     ASSERT_EQ(hits[i].t, float(i));
   EXPECT_GT(calls.size(), 3u);

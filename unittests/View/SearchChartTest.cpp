@@ -105,6 +105,14 @@ TEST(SearchChart, AClickTakesTheNearestPoint) {
   EXPECT_FALSE(chart.nearest(chart.places()[0] + glm::dvec2(-9, 0), 8));
 }
 
+TEST(SearchChart, OfTwoPointsInReachTheNearerIsTaken) {
+  const SearchPoints search = makeSearchPoints(
+      std::vector{record("S(5)", 1000, 4), record("G(5)", 1010, 4), record("G(6)", 100000, 4)});
+  const SearchChart chart(search, 300, 100);
+  for (const std::size_t i : {0u, 1u})
+    EXPECT_EQ(chart.nearest(chart.places()[i], 50), i);
+}
+
 TEST(FormatText, PartsPassesFromTheFormat) {
   const FormatText text = parseFormatText("  'R(4,4,4) G(5)' --whole-level-dedup  --palette=4 ");
   EXPECT_EQ(text.format, "R(4,4,4) G(5)");
