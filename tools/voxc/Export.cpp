@@ -11,6 +11,8 @@
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
 
+#include <algorithm>
+
 namespace voxc::tool {
 
 namespace {
@@ -24,6 +26,13 @@ public:
         ->type_name("FILE")
         ->required();
     addCompressArgument(app, compress_);
+    app.add_option("--page-bytes", pageBytes_,
+                   "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
+                   "for less, large ones take fewer bytes")
+        ->type_name("SIZE")
+        ->check(sizeCheck())
+        ->needs(app.get_option("--compress"))
+        ->capture_default_str();
     addCommonOptions(app, common_);
   }
 
@@ -36,7 +45,10 @@ public:
     ProgressBar bar(common_.quiet);
     const Stopwatch watch;
     if (Expected<void> exported =
-            exportVoxels(*volume, output_, {.compress = compress_, .progress = bar.progress()});
+            exportVoxels(*volume, output_,
+                         {.compress = compress_,
+                          .pageBytes = static_cast<std::uint32_t>(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u)),
+                          .progress = bar.progress()});
         !exported)
       return exported;
     Json figures;
@@ -51,6 +63,7 @@ private:
   VolumeArgument volume_;
   std::string output_;
   bool compress_ = false;
+  std::string pageBytes_ = "256KiB";
   CommonOptions common_;
 };
 
