@@ -44,7 +44,11 @@ void store(uint at, const Walk walk, bool hit${and-an-arrival}) {
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
 %if colour
+%if paged
+  hit_words[at + 3u] = hit ? walk.voxel : 0u;
+%else
   hit_words[at + 3u] = hit ? colour_of(walk) : 0u;
+%end
 %else
   hit_words[at + 3u] = 0u;
 %end

@@ -23,6 +23,13 @@ bool trace_ray(uint ray_number, bool goes_on) {
   Ray ray;
   bool hit = begin_walk(load_bits(at), direction, root, ray, walk) && walk_on(ray, walk, root);
   hit = end_walk(load_bits(at), direction, walk, hit);
+%if paged
+%if colour
+  if (hit)
+    walk.voxel = colour_of(walk);
+%end
+  hit = hit && !lacks_page; // Else it waits where it is.
+%end
 %if arrival
   bool sure;
   Arrival arrival = arrival_at(ray, walk, hit, sure);
@@ -34,7 +41,11 @@ bool trace_ray(uint ray_number, bool goes_on) {
     hit = false;
   bool is_left = walk.open != CLOSED || (!hit && is_in_volume(walk.cell));
 %else
+%if paged
+  bool is_left = walk.open != CLOSED || (!hit && is_in_volume(walk.cell));
+%else
   bool is_left = walk.open != CLOSED;
+%end
 %end
   if (is_left)
     store_left(at, walk);
@@ -56,10 +67,15 @@ void main() {
   if (number >= (task == LEFT_OVER ? left_count : ray_count))
     return;
   uint ray_number = task == LEFT_OVER ? left_rays[number] : first_ray + number;
-%if cut
+%if resumes
   if (task == CUT_OFF && int(hit_words[6u * ray_number]) > -2)
     return;
 %end
+%if paged
+  if (trace_ray(ray_number, task != ALL) && !SETTLES && !lacks_page)
+    leave(ray_number);
+%else
   if (trace_ray(ray_number, task != ALL) && !SETTLES)
     leave(ray_number);
+%end
 }

@@ -21,6 +21,6 @@ layout(constant_id = 3) const bool SETTLES = true;
 layout(push_constant) uniform Tile { uint first_ray; uint ray_count; uint task; };
 const uint ALL = 0u;
 const uint LEFT_OVER = 1u; // Those of the list.
-%if cut
+%if resumes
 const uint CUT_OFF = 2u; // Those that are unfinished.
 %end

@@ -14,6 +14,13 @@ bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Wal
   }
   Walk start = walk;
   bool enters = enter_volume(ray, start);
+%if paged
+  // One that has waited for a page keeps its cell, where only who settles can tell how it entered.
+  if (start.open == AGAIN && is_in_volume(walk.cell)) {
+    walk.open = AGAIN;
+    return false;
+  }
+%end
   if (!enters || (!is_in_volume(walk.cell) && walk.open == CLOSED))
     walk = start;
   return enters;

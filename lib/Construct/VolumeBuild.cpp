@@ -103,7 +103,10 @@ Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) con
 }
 
 Expected<void> VolumeBuild::save(const Volume &volume) {
-  const SaveOptions saving{options_.compress, options_.threads, options_.memory, options_.progress};
+  const SaveOptions saving{.compress = options_.compress,
+                           .threads = options_.threads,
+                           .memory = options_.memory,
+                           .progress = options_.progress};
   if (pagedWriter_)
     return pagedWriter_->finish(volume.info(), volume.streams(), saving);
   return options_.path.empty() || streamWriter_ ? Expected<void>() : volume.save(options_.path);

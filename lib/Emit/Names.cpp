@@ -267,6 +267,16 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.conditions["colour"] = outputs.colour;
 }
 
+/// How words are reached, and what becomes of a ray that waits for some of them.
+void addPaging(TemplateNames &names, const Plan &plan) {
+  const bool paged = plan.addressing == Addressing::Paged;
+  names.conditions["segments"] = plan.addressing == Addressing::Segments;
+  names.conditions["paged"] = paged;
+  names.holes["cut-short"] = paged ? "kernel.lacks_page ? DONE : LET_GO" : "LET_GO";
+  names.holes["may-have-waited"] = paged ? "true" : "false";
+  names.holes["waited-or"] = paged ? "waited || " : "";
+}
+
 } // namespace
 
 int flatLayers(const Stratum &stratum) { return std::max(stratum.depth, 1); }
@@ -298,11 +308,12 @@ TemplateNames planNames(const Plan &plan) {
   names.conditions["refines"] = plan.steps == Steps::Refined;
   names.conditions["values-apart"] = plan.layout.values == Values::Apart;
   names.conditions["cut"] = cut;
+  names.conditions["resumes"] = cut || plan.addressing == Addressing::Paged;
   names.conditions["packets"] = plan.packing == Packing::Packets;
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
   names.conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   names.conditions["cone"] = plan.detail == Detail::Cone;
-  names.conditions["segments"] = plan.addressing == Addressing::Segments;
+  addPaging(names, plan);
   int layers = 0;
   for (const Stratum &stratum : plan.layout.strata)
     layers += flatLayers(stratum);

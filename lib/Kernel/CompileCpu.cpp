@@ -48,8 +48,11 @@ bool isIdentifier(const std::string &name) {
 
 } // namespace
 
-Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, const CompileCache *cache) {
-  const auto plan = makePlan(format, kCpuPlan);
+Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, const CompileCache *cache,
+                                     Addressing addressing) {
+  PlanOptions options = kCpuPlan;
+  options.addressing = addressing;
+  const auto plan = makePlan(format, options);
   if (!plan)
     return plan.error();
   const auto object = compile(emitIntersectCpp(*plan, kSymbol, countWords), "native", cache);
@@ -62,7 +65,8 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, cons
   if (!function)
     return function.error();
   return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function), storageDigest(format),
-                   std::make_shared<const JitCode>(std::move(*code)), countWords};
+                   std::make_shared<const JitCode>(std::move(*code)), countWords,
+                   addressing == Addressing::Paged};
 }
 
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {

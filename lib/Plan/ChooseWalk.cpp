@@ -42,6 +42,14 @@ void chooseWalk(Plan &plan) {
   const auto goesItsOwnWay = [](const Traversal &traversal) {
     return traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled;
   };
+  // Of one descent a ray can wait for all pages; of a walk that keeps its place, for none that it has left.
+  if (plan.addressing == Addressing::Paged) {
+    plan.walk = Walk::Direct;
+    for (Traversal &traversal : plan.traversals)
+      if (goesItsOwnWay(traversal))
+        traversal.descent = Descent::Stack;
+    return;
+  }
   const bool needsNesting =
       plan.detail == Detail::Cone || std::ranges::any_of(plan.traversals, goesItsOwnWay);
   if (needsNesting)

@@ -115,7 +115,7 @@ constexpr std::array<Field<Plan>, 19> kPlanFields = {{
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     {"values", printValues, parseValues, "in-place, apart"},
     {"granule", printGranule, parseGranule, "a number of words, a power of two"},
-    field<Plan, &Plan::addressing>("addressing", "buffer, segments"),
+    field<Plan, &Plan::addressing>("addressing", "buffer, segments, paged"),
     field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
     field<Plan, &Plan::steps>("steps", "float32, refined, float64"),

@@ -15,6 +15,8 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
   if (isOneLoop && plan.detail == Detail::Cone)
     diagnostics.error({}, "one loop for all levels stops at voxels alone");
+  if (plan.addressing == Addressing::Paged && plan.query == Query::Occupancy)
+    diagnostics.error({}, "pages that are not here are what rays wait for, not points");
   if (plan.bounded && (plan.detail == Detail::Cone || plan.packing == Packing::Packets))
     diagnostics.error({}, "a walk that is bounded stops at voxels alone, and is not let go before its end");
   if (plan.steps != Steps::Float32 &&

@@ -112,6 +112,8 @@ Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const
                                                   unsigned threads) {
   if (auto fits = checkFit(kernel.storageDigest, volume, "cpu"); !fits)
     return fits.error();
+  if (kernel.isPaged)
+    return Error::usage("this kernel is for volumes in pages: createPagedCpuTracer takes it");
   threads = threadsOrAll(threads);
   return inOrder(std::make_unique<CpuTracer>(kernel, volume, threads), volume, threads, true);
 }

@@ -65,7 +65,7 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
     arithmetic = fromString<Arithmetic>(*value);
   if (!digest || !addressing || !loops || !arithmetic || !rest.empty())
     return Error::input("this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
-                        "addressing=<buffer|segments> loops=<whole|cut> arithmetic=<any|ieee>\"");
+                        "addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>\"");
   kernel.storageDigest = *digest;
   kernel.addressing = *addressing;
   kernel.loops = *loops;

@@ -58,7 +58,7 @@ Expected<TileQueue::Span> TileQueue::runTiles(const TilePass &pass) {
     Slot &slot = slots_[turn++ % 2];
     outcome = finish(slot, pass, span);
     if (outcome)
-      outcome = start(slot, pass, first, std::min(tileRays_, pass.rays - first));
+      outcome = start(slot, pass, pass.first + first, std::min(tileRays_, pass.rays - first));
   }
   // Whatever happened, nothing may be in flight on return: the caller frees or reuses what it works on.
   for (std::size_t rest = 0; rest < slots_.size(); ++rest) {
@@ -81,7 +81,7 @@ Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t 
   else
     pass.pipeline->recordDispatches(*commands, pass.counted, {first, count, pass.task});
   slot.timestamps.recordEnd(*commands);
-  if (first + count == pass.rays)
+  if (first + count == pass.first + pass.rays)
     recordBarrier(*commands);
   if (auto submitted = slot.commands.submit(); !submitted)
     return submitted;

@@ -17,6 +17,7 @@ struct TilePass {
   const TracePipeline *pipeline = nullptr;
   Counted counted = Counted::Nothing;
   std::uint32_t rays = 0;
+  std::uint32_t first = 0; ///< Of the bound rays.
   Task task = Task::All;
   bool settlesAtOnce = false; ///< In one dispatch a tile, whatever the task.
   /// Called when a tile of so many rays is done; false ends the pass early.

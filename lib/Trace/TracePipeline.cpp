@@ -10,8 +10,8 @@
 namespace voxc {
 namespace {
 
-/// The kernel's bindings: rays, hits, words or their table, and the list of rays that are left over.
-constexpr std::uint32_t kBindings = 4;
+/// The most bindings that a kernel has.
+constexpr std::uint32_t kMostBindings = 5;
 
 constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
 
@@ -21,6 +21,7 @@ struct Constants {
   float spread;
   VkBool32 countWords;
   VkBool32 settles;
+  PageShape pages;
 };
 
 constexpr VkSpecializationMapEntry kConstantEntries[] = {
@@ -28,6 +29,8 @@ constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {1, offsetof(Constants, spread), sizeof(Constants::spread)},
     {2, offsetof(Constants, countWords), sizeof(Constants::countWords)},
     {3, offsetof(Constants, settles), sizeof(Constants::settles)},
+    {4, offsetof(Constants, pages.log2PageWords), sizeof(PageShape::log2PageWords)},
+    {5, offsetof(Constants, pages.pages), sizeof(PageShape::pages)},
 };
 
 Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
@@ -39,8 +42,8 @@ Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span
 
 } // namespace
 
-Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel) {
-  TracePipeline pipeline(device);
+Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel, PageShape pages) {
+  TracePipeline pipeline(device, kernel.addressing == Addressing::Paged, pages);
   auto module = createModule(device, kernel.spirv);
   if (!module)
     return module.error();
@@ -53,11 +56,11 @@ Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kerne
 }
 
 Expected<void> TracePipeline::createLayouts() {
-  std::array<VkDescriptorSetLayoutBinding, kBindings> bindings{};
-  for (std::uint32_t index = 0; index < kBindings; ++index)
+  std::array<VkDescriptorSetLayoutBinding, kMostBindings> bindings{};
+  for (std::uint32_t index = 0; index < bindings_; ++index)
     bindings[index] = {index, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
   VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  setInfo.bindingCount = kBindings;
+  setInfo.bindingCount = bindings_;
   setInfo.pBindings = bindings.data();
   auto setLayout = createObject<SetLayoutHandle>(device_->device, vkCreateDescriptorSetLayout, setInfo,
                                                  "create a descriptor layout");
@@ -79,7 +82,7 @@ Expected<void> TracePipeline::createLayouts() {
 }
 
 Expected<void> TracePipeline::createSet() {
-  VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kBindings};
+  VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bindings_};
   VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   poolInfo.maxSets = 1;
   poolInfo.poolSizeCount = 1;
@@ -100,12 +103,12 @@ Expected<void> TracePipeline::createSet() {
 }
 
 void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words,
-                                const Buffer &left) {
-  const Buffer *buffers[kBindings] = {&rays, &hits, &words, &left};
+                                const Buffer &left, const Buffer *pageTable) {
+  const Buffer *buffers[kMostBindings] = {&rays, &hits, &words, &left, pageTable};
   left_ = left.get();
-  std::array<VkDescriptorBufferInfo, kBindings> infos{};
-  std::array<VkWriteDescriptorSet, kBindings> writes{};
-  for (std::uint32_t index = 0; index < kBindings; ++index) {
+  std::array<VkDescriptorBufferInfo, kMostBindings> infos{};
+  std::array<VkWriteDescriptorSet, kMostBindings> writes{};
+  for (std::uint32_t index = 0; index < bindings_; ++index) {
     infos[index] = {buffers[index]->get(), 0, buffers[index]->bytes()};
     writes[index].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     writes[index].dstSet = set_;
@@ -114,7 +117,7 @@ void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Bu
     writes[index].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     writes[index].pBufferInfo = &infos[index];
   }
-  vkUpdateDescriptorSets(device_->device, kBindings, writes.data(), 0, nullptr);
+  vkUpdateDescriptorSets(device_->device, bindings_, writes.data(), 0, nullptr);
 }
 
 Expected<void> TracePipeline::prepare(Counted counted, float spread) {
@@ -129,7 +132,7 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread) {
 }
 
 Expected<PipelineHandle> TracePipeline::createPipeline(Counted counted, float spread, bool settles) {
-  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, settles};
+  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, settles, pages_};
   VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                       &constants};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};

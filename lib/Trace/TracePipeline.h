@@ -31,13 +31,20 @@ constexpr std::uint64_t leftListBytes(std::uint64_t rays) { return sizeof(std::u
 enum class Counted { Nothing, Lookups, Words };
 inline constexpr std::size_t kCountedKinds = 3;
 
+/// The pages of a volume, for kernels of `Addressing::Paged`.
+struct PageShape {
+  std::uint32_t log2PageWords = 0;
+  std::uint32_t pages = 0;
+};
+
 class TracePipeline {
 public:
-  static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel);
+  static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel, PageShape pages = {});
 
   /// Binds the buffers of the kernel's interface; nothing that uses the old ones may be running.
-  /// `left` holds the list of a tile's rays that are left over.
-  void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words, const Buffer &left);
+  /// `left` holds the list of a tile's rays that are left over; `pageTable` is that of a paged kernel.
+  void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words, const Buffer &left,
+                   const Buffer *pageTable = nullptr);
 
   /// Whether the variant that counts this is made already for this spread.
   bool isPrepared(Counted counted, float spread) const {
@@ -53,7 +60,8 @@ public:
   void recordDispatches(VkCommandBuffer commands, Counted counted, RayTile tile) const;
 
 private:
-  explicit TracePipeline(Device::State &device) : device_(&device) {}
+  TracePipeline(Device::State &device, bool isPaged, PageShape pages)
+      : device_(&device), bindings_(isPaged ? 5 : 4), pages_(pages) {}
   Expected<void> createLayouts();
   Expected<void> createSet();
 
@@ -67,6 +75,8 @@ private:
   void bind(VkCommandBuffer commands, const PipelineHandle &pipeline, const RayTile &tile) const;
 
   Device::State *device_;
+  std::uint32_t bindings_; ///< Rays, hits, words or their table, the list of rays that are left over; pages.
+  PageShape pages_;
   ShaderModuleHandle module_;
   SetLayoutHandle setLayout_;
   PipelineLayoutHandle layout_;

@@ -18,9 +18,9 @@ Expected<Transfer> Transfer::create(Device::State &device) {
   return Transfer(device, std::move(*commands));
 }
 
-Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer) {
+Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer, std::uint64_t at) {
   if (buffer.writable()) {
-    std::memcpy(buffer.writable(), bytes.data(), bytes.size());
+    std::memcpy(buffer.writable() + at, bytes.data(), bytes.size());
     return {};
   }
   auto stage = staging(uploadStaging_, Placement::Upload);
@@ -29,7 +29,7 @@ Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer
   for (std::size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
     std::size_t size = std::min(kStagingBytes, bytes.size() - offset);
     std::memcpy((*stage)->writable(), bytes.data() + offset, size);
-    if (auto copied = copy(**stage, buffer, {0, offset, size}); !copied)
+    if (auto copied = copy(**stage, buffer, {0, at + offset, size}); !copied)
       return copied;
   }
   return {};

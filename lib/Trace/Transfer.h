@@ -14,8 +14,8 @@ class Transfer {
 public:
   static Expected<Transfer> create(Device::State &device);
 
-  /// Copies `bytes` to the start of `buffer`, which must hold them. Returns when they are there.
-  Expected<void> upload(std::span<const std::byte> bytes, Buffer &buffer);
+  /// Copies `bytes` into `buffer`, which must hold them, from byte `at` on. Returns when they are there.
+  Expected<void> upload(std::span<const std::byte> bytes, Buffer &buffer, std::uint64_t at = 0);
   /// Copies the start of `buffer` into `bytes`.
   Expected<void> download(const Buffer &buffer, std::span<std::byte> bytes);
 

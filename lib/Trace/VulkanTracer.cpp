@@ -58,15 +58,11 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
                                                        const Volume &volume) {
   if (auto fits = checkFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
-  if (kernel.loops == Loops::Whole && device.info().loops == Loops::Cut)
-    return Error::input("this kernel is for devices that run every loop to its end, which " +
-                        device.info().name + " does not: compile one with loops=cut");
-  if (kernel.arithmetic == Arithmetic::Ieee && device.info().arithmetic == Arithmetic::Any)
-    return Error::input(
-        "this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +
-        device.info().name + ": compile one with arithmetic=any");
-  if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
-    return capable.error();
+  if (kernel.addressing == Addressing::Paged)
+    return Error::usage(
+        "this kernel is for volumes that are on the device in pages: createPagedTracer takes it");
+  if (auto suits = checkDevice(device.physical, kernel); !suits)
+    return suits.error();
   auto transfer = Transfer::create(device);
   if (!transfer)
     return transfer.error();

@@ -11,10 +11,6 @@ namespace {
 constexpr std::uint32_t kSmallestPage = 1 << 12;
 constexpr std::uint32_t kLargestPage = 1 << 20;
 
-bool isPageSize(std::uint32_t bytes) {
-  return std::has_single_bit(bytes) && bytes >= kSmallestPage && bytes <= kLargestPage;
-}
-
 /// What the row says of a stream, as if every page were there.
 Expected<PagedStream> streamOf(const StreamRow &row) {
   PagedStream stream{std::string(nameOf(row)), row.elementBytes, row.pageBytes};
@@ -27,6 +23,10 @@ Expected<PagedStream> streamOf(const StreamRow &row) {
 }
 
 } // namespace
+
+bool isPageSize(std::uint32_t bytes) {
+  return std::has_single_bit(bytes) && bytes >= kSmallestPage && bytes <= kLargestPage;
+}
 
 Expected<std::vector<StreamPages>> readPageTables(std::span<const StreamRow> rows, std::uint64_t tablesBegin,
                                                   std::uint64_t headBytes, std::span<const std::byte> file) {

@@ -33,6 +33,9 @@ struct StreamPages {
   }
 };
 
+/// Whether pages may have so many bytes: a power of two, 4 KiB to 1 MiB.
+bool isPageSize(std::uint32_t bytes);
+
 /// Reads the tables, which begin at `tablesBegin` and end in the head. Nothing is allocated for pages that
 /// have no row there. The error follows the file's name.
 Expected<std::vector<StreamPages>> readPageTables(std::span<const StreamRow> rows, std::uint64_t tablesBegin,

@@ -13,10 +13,6 @@
 namespace voxc {
 namespace {
 
-/// A page holds 64 thousand words: few enough to fetch for a handful of them, enough for zstd to find what
-/// repeats.
-constexpr std::uint32_t kPageBytes = 1 << 18;
-
 /// Compresses pages in runs, and appends them to a file in their order.
 class PageAppender {
 public:
@@ -33,6 +29,7 @@ private:
   OutputFile &file_;
   std::uint64_t end_;
   const SaveOptions &options_;
+  std::uint64_t pageBytes_;
   std::vector<PageEncoder> encoders_; ///< One for each page of a run.
 };
 
@@ -44,17 +41,18 @@ std::size_t encodersFor(const SaveOptions &options) {
 }
 
 PageAppender::PageAppender(OutputFile &file, std::uint64_t end, const SaveOptions &options)
-    : file_(file), end_(end), options_(options), encoders_(encodersFor(options)) {}
+    : file_(file), end_(end), options_(options), pageBytes_(options.pageBytes),
+      encoders_(encodersFor(options)) {}
 
 Expected<void> PageAppender::appendRun(const Stream &stream, std::uint64_t begin,
                                        std::vector<PageRow> &rows) {
   const auto run = stream.bytes.subspan(
-      begin, std::min<std::uint64_t>(encoders_.size() * kPageBytes, stream.bytes.size() - begin));
-  const std::uint64_t pages = (run.size() + kPageBytes - 1) / kPageBytes;
+      begin, std::min<std::uint64_t>(encoders_.size() * pageBytes_, stream.bytes.size() - begin));
+  const std::uint64_t pages = (run.size() + pageBytes_ - 1) / pageBytes_;
   std::vector<std::span<const std::byte>> stored(pages);
   parallelFor(pages, static_cast<unsigned>(encoders_.size()), [&](std::uint64_t i) {
     const auto page =
-        run.subspan(i * kPageBytes, std::min<std::uint64_t>(kPageBytes, run.size() - i * kPageBytes));
+        run.subspan(i * pageBytes_, std::min<std::uint64_t>(pageBytes_, run.size() - i * pageBytes_));
     stored[i] = encoders_[i].encode(page, stream.elementBytes);
   });
   for (const auto &page : stored) {
@@ -72,7 +70,7 @@ Expected<void> PageAppender::appendRun(const Stream &stream, std::uint64_t begin
 
 Expected<std::vector<PageRow>> PageAppender::append(const Stream &stream) {
   std::vector<PageRow> rows;
-  for (std::uint64_t begin = 0; begin < stream.bytes.size(); begin += encoders_.size() * kPageBytes) {
+  for (std::uint64_t begin = 0; begin < stream.bytes.size(); begin += encoders_.size() * pageBytes_) {
     if (options_.progress.stopped())
       return Error::interrupted();
     options_.progress.at("compress", static_cast<double>(begin) / static_cast<double>(stream.bytes.size()));
@@ -82,10 +80,10 @@ Expected<std::vector<PageRow>> PageAppender::append(const Stream &stream) {
   return rows;
 }
 
-std::uint64_t pagesOf(std::span<const Stream> streams) {
+std::uint64_t pagesOf(std::span<const Stream> streams, std::uint64_t pageBytes) {
   std::uint64_t pages = 0;
   for (const Stream &stream : streams)
-    pages += (stream.bytes.size() + kPageBytes - 1) / kPageBytes;
+    pages += (stream.bytes.size() + pageBytes - 1) / pageBytes;
   return pages;
 }
 
@@ -103,10 +101,13 @@ Expected<PagedFileWriter> PagedFileWriter::create(const std::string &path) {
 
 Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const Stream> streams,
                                        const SaveOptions &options) {
+  if (!isPageSize(options.pageBytes))
+    return Error::usage("pages have a power of two of bytes, from 4 KiB to 1 MiB, not " +
+                        std::to_string(options.pageBytes));
   const std::string ir = printIr(info.format);
   Header header = headerOf(info, ir.size(), streams.size());
   header.version = kPagedVersion;
-  header.headBytes = wholePages(header.textEnd() + pagesOf(streams) * sizeof(PageRow));
+  header.headBytes = wholePages(header.textEnd() + pagesOf(streams, options.pageBytes) * sizeof(PageRow));
   const std::string room(header.headBytes, '\0');
   if (auto written = file_.write(room.data(), room.size()); !written)
     return written;
@@ -115,7 +116,7 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   auto rows = layOut(streams, header.headBytes);
   std::string tables;
   for (std::size_t i = 0; i < streams.size(); ++i) {
-    rows[i].pageBytes = kPageBytes;
+    rows[i].pageBytes = options.pageBytes;
     rows[i].offset = appender.end();
     const auto pages = appender.append(streams[i]);
     if (!pages)

@@ -37,7 +37,8 @@ Expected<void> PagedVolume::State::readHead() {
   if (!header)
     return header.error();
   if (header->version != kPagedVersion)
-    return Error::input("is not compressed: it has no pages to decode, and is mapped as it is");
+    return Error::input(
+        "is not compressed: it has no pages to decode; `voxc export --compress` makes a file that has");
   auto read = readPageTables(rowsOf(*header, file), header->textEnd(), header->headBytes, file);
   if (!read)
     return read.error();
@@ -95,7 +96,10 @@ Expected<void> PagedVolume::decode(std::size_t stream, std::uint64_t page, std::
     return Error::usage("page " + std::to_string(page) + " of stream '" + pages.stream.name +
                         "' needs room for " + std::to_string(pages.stream.bytesOf(page)) + " bytes, not " +
                         std::to_string(room.size()));
-  const auto stored = pages.stored(state_->file, page);
+  // A copy: what changes in the file after it was checked is not looked at.
+  thread_local std::vector<std::byte> stored;
+  const auto inFile = pages.stored(state_->file, page);
+  stored.assign(inFile.begin(), inFile.end());
   Checksum checksum;
   checksum.add(stored.data(), stored.size());
   thread_local PageDecoder decoder;

@@ -4,6 +4,10 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
     count_lookup(walk);
     Gap gap = Gap(0, 1);
     uint value = locate_level_1(ray, root, walk.cell, gap);
+%if paged
+    if (lacks_page)
+      return false;
+%end
 %if colour
     if (value != 0u) {
       walk.voxel = value;

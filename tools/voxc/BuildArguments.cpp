@@ -84,6 +84,8 @@ void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments) {
       ->check(CLI::Validator(checkSize, "", ""));
 }
 
+CLI::Validator sizeCheck() { return CLI::Validator(checkSize, "", ""); }
+
 std::uint64_t bytesOf(const std::string &size) { return *parseSize(size); }
 
 std::uint64_t maxWordsOf(const BuildArguments &arguments) {

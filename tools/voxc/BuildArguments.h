@@ -30,6 +30,9 @@ void addThreadsArgument(CLI::App &app, BuildArguments &arguments);
 /// Adds --max-bytes.
 void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments);
 
+/// Checks that an option is a size as people write it.
+CLI::Validator sizeCheck();
+
 /// A size as people write it, "512MiB", in bytes. Trusts that a validator of these options took it.
 std::uint64_t bytesOf(const std::string &size);
 

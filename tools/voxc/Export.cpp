@@ -12,6 +12,8 @@
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
 
+#include <algorithm>
+
 namespace voxc::tool {
 
 namespace {
@@ -28,6 +30,14 @@ public:
         ->required();
     addCompressArgument(app, compress_);
     page_.declare(app);
+    app.add_option(
+           "--page-bytes", pageBytes_,
+           "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
+           "for less, large ones take fewer bytes")
+        ->type_name("SIZE")
+        ->check(sizeCheck())
+        ->needs(app.get_option("--compress"))
+        ->capture_default_str();
     addCommonOptions(app, common_);
   }
 
@@ -54,7 +64,10 @@ public:
 private:
   Expected<void> write(const Volume &volume, const Progress &progress, Json &figures) {
     if (!isPage(output_))
-      return exportVoxels(volume, output_, {.compress = compress_, .progress = progress});
+      return exportVoxels(volume, output_,
+                          {.compress = compress_,
+                           .pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u)),
+                           .progress = progress});
     if (compress_)
       return Error::usage(
           "--compress is for a file that ends in .hvx; the words of a page are always compressed");
@@ -65,6 +78,7 @@ private:
   std::string output_;
   bool compress_ = false;
   PageExport page_;
+  std::string pageBytes_ = "256KiB";
   CommonOptions common_;
 };
 

@@ -6,6 +6,7 @@
 #include "common/Statistics.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Support/Stopwatch.h"
+#include "voxc/Volume/PagedVolume.h"
 
 #include <cinttypes>
 #include <cstdio>
@@ -56,6 +57,20 @@ void print(const Volume &volume) {
   std::printf("\n");
 }
 
+/// What a compressed file has in place of streams as they are.
+void printPages(const PagedVolume &file) {
+  for (const PagedStream &stream : file.streams())
+    std::printf("pages       %s: %" PRIu64 " of %" PRIu32 " bytes\n", stream.name.c_str(), stream.pages(),
+                stream.pageBytes);
+}
+
+Json figuresOf(std::span<const PagedStream> streams) {
+  Json figures = Json::array();
+  for (const PagedStream &stream : streams)
+    figures.push_back({{"name", stream.name}, {"page_bytes", stream.pageBytes}, {"pages", stream.pages()}});
+  return figures;
+}
+
 Json figuresOf(std::span<const Stream> streams) {
   Json figures = Json::array();
   for (const Stream &stream : streams)
@@ -80,13 +95,19 @@ public:
     if (!volume)
       return volume.error();
     const double loadSeconds = watch.seconds();
-    if (tellsOnStdout(common_))
+    const Expected<PagedVolume> pages = PagedVolume::open(volume_.path());
+    if (tellsOnStdout(common_)) {
       print(*volume);
+      if (pages)
+        printPages(*pages);
+    }
     Json figures;
     addVolumeFigures(figures, *volume);
     figures["load_seconds"] = loadSeconds;
     figures["stored_bytes"] = storedBytes(*volume);
     figures["streams"] = figuresOf(volume->streams());
+    if (pages)
+      figures["pages"] = figuresOf(pages->streams());
     figures["ir"] = printIr(volume->format());
     figures["provenance"] = volume->info().provenance;
     figures["voxel_to_model"] = rowsOf(volume->info().voxelToModel);

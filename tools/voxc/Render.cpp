@@ -1,4 +1,5 @@
 // voxc render: a picture of a volume.
+#include "DeviceMemory.h"
 #include "Figures.h"
 #include "Rendering.h"
 #include "Subcommand.h"
@@ -17,6 +18,7 @@ public:
     volume_.declare(app);
     rendering_.declare(app);
     tracing_.declare(app);
+    memory_.declare(app);
     volume_.declareKernelOptions(app);
     addCommonOptions(app, common_);
   }
@@ -35,10 +37,11 @@ public:
 private:
   Expected<void> render(ProgressBar &bar, Json &figures) {
     const Stopwatch watch;
-    Expected<Volume> volume = volume_.load();
+    Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
     if (!volume)
       return volume.error();
-    addVolumeFigures(figures, *volume);
+    if (!memory_.isGiven())
+      addVolumeFigures(figures, *volume);
     figures["load_seconds"] = watch.seconds();
     Expected<Format> format = volume_.kernelFormat(*volume);
     if (!format)
@@ -48,13 +51,16 @@ private:
     tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
-    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
+    if (Expected<void> prepared = memory_.isGiven() ? memory_.prepare(tracing_, *format, figures)
+                                                    : tracing_.prepare(*volume, *format, figures);
+        !prepared)
       return prepared;
     return rendering_.render(*volume, tracing_, common_, bar, figures);
   }
 
   VolumeArgument volume_;
   Rendering rendering_;
+  DeviceMemory memory_; // Outlives the tracer.
   Tracing tracing_;
   CommonOptions common_;
 };

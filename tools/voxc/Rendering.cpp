@@ -71,6 +71,7 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const C
   if (!taken)
     return taken.error();
   eye.addFigures(figures, tracing.deviceInfo().name);
+  tracing.addPagingFigures(figures);
   if (light.counts().rays > 0) {
     figures["light_rays"] = light.counts().rays;
     figures["light_seconds"] = light.times().front().wall;

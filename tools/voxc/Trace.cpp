@@ -1,4 +1,5 @@
 // voxc trace: the hits of the rays of a file.
+#include "DeviceMemory.h"
 #include "ErrorCheck.h"
 #include "Figures.h"
 #include "Outputs.h"
@@ -42,6 +43,7 @@ public:
     app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
     check_.declare(app);
     tracing_.declare(app);
+    memory_.declare(app);
     volume_.declareKernelOptions(app);
     addCommonOptions(app, common_);
   }
@@ -68,10 +70,11 @@ private:
 
   Expected<void> trace(Json &figures) {
     const Stopwatch watch;
-    Expected<Volume> volume = volume_.load();
+    Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
     if (!volume)
       return volume.error();
-    addVolumeFigures(figures, *volume);
+    if (!memory_.isGiven())
+      addVolumeFigures(figures, *volume);
     figures["load_seconds"] = watch.seconds();
     Expected<Format> format = volume_.kernelFormat(*volume);
     if (!format)
@@ -84,16 +87,19 @@ private:
     tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
-    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
+    if (Expected<void> prepared = memory_.isGiven() ? memory_.prepare(tracing_, *format, figures)
+                                                    : tracing_.prepare(*volume, *format, figures);
+        !prepared)
       return prepared;
 
     std::vector<Hit> hits(rays->size());
     if (Expected<void> traced = tracing_.trace(*rays, hits, options_, figures); !traced)
       return traced;
-    if (Expected<void> checked =
-            check_.run(*volume, *rays, hits, questionOfHits(*format), options_.progress, figures);
-        !checked)
-      return checked;
+    if (!memory_.isGiven())
+      if (Expected<void> checked =
+              check_.run(*volume, *rays, hits, questionOfHits(*format), options_.progress, figures);
+          !checked)
+        return checked;
     addWritten(figures, output_);
     return writeHits(output_, hits);
   }
@@ -103,6 +109,7 @@ private:
   std::string output_;
   TraceOptions options_;
   ErrorCheck check_{1000};
+  DeviceMemory memory_; // Outlives the tracer.
   Tracing tracing_;
   CommonOptions common_;
 };

@@ -117,6 +117,7 @@ Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, co
   if (!report)
     return report.error();
   addTraceFigures(figures, *report, countsOf(hits), deviceInfo().name, options.countSteps);
+  addPagingFigures(figures);
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include "common/UserCache.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/PagedTracer.h"
 #include "voxc/Trace/Tracer.h"
 
 #include <CLI/CLI.hpp>
@@ -32,6 +33,11 @@ public:
   Expected<void> openDevice(const CommonOptions &common);
   /// Compiles the kernel that walks `volume` as `format` says, and uploads the volume. Its figures are added.
   Expected<void> prepare(const Volume &volume, const Format &format, Json &figures);
+  /// The same for a page file, of which so many bytes at most are resident; it must stay.
+  Expected<void> preparePages(const PagedVolume &volume, const Format &format, std::uint64_t bytes,
+                              Json &figures);
+  /// Adds what paging has done so far, if that is how rays are traced.
+  void addPagingFigures(Json &figures) const;
   /// Traces rays through the prepared volume. The trace's figures are added.
   Expected<void> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
                        Json &figures);
@@ -56,6 +62,11 @@ private:
   Expected<std::unique_ptr<Tracer>> makeVulkanTracer(const Volume &volume, const Format &format,
                                                      Json &figures);
 
+  Expected<std::unique_ptr<PagedTracer>> makePagedCpuTracer(const PagedVolume &volume, const Format &format,
+                                                            std::uint64_t bytes, Json &figures);
+  Expected<std::unique_ptr<PagedTracer>>
+  makePagedVulkanTracer(const PagedVolume &volume, const Format &format, std::uint64_t bytes, Json &figures);
+
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
@@ -63,6 +74,7 @@ private:
   std::string order_ = "auto";
   std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
   std::unique_ptr<Tracer> tracer_;
+  const PagedTracer *paged_ = nullptr; // The tracer, where it is one.
 };
 
 } // namespace voxc::tool

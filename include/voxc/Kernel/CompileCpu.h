@@ -11,9 +11,11 @@ namespace voxc {
 
 /// Emits and compiles the kernel of `format` for this very processor, in the process. An error here is a
 /// defect of voxc and says so. `countWords`: a kernel for `TraceOptions::countWords` and nothing else. It is
-/// looked for in `cache` first.
+/// looked for in `cache` first. `addressing`: `Paged` makes one for `createPagedCpuTracer`; the others are
+/// one here.
 Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = false,
-                                     const CompileCache *cache = nullptr);
+                                     const CompileCache *cache = nullptr,
+                                     Addressing addressing = Addressing::Buffer);
 
 struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels

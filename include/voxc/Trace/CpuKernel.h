@@ -27,6 +27,16 @@ struct CpuKernel {
   std::uint64_t storageDigest = 0;   ///< Of the formats that it fits: `storageDigest(format)`.
   std::shared_ptr<const void> owner; ///< Keeps the code, where it was compiled in the process.
   bool countsWords = false;          ///< It counts words read, always, and no lookups.
+  bool isPaged = false;              ///< Its `words` lead to `CpuPages`.
+};
+
+/// What a kernel of `Addressing::Paged` finds in place of words (docs/paging.md).
+struct CpuPages {
+  const std::uint32_t *slots = nullptr; ///< Of a page each; the first has zeros.
+  std::uint32_t *table = nullptr;       ///< An entry for each page, and one more.
+  std::uint32_t log2PageWords = 0;
+  std::uint32_t pages = 0;
+  std::uint32_t goesOn = 0; ///< With rays that wait, whose hits are -2 - cell; else all begin.
 };
 
 /// The first hit of one ray (in voxels), traced by `kernel` on the calling thread; any number of threads may

@@ -1,0 +1,185 @@
+// Which pages of a volume are resident.
+#include "PageCache.h"
+
+#include "Clock.h"
+#include "VulkanError.h"
+
+#include "Support/ParallelFor.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <optional>
+
+namespace voxc {
+namespace {
+
+// As in shaders-runtime/paging.glsl.
+constexpr std::uint32_t kTouched = 0x80000000u;
+constexpr std::uint32_t kAbsent = 0x40000000u;
+constexpr std::uint32_t kSlotBits = 0x3fffffffu;
+
+constexpr std::uint32_t kNoPage = ~0u;
+constexpr std::uint32_t kZeros = 0; ///< The slots that no other page gets.
+constexpr std::uint32_t kFirstPage = 1;
+constexpr std::uint64_t kKeptSlots = 2;
+constexpr std::uint64_t kForEver = std::numeric_limits<std::uint64_t>::max();
+
+/// Pages that are decoded side by side before they are placed.
+constexpr std::size_t kRunPages = 64;
+
+// What one way down from the root looks at. A node of a tree is smaller than a page, and may lie in two. Of a
+// grid there are words of its head, of its mask with a count, of its values and of the counts behind them.
+constexpr std::uint64_t kPagesOfNode = 2;
+constexpr std::uint64_t kPagesOfGrid = 8;
+// A section's head, an entry, a block in up to two pages, and a colour, each at the end of a page.
+constexpr std::uint64_t kPagesOfValue = 8;
+
+/// How many pages any ray needs at once, with those that always stay.
+std::uint64_t pagesAtOnce(const Layout &layout) {
+  std::uint64_t pages = kKeptSlots + kPagesOfValue;
+  for (const Stratum &stratum : layout.strata)
+    pages += stratum.isGrid() ? kPagesOfGrid
+                              : kPagesOfNode * static_cast<std::uint64_t>(std::max(stratum.depth, 1));
+  return pages;
+}
+
+std::uint64_t tableBytes(const PagedStream &words) { return sizeof(std::uint32_t) * (words.pages() + 1); }
+
+} // namespace
+
+std::uint64_t leastPagingBytes(const PagedVolume &volume) {
+  const PagedStream &words = volume.streams().front();
+  const std::uint64_t most = words.pages() + 1; // All of a small volume, and zeros.
+  return tableBytes(words) + std::min(most, pagesAtOnce(layoutOf(volume.info().format))) * words.pageBytes;
+}
+
+Expected<PageCache> PageCache::create(const PagedVolume &volume, const PagingOptions &options,
+                                      std::uint64_t mostBytes) {
+  const PagedStream &words = volume.streams().front();
+  const std::uint64_t least = leastPagingBytes(volume);
+  if (options.memoryBytes < least)
+    return Error::usage("a budget of " + bytesText(options.memoryBytes) +
+                        " is too small for this volume: a ray needs up to " + bytesText(least) +
+                        " at once; give more, or store it with smaller pages (--page-bytes)");
+  if (words.pages() >= kSlotBits)
+    return Error::usage("this volume has " + std::to_string(words.pages()) +
+                        " pages, more than a table tells of: store it with larger pages (--page-bytes)");
+  const std::uint64_t bytes = std::min({options.memoryBytes - tableBytes(words), mostBytes,
+                                        std::uint64_t{4} << 32, (words.pages() + 1) * words.pageBytes});
+  PageCache cache(volume, options, bytes / words.pageBytes);
+  return cache;
+}
+
+PageCache::PageCache(const PagedVolume &volume, const PagingOptions &options, std::uint64_t slots)
+    : volume_(&volume), threads_(threadsOrAll(options.threads)) {
+  const PagedStream &words = volume.streams().front();
+  log2PageWords_ = static_cast<std::uint32_t>(std::countr_zero(words.pageBytes) - 2);
+  table_.assign(words.pages() + 1, kAbsent);
+  table_.back() = kTouched; // What lies beyond all pages is zeros, for ever.
+  pageOfSlot_.assign(slots, kNoPage);
+  lastUse_.assign(slots, 0);
+  lastUse_[kZeros] = kForEver;
+  report_.pages = words.pages();
+  report_.pageBytes = words.pageBytes;
+  report_.slots = slots;
+  report_.memoryBytes = slots * words.pageBytes + tableBytes(words);
+}
+
+Expected<void> PageCache::begin(const Place &place) {
+  const std::vector<std::byte> zeros(slotBytes());
+  if (auto placed = place(kZeros, zeros); !placed)
+    return placed;
+  const std::uint32_t first = 0;
+  if (auto loaded = load({&first, 1}, place); !loaded)
+    return loaded;
+  lastUse_[kFirstPage] = kForEver;
+  return {};
+}
+
+PageRound PageCache::takeMarks() {
+  PageRound round;
+  ++round_;
+  for (std::uint32_t page = 0; page < pages(); ++page) {
+    if ((table_[page] & kTouched) == 0)
+      continue;
+    table_[page] &= ~kTouched;
+    if ((table_[page] & kAbsent) != 0) {
+      round.asked.push_back(page);
+      continue;
+    }
+    ++round.found;
+    std::uint64_t &use = lastUse_[table_[page] & kSlotBits];
+    use = std::max(use, round_);
+  }
+  ++report_.rounds;
+  report_.found += round.found;
+  return round;
+}
+
+std::uint64_t PageCache::room() const {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(lastUse_, [&](std::uint64_t use) { return use < round_; }));
+}
+
+/// Those that were used least recently, of equal ones the first.
+std::vector<std::uint32_t> PageCache::slotsFor(std::uint64_t count) const {
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t slot = 0; slot < lastUse_.size(); ++slot)
+    if (lastUse_[slot] != kForEver)
+      slots.push_back(slot);
+  count = std::min<std::uint64_t>(count, slots.size());
+  const auto least = [&](std::uint32_t a, std::uint32_t b) {
+    return lastUse_[a] != lastUse_[b] ? lastUse_[a] < lastUse_[b] : a < b;
+  };
+  std::ranges::partial_sort(slots, slots.begin() + static_cast<std::ptrdiff_t>(count), least);
+  slots.resize(count);
+  return slots;
+}
+
+/// Into `decoded_`, one behind the other.
+Expected<void> PageCache::decode(std::span<const std::uint32_t> pages) {
+  const PagedStream &words = volume_->streams().front();
+  decoded_.resize(kRunPages * slotBytes());
+  std::vector<std::optional<Error>> errors(pages.size());
+  parallelFor(pages.size(), threads_, [&](std::uint64_t i) {
+    const std::span room(decoded_.data() + i * slotBytes(), slotBytes());
+    std::ranges::fill(room.subspan(words.bytesOf(pages[i])), std::byte{});
+    if (auto decoded = volume_->decode(0, pages[i], room.first(words.bytesOf(pages[i]))); !decoded)
+      errors[i] = decoded.error();
+  });
+  for (const std::optional<Error> &error : errors)
+    if (error)
+      return *error;
+  return {};
+}
+
+void PageCache::settle(std::uint32_t page, std::uint32_t slot) {
+  if (pageOfSlot_[slot] != kNoPage)
+    table_[pageOfSlot_[slot]] = kAbsent;
+  else
+    ++report_.resident;
+  pageOfSlot_[slot] = page;
+  lastUse_[slot] = round_;
+  table_[page] = slot;
+  ++report_.reads;
+}
+
+Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place &place) {
+  const double begin = wallSeconds();
+  const std::vector<std::uint32_t> slots = slotsFor(pages.size());
+  for (std::size_t first = 0; first < slots.size(); first += kRunPages) {
+    const auto run = pages.subspan(first, std::min(kRunPages, slots.size() - first));
+    if (auto decoded = decode(run); !decoded)
+      return decoded;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      if (auto placed = place(slots[first + i], {decoded_.data() + i * slotBytes(), slotBytes()}); !placed)
+        return placed;
+      settle(run[i], slots[first + i]);
+    }
+  }
+  report_.decodeSeconds += wallSeconds() - begin;
+  return {};
+}
+
+} // namespace voxc

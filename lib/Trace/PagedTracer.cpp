@@ -1,0 +1,159 @@
+// Paged tracing on any back end.
+#include "PagedRounds.h"
+
+#include "Clock.h"
+#include "Endless.h"
+#include "KernelFit.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+/// Rounds of a single ray after which it is asked whether it came further.
+constexpr std::uint64_t kPatience = 4096;
+
+/// True of a ray that waits for a page, or that the device cut short.
+bool isUnfinished(const Hit &hit) { return hit.voxel[0] < -1; }
+
+class Driver final : public PagedTracer {
+public:
+  Driver(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache)
+      : backEnd_(std::move(backEnd)), cache_(std::move(cache)) {}
+
+  Expected<void> begin() { return cache_.begin(place()); }
+  PagingReport paging() const override { return cache_.report(); }
+  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+                              const TraceOptions &options) override;
+
+private:
+  /// What is left of a batch, and how its rays are taken.
+  struct Batch {
+    std::span<Hit> hits;
+    const TraceOptions &options;
+    TraceReport &report;
+    TraceTime &time;
+    RayGroup group;
+    std::uint64_t lonely = 0; ///< Rounds of a group of one ray.
+    Hit before = {};          ///< That ray, some rounds ago.
+  };
+
+  PageCache::Place place() {
+    return
+        [this](std::uint32_t slot, std::span<const std::byte> bytes) { return backEnd_->place(slot, bytes); };
+  }
+  Expected<void> traceBatch(Batch batch);
+  Expected<void> endGroup(Batch &batch);
+  Expected<void> bring(Batch &batch, const PageRound &round);
+  Expected<void> checkProgress(Batch &batch);
+
+  std::unique_ptr<PagedBackEnd> backEnd_;
+  PageCache cache_;
+};
+
+Expected<TraceReport> Driver::trace(std::span<const Ray> rays, std::span<Hit> hits,
+                                    const TraceOptions &options) {
+  if (rays.size() != hits.size())
+    return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
+                        std::to_string(hits.size()) + " hits");
+  TraceReport report;
+  report.repeats.resize(std::max(options.repeat, 1u));
+  const std::uint64_t most = std::min<std::uint64_t>(backEnd_->mostRays(), rays.size());
+  double traced = 0;
+  const double total = static_cast<double>(rays.size()) * static_cast<double>(report.repeats.size());
+  for (std::uint64_t first = 0; first < rays.size(); first += most) {
+    const std::uint64_t count = std::min(most, rays.size() - first);
+    const auto part = hits.subspan(first, count);
+    for (TraceTime &time : report.repeats) {
+      if (auto taken = backEnd_->take(rays.subspan(first, count), part, options, report); !taken)
+        return taken.error();
+      if (auto done = traceBatch({part, options, report, time, {0, count}}); !done)
+        return done.error();
+      traced += static_cast<double>(count);
+      options.progress.at("trace", traced / total, static_cast<std::uint64_t>(traced));
+    }
+  }
+  return report;
+}
+
+// All rays begin at once. From then on a group of them goes on as long as the pages that it asks for can come
+// without any going that it has just used; else half of it goes on, and the others wait for their turn. What
+// was asked for is only read when it is known to stay.
+Expected<void> Driver::traceBatch(Batch batch) {
+  const double wall = wallSeconds();
+  const double cpu = processCpuSeconds();
+  bool goesOn = false;
+  while (batch.group.first < batch.hits.size()) {
+    if (batch.options.progress.stopped())
+      return Error::interrupted();
+    auto time = backEnd_->trace(batch.group, goesOn, cache_.table(), batch.options);
+    if (!time)
+      return time.error();
+    batch.time.device += time->device;
+    goesOn = true;
+    const PageRound round = cache_.takeMarks();
+    if (auto done = round.asked.empty() ? endGroup(batch) : bring(batch, round); !done)
+      return done;
+  }
+  batch.time.wall += wallSeconds() - wall;
+  batch.time.cpu += processCpuSeconds() - cpu;
+  return {};
+}
+
+/// Nobody waits for a page; but a device may have cut rays short, which then go on.
+Expected<void> Driver::endGroup(Batch &batch) {
+  if (auto fetched = backEnd_->fetch(batch.report); !fetched)
+    return fetched;
+  RayGroup &group = batch.group;
+  const auto hits = batch.hits.subspan(group.first, group.count);
+  if (auto ended = checkEnded(hits); !ended)
+    return ended;
+  if (std::ranges::any_of(hits, isUnfinished))
+    return {};
+  group.first += group.count;
+  group.count = std::min(2 * group.count, batch.hits.size() - group.first);
+  batch.lonely = 0;
+  return {};
+}
+
+Expected<void> Driver::bring(Batch &batch, const PageRound &round) {
+  if (round.asked.size() > cache_.room() && batch.group.count > 1) {
+    batch.group.count = (batch.group.count + 1) / 2;
+    return {};
+  }
+  // A ray alone asks for one page. Where it goes on it uses no more than those of one way down, all of which
+  // have room: so what goes now it has used before that.
+  if (batch.group.count == 1)
+    if (auto goes = checkProgress(batch); !goes)
+      return goes;
+  return cache_.load(round.asked, place());
+}
+
+Expected<void> Driver::checkProgress(Batch &batch) {
+  if (++batch.lonely % kPatience != 0)
+    return {};
+  if (auto fetched = backEnd_->fetch(batch.report); !fetched)
+    return fetched;
+  const Hit &hit = batch.hits[batch.group.first];
+  if (batch.lonely > kPatience && std::ranges::equal(hit.voxel, batch.before.voxel))
+    return Error::usage("a ray needs more pages at once than the " + std::to_string(cache_.slots()) +
+                        " that have room: give more memory");
+  batch.before = hit;
+  return {};
+}
+
+} // namespace
+
+Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache) {
+  auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache));
+  if (auto begun = driver->begin(); !begun)
+    return begun.error();
+  return std::unique_ptr<PagedTracer>(std::move(driver));
+}
+
+Expected<void> checkPagedFit(std::uint64_t storageDigest, const PagedVolume &volume, std::string_view emit) {
+  // An outline of the volume: what fits is told by its format.
+  return checkFit(storageDigest, Volume(volume.info(), std::vector<std::uint32_t>(1)), emit);
+}
+
+} // namespace voxc

@@ -1,0 +1,170 @@
+// Paged tracing on a Vulkan device.
+#include "Capabilities.h"
+#include "Clock.h"
+#include "PagedRounds.h"
+#include "TileQueue.h"
+#include "Transfer.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint64_t kMostRays = std::uint64_t{1} << 22;
+
+Counted countedBy(const TraceOptions &options) {
+  if (options.countWords)
+    return Counted::Words;
+  return options.countSteps ? Counted::Lookups : Counted::Nothing;
+}
+
+class VulkanPaging final : public PagedBackEnd {
+public:
+  static Expected<std::unique_ptr<PagedBackEnd>> create(Device::State &device, const Kernel &kernel,
+                                                        PageCache &cache);
+
+  std::uint64_t mostRays() const override {
+    const DeviceInfo &info = device_->info();
+    return std::min(kMostRays, std::min(info.maxStorageBufferBytes, info.maxAllocationBytes) / sizeof(Ray));
+  }
+  Expected<void> place(std::uint32_t slot, std::span<const std::byte> bytes) override {
+    return transfer_.upload(bytes, slots_, slot * slotBytes_);
+  }
+  Expected<void> take(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+                      TraceReport &report) override;
+  Expected<TraceTime> trace(RayGroup group, bool goesOn, std::span<std::uint32_t> table,
+                            const TraceOptions &options) override;
+  Expected<void> fetch(TraceReport &report) override;
+
+private:
+  VulkanPaging(Device::State &device, Transfer transfer, TracePipeline pipeline, TileQueue tiles,
+               Buffer slots, Buffer table, std::uint64_t slotBytes)
+      : device_(&device), transfer_(std::move(transfer)), slots_(std::move(slots)), table_(std::move(table)),
+        pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), slotBytes_(slotBytes) {}
+  Expected<void> reserve(std::uint64_t rays);
+
+  Device::State *device_;
+  Transfer transfer_;
+  Buffer slots_;
+  Buffer table_;
+  std::optional<Buffer> rays_;
+  std::optional<Buffer> hits_;
+  std::optional<Buffer> left_; ///< The list of a tile's rays that are left over.
+  TracePipeline pipeline_;
+  TileQueue tiles_;
+  std::uint64_t slotBytes_;
+  std::span<Hit> room_; ///< Where the hits go.
+};
+
+Expected<std::unique_ptr<PagedBackEnd>> VulkanPaging::create(Device::State &device, const Kernel &kernel,
+                                                             PageCache &cache) {
+  auto transfer = Transfer::create(device);
+  if (!transfer)
+    return transfer.error();
+  auto pipeline = TracePipeline::create(device, kernel, {cache.log2PageWords(), cache.pages()});
+  if (!pipeline)
+    return pipeline.error();
+  auto tiles = TileQueue::create(device);
+  if (!tiles)
+    return tiles.error();
+  auto slots = Buffer::create(device, {.what = "pages", .bytes = cache.slots() * cache.slotBytes()});
+  if (!slots)
+    return slots.error();
+  auto table = Buffer::create(device, {.what = "a table of pages", .bytes = cache.table().size_bytes()});
+  if (!table)
+    return table.error();
+  return std::unique_ptr<PagedBackEnd>(new VulkanPaging(device, std::move(*transfer), std::move(*pipeline),
+                                                        std::move(*tiles), std::move(*slots),
+                                                        std::move(*table), cache.slotBytes()));
+}
+
+Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
+  if (rays * sizeof(Ray) <= (rays_ ? rays_->bytes() : 0))
+    return {};
+  auto raysBuffer = Buffer::create(*device_, {.what = "the rays", .bytes = rays * sizeof(Ray)});
+  if (!raysBuffer)
+    return raysBuffer.error();
+  auto hitsBuffer = Buffer::create(*device_, {.what = "the hits", .bytes = rays * sizeof(Hit)});
+  if (!hitsBuffer)
+    return hitsBuffer.error();
+  auto leftBuffer =
+      Buffer::create(*device_, {.what = "the rays that are left over",
+                                .bytes = leftListBytes(std::min<std::uint64_t>(rays, tiles_.tileRays())),
+                                .starts = true});
+  if (!leftBuffer)
+    return leftBuffer.error();
+  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, slots_, *leftBuffer, &table_);
+  left_.emplace(std::move(*leftBuffer));
+  rays_.emplace(std::move(*raysBuffer));
+  hits_.emplace(std::move(*hitsBuffer));
+  return {};
+}
+
+Expected<void> VulkanPaging::take(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+                                  TraceReport &report) {
+  if (auto reserved = reserve(rays.size()); !reserved)
+    return reserved;
+  room_ = hits;
+  const double begin = wallSeconds();
+  if (auto uploaded = transfer_.upload(std::as_bytes(rays), *rays_); !uploaded)
+    return uploaded;
+  report.transfer += wallSeconds() - begin;
+  const Counted counted = countedBy(options);
+  if (pipeline_.isPrepared(counted, options.spread))
+    return {};
+  const double compiles = wallSeconds();
+  if (auto prepared = pipeline_.prepare(counted, options.spread); !prepared)
+    return prepared;
+  report.firstDispatch = wallSeconds() - compiles;
+  return {};
+}
+
+Expected<TraceTime> VulkanPaging::trace(RayGroup group, bool goesOn, std::span<std::uint32_t> table,
+                                        const TraceOptions &options) {
+  if (auto uploaded = transfer_.upload(std::as_bytes(table), table_); !uploaded)
+    return uploaded.error();
+  auto time = tiles_.run({.pipeline = &pipeline_,
+                          .counted = countedBy(options),
+                          .rays = static_cast<std::uint32_t>(group.count),
+                          .first = static_cast<std::uint32_t>(group.first),
+                          .task = goesOn ? Task::CutOff : Task::All,
+                          .tileDone = [&](std::uint32_t) { return !options.progress.stopped(); }});
+  if (!time)
+    return time;
+  if (auto marks = transfer_.download(table_, std::as_writable_bytes(table)); !marks)
+    return marks.error();
+  return time;
+}
+
+Expected<void> VulkanPaging::fetch(TraceReport &report) {
+  const double begin = wallSeconds();
+  auto downloaded = transfer_.download(*hits_, std::as_writable_bytes(room_));
+  report.transfer += wallSeconds() - begin;
+  return downloaded;
+}
+
+} // namespace
+
+Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const Kernel &kernel,
+                                                         const PagedVolume &volume,
+                                                         const PagingOptions &options) {
+  Device::State &state = device.state();
+  if (kernel.addressing != Addressing::Paged)
+    return Error::input(
+        "this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
+  if (auto fits = checkPagedFit(kernel.storageDigest, volume, "spirv"); !fits)
+    return fits.error();
+  if (auto suits = checkDevice(state.physical, kernel); !suits)
+    return suits.error();
+  auto cache = PageCache::create(
+      volume, options, std::min(device.info().maxStorageBufferBytes, device.info().maxAllocationBytes));
+  if (!cache)
+    return cache.error();
+  auto backEnd = VulkanPaging::create(state, kernel, *cache);
+  if (!backEnd)
+    return backEnd.error();
+  return drivePages(std::move(*backEnd), std::move(*cache));
+}
+
+} // namespace voxc

@@ -1,0 +1,39 @@
+// Tracing a page file within a budget of memory.
+#include "DeviceMemory.h"
+
+#include "BuildArguments.h"
+
+#include "common/Help.h"
+#include "common/Statistics.h"
+
+namespace voxc::tool {
+
+void DeviceMemory::declare(CLI::App &app) {
+  const OptionGroup group(app, "Device");
+  app.add_option(
+         "--device-memory", budget_,
+         "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
+         "read when rays need them, and hits are the same")
+      ->type_name("SIZE")
+      ->check(sizeCheck())
+      ->excludes(app.get_option("--check"));
+}
+
+Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
+  auto opened = PagedVolume::open(path);
+  if (!opened)
+    return opened.error();
+  volume_.emplace(std::move(*opened));
+  const PagedStream &words = volume_->streams().front();
+  Volume outline(volume_->info(), std::vector<std::uint32_t>(2));
+  addVolumeFigures(figures, outline);
+  figures["bytes"] = words.bytes;
+  figures["words"] = words.bytes / sizeof(std::uint32_t);
+  return outline;
+}
+
+Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures) const {
+  return tracing.preparePages(*volume_, format, bytesOf(budget_), figures);
+}
+
+} // namespace voxc::tool

@@ -1,0 +1,34 @@
+// Tracing a page file within a budget of memory, for the commands that take a finished volume.
+#pragma once
+
+#include "Tracing.h"
+
+#include "voxc/Volume/PagedVolume.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace voxc::tool {
+
+class DeviceMemory {
+public:
+  /// Adds --device-memory to a command that has --check: no oracle has a volume in parts.
+  void declare(CLI::App &app);
+
+  bool isGiven() const { return !budget_.empty(); }
+
+  /// Maps the page file, and returns what it says of itself, without words. Its figures are added. Error: a
+  /// file that is not compressed has no pages.
+  Expected<Volume> open(const std::string &path, Json &figures);
+  /// Makes `tracing` trace the open file as `format` says. Error: the walk cannot wait for pages; as
+  /// `createPagedTracer`.
+  Expected<void> prepare(Tracing &tracing, const Format &format, Json &figures) const;
+
+private:
+  std::string budget_;
+  std::optional<PagedVolume> volume_;
+};
+
+} // namespace voxc::tool

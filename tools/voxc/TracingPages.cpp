@@ -1,0 +1,65 @@
+// Tracing volumes of which only some pages are on the device.
+#include "Tracing.h"
+
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Support/Stopwatch.h"
+
+namespace voxc::tool {
+
+Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &format, std::uint64_t bytes,
+                                     Json &figures) {
+  if (Expected<void> suits = checkPaging(format); !suits)
+    return suits;
+  auto tracer = device_ ? makePagedVulkanTracer(volume, format, bytes, figures)
+                        : makePagedCpuTracer(volume, format, bytes, figures);
+  if (!tracer)
+    return tracer.error();
+  paged_ = tracer->get();
+  tracer_ = std::move(*tracer);
+  return {};
+}
+
+Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedCpuTracer(const PagedVolume &volume,
+                                                                   const Format &format, std::uint64_t bytes,
+                                                                   Json &figures) {
+  const Stopwatch watch;
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, false, cache_, Addressing::Paged);
+  if (!kernel)
+    return kernel.error();
+  figures["kernel_seconds"] = watch.seconds();
+  return createPagedCpuTracer(*kernel, volume, {bytes, threads_});
+}
+
+Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const PagedVolume &volume,
+                                                                      const Format &format,
+                                                                      std::uint64_t bytes, Json &figures) {
+  const Stopwatch watch;
+  const Expected<Kernel> kernel = compileKernel(format, {.addressing = Addressing::Paged,
+                                                         .loops = device_->info().loops,
+                                                         .arithmetic = device_->info().arithmetic,
+                                                         .optimise = optimise_,
+                                                         .cache = cache_});
+  if (!kernel)
+    return kernel.error();
+  figures["kernel_seconds"] = watch.seconds();
+  figures["addressing"] = toString(Addressing::Paged);
+  return createPagedTracer(*device_, *kernel, volume, {bytes, threads_});
+}
+
+void Tracing::addPagingFigures(Json &figures) const {
+  if (!paged_)
+    return;
+  const PagingReport paging = paged_->paging();
+  figures["pages"] = paging.pages;
+  figures["page_bytes"] = paging.pageBytes;
+  figures["page_slots"] = paging.slots;
+  figures["paging_bytes"] = paging.memoryBytes;
+  figures["resident_bytes"] = paging.resident * paging.pageBytes;
+  figures["pages_read"] = paging.reads;
+  figures["page_hits"] = paging.found;
+  figures["rounds"] = paging.rounds;
+  figures["page_seconds"] = paging.decodeSeconds;
+}
+
+} // namespace voxc::tool
