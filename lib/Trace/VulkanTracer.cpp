@@ -27,6 +27,8 @@ std::uint64_t batchRays(const DeviceInfo &device) {
   return std::min(kMaxBatchRays, bytes / sizeof(Ray));
 }
 
+VkDescriptorBufferInfo wholeOf(const Buffer &buffer) { return {buffer.get(), 0, buffer.bytes()}; }
+
 Counted countedBy(const TraceOptions &options) {
   if (options.countWords)
     return Counted::Words;
@@ -58,15 +60,8 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
                                                        const Volume &volume) {
   if (auto fits = checkFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
-  if (kernel.loops == Loops::Whole && device.info().loops == Loops::Cut)
-    return Error::input("this kernel is for devices that run every loop to its end, which " +
-                        device.info().name + " does not: compile one with loops=cut");
-  if (kernel.arithmetic == Arithmetic::Ieee && device.info().arithmetic == Arithmetic::Any)
-    return Error::input(
-        "this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +
-        device.info().name + ": compile one with arithmetic=any");
-  if (auto capable = checkCapabilities(device.physical, kernel.spirv); !capable)
-    return capable.error();
+  if (auto runs = checkKernel(device.physical, kernel); !runs)
+    return runs.error();
   auto transfer = Transfer::create(device);
   if (!transfer)
     return transfer.error();
@@ -117,7 +112,11 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
                                 .starts = true});
   if (!leftBuffer)
     return leftBuffer.error();
-  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, words_.binding(), *leftBuffer);
+  auto bound = pipeline_.bind(
+      {wholeOf(*raysBuffer), wholeOf(*hitsBuffer), wholeOf(words_.binding()), wholeOf(*leftBuffer)});
+  if (!bound)
+    return bound.error();
+  bound_ = std::move(*bound);
   left_.emplace(std::move(*leftBuffer));
   rays_.emplace(std::move(*raysBuffer));
   hits_.emplace(std::move(*hitsBuffer));
@@ -132,7 +131,8 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
   auto count = static_cast<std::uint32_t>(rays.size());
   if (auto warm = warmUp(count, work); !warm)
     return warm;
-  TilePass pass{.pipeline = &pipeline_, .counted = countedBy(work.options), .rays = count};
+  TilePass pass{
+      .pipeline = &pipeline_, .buffers = &bound_, .counted = countedBy(work.options), .rays = count};
   pass.tileDone = [&work](std::uint32_t done) { return work.advance(done); };
   for (TraceTime &repeat : work.report.repeats) {
     auto time = tiles_.run(pass);
@@ -163,6 +163,7 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
       return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
                                 " dispatches");
     auto time = tiles_.run({.pipeline = &pipeline_,
+                            .buffers = &bound_,
                             .counted = countedBy(work.options),
                             .rays = static_cast<std::uint32_t>(hits.size()),
                             .task = Task::CutOff,
@@ -193,6 +194,7 @@ Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
     return prepared;
   for (const bool settlesAtOnce : {true, false})
     if (auto time = tiles_.run({.pipeline = &pipeline_,
+                                .buffers = &bound_,
                                 .counted = counted,
                                 .rays = std::min(rays, kWorkgroupSize),
                                 .settlesAtOnce = settlesAtOnce});
