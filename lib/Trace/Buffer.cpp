@@ -28,8 +28,8 @@ VkBufferCreateInfo createInfo(const BufferRequest &request) {
 Expected<Buffer> Buffer::create(Device::State &device, const BufferRequest &request) {
   if (request.bytes > device.info().maxAllocationBytes)
     return tooLarge(device, request);
-  auto handle =
-      createObject<BufferHandle>(device.device, vkCreateBuffer, createInfo(request), "create a buffer");
+  auto handle = createObject<BufferHandle>(device, &VulkanFunctions::CreateBuffer, createInfo(request),
+                                           "create a buffer");
   if (!handle)
     return handle.error();
   Buffer buffer(std::move(*handle), request.bytes);
@@ -42,7 +42,7 @@ Expected<void> Buffer::bind(Device::State &device, const BufferRequest &request)
   std::string action = "hold " + std::string(request.what) + " (" + bytesText(request.bytes) + ")";
   if (VkResult result = allocate(device, request); result != VK_SUCCESS)
     return vulkanError(action, result);
-  if (VkResult result = vkBindBufferMemory(device.device, buffer_.get(), memory_.get(), 0);
+  if (VkResult result = device.vk.BindBufferMemory(device.device, buffer_.get(), memory_.get(), 0);
       result != VK_SUCCESS)
     return vulkanError(action, result);
   return {};
@@ -50,17 +50,17 @@ Expected<void> Buffer::bind(Device::State &device, const BufferRequest &request)
 
 VkResult Buffer::allocate(Device::State &device, const BufferRequest &request) {
   VkMemoryRequirements needs{};
-  vkGetBufferMemoryRequirements(device.device, buffer_.get(), &needs);
+  device.vk.GetBufferMemoryRequirements(device.device, buffer_.get(), &needs);
   VkMemoryAllocateFlagsInfo flags{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
   flags.flags = request.addressed ? VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT : 0;
   VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
   for (std::uint32_t type : memoryTypesFor(device.physical.memory, needs.memoryTypeBits, request.placement)) {
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, &flags, needs.size, type};
     VkDeviceMemory allocated = VK_NULL_HANDLE;
-    result = vkAllocateMemory(device.device, &info, nullptr, &allocated);
+    result = device.vk.AllocateMemory(device.device, &info, nullptr, &allocated);
     if (result != VK_SUCCESS)
       continue;
-    memory_ = MemoryHandle(device.device, allocated);
+    memory_ = MemoryHandle(device, allocated);
     return map(device, type);
   }
   return result;
@@ -71,7 +71,7 @@ VkResult Buffer::map(Device::State &device, std::uint32_t type) {
   if (!isMappable(properties))
     return VK_SUCCESS;
   void *mapped = nullptr;
-  VkResult result = vkMapMemory(device.device, memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped);
+  VkResult result = device.vk.MapMemory(device.device, memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped);
   mapped_ = static_cast<std::byte *>(mapped);
   cached_ = properties & VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
   return result;
@@ -79,7 +79,7 @@ VkResult Buffer::map(Device::State &device, std::uint32_t type) {
 
 VkDeviceAddress Buffer::address(const Device::State &device) const {
   VkBufferDeviceAddressInfo info{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO, nullptr, buffer_.get()};
-  return vkGetBufferDeviceAddress(device.device, &info);
+  return device.vk.GetBufferDeviceAddress(device.device, &info);
 }
 
 } // namespace voxc

@@ -12,13 +12,14 @@ namespace {
 struct CoreFeature {
   std::uint32_t capability;
   std::string_view name;
+  std::string_view member; ///< Its name in VkPhysicalDeviceFeatures.
   VkBool32 VkPhysicalDeviceFeatures::*feature;
 };
 
 constexpr CoreFeature kCoreFeatures[] = {
-    {10, "64-bit floats", &VkPhysicalDeviceFeatures::shaderFloat64},
-    {11, "64-bit integers", &VkPhysicalDeviceFeatures::shaderInt64},
-    {22, "16-bit integers", &VkPhysicalDeviceFeatures::shaderInt16},
+    {10, "64-bit floats", "shaderFloat64", &VkPhysicalDeviceFeatures::shaderFloat64},
+    {11, "64-bit integers", "shaderInt64", &VkPhysicalDeviceFeatures::shaderInt64},
+    {22, "16-bit integers", "shaderInt16", &VkPhysicalDeviceFeatures::shaderInt16},
 };
 
 constexpr std::uint32_t kShader = 1;
@@ -26,11 +27,11 @@ constexpr std::uint32_t kPhysicalStorageBufferAddresses = 5347;
 
 Error missing(const PhysicalDevice &device, std::string_view what) {
   return Error::environment("this kernel needs " + std::string(what) + ", which " + device.info.name +
-                            " lacks");
+                            " lacks, or was opened without");
 }
 
 Expected<void> checkCapability(const PhysicalDevice &device, std::uint32_t capability) {
-  if (capability == kShader)
+  if (isEverywhere(capability))
     return {};
   if (capability == kPhysicalStorageBufferAddresses && device.info.deviceAddresses)
     return {};
@@ -45,15 +46,6 @@ Expected<void> checkCapability(const PhysicalDevice &device, std::uint32_t capab
   return {};
 }
 
-} // namespace
-
-VkPhysicalDeviceFeatures kernelFeatures(const VkPhysicalDeviceFeatures &available) {
-  VkPhysicalDeviceFeatures features{};
-  for (const CoreFeature &row : kCoreFeatures)
-    features.*row.feature = available.*row.feature;
-  return features;
-}
-
 Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const std::uint32_t> spirv) {
   Expected<void> outcome;
   auto check = [&](const spirv::Instruction &instruction) {
@@ -65,7 +57,25 @@ Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const s
   return outcome;
 }
 
-Expected<void> checkDevice(const PhysicalDevice &device, const Kernel &kernel) {
+} // namespace
+
+bool isEverywhere(std::uint32_t capability) { return capability == kShader; }
+
+std::string_view featureOf(std::uint32_t capability) {
+  if (capability == kPhysicalStorageBufferAddresses)
+    return "bufferDeviceAddress";
+  const auto *row = std::ranges::find(kCoreFeatures, capability, &CoreFeature::capability);
+  return row == std::end(kCoreFeatures) ? std::string_view{} : row->member;
+}
+
+VkPhysicalDeviceFeatures kernelFeatures(const VkPhysicalDeviceFeatures &available) {
+  VkPhysicalDeviceFeatures features{};
+  for (const CoreFeature &row : kCoreFeatures)
+    features.*row.feature = available.*row.feature;
+  return features;
+}
+
+Expected<void> checkKernel(const PhysicalDevice &device, const Kernel &kernel) {
   if (kernel.loops == Loops::Whole && device.info.loops == Loops::Cut)
     return Error::input("this kernel is for devices that run every loop to its end, which " +
                         device.info.name + " does not: compile one with loops=cut");

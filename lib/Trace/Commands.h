@@ -28,6 +28,6 @@ private:
 };
 
 /// Makes everything written so far visible to whatever follows, on the device and on the host.
-void recordBarrier(VkCommandBuffer commands);
+void recordBarrier(const Device::State &device, VkCommandBuffer commands);
 
 } // namespace voxc

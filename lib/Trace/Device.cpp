@@ -87,10 +87,10 @@ Expected<void> createDevice(Device::State &state) {
   info.pQueueCreateInfos = &queue;
   state.physical.features = kernelFeatures(state.physical.features);
   info.pEnabledFeatures = &state.physical.features;
-  if (VkResult result = vkCreateDevice(state.physical.handle, &info, nullptr, &state.device);
+  if (VkResult result = state.vk.CreateDevice(state.physical.handle, &info, nullptr, &state.device);
       result != VK_SUCCESS)
     return vulkanError("open " + state.info().name, result);
-  vkGetDeviceQueue(state.device, state.physical.queueFamily, 0, &state.queue);
+  state.vk.GetDeviceQueue(state.device, state.physical.queueFamily, 0, &state.queue);
   return {};
 }
 

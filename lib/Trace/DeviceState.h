@@ -3,21 +3,26 @@
 
 #include "PhysicalDevice.h"
 
+#include <optional>
+
 namespace voxc {
 
 struct Device::State {
-  Instance instance;
+  VulkanFunctions vk;
+  std::optional<Instance> instance; ///< Nothing where a host owns it, and the device.
   PhysicalDevice physical;
   VkDevice device = VK_NULL_HANDLE;
   VkQueue queue = VK_NULL_HANDLE;
 
   State(Instance connection, PhysicalDevice description)
-      : instance(std::move(connection)), physical(std::move(description)) {}
+      : vk(connection.functions()), instance(std::move(connection)), physical(std::move(description)) {}
+  State(const VulkanFunctions &functions, PhysicalDevice description)
+      : vk(functions), physical(std::move(description)) {}
   State(const State &) = delete;
   State &operator=(const State &) = delete;
   ~State() {
-    if (device != VK_NULL_HANDLE)
-      vkDestroyDevice(device, nullptr);
+    if (instance && device != VK_NULL_HANDLE)
+      vk.DestroyDevice(device, nullptr);
   }
 
   const DeviceInfo &info() const { return physical.info; }

@@ -4,7 +4,8 @@
 namespace voxc {
 
 std::optional<Instance> Instance::create() {
-  if (!loadVulkan())
+  const VulkanLoader *loader = loadVulkan();
+  if (!loader)
     return std::nullopt;
   VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
   application.pApplicationName = "voxc";
@@ -12,9 +13,9 @@ std::optional<Instance> Instance::create() {
   VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
   info.pApplicationInfo = &application;
   VkInstance instance = VK_NULL_HANDLE;
-  if (vkCreateInstance(&info, nullptr, &instance) != VK_SUCCESS)
+  if (loader->CreateInstance(&info, nullptr, &instance) != VK_SUCCESS)
     return std::nullopt;
-  return Instance(instance);
+  return Instance(loader->functions, instance);
 }
 
 } // namespace voxc

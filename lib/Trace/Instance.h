@@ -15,15 +15,20 @@ public:
   static std::optional<Instance> create();
   ~Instance() {
     if (instance_ != VK_NULL_HANDLE)
-      vkDestroyInstance(instance_, nullptr);
+      functions_->DestroyInstance(instance_, nullptr);
   }
-  Instance(Instance &&other) noexcept : instance_(std::exchange(other.instance_, VK_NULL_HANDLE)) {}
+  Instance(Instance &&other) noexcept
+      : functions_(other.functions_), instance_(std::exchange(other.instance_, VK_NULL_HANDLE)) {}
   Instance &operator=(Instance &&) = delete;
 
   VkInstance get() const { return instance_; }
+  const VulkanFunctions &functions() const { return *functions_; }
 
 private:
-  explicit Instance(VkInstance instance) : instance_(instance) {}
+  Instance(const VulkanFunctions &functions, VkInstance instance)
+      : functions_(&functions), instance_(instance) {}
+
+  const VulkanFunctions *functions_; ///< Of the loader, which stays.
   VkInstance instance_;
 };
 

@@ -6,9 +6,16 @@ namespace voxc {
 Expected<void> checkFit(std::uint64_t storageDigest, const Volume &volume, std::string_view emit) {
   if (storageDigest == volume.storageDigest())
     return {};
+  return checkFit(storageDigest, volume.storageDigest(), toString(volume.format()), emit);
+}
+
+Expected<void> checkFit(std::uint64_t storageDigest, std::uint64_t volumeDigest, std::string_view format,
+                        std::string_view emit) {
+  if (storageDigest == volumeDigest)
+    return {};
   return Error::input("this kernel was made for another format than the volume's: compile one with `voxc "
                       "compile '" +
-                      toString(volume.format()) + "' --emit=" + std::string(emit) +
+                      std::string(format) + "' --emit=" + std::string(emit) +
                       "` and the passes that the volume was built with");
 }
 

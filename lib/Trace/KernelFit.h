@@ -13,4 +13,8 @@ namespace voxc {
 /// is what `voxc compile` would have to be asked for.
 Expected<void> checkFit(std::uint64_t storageDigest, const Volume &volume, std::string_view emit);
 
+/// The same of a volume of which the digest and the format are known.
+Expected<void> checkFit(std::uint64_t storageDigest, std::uint64_t volumeDigest, std::string_view format,
+                        std::string_view emit);
+
 } // namespace voxc

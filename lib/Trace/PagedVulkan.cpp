@@ -52,6 +52,7 @@ private:
   std::optional<Buffer> hits_;
   std::optional<Buffer> left_; ///< The list of a tile's rays that are left over.
   TracePipeline pipeline_;
+  BoundBuffers bound_;
   TileQueue tiles_;
   std::uint64_t slotBytes_;
   std::span<Hit> room_; ///< Where the hits go.
@@ -94,7 +95,11 @@ Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
                                 .starts = true});
   if (!leftBuffer)
     return leftBuffer.error();
-  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, slots_, *leftBuffer, &table_);
+  auto bound = pipeline_.bind(
+      {wholeOf(*raysBuffer), wholeOf(*hitsBuffer), wholeOf(slots_), wholeOf(*leftBuffer), wholeOf(table_)});
+  if (!bound)
+    return bound.error();
+  bound_ = std::move(*bound);
   left_.emplace(std::move(*leftBuffer));
   rays_.emplace(std::move(*raysBuffer));
   hits_.emplace(std::move(*hitsBuffer));
@@ -125,6 +130,7 @@ Expected<TraceTime> VulkanPaging::trace(RayGroup group, bool goesOn, std::span<s
   if (auto uploaded = transfer_.upload(std::as_bytes(table), table_); !uploaded)
     return uploaded.error();
   auto time = tiles_.run({.pipeline = &pipeline_,
+                          .buffers = &bound_,
                           .counted = countedBy(options),
                           .rays = static_cast<std::uint32_t>(group.count),
                           .first = static_cast<std::uint32_t>(group.first),
@@ -155,7 +161,7 @@ Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const K
         "this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
   if (auto fits = checkPagedFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
-  if (auto suits = checkDevice(state.physical, kernel); !suits)
+  if (auto suits = checkKernel(state.physical, kernel); !suits)
     return suits.error();
   auto cache = PageCache::create(
       volume, options, std::min(device.info().maxStorageBufferBytes, device.info().maxAllocationBytes));

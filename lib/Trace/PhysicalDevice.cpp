@@ -26,12 +26,9 @@ std::string versionText(std::uint32_t version) {
          "." + std::to_string(VK_API_VERSION_PATCH(version));
 }
 
-bool findQueueFamily(PhysicalDevice &device) {
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device.handle, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device.handle, &count, families.data());
-  for (std::uint32_t family = 0; family < count; ++family) {
+bool findQueueFamily(const VulkanFunctions &vk, PhysicalDevice &device) {
+  const std::vector<VkQueueFamilyProperties> families = queueFamilies(vk, device.handle);
+  for (std::uint32_t family = 0; family < families.size(); ++family) {
     if (!(families[family].queueFlags & VK_QUEUE_COMPUTE_BIT))
       continue;
     device.queueFamily = family;
@@ -47,8 +44,8 @@ void describeKind(PhysicalDevice &device, VkPhysicalDeviceType type) {
   device.info.kind = row == std::end(kDeviceKinds) ? "other" : row->name;
 }
 
-void describeMemory(PhysicalDevice &device) {
-  vkGetPhysicalDeviceMemoryProperties(device.handle, &device.memory);
+void describeMemory(const VulkanFunctions &vk, PhysicalDevice &device) {
+  vk.GetPhysicalDeviceMemoryProperties(device.handle, &device.memory);
   for (std::uint32_t heap = 0; heap < device.memory.memoryHeapCount; ++heap)
     device.info.memoryBytes =
         std::max<std::uint64_t>(device.info.memoryBytes, device.memory.memoryHeaps[heap].size);
@@ -63,7 +60,7 @@ std::string hexadecimal(const std::uint8_t (&bytes)[VK_UUID_SIZE]) {
   return text;
 }
 
-void describeVersion12(PhysicalDevice &device) {
+void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
   VkPhysicalDeviceMaintenance3Properties maintenance{
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
   VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
@@ -72,7 +69,7 @@ void describeVersion12(PhysicalDevice &device) {
   identity.pNext = &driver;
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
   properties.pNext = &identity;
-  vkGetPhysicalDeviceProperties2(device.handle, &properties);
+  vk.GetPhysicalDeviceProperties2(device.handle, &properties);
   device.info.uuid = hexadecimal(identity.deviceUUID);
   device.info.loops = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE ? Loops::Cut : Loops::Whole;
   device.info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
@@ -82,7 +79,7 @@ void describeVersion12(PhysicalDevice &device) {
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES};
   VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
   features.pNext = &addresses;
-  vkGetPhysicalDeviceFeatures2(device.handle, &features);
+  vk.GetPhysicalDeviceFeatures2(device.handle, &features);
   device.features = features.features;
   // Of no other driver do we know that its inverse is rounded to nearest.
   if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && device.features.shaderFloat64)
@@ -90,37 +87,47 @@ void describeVersion12(PhysicalDevice &device) {
   device.info.deviceAddresses = addresses.bufferDeviceAddress;
 }
 
-PhysicalDevice describe(VkPhysicalDevice handle) {
+} // namespace
+
+std::vector<VkQueueFamilyProperties> queueFamilies(const VulkanFunctions &vk, VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  vk.GetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vk.GetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  return families;
+}
+
+PhysicalDevice describe(const VulkanFunctions &vk, VkPhysicalDevice handle) {
   PhysicalDevice device{.handle = handle};
   VkPhysicalDeviceProperties properties{};
-  vkGetPhysicalDeviceProperties(handle, &properties);
+  vk.GetPhysicalDeviceProperties(handle, &properties);
   device.limits = properties.limits;
   device.info.name = properties.deviceName;
   device.info.apiVersion = versionText(properties.apiVersion);
   device.info.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
   describeKind(device, properties.deviceType);
-  describeMemory(device);
-  bool computes = findQueueFamily(device);
+  describeMemory(vk, device);
+  bool computes = findQueueFamily(vk, device);
   if (properties.apiVersion >= VK_API_VERSION_1_2) {
-    describeVersion12(device);
+    describeVersion12(vk, device);
     device.info.usable = computes;
   }
   return device;
 }
 
-} // namespace
-
 std::vector<PhysicalDevice> physicalDevices(const Instance &instance) {
+  const VulkanFunctions &vk = instance.functions();
   std::uint32_t count = 0;
-  if (vkEnumeratePhysicalDevices(instance.get(), &count, nullptr) != VK_SUCCESS)
+  if (vk.EnumeratePhysicalDevices(instance.get(), &count, nullptr) != VK_SUCCESS)
     return {};
   std::vector<VkPhysicalDevice> handles(count);
   // VK_INCOMPLETE can only mean that a device was plugged in meanwhile.
-  if (vkEnumeratePhysicalDevices(instance.get(), &count, handles.data()) < VK_SUCCESS)
+  if (vk.EnumeratePhysicalDevices(instance.get(), &count, handles.data()) < VK_SUCCESS)
     return {};
   handles.resize(count);
   std::vector<PhysicalDevice> devices;
-  std::ranges::transform(handles, std::back_inserter(devices), describe);
+  std::ranges::transform(handles, std::back_inserter(devices),
+                         [&](VkPhysicalDevice handle) { return describe(vk, handle); });
   return devices;
 }
 

@@ -21,6 +21,11 @@ struct PhysicalDevice {
   int rank = 0;                    ///< Of its kind; the best is 0.
 };
 
+std::vector<VkQueueFamilyProperties> queueFamilies(const VulkanFunctions &vk, VkPhysicalDevice device);
+
+/// What these functions say of a device.
+PhysicalDevice describe(const VulkanFunctions &vk, VkPhysicalDevice handle);
+
 /// The devices of this machine in the driver's order.
 std::vector<PhysicalDevice> physicalDevices(const Instance &instance);
 

@@ -77,12 +77,12 @@ Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t 
     return commands.error();
   slot.timestamps.recordBegin(*commands);
   if (pass.settlesAtOnce || pass.task != Task::All)
-    pass.pipeline->recordDispatch(*commands, pass.counted, {first, count, pass.task});
+    pass.pipeline->recordDispatch(*commands, *pass.buffers, pass.counted, {first, count, pass.task});
   else
-    pass.pipeline->recordDispatches(*commands, pass.counted, {first, count, pass.task});
+    pass.pipeline->recordDispatches(*commands, *pass.buffers, pass.counted, {first, count, pass.task});
   slot.timestamps.recordEnd(*commands);
   if (first + count == pass.first + pass.rays)
-    recordBarrier(*commands);
+    recordBarrier(*device_, *commands);
   if (auto submitted = slot.commands.submit(); !submitted)
     return submitted;
   slot.raysInFlight = count;

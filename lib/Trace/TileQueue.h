@@ -15,6 +15,7 @@ namespace voxc {
 /// One pass over the bound rays.
 struct TilePass {
   const TracePipeline *pipeline = nullptr;
+  const BoundBuffers *buffers = nullptr;
   Counted counted = Counted::Nothing;
   std::uint32_t rays = 0;
   std::uint32_t first = 0; ///< Of the bound rays.

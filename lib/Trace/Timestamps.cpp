@@ -16,7 +16,8 @@ Expected<Timestamps> Timestamps::create(Device::State &device) {
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = kQueries;
-  auto queries = createObject<QueryPoolHandle>(device.device, vkCreateQueryPool, info, "create timestamps");
+  auto queries =
+      createObject<QueryPoolHandle>(device, &VulkanFunctions::CreateQueryPool, info, "create timestamps");
   if (!queries)
     return queries.error();
   return Timestamps(device, std::move(*queries));
@@ -25,21 +26,22 @@ Expected<Timestamps> Timestamps::create(Device::State &device) {
 void Timestamps::recordBegin(VkCommandBuffer commands) const {
   if (!queries_)
     return;
-  vkCmdResetQueryPool(commands, queries_.get(), 0, kQueries);
-  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, queries_.get(), kBegin);
+  device_->vk.CmdResetQueryPool(commands, queries_.get(), 0, kQueries);
+  device_->vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, queries_.get(), kBegin);
 }
 
 void Timestamps::recordEnd(VkCommandBuffer commands) const {
   if (queries_)
-    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_.get(), kEnd);
+    device_->vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_.get(), kEnd);
 }
 
 Expected<Timestamps::Ticks> Timestamps::read() const {
   if (!queries_)
     return Ticks{};
   std::uint64_t ticks[kQueries] = {};
-  VkResult result = vkGetQueryPoolResults(device_->device, queries_.get(), 0, kQueries, sizeof ticks, ticks,
-                                          sizeof ticks[0], VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+  VkResult result =
+      device_->vk.GetQueryPoolResults(device_->device, queries_.get(), 0, kQueries, sizeof ticks, ticks,
+                                      sizeof ticks[0], VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
   if (result != VK_SUCCESS)
     return vulkanError("read its timestamps", result);
   return Ticks{ticks[kBegin], ticks[kEnd]};

@@ -3,7 +3,6 @@
 
 #include "Commands.h"
 
-#include <array>
 #include <cstddef>
 #include <iterator>
 
@@ -11,18 +10,11 @@ namespace voxc {
 namespace {
 
 /// The most bindings that a kernel has.
-constexpr std::uint32_t kMostBindings = 5;
+constexpr std::uint32_t kMostBindings = std::tuple_size_v<KernelBuffers>;
+
+constexpr std::size_t kLeft = 3;
 
 constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
-
-/// The kernel's specialization constants; those that a kernel does not have are ignored.
-struct Constants {
-  VkBool32 countLookups;
-  float spread;
-  VkBool32 countWords;
-  VkBool32 settles;
-  PageShape pages;
-};
 
 constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {0, offsetof(Constants, countLookups), sizeof(Constants::countLookups)},
@@ -37,8 +29,11 @@ Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = spirv.size_bytes();
   info.pCode = spirv.data();
-  return createObject<ShaderModuleHandle>(device.device, vkCreateShaderModule, info, "take the kernel");
+  return createObject<ShaderModuleHandle>(device, &VulkanFunctions::CreateShaderModule, info,
+                                          "take the kernel");
 }
+
+std::uint32_t groupsOf(const RayTile &tile) { return (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize; }
 
 } // namespace
 
@@ -50,8 +45,6 @@ Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kerne
   pipeline.module_ = std::move(*module);
   if (auto created = pipeline.createLayouts(); !created)
     return created.error();
-  if (auto created = pipeline.createSet(); !created)
-    return created.error();
   return pipeline;
 }
 
@@ -62,8 +55,8 @@ Expected<void> TracePipeline::createLayouts() {
   VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   setInfo.bindingCount = bindings_;
   setInfo.pBindings = bindings.data();
-  auto setLayout = createObject<SetLayoutHandle>(device_->device, vkCreateDescriptorSetLayout, setInfo,
-                                                 "create a descriptor layout");
+  auto setLayout = createObject<SetLayoutHandle>(*device_, &VulkanFunctions::CreateDescriptorSetLayout,
+                                                 setInfo, "create a descriptor layout");
   if (!setLayout)
     return setLayout.error();
   setLayout_ = std::move(*setLayout);
@@ -73,7 +66,7 @@ Expected<void> TracePipeline::createLayouts() {
   info.pSetLayouts = &set;
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &kPushRange;
-  auto layout = createObject<PipelineLayoutHandle>(device_->device, vkCreatePipelineLayout, info,
+  auto layout = createObject<PipelineLayoutHandle>(*device_, &VulkanFunctions::CreatePipelineLayout, info,
                                                    "create a pipeline layout");
   if (!layout)
     return layout.error();
@@ -81,58 +74,52 @@ Expected<void> TracePipeline::createLayouts() {
   return {};
 }
 
-Expected<void> TracePipeline::createSet() {
+Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
   VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bindings_};
   VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   poolInfo.maxSets = 1;
   poolInfo.poolSizeCount = 1;
   poolInfo.pPoolSizes = &size;
-  auto pool = createObject<DescriptorPoolHandle>(device_->device, vkCreateDescriptorPool, poolInfo,
+  auto pool = createObject<DescriptorPoolHandle>(*device_, &VulkanFunctions::CreateDescriptorPool, poolInfo,
                                                  "create a descriptor pool");
   if (!pool)
     return pool.error();
-  pool_ = std::move(*pool);
+  BoundBuffers bound{.pool = std::move(*pool), .left = buffers[kLeft]};
   VkDescriptorSetLayout layout = setLayout_.get();
   VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  info.descriptorPool = pool_.get();
+  info.descriptorPool = bound.pool.get();
   info.descriptorSetCount = 1;
   info.pSetLayouts = &layout;
-  if (VkResult result = vkAllocateDescriptorSets(device_->device, &info, &set_); result != VK_SUCCESS)
+  if (VkResult result = device_->vk.AllocateDescriptorSets(device_->device, &info, &bound.set);
+      result != VK_SUCCESS)
     return vulkanError("allocate a descriptor set", result);
-  return {};
-}
-
-void TracePipeline::bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words,
-                                const Buffer &left, const Buffer *pageTable) {
-  const Buffer *buffers[kMostBindings] = {&rays, &hits, &words, &left, pageTable};
-  left_ = left.get();
-  std::array<VkDescriptorBufferInfo, kMostBindings> infos{};
   std::array<VkWriteDescriptorSet, kMostBindings> writes{};
   for (std::uint32_t index = 0; index < bindings_; ++index) {
-    infos[index] = {buffers[index]->get(), 0, buffers[index]->bytes()};
     writes[index].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    writes[index].dstSet = set_;
+    writes[index].dstSet = bound.set;
     writes[index].dstBinding = index;
     writes[index].descriptorCount = 1;
     writes[index].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    writes[index].pBufferInfo = &infos[index];
+    writes[index].pBufferInfo = &buffers[index];
   }
-  vkUpdateDescriptorSets(device_->device, bindings_, writes.data(), 0, nullptr);
+  device_->vk.UpdateDescriptorSets(device_->device, bindings_, writes.data(), 0, nullptr);
+  return bound;
 }
 
-Expected<void> TracePipeline::prepare(Counted counted, float spread) {
-  auto leaves = createPipeline(counted, spread, false);
+Expected<void> TracePipeline::prepare(Counted counted, float spread, VkPipelineCache cache) {
+  Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, false, pages_};
+  auto leaves = createPipeline(constants, cache);
   if (!leaves)
     return leaves.error();
-  auto settles = createPipeline(counted, spread, true);
+  constants.settles = true;
+  auto settles = createPipeline(constants, cache);
   if (!settles)
     return settles.error();
   variants_[std::size_t(counted)] = {std::move(*leaves), std::move(*settles), spread};
   return {};
 }
 
-Expected<PipelineHandle> TracePipeline::createPipeline(Counted counted, float spread, bool settles) {
-  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, settles, pages_};
+Expected<PipelineHandle> TracePipeline::createPipeline(const Constants &constants, VkPipelineCache cache) {
   VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                       &constants};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
@@ -143,36 +130,55 @@ Expected<PipelineHandle> TracePipeline::createPipeline(Counted counted, float sp
   info.stage.pSpecializationInfo = &specialization;
   info.layout = layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  VkResult result = vkCreateComputePipelines(device_->device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  VkResult result = device_->vk.CreateComputePipelines(device_->device, cache, 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS)
     return vulkanError("compile the kernel", result);
-  return PipelineHandle(device_->device, pipeline);
+  return PipelineHandle(*device_, pipeline);
 }
 
-void TracePipeline::bind(VkCommandBuffer commands, const PipelineHandle &pipeline,
-                         const RayTile &tile) const {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
-  vkCmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
+void TracePipeline::start(VkCommandBuffer commands, const PipelineHandle &pipeline,
+                          const BoundBuffers &buffers, const RayTile &tile) const {
+  const VulkanFunctions &vk = device_->vk;
+  vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &buffers.set, 0,
+                           nullptr);
+  vk.CmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
 }
 
-void TracePipeline::recordDispatch(VkCommandBuffer commands, Counted counted, const RayTile &tile) const {
-  bind(commands, variants_[std::size_t(counted)].settles, tile);
-  vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
+void TracePipeline::recordDispatch(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                                   const RayTile &tile) const {
+  start(commands, variants_[std::size_t(counted)].settles, buffers, tile);
+  device_->vk.CmdDispatch(commands, groupsOf(tile), 1, 1);
 }
 
-void TracePipeline::recordDispatches(VkCommandBuffer commands, Counted counted, RayTile tile) const {
-  // No group to start yet, and no ray on the list. The tile before may still be reading its own.
+void TracePipeline::recordDispatches(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                                     const RayTile &tile) const {
+  recordBarrier(*device_, commands); // The tile before may still be reading its list.
+  recordEmptyList(commands, buffers);
+  recordBarrier(*device_, commands);
+  recordLeaving(commands, buffers, counted, tile);
+  recordBarrier(*device_, commands);
+  recordLeftOver(commands, buffers, counted, tile);
+}
+
+void TracePipeline::recordEmptyList(VkCommandBuffer commands, const BoundBuffers &buffers) const {
+  // No group to start yet, and no ray on the list.
   constexpr std::array<std::uint32_t, 4> kEmptyList = {0, 1, 1, 0};
-  recordBarrier(commands);
-  vkCmdUpdateBuffer(commands, left_, 0, sizeof kEmptyList, kEmptyList.data());
-  recordBarrier(commands);
-  bind(commands, variants_[std::size_t(counted)].leaves, tile);
-  vkCmdDispatch(commands, (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize, 1, 1);
-  recordBarrier(commands);
-  tile.task = Task::LeftOver;
-  bind(commands, variants_[std::size_t(counted)].settles, tile);
-  vkCmdDispatchIndirect(commands, left_, 0);
+  device_->vk.CmdUpdateBuffer(commands, buffers.left.buffer, buffers.left.offset, sizeof kEmptyList,
+                              kEmptyList.data());
+}
+
+void TracePipeline::recordLeaving(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                                  const RayTile &tile) const {
+  start(commands, variants_[std::size_t(counted)].leaves, buffers, tile);
+  device_->vk.CmdDispatch(commands, groupsOf(tile), 1, 1);
+}
+
+void TracePipeline::recordLeftOver(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                                   const RayTile &tile) const {
+  start(commands, variants_[std::size_t(counted)].settles, buffers,
+        {tile.first, tile.rayCount, Task::LeftOver});
+  device_->vk.CmdDispatchIndirect(commands, buffers.left.buffer, buffers.left.offset);
 }
 
 } // namespace voxc

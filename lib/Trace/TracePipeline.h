@@ -1,10 +1,11 @@
-// A kernel as Vulkan pipelines, with the buffers bound that it reads and writes.
+// A kernel as Vulkan pipelines, and buffers that it reads and writes.
 #pragma once
 
 #include "Buffer.h"
 
 #include "voxc/Trace/Kernel.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -37,14 +38,34 @@ struct PageShape {
   std::uint32_t pages = 0;
 };
 
+/// The kernel's specialization constants; those that a kernel does not have are ignored.
+struct Constants {
+  VkBool32 countLookups;
+  float spread;
+  VkBool32 countWords;
+  VkBool32 settles;
+  PageShape pages;
+};
+
+/// The buffers of the kernel's interface, in the order of their bindings: rays, hits, words or their table,
+/// the list of a tile's rays that are left over, and of paged kernels the table of pages.
+using KernelBuffers = std::array<VkDescriptorBufferInfo, 5>;
+
+/// All of a buffer.
+inline VkDescriptorBufferInfo wholeOf(const Buffer &buffer) { return {buffer.get(), 0, buffer.bytes()}; }
+
+/// Buffers that are bound to a kernel.
+struct BoundBuffers {
+  DescriptorPoolHandle pool;
+  VkDescriptorSet set = VK_NULL_HANDLE; ///< Belongs to the pool.
+  VkDescriptorBufferInfo left{};        ///< The list.
+};
+
 class TracePipeline {
 public:
   static Expected<TracePipeline> create(Device::State &device, const Kernel &kernel, PageShape pages = {});
 
-  /// Binds the buffers of the kernel's interface; nothing that uses the old ones may be running.
-  /// `left` holds the list of a tile's rays that are left over; `pageTable` is that of a paged kernel.
-  void bindBuffers(const Buffer &rays, const Buffer &hits, const Buffer &words, const Buffer &left,
-                   const Buffer *pageTable = nullptr);
+  Expected<BoundBuffers> bind(const KernelBuffers &buffers) const;
 
   /// Whether the variant that counts this is made already for this spread.
   bool isPrepared(Counted counted, float spread) const {
@@ -52,18 +73,27 @@ public:
     return variant.settles && variant.spread == spread;
   }
   /// Makes a variant, in place of that for another spread; may compile for long. Nothing may be running.
-  Expected<void> prepare(Counted counted, float spread);
+  Expected<void> prepare(Counted counted, float spread, VkPipelineCache cache = VK_NULL_HANDLE);
+
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant, in one dispatch
   /// that settles what float32 cannot tell.
-  void recordDispatch(VkCommandBuffer commands, Counted counted, const RayTile &tile) const;
+  void recordDispatch(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                      const RayTile &tile) const;
   /// The same by two: one that settles nothing, and one over the rays which that leaves.
-  void recordDispatches(VkCommandBuffer commands, Counted counted, RayTile tile) const;
+  void recordDispatches(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                        const RayTile &tile) const;
+
+  /// The parts of that, between which there must be barriers: an empty list, one dispatch, and the other.
+  void recordEmptyList(VkCommandBuffer commands, const BoundBuffers &buffers) const;
+  void recordLeaving(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                     const RayTile &tile) const;
+  void recordLeftOver(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+                      const RayTile &tile) const;
 
 private:
   TracePipeline(Device::State &device, bool isPaged, PageShape pages)
       : device_(&device), bindings_(isPaged ? 5 : 4), pages_(pages) {}
   Expected<void> createLayouts();
-  Expected<void> createSet();
 
   struct Variant {
     PipelineHandle leaves;  ///< Leaves the rays over that float32 cannot tell all of.
@@ -71,8 +101,9 @@ private:
     float spread = 0;
   };
 
-  Expected<PipelineHandle> createPipeline(Counted counted, float spread, bool settles);
-  void bind(VkCommandBuffer commands, const PipelineHandle &pipeline, const RayTile &tile) const;
+  Expected<PipelineHandle> createPipeline(const Constants &constants, VkPipelineCache cache);
+  void start(VkCommandBuffer commands, const PipelineHandle &pipeline, const BoundBuffers &buffers,
+             const RayTile &tile) const;
 
   Device::State *device_;
   std::uint32_t bindings_; ///< Rays, hits, words or their table, the list of rays that are left over; pages.
@@ -80,10 +111,7 @@ private:
   ShaderModuleHandle module_;
   SetLayoutHandle setLayout_;
   PipelineLayoutHandle layout_;
-  DescriptorPoolHandle pool_;
-  VkDescriptorSet set_ = VK_NULL_HANDLE; ///< Belongs to the pool.
-  VkBuffer left_ = VK_NULL_HANDLE;       ///< The bound list.
-  Variant variants_[kCountedKinds];      ///< By what they count.
+  Variant variants_[kCountedKinds]; ///< By what they count.
 };
 
 } // namespace voxc

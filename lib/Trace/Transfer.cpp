@@ -67,8 +67,8 @@ Expected<void> Transfer::copy(const Buffer &from, const Buffer &to, const VkBuff
   auto commands = commands_.begin();
   if (!commands)
     return commands.error();
-  vkCmdCopyBuffer(*commands, from.get(), to.get(), 1, &region);
-  recordBarrier(*commands);
+  device_->vk.CmdCopyBuffer(*commands, from.get(), to.get(), 1, &region);
+  recordBarrier(*device_, *commands);
   if (auto submitted = commands_.submit(); !submitted)
     return submitted;
   return commands_.wait();

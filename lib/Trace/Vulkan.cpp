@@ -1,38 +1,47 @@
-// Vulkan's functions, looked up in the loader's library.
+// Vulkan's functions, looked up in the loader's library, or in a host's loader.
 #include "Vulkan.h"
 
 #include <dlfcn.h>
 
 namespace voxc {
-
-#define VOXC_DEFINE(name) PFN_##name name = nullptr;
-VOXC_VULKAN_FUNCTIONS(VOXC_DEFINE)
-#undef VOXC_DEFINE
-
 namespace {
 
-template <typename Function> bool lookUp(void *library, const char *name, Function &function) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  return function != nullptr;
-}
-
-bool lookUpAll() {
-  // Never closed: drivers do not expect to be unloaded before the process ends.
-  void *library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
-  if (!library)
-    return false;
+/// Looks up every function, by its whole name; false if one is missing.
+template <typename LookUp> bool fill(VulkanFunctions &functions, LookUp lookUp) {
   bool complete = true;
-#define VOXC_LOOK_UP(name) complete = lookUp(library, #name, name) && complete;
+#define VOXC_LOOK_UP(name)                                                                                   \
+  functions.name = reinterpret_cast<PFN_vk##name>(lookUp("vk" #name));                                       \
+  complete = complete && functions.name != nullptr;
   VOXC_VULKAN_FUNCTIONS(VOXC_LOOK_UP)
 #undef VOXC_LOOK_UP
   return complete;
 }
 
+std::optional<VulkanLoader> openLoader() {
+  // Never closed: drivers do not expect to be unloaded before the process ends.
+  void *library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (!library)
+    return std::nullopt;
+  const auto lookUp = [library](const char *name) { return dlsym(library, name); };
+  VulkanLoader loader;
+  loader.CreateInstance = reinterpret_cast<PFN_vkCreateInstance>(lookUp("vkCreateInstance"));
+  if (!fill(loader.functions, lookUp) || loader.CreateInstance == nullptr)
+    return std::nullopt;
+  return loader;
+}
+
 } // namespace
 
-bool loadVulkan() {
-  static const bool loaded = lookUpAll();
-  return loaded;
+const VulkanLoader *loadVulkan() {
+  static const std::optional<VulkanLoader> loader = openLoader();
+  return loader ? &*loader : nullptr;
+}
+
+std::optional<VulkanFunctions> functionsOf(VkInstance instance, PFN_vkGetInstanceProcAddr loader) {
+  VulkanFunctions functions;
+  if (!fill(functions, [&](const char *name) { return loader(instance, name); }))
+    return std::nullopt;
+  return functions;
 }
 
 } // namespace voxc

@@ -1,75 +1,90 @@
 // Vulkan's functions, looked up when first needed: a machine without the loader runs everything else.
 #pragma once
 
+#ifndef VK_NO_PROTOTYPES
 #define VK_NO_PROTOTYPES
+#endif
 #include <vulkan/vulkan_core.h>
 
-/// Every function that voxc calls; all are exported by a loader of Vulkan 1.2.
+#include <optional>
+
+/// Every function that voxc calls of an instance and its devices, without vk before it; all are exported by a
+/// loader of Vulkan 1.2.
 #define VOXC_VULKAN_FUNCTIONS(X)                                                                             \
-  X(vkAllocateCommandBuffers)                                                                                \
-  X(vkAllocateDescriptorSets)                                                                                \
-  X(vkAllocateMemory)                                                                                        \
-  X(vkBeginCommandBuffer)                                                                                    \
-  X(vkBindBufferMemory)                                                                                      \
-  X(vkCmdBindDescriptorSets)                                                                                 \
-  X(vkCmdBindPipeline)                                                                                       \
-  X(vkCmdCopyBuffer)                                                                                         \
-  X(vkCmdDispatch)                                                                                           \
-  X(vkCmdDispatchIndirect)                                                                                   \
-  X(vkCmdPipelineBarrier)                                                                                    \
-  X(vkCmdPushConstants)                                                                                      \
-  X(vkCmdUpdateBuffer)                                                                                       \
-  X(vkCmdResetQueryPool)                                                                                     \
-  X(vkCmdWriteTimestamp)                                                                                     \
-  X(vkCreateBuffer)                                                                                          \
-  X(vkCreateCommandPool)                                                                                     \
-  X(vkCreateComputePipelines)                                                                                \
-  X(vkCreateDescriptorPool)                                                                                  \
-  X(vkCreateDescriptorSetLayout)                                                                             \
-  X(vkCreateDevice)                                                                                          \
-  X(vkCreateFence)                                                                                           \
-  X(vkCreateInstance)                                                                                        \
-  X(vkCreatePipelineLayout)                                                                                  \
-  X(vkCreateQueryPool)                                                                                       \
-  X(vkCreateShaderModule)                                                                                    \
-  X(vkDestroyBuffer)                                                                                         \
-  X(vkDestroyCommandPool)                                                                                    \
-  X(vkDestroyDescriptorPool)                                                                                 \
-  X(vkDestroyDescriptorSetLayout)                                                                            \
-  X(vkDestroyDevice)                                                                                         \
-  X(vkDestroyFence)                                                                                          \
-  X(vkDestroyInstance)                                                                                       \
-  X(vkDestroyPipeline)                                                                                       \
-  X(vkDestroyPipelineLayout)                                                                                 \
-  X(vkDestroyQueryPool)                                                                                      \
-  X(vkDestroyShaderModule)                                                                                   \
-  X(vkEndCommandBuffer)                                                                                      \
-  X(vkEnumeratePhysicalDevices)                                                                              \
-  X(vkFreeMemory)                                                                                            \
-  X(vkGetBufferDeviceAddress)                                                                                \
-  X(vkGetBufferMemoryRequirements)                                                                           \
-  X(vkGetDeviceQueue)                                                                                        \
-  X(vkGetPhysicalDeviceFeatures2)                                                                            \
-  X(vkGetPhysicalDeviceMemoryProperties)                                                                     \
-  X(vkGetPhysicalDeviceProperties)                                                                           \
-  X(vkGetPhysicalDeviceProperties2)                                                                          \
-  X(vkGetPhysicalDeviceQueueFamilyProperties)                                                                \
-  X(vkGetQueryPoolResults)                                                                                   \
-  X(vkMapMemory)                                                                                             \
-  X(vkQueueSubmit)                                                                                           \
-  X(vkResetCommandPool)                                                                                      \
-  X(vkResetFences)                                                                                           \
-  X(vkUpdateDescriptorSets)                                                                                  \
-  X(vkWaitForFences)
+  X(AllocateCommandBuffers)                                                                                  \
+  X(AllocateDescriptorSets)                                                                                  \
+  X(AllocateMemory)                                                                                          \
+  X(BeginCommandBuffer)                                                                                      \
+  X(BindBufferMemory)                                                                                        \
+  X(CmdBindDescriptorSets)                                                                                   \
+  X(CmdBindPipeline)                                                                                         \
+  X(CmdCopyBuffer)                                                                                           \
+  X(CmdDispatch)                                                                                             \
+  X(CmdDispatchIndirect)                                                                                     \
+  X(CmdPipelineBarrier)                                                                                      \
+  X(CmdPushConstants)                                                                                        \
+  X(CmdUpdateBuffer)                                                                                         \
+  X(CmdResetQueryPool)                                                                                       \
+  X(CmdWriteTimestamp)                                                                                       \
+  X(CreateBuffer)                                                                                            \
+  X(CreateCommandPool)                                                                                       \
+  X(CreateComputePipelines)                                                                                  \
+  X(CreateDescriptorPool)                                                                                    \
+  X(CreateDescriptorSetLayout)                                                                               \
+  X(CreateDevice)                                                                                            \
+  X(CreateFence)                                                                                             \
+  X(CreatePipelineLayout)                                                                                    \
+  X(CreateQueryPool)                                                                                         \
+  X(CreateShaderModule)                                                                                      \
+  X(DestroyBuffer)                                                                                           \
+  X(DestroyCommandPool)                                                                                      \
+  X(DestroyDescriptorPool)                                                                                   \
+  X(DestroyDescriptorSetLayout)                                                                              \
+  X(DestroyDevice)                                                                                           \
+  X(DestroyFence)                                                                                            \
+  X(DestroyInstance)                                                                                         \
+  X(DestroyPipeline)                                                                                         \
+  X(DestroyPipelineLayout)                                                                                   \
+  X(DestroyQueryPool)                                                                                        \
+  X(DestroyShaderModule)                                                                                     \
+  X(EndCommandBuffer)                                                                                        \
+  X(EnumeratePhysicalDevices)                                                                                \
+  X(FreeMemory)                                                                                              \
+  X(GetBufferDeviceAddress)                                                                                  \
+  X(GetBufferMemoryRequirements)                                                                             \
+  X(GetDeviceQueue)                                                                                          \
+  X(GetPhysicalDeviceFeatures2)                                                                              \
+  X(GetPhysicalDeviceMemoryProperties)                                                                       \
+  X(GetPhysicalDeviceProperties)                                                                             \
+  X(GetPhysicalDeviceProperties2)                                                                            \
+  X(GetPhysicalDeviceQueueFamilyProperties)                                                                  \
+  X(GetQueryPoolResults)                                                                                     \
+  X(MapMemory)                                                                                               \
+  X(QueueSubmit)                                                                                             \
+  X(ResetCommandPool)                                                                                        \
+  X(ResetFences)                                                                                             \
+  X(UpdateDescriptorSets)                                                                                    \
+  X(WaitForFences)
 
 namespace voxc {
 
-#define VOXC_DECLARE(name) extern PFN_##name name;
-VOXC_VULKAN_FUNCTIONS(VOXC_DECLARE)
+/// The functions of an instance and its devices.
+struct VulkanFunctions {
+#define VOXC_DECLARE(name) PFN_vk##name name = nullptr;
+  VOXC_VULKAN_FUNCTIONS(VOXC_DECLARE)
 #undef VOXC_DECLARE
+};
 
-/// Loads the functions, once in a process. False if there is no loader or it is older than Vulkan 1.2; the
-/// functions must not be called then.
-bool loadVulkan();
+/// The loader of this machine.
+struct VulkanLoader {
+  PFN_vkCreateInstance CreateInstance = nullptr;
+  VulkanFunctions functions; ///< For every instance that it makes.
+};
+
+/// Loads the loader, once in a process. Null if there is none or it is older than Vulkan 1.2.
+const VulkanLoader *loadVulkan();
+
+/// The functions that another loader has for its instance; nothing if one is missing.
+std::optional<VulkanFunctions> functionsOf(VkInstance instance, PFN_vkGetInstanceProcAddr loader);
 
 } // namespace voxc

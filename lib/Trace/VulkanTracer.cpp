@@ -61,7 +61,7 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
   if (kernel.addressing == Addressing::Paged)
     return Error::usage(
         "this kernel is for volumes that are on the device in pages: createPagedTracer takes it");
-  if (auto suits = checkDevice(device.physical, kernel); !suits)
+  if (auto suits = checkKernel(device.physical, kernel); !suits)
     return suits.error();
   auto transfer = Transfer::create(device);
   if (!transfer)
@@ -113,7 +113,11 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
                                 .starts = true});
   if (!leftBuffer)
     return leftBuffer.error();
-  pipeline_.bindBuffers(*raysBuffer, *hitsBuffer, words_.binding(), *leftBuffer);
+  auto bound = pipeline_.bind(
+      {wholeOf(*raysBuffer), wholeOf(*hitsBuffer), wholeOf(words_.binding()), wholeOf(*leftBuffer)});
+  if (!bound)
+    return bound.error();
+  bound_ = std::move(*bound);
   left_.emplace(std::move(*leftBuffer));
   rays_.emplace(std::move(*raysBuffer));
   hits_.emplace(std::move(*hitsBuffer));
@@ -128,7 +132,8 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
   auto count = static_cast<std::uint32_t>(rays.size());
   if (auto warm = warmUp(count, work); !warm)
     return warm;
-  TilePass pass{.pipeline = &pipeline_, .counted = countedBy(work.options), .rays = count};
+  TilePass pass{
+      .pipeline = &pipeline_, .buffers = &bound_, .counted = countedBy(work.options), .rays = count};
   pass.tileDone = [&work](std::uint32_t done) { return work.advance(done); };
   for (TraceTime &repeat : work.report.repeats) {
     auto time = tiles_.run(pass);
@@ -159,6 +164,7 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
       return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
                                 " dispatches");
     auto time = tiles_.run({.pipeline = &pipeline_,
+                            .buffers = &bound_,
                             .counted = countedBy(work.options),
                             .rays = static_cast<std::uint32_t>(hits.size()),
                             .task = Task::CutOff,
@@ -189,6 +195,7 @@ Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
     return prepared;
   for (const bool settlesAtOnce : {true, false})
     if (auto time = tiles_.run({.pipeline = &pipeline_,
+                                .buffers = &bound_,
                                 .counted = counted,
                                 .rays = std::min(rays, kWorkgroupSize),
                                 .settlesAtOnce = settlesAtOnce});

@@ -37,6 +37,7 @@ private:
   std::optional<Buffer> hits_;
   std::optional<Buffer> left_; ///< The list of a tile's rays that are left over.
   TracePipeline pipeline_;
+  BoundBuffers bound_; ///< Those, and the words.
   TileQueue tiles_;
 };
 

@@ -1,6 +1,8 @@
 // What `voxc compile` can write.
 #include "Artefacts.h"
 
+#include "InterfaceText.h"
+
 #include "voxc/Emit/Emit.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Support/EmbeddedFile.h"
@@ -93,6 +95,12 @@ Expected<std::string> makeSpirvText(Generator &generator) {
   return kernel ? disassemble(**kernel) : Expected<std::string>(kernel.error());
 }
 
+Expected<std::string> makeInterface(Generator &generator) {
+  Expected<const Kernel *> kernel = generator.kernel();
+  return kernel ? interfaceText(toString(generator.format()), **kernel)
+                : Expected<std::string>(kernel.error());
+}
+
 Expected<std::string> makeCpuObject(Generator &generator) {
   return compileCpuObject(generator.format(), generator.choices().cpu);
 }
@@ -156,6 +164,7 @@ constexpr ArtefactKind kArtefacts[] = {
     {"glsl", "intersect.glsl", makeGlsl, noCompanions},
     {"spirv", "intersect.spv", makeSpirv, noCompanions},
     {"spvasm", "intersect.spvasm", makeSpirvText, noCompanions},
+    {"interface", "intersect.json", makeInterface, noCompanions},
     {"cpp", "intersect.cpp", makeCpp, cppCompanions},
     {"cpu", "intersect.o", makeCpuObject, cpuCompanions},
     {"header", "voxc_*.h", makeHeader, noCompanions},

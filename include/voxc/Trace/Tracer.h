@@ -52,9 +52,9 @@ public:
 
   struct State;
   State &state() { return *state_; }
+  explicit Device(std::unique_ptr<State> state);
 
 private:
-  explicit Device(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 
