@@ -27,7 +27,7 @@ private:
   std::string text_;  ///< The format that is being written.
   std::string shown_; ///< The scene's format, when it was last looked at.
   bool isWriting_ = false;
-  bool hasPopup_ = false; ///< A list is open, which may lie anywhere.
+  bool hasPopup_ = false;         ///< A list is open, which may lie anywhere.
   double width_ = 0, height_ = 0; ///< 0: nothing is drawn.
 };
 
