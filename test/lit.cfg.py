@@ -45,6 +45,9 @@ if config.has_window:
     if shutil.which("Xvfb") and shutil.which("xdotool"):
         config.available_features.add("display")
 
+# Tests leave nothing beside their sources.
+config.environment["PYTHONDONTWRITEBYTECODE"] = "1"
+
 # What a search keeps of devices is not the user's.
 config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
 

@@ -1,4 +1,4 @@
-"""session.py VOXC VOLUME SEARCH DIR: a user at the viewer, by real keys and a real mouse in a real window. Prints what the
+"""user.py VOXC VOLUME SEARCH DIR: a user at the viewer, by real keys and a real mouse in a real window. Prints what the
 viewer told, and what the screen showed; pictures of the screen go to DIR."""
 import os
 import sys
