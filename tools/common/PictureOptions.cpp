@@ -34,11 +34,15 @@ Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume
   return viewCamera(view, volume, trace, camera->width, camera->height, options.camera.fov);
 }
 
+bool isSmooth(const PictureOptions &options, const VolumeInfo &info) {
+  return options.normals == "auto" ? isSmoothSurface(info) : options.normals == "smooth";
+}
+
 RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
   RenderOptions result;
   result.style = styleOf(options);
   result.samples = options.samples;
-  result.isSmooth = options.normals == "auto" ? isSmoothSurface(volume.info()) : options.normals == "smooth";
+  result.isSmooth = isSmooth(options, volume.info());
   result.lod = options.lod;
   if (options.sun.size() == 2) {
     const double azimuth = glm::radians(options.sun[0]);
@@ -127,6 +131,10 @@ Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &
   if (!rendering)
     return rendering.error();
   return TakenPicture{std::move(*rendering), *camera};
+}
+
+bool looksAround(const PictureOptions &options, const VolumeInfo &info) {
+  return kindOf(styleOf(options)).needsNormals && isSmooth(options, info);
 }
 
 Expected<void> writeTaken(const std::string &path, const TakenPicture &taken) {
