@@ -15,7 +15,8 @@ Expected<void> checkPaging(const Format &format) {
   };
   const std::string_view levels = format.attributes.value(kLevelsAttribute);
   if (std::ranges::any_of(format.levels, goesItsOwnWay) || (levels != "auto" && levels != "direct"))
-    return Error::usage("a walk that may wait for pages goes down from the root each time: leave out other walks");
+    return Error::usage(
+        "a walk that may wait for pages goes down from the root each time: leave out other walks");
   return {};
 }
 

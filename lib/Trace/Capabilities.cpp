@@ -67,8 +67,8 @@ Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const s
 
 Expected<void> checkDevice(const PhysicalDevice &device, const Kernel &kernel) {
   if (kernel.loops == Loops::Whole && device.info.loops == Loops::Cut)
-    return Error::input("this kernel is for devices that run every loop to its end, which " + device.info.name +
-                        " does not: compile one with loops=cut");
+    return Error::input("this kernel is for devices that run every loop to its end, which " +
+                        device.info.name + " does not: compile one with loops=cut");
   if (kernel.arithmetic == Arithmetic::Ieee && device.info.arithmetic == Arithmetic::Any)
     return Error::input(
         "this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +

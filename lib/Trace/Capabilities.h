@@ -16,8 +16,8 @@ VkPhysicalDeviceFeatures kernelFeatures(const VkPhysicalDeviceFeatures &availabl
 /// Checks that an open device has every capability that a module declares. Error: `Environment`, naming it.
 Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const std::uint32_t> spirv);
 
-/// Checks all that a kernel is made for: loops, arithmetic and capabilities. Errors: `Input`, another kernel is
-/// needed; `Environment`.
+/// Checks all that a kernel is made for: loops, arithmetic and capabilities. Errors: `Input`, another kernel
+/// is needed; `Environment`.
 Expected<void> checkDevice(const PhysicalDevice &device, const Kernel &kernel);
 
 } // namespace voxc

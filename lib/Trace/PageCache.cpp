@@ -28,8 +28,8 @@ constexpr std::uint64_t kForEver = std::numeric_limits<std::uint64_t>::max();
 /// Pages that are decoded side by side before they are placed.
 constexpr std::size_t kRunPages = 64;
 
-// What one way down from the root looks at. A node of a tree is smaller than a page, and may lie in two. Of a grid
-// there are words of its head, of its mask with a count, of its values and of the counts behind them.
+// What one way down from the root looks at. A node of a tree is smaller than a page, and may lie in two. Of a
+// grid there are words of its head, of its mask with a count, of its values and of the counts behind them.
 constexpr std::uint64_t kPagesOfNode = 2;
 constexpr std::uint64_t kPagesOfGrid = 8;
 // A section's head, an entry, a block in up to two pages, and a colour, each at the end of a page.

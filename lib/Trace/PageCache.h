@@ -15,8 +15,8 @@ struct PageRound {
   std::uint64_t found = 0;          ///< Resident pages that rays used.
 };
 
-/// Pages in slots, of which the first has zeros. The page that was used least recently makes room; the first of
-/// the volume, where every ray begins, always stays.
+/// Pages in slots, of which the first has zeros. The page that was used least recently makes room; the first
+/// of the volume, where every ray begins, always stays.
 class PageCache {
 public:
   /// Brings decoded bytes, of a page or less, into a slot.

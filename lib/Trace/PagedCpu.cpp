@@ -75,10 +75,11 @@ private:
 
 } // namespace
 
-Expected<std::unique_ptr<PagedTracer>> createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume,
-                                                            const PagingOptions &options) {
+Expected<std::unique_ptr<PagedTracer>>
+createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume, const PagingOptions &options) {
   if (!kernel.isPaged)
-    return Error::input("this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
+    return Error::input(
+        "this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
   if (auto fits = checkPagedFit(kernel.storageDigest, volume, "cpu"); !fits)
     return fits.error();
   auto cache = PageCache::create(volume, options, std::numeric_limits<std::uint64_t>::max());

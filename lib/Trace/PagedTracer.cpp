@@ -39,7 +39,8 @@ private:
   };
 
   PageCache::Place place() {
-    return [this](std::uint32_t slot, std::span<const std::byte> bytes) { return backEnd_->place(slot, bytes); };
+    return
+        [this](std::uint32_t slot, std::span<const std::byte> bytes) { return backEnd_->place(slot, bytes); };
   }
   Expected<void> traceBatch(Batch batch);
   Expected<void> endGroup(Batch &batch);
@@ -76,8 +77,8 @@ Expected<TraceReport> Driver::trace(std::span<const Ray> rays, std::span<Hit> hi
 }
 
 // All rays begin at once. From then on a group of them goes on as long as the pages that it asks for can come
-// without any going that it has just used; else half of it goes on, and the others wait for their turn. What was
-// asked for is only read when it is known to stay.
+// without any going that it has just used; else half of it goes on, and the others wait for their turn. What
+// was asked for is only read when it is known to stay.
 Expected<void> Driver::traceBatch(Batch batch) {
   const double wall = wallSeconds();
   const double cpu = processCpuSeconds();

@@ -38,8 +38,8 @@ public:
   Expected<void> fetch(TraceReport &report) override;
 
 private:
-  VulkanPaging(Device::State &device, Transfer transfer, TracePipeline pipeline, TileQueue tiles, Buffer slots,
-               Buffer table, std::uint64_t slotBytes)
+  VulkanPaging(Device::State &device, Transfer transfer, TracePipeline pipeline, TileQueue tiles,
+               Buffer slots, Buffer table, std::uint64_t slotBytes)
       : device_(&device), transfer_(std::move(transfer)), slots_(std::move(slots)), table_(std::move(table)),
         pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), slotBytes_(slotBytes) {}
   Expected<void> reserve(std::uint64_t rays);
@@ -151,7 +151,8 @@ Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const K
                                                          const PagingOptions &options) {
   Device::State &state = device.state();
   if (kernel.addressing != Addressing::Paged)
-    return Error::input("this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
+    return Error::input(
+        "this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
   if (auto fits = checkPagedFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
   if (auto suits = checkDevice(state.physical, kernel); !suits)

@@ -42,8 +42,7 @@ Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span
 
 } // namespace
 
-Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel,
-                                              PageShape pages) {
+Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel, PageShape pages) {
   TracePipeline pipeline(device, kernel.addressing == Addressing::Paged, pages);
   auto module = createModule(device, kernel.spirv);
   if (!module)
@@ -133,8 +132,7 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread) {
 }
 
 Expected<PipelineHandle> TracePipeline::createPipeline(Counted counted, float spread, bool settles) {
-  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, settles,
-                            pages_};
+  const Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, settles, pages_};
   VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                       &constants};
   VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};

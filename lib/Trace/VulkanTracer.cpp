@@ -59,7 +59,8 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
   if (auto fits = checkFit(kernel.storageDigest, volume, "spirv"); !fits)
     return fits.error();
   if (kernel.addressing == Addressing::Paged)
-    return Error::usage("this kernel is for volumes that are on the device in pages: createPagedTracer takes it");
+    return Error::usage(
+        "this kernel is for volumes that are on the device in pages: createPagedTracer takes it");
   if (auto suits = checkDevice(device.physical, kernel); !suits)
     return suits.error();
   auto transfer = Transfer::create(device);

@@ -41,7 +41,8 @@ std::size_t encodersFor(const SaveOptions &options) {
 }
 
 PageAppender::PageAppender(OutputFile &file, std::uint64_t end, const SaveOptions &options)
-    : file_(file), end_(end), options_(options), pageBytes_(options.pageBytes), encoders_(encodersFor(options)) {}
+    : file_(file), end_(end), options_(options), pageBytes_(options.pageBytes),
+      encoders_(encodersFor(options)) {}
 
 Expected<void> PageAppender::appendRun(const Stream &stream, std::uint64_t begin,
                                        std::vector<PageRow> &rows) {

@@ -37,7 +37,8 @@ Expected<void> PagedVolume::State::readHead() {
   if (!header)
     return header.error();
   if (header->version != kPagedVersion)
-    return Error::input("is not compressed: it has no pages to decode; `voxc export --compress` makes a file that has");
+    return Error::input(
+        "is not compressed: it has no pages to decode; `voxc export --compress` makes a file that has");
   auto read = readPageTables(rowsOf(*header, file), header->textEnd(), header->headBytes, file);
   if (!read)
     return read.error();

@@ -32,7 +32,8 @@ Expected<void> checkPictureOptions(const PictureOptions &options);
 
 Style styleOf(const PictureOptions &options);
 
-/// Whether the picture takes surfaces from the voxels around those that are hit, and so a volume with its words.
+/// Whether the picture takes surfaces from the voxels around those that are hit, and so a volume with its
+/// words.
 bool looksAround(const PictureOptions &options, const VolumeInfo &info);
 
 struct TakenPicture {

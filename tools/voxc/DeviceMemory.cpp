@@ -10,9 +10,10 @@ namespace voxc::tool {
 
 void DeviceMemory::declare(CLI::App &app) {
   const OptionGroup group(app, "Device");
-  app.add_option("--device-memory", budget_,
-                 "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
-                 "read when rays need them, and hits are the same")
+  app.add_option(
+         "--device-memory", budget_,
+         "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
+         "read when rays need them, and hits are the same")
       ->type_name("SIZE")
       ->check(sizeCheck())
       ->excludes(app.get_option("--check"));

@@ -26,9 +26,10 @@ public:
         ->type_name("FILE")
         ->required();
     addCompressArgument(app, compress_);
-    app.add_option("--page-bytes", pageBytes_,
-                   "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
-                   "for less, large ones take fewer bytes")
+    app.add_option(
+           "--page-bytes", pageBytes_,
+           "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
+           "for less, large ones take fewer bytes")
         ->type_name("SIZE")
         ->check(sizeCheck())
         ->needs(app.get_option("--compress"))
@@ -44,11 +45,11 @@ public:
       return volume.error();
     ProgressBar bar(common_.quiet);
     const Stopwatch watch;
-    if (Expected<void> exported =
-            exportVoxels(*volume, output_,
-                         {.compress = compress_,
-                          .pageBytes = static_cast<std::uint32_t>(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u)),
-                          .progress = bar.progress()});
+    if (Expected<void> exported = exportVoxels(
+            *volume, output_,
+            {.compress = compress_,
+             .pageBytes = static_cast<std::uint32_t>(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u)),
+             .progress = bar.progress()});
         !exported)
       return exported;
     Json figures;

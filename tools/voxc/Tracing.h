@@ -64,9 +64,8 @@ private:
 
   Expected<std::unique_ptr<PagedTracer>> makePagedCpuTracer(const PagedVolume &volume, const Format &format,
                                                             std::uint64_t bytes, Json &figures);
-  Expected<std::unique_ptr<PagedTracer>> makePagedVulkanTracer(const PagedVolume &volume,
-                                                               const Format &format, std::uint64_t bytes,
-                                                               Json &figures);
+  Expected<std::unique_ptr<PagedTracer>>
+  makePagedVulkanTracer(const PagedVolume &volume, const Format &format, std::uint64_t bytes, Json &figures);
 
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.

@@ -11,7 +11,8 @@ namespace voxc {
 
 /// Emits and compiles the kernel of `format` for this very processor, in the process. An error here is a
 /// defect of voxc and says so. `countWords`: a kernel for `TraceOptions::countWords` and nothing else. It is
-/// looked for in `cache` first. `addressing`: `Paged` makes one for `createPagedCpuTracer`; the others are one here.
+/// looked for in `cache` first. `addressing`: `Paged` makes one for `createPagedCpuTracer`; the others are
+/// one here.
 Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = false,
                                      const CompileCache *cache = nullptr,
                                      Addressing addressing = Addressing::Buffer);

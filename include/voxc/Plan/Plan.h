@@ -137,8 +137,8 @@ std::span<const PlanPass> planPasses();
 /// error here is a defect of voxc and says so.
 Expected<Plan> makePlan(const Format &format, const PlanOptions &options = {});
 
-/// Error (`Usage`) if a kernel of this format cannot wait for pages: it stops above voxels, looks at points, or
-/// is asked to walk in another way than down from the root.
+/// Error (`Usage`) if a kernel of this format cannot wait for pages: it stops above voxels, looks at points,
+/// or is asked to walk in another way than down from the root.
 Expected<void> checkPaging(const Format &format);
 
 /// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each

@@ -17,20 +17,21 @@ struct PagingOptions {
 
 /// What paging has done since the tracer was made.
 struct PagingReport {
-  std::uint64_t pages = 0;     ///< Of the volume.
-  std::uint64_t pageBytes = 0; ///< Of one of them, decoded.
-  std::uint64_t slots = 0;     ///< Pages that can be resident at once.
-  std::uint64_t resident = 0;  ///< Pages that are.
+  std::uint64_t pages = 0;       ///< Of the volume.
+  std::uint64_t pageBytes = 0;   ///< Of one of them, decoded.
+  std::uint64_t slots = 0;       ///< Pages that can be resident at once.
+  std::uint64_t resident = 0;    ///< Pages that are.
   std::uint64_t memoryBytes = 0; ///< Of the slots and the table: at most the budget.
-  std::uint64_t reads = 0;   ///< Pages that were decoded: those that a round asked for and did not find.
-  std::uint64_t found = 0;   ///< Pages that a round used and found, summed over rounds.
-  std::uint64_t rounds = 0;  ///< How often rays were sent on.
-  double decodeSeconds = 0;  ///< Wall time of reading, decoding and placing pages.
+  std::uint64_t reads = 0;       ///< Pages that were decoded: those that a round asked for and did not find.
+  std::uint64_t found = 0;       ///< Pages that a round used and found, summed over rounds.
+  std::uint64_t rounds = 0;      ///< How often rays were sent on.
+  double decodeSeconds = 0;      ///< Wall time of reading, decoding and placing pages.
 };
 
-/// A tracer whose hits are those of a resident one, bit by bit, however few pages are there at a time. Lookups
-/// and words that it counts are more: a ray that has waited looks again. `trace` adds these errors: a page is
-/// not what was stored, named (`Input`); a ray needs more pages at once than there is room for (`Usage`).
+/// A tracer whose hits are those of a resident one, bit by bit, however few pages are there at a time.
+/// Lookups and words that it counts are more: a ray that has waited looks again. `trace` adds these errors: a
+/// page is not what was stored, named (`Input`); a ray needs more pages at once than there is room for
+/// (`Usage`).
 class PagedTracer : public Tracer {
 public:
   virtual PagingReport paging() const = 0;
@@ -39,15 +40,15 @@ public:
 /// The least budget that lets any ray go on, in bytes.
 std::uint64_t leastPagingBytes(const PagedVolume &volume);
 
-/// Prepares `kernel`, of `Addressing::Paged`, on `device`; `volume` must outlive the tracer. Errors: the kernel
-/// was made for other storage or addressing (`Input`), the budget is less than `leastPagingBytes` (`Usage`), the
-/// device lacks a feature or memory (`Environment`).
+/// Prepares `kernel`, of `Addressing::Paged`, on `device`; `volume` must outlive the tracer. Errors: the
+/// kernel was made for other storage or addressing (`Input`), the budget is less than `leastPagingBytes`
+/// (`Usage`), the device lacks a feature or memory (`Environment`).
 Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const Kernel &kernel,
                                                          const PagedVolume &volume,
                                                          const PagingOptions &options);
 
 /// The same on this processor, with a kernel that `isPaged`.
-Expected<std::unique_ptr<PagedTracer>> createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume,
-                                                            const PagingOptions &options);
+Expected<std::unique_ptr<PagedTracer>>
+createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume, const PagingOptions &options);
 
 } // namespace voxc

@@ -48,10 +48,10 @@ struct LoadOptions {
 /// How a volume is written. Only `compress` and `pageBytes` change the bytes of the file.
 struct SaveOptions {
   bool compress = false; ///< In pages compressed by zstd, to be decoded; else as it is, to be mapped.
-  /// Of every page but the last, decoded: a power of two, 4 KiB to 1 MiB. By default 64 thousand words: few enough
-  /// to fetch for a handful of them, enough for zstd to find what repeats.
+  /// Of every page but the last, decoded: a power of two, 4 KiB to 1 MiB. By default 64 thousand words: few
+  /// enough to fetch for a handful of them, enough for zstd to find what repeats.
   std::uint32_t pageBytes = 1 << 18;
-  unsigned threads = 0;  ///< That compress; 0: as many as the machine has.
+  unsigned threads = 0; ///< That compress; 0: as many as the machine has.
   /// A bound that compressing keeps to; null: none.
   std::shared_ptr<WorkingMemory> memory;
   Progress progress;
