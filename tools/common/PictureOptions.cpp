@@ -26,6 +26,10 @@ std::string styleHelp() {
   return text;
 }
 
+bool isSmooth(const PictureOptions &options, const VolumeInfo &info) {
+  return options.normals == "auto" ? isSmoothSurface(info) : options.normals == "smooth";
+}
+
 std::string pointText(const glm::dvec3 &point) {
   char text[96];
   std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", point.x, point.y, point.z);
@@ -116,7 +120,7 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
   RenderOptions result;
   result.style = styleOf(options);
   result.samples = options.samples;
-  result.isSmooth = options.normals == "auto" ? isSmoothSurface(volume.info()) : options.normals == "smooth";
+  result.isSmooth = isSmooth(options, volume.info());
   result.lod = options.lod;
   result.sun = sunOf(options);
   return result;
@@ -135,6 +139,10 @@ Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &
   if (!rendering)
     return rendering.error();
   return TakenPicture{std::move(*rendering), *camera};
+}
+
+bool looksAround(const PictureOptions &options, const VolumeInfo &info) {
+  return kindOf(styleOf(options)).needsNormals && isSmooth(options, info);
 }
 
 Expected<void> writeTaken(const std::string &path, const TakenPicture &taken) {

@@ -44,6 +44,9 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
 /// Where from; the rays by which a view is found go to `trace`. Errors: those of tracing; an empty volume has
 /// no view.
 Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace);
+/// Whether the picture takes surfaces from the voxels around those that are hit, and so a volume with its
+/// words.
+bool looksAround(const PictureOptions &options, const VolumeInfo &info);
 
 struct TakenPicture {
   Rendering rendering;

@@ -38,6 +38,8 @@ private:
   Expected<void> render(ProgressBar &bar, Json &figures) {
     const Stopwatch watch;
     Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
+    if (volume && memory_.isGiven() && rendering_.looksAround(volume->info()))
+      volume = volume_.load(); // For this processor, not for the device.
     if (!volume)
       return volume.error();
     if (!memory_.isGiven())

@@ -22,6 +22,8 @@ public:
   Expected<void> check(const std::string &source, const CommonOptions &common);
   /// Lets the kernel stop early if --lod says so. Error: the format asks for less than a picture needs.
   Expected<void> applyTo(Format &format) const;
+  /// Whether the picture asks for the words of a volume, beside hits.
+  bool looksAround(const VolumeInfo &info) const { return tool::looksAround(picture_, info); }
   /// Takes the picture and writes it. Its figures are added, `output` and `camera` among them.
   Expected<void> render(const Volume &volume, Tracing &tracing, const CommonOptions &common, ProgressBar &bar,
                         Json &figures) const;

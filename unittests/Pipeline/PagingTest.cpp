@@ -168,13 +168,119 @@ TEST_F(Paging, LetsPagesComeAndGo) {
     ASSERT_TRUE((*tracer)->trace(rays, hits)) << text;
     EXPECT_EQ(differences(expected, hits), "") << text;
     const PagingReport report = (*tracer)->paging();
-    std::printf("%s: %llu pages, %llu slots, %llu reads, %llu rounds\n", text,
-                (unsigned long long)report.pages, (unsigned long long)report.slots,
-                (unsigned long long)report.reads, (unsigned long long)report.rounds);
     EXPECT_GT(report.reads, report.slots) << text;
     if (auto device = Device::open("llvmpipe"))
       expectSame(onVulkan(*device, pages, format, leastPagingBytes(pages)), rays, expected, text);
   }
+}
+
+/// A volume of many pages and its kernel on this processor.
+class DamagedPages : public Paging {
+protected:
+  void SetUp() override {
+    Paging::SetUp();
+    const auto built = build(format_, noise(format_.extent(), 3));
+    ASSERT_TRUE(built) << built.error().message;
+    ASSERT_TRUE(built->save(path_, {.compress = true, .pageBytes = kSmallPage}));
+    rays_ = verifyRays(format_.extent(), 500, 9);
+  }
+
+  Expected<TraceReport> trace(const PagedVolume &volume, std::uint64_t bytes) {
+    auto tracer = createPagedCpuTracer(cpuKernel(format_), volume, {bytes, 2});
+    if (!tracer)
+      return tracer.error();
+    std::vector<Hit> hits(rays_.size());
+    return (*tracer)->trace(rays_, hits);
+  }
+
+  /// Flips a bit of every byte in the second half of the file.
+  void damage() {
+    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
+    const auto size = static_cast<std::streamoff>(std::filesystem::file_size(path_));
+    for (std::streamoff at = size / 2; at < size; ++at) {
+      file.seekg(at);
+      const int byte = file.get();
+      file.seekp(at);
+      file.put(static_cast<char>(byte ^ 1));
+    }
+  }
+
+  const Format format_ = *parseFormat("format { level 1: svdag(6) }");
+  std::vector<Ray> rays_;
+};
+
+TEST_F(DamagedPages, EndTracing) {
+  damage();
+  auto volume = PagedVolume::open(path_);
+  ASSERT_TRUE(volume); // Its head is as it was.
+  const auto traced = trace(*volume, leastPagingBytes(*volume));
+  ASSERT_FALSE(traced);
+  EXPECT_EQ(traced.error().kind, ErrorKind::Input);
+  EXPECT_NE(traced.error().message.find("is damaged: page "), std::string::npos) << traced.error().message;
+}
+
+TEST_F(DamagedPages, EndTracingWhenTheFileChangesMeanwhile) {
+  auto volume = PagedVolume::open(path_);
+  ASSERT_TRUE(volume);
+  auto tracer = createPagedCpuTracer(cpuKernel(format_), *volume, {leastPagingBytes(*volume), 1});
+  ASSERT_TRUE(tracer) << tracer.error().message;
+  std::vector<Hit> hits(rays_.size());
+  ASSERT_TRUE((*tracer)->trace(rays_, hits));
+  damage();
+  const auto traced = (*tracer)->trace(rays_, hits);
+  ASSERT_FALSE(traced);
+  EXPECT_NE(traced.error().message.find("is damaged: page "), std::string::npos) << traced.error().message;
+}
+
+TEST_F(DamagedPages, OfAFileThatIsCutShortAreRefused) {
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 1);
+  EXPECT_FALSE(PagedVolume::open(path_));
+}
+
+TEST_F(DamagedPages, AreNotReadWithTooLittleMemory) {
+  auto volume = PagedVolume::open(path_);
+  ASSERT_TRUE(volume);
+  const auto traced = trace(*volume, leastPagingBytes(*volume) - 1);
+  ASSERT_FALSE(traced);
+  EXPECT_EQ(traced.error().kind, ErrorKind::Usage);
+}
+
+/// Words that lead anywhere, under checksums that are right: hits mean nothing, but tracing ends.
+TEST_F(DamagedPages, ThatMisleadHarmNothing) {
+  std::mt19937 random(5);
+  for (const char *text : {"format { level 1: svdag(5) }",
+                           "format values=apart { level 1: raw(2, 2, 2) level 2: masked(1, 1, 1) level 3: "
+                           "masked(2, 2, 2) }",
+                           "format { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
+                           "masked(2, 2, 2) }"}) {
+    const Format format = *parseFormat(text);
+    const auto built = build(format, noise(format.extent(), 11));
+    ASSERT_TRUE(built) << built.error().message;
+    const CpuKernel kernel = cpuKernel(format);
+    for (int round = 0; round < rounds(20); ++round) {
+      std::vector<std::uint32_t> words(built->words().begin(), built->words().end());
+      for (std::size_t i = 0; i < words.size(); i += 1 + random() % 64)
+        words[i] = static_cast<std::uint32_t>(random());
+      const Volume wild(built->info(), std::move(words));
+      const PagedVolume volume = paged(wild);
+      auto tracer = createPagedCpuTracer(kernel, volume, {leastPagingBytes(volume), 2});
+      ASSERT_TRUE(tracer) << tracer.error().message;
+      const auto rays = verifyRays(format.extent(), 200, random());
+      std::vector<Hit> hits(rays.size());
+      const auto traced = (*tracer)->trace(rays, hits);
+      if (!traced) {
+        EXPECT_NE(traced.error().kind, ErrorKind::Interrupted);
+      }
+    }
+  }
+}
+
+TEST(PagedKernels, AreForPagedTracersAlone) {
+  const Format format = *parseFormat("format { level 1: svdag(3) }");
+  const auto volume = build(format, noise(format.extent(), 1));
+  ASSERT_TRUE(volume);
+  EXPECT_FALSE(createCpuTracer(cpuKernel(format), *volume, 1));
+  EXPECT_FALSE(intersect(*volume, cpuKernel(format), Ray{}));
 }
 
 } // namespace
