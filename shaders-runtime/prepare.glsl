@@ -23,7 +23,7 @@ OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
 vec3 scaled(uvec3 size, bool plain) {
   uint exponent = max(max(size.x, size.y), size.z) & INFINITY_BITS;
   vec3 scaled = uintBitsToFloat(size) * uintBitsToFloat(0x7f000000u - exponent);
-  if (SETTLES && (!plain || exponent == 0x7f000000u))
+  if (SETTLES && !plain)
     scaled = scaled_exactly(size);
   return max(scaled, LEAST_COMPONENT);
 }
@@ -33,7 +33,8 @@ Ray prepare_ray(uvec3 origin, uvec3 direction) {
   uvec3 size = direction & ~SIGN_BIT;
   ray.given_origin = origin;
   ray.given_direction = direction;
-  ray.plain = are_plain(origin) && are_plain(direction);
+  // Of a direction of 2^127 and more, float32 has no inverse to scale by.
+  ray.plain = are_plain(origin) && are_plain(direction) && max(max(size.x, size.y), size.z) < 0x7f000000u;
   ray.origin = ${real3}(uintBitsToFloat(origin));
   ray.moves = notEqual(size, uvec3(0u));
   ray.falls = greaterThan(direction, uvec3(SIGN_BIT));

@@ -1,8 +1,7 @@
 // Embedding voxc: a voxel source of one's own is built in a format of one's choice, and a ray is traced
 // through it.
 #include <voxc/Construct/Constructor.h>
-#include <voxc/Kernel/Compile.h>
-#include <voxc/Trace/Tracer.h>
+#include <voxc/Kernel/OpenTracer.h>
 
 #include <array>
 #include <cstdio>
@@ -57,13 +56,7 @@ int main() {
   if (!built)
     return fail(built.error());
 
-  voxc::Expected<voxc::Kernel> kernel = voxc::compileKernel(*format);
-  if (!kernel)
-    return fail(kernel.error());
-  voxc::Expected<voxc::Device> device = voxc::Device::open();
-  if (!device)
-    return fail(device.error());
-  auto tracer = voxc::createTracer(*device, *kernel, built->volume);
+  auto tracer = voxc::openTracer(built->volume);
   if (!tracer)
     return fail(tracer.error());
 

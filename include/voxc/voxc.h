@@ -9,6 +9,7 @@
 #include "voxc/Input/Input.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Kernel/OpenTracer.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Source/Export.h"

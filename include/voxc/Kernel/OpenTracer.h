@@ -1,0 +1,33 @@
+// From a volume to what traces rays through it, in one call: on a Vulkan device or on this processor.
+#pragma once
+
+#include "voxc/IR/Format.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace voxc {
+
+/// What to trace on, and with what kernel. The defaults are those of the command line.
+struct TracerChoice {
+  /// As `Device::open` takes it, or "cpu": this processor, without Vulkan. "" is the best Vulkan device that
+  /// there is, and where there is none this processor.
+  std::string device;
+  /// An open device in place of `device`, which must outlive the tracer.
+  Device *openDevice = nullptr;
+  unsigned threads = 0; ///< Of this processor; 0: all.
+  /// Attributes of the walk and of what is asked, where they are not those that the volume was built with; of
+  /// the same storage.
+  std::optional<Format> format;
+  bool optimise = false;   ///< As in `KernelOptions`.
+  bool countWords = false; ///< A tracer for `TraceOptions::countWords` and nothing else.
+};
+
+/// Compiles the kernel of a volume and makes a tracer with it, which owns whatever it opens. `volume` must
+/// outlive it. Errors: the format is of other storage (`Input`); the device is not there, lacks what the
+/// kernel needs, or has no room for the volume (`Environment`).
+Expected<std::unique_ptr<Tracer>> openTracer(const Volume &volume, const TracerChoice &choice = {});
+
+} // namespace voxc
