@@ -1,5 +1,5 @@
-# What `cmake --install` puts where, in four components that are Debian packages of their own (VoxcPackages.cmake): `runtime`, the
-# shared C libraries; `tools`, with their manual and completion; `dev`, all to compile and link programs; `python`.
+# What `cmake --install` puts where, in five components that are Debian packages of their own (VoxcPackages.cmake): `runtime`, the
+# shared C libraries; `tools`, with their manual and completion; `viewer`, its window; `dev`, all to compile and link programs; `python`.
 include(CMakePackageConfigHelpers)
 set(packageDirectory "${CMAKE_INSTALL_LIBDIR}/cmake/voxc")
 
@@ -37,6 +37,9 @@ install(FILES "${PROJECT_BINARY_DIR}/voxc.pc" DESTINATION "${CMAKE_INSTALL_LIBDI
 
 # The tools, with a page of the manual for each command and completion for bash, both from the tables of their help.
 install(TARGETS voxc voxc-opt voxc-trace RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
+if(TARGET voxc-viewer)
+  install(TARGETS voxc-viewer RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/voxc" COMPONENT viewer)
+endif()
 set(manual "${PROJECT_BINARY_DIR}/manual")
 add_custom_command(OUTPUT "${manual}/voxc" "${manual}/man1/voxc.1"
                    COMMAND voxc manual -o "${manual}/man1"

@@ -46,7 +46,10 @@ Expected<Kernel> compileKernel(const Format &format, const KernelOptions &option
   if (!options.cache)
     return compileGlsl(glsl, *plan, options.optimise);
   // glslang and SPIRV-Tools are part of this very program or library, which the cache tells by itself.
-  const std::string_view parts[] = {glsl, options.optimise ? "optimised" : ""};
+  // The module says what it was made for, which its text need not.
+  const std::string facts =
+      kernelFacts({{}, plan->layout.storageDigest, plan->addressing, plan->loops, plan->arithmetic});
+  const std::string_view parts[] = {glsl, facts, options.optimise ? "optimised" : ""};
   if (const std::optional<std::string> found = options.cache->find(kCacheKind, parts))
     if (auto kernel = Kernel::fromSpirv(wordsOf(*found)))
       return kernel;

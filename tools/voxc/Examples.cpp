@@ -90,6 +90,8 @@ void addExamples(CLI::App &command) {
     text += (text.empty() ? "" : "\n") + formatHelp();
   if (!text.empty())
     text.pop_back();
+  if (const std::string before = command.get_footer(); !before.empty())
+    text = before + (text.empty() ? "" : "\n\n" + text);
   command.footer(text);
 }
 
