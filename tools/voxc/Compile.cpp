@@ -50,7 +50,8 @@ void CompileCommand::declare(CLI::App &app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--emit", kinds_,
-                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, cpp, cpu, header, webgl, rint, "
+                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, cpp, cpu, header, "
+                 "webgl, rint, "
                  "separated by commas")
       ->delimiter(',')
       ->type_name("KINDS")

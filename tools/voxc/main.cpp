@@ -93,7 +93,6 @@ int main(int argc, char **argv) {
   CLI::App app{"A compiler for hybrid voxel formats", "voxc"};
   useWrappedHelp(app);
   app.set_version_flag("--version", versionText(), "Tell the version and exit");
-  app.footer("'voxc COMMAND --help' says more. To begin with: voxc run builtin:terrain -o terrain.png");
   app.require_subcommand(1);
 
   std::vector<std::pair<CLI::App *, std::unique_ptr<Subcommand>>> commands;
@@ -102,6 +101,8 @@ int main(int argc, char **argv) {
     commands.emplace_back(subcommand, kind.make()).second->declare(*subcommand);
     addExamples(*subcommand);
   }
+  // Last, for commands take over what there is when they are added.
+  app.footer("'voxc COMMAND --help' says more. To begin with: voxc run builtin:terrain -o terrain.png");
 
   if (argc > 1 && isStrayOption(app, argv[1])) {
     printError(
