@@ -8,11 +8,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 readonly build="${1:-build/release}"
+readonly desk=/srv/check # In the root: where tools and programs write.
 root="$(mktemp -d -p "${TMPDIR:-/var/tmp}" chroot.XXXXXX)"
 trap 'umount -q "$root/proc" || true; rm -rf --one-file-system "$root"' EXIT
 
 say() { printf '\n== %s\n' "$*"; }
-inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
+inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME="$desk" DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
 install() { inside apt-get -qq install --no-install-recommends --yes "$@" > "$root/log" 2>&1 || { tail -20 "$root/log"; exit 1; }; }
 
 # What an example is given, to end soon.
@@ -34,12 +35,12 @@ mount -t proc proc "$root/proc"
 inside apt-get -qq update
 
 say "The tools alone"
-mkdir "$root/debs"
+mkdir -p "$root/debs" "$root$desk"
 cp "$build"/*.deb "$root/debs"
 install $(cd "$root" && ls ./debs/voxc_*.deb) man-db bash-completion
-inside voxc run 'R(3, 3, 3) G(4)' builtin:terrain -o /root/terrain.png --device cpu
+inside voxc run 'R(3, 3, 3) G(4)' builtin:terrain -o "$desk/terrain.png" --device cpu
 file_type() { head -c 4 "$1" | tail -c 3; }
-[ "$(file_type "$root/root/terrain.png")" = PNG ]
+[ "$(file_type "$root$desk/terrain.png")" = PNG ]
 inside sh -c 'man voxc-build | head -4'
 inside bash -c 'source /usr/share/bash-completion/bash_completion; COMP_WORDS=(voxc ren); COMP_CWORD=1
   _completion_loader voxc || true; _voxc; [ "${COMPREPLY[*]}" = render ] && echo "voxc ren: ${COMPREPLY[*]}"'
@@ -47,23 +48,24 @@ inside bash -c 'source /usr/share/bash-completion/bash_completion; COMP_WORDS=(v
 say "Python"
 install $(cd "$root" && ls ./debs/libvoxc0_*.deb ./debs/python3-voxc_*.deb)
 inside python3 -c '
-import voxc
+import sys, voxc
 volume = voxc.build("R(3, 3, 3) G(3)", "builtin:terrain")
 picture = volume.render(320, 200, device="cpu")
-voxc.save_picture("/root/python.png", picture)
-print(volume, picture.shape)'
-[ "$(file_type "$root/root/python.png")" = PNG ]
+voxc.save_picture(sys.argv[1], picture)
+print(volume, picture.shape)' "$desk/python.png"
+[ "$(file_type "$root$desk/python.png")" = PNG ]
 
 say "Examples"
 install $(cd "$root" && ls ./debs/libvoxc-dev_*.deb) gcc g++ cmake ninja-build mesa-vulkan-drivers \
   $(dpkg-deb --field "$build"/libvoxc-dev_*.deb Recommends | tr -d ,)
 for example in "$root"/usr/share/doc/voxc/examples/*; do
   name="$(basename "$example")"
-  inside cmake -S "/usr/share/doc/voxc/examples/$name" -B "/root/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release > "$root/log" &&
-    inside cmake --build "/root/$name" >> "$root/log" || { tail -20 "$root/log"; exit 1; }
-  program="$(find "$root/root/$name" -maxdepth 1 -type f -executable -printf '/root/%P/%f\n' | sed "s|/root/[^/]*/|/root/$name/|")"
+  made="$desk/$name"
+  inside cmake -S "/usr/share/doc/voxc/examples/$name" -B "$made" -G Ninja -DCMAKE_BUILD_TYPE=Release > "$root/log" &&
+    inside cmake --build "$made" >> "$root/log" || { tail -20 "$root/log"; exit 1; }
+  program="$(find "$root$made" -maxdepth 1 -type f -executable -printf '%f\n')"
   echo "$name:"
-  inside sh -c "cd /root/$name && $program $(arguments "$name")"
+  inside sh -c "cd $made && ./$program $(arguments "$name")"
 done
 
 say "All packages work"
