@@ -1,6 +1,8 @@
 // The names that templates speak of.
 #include "Names.h"
 
+#include "MemoryNames.h"
+
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -61,27 +63,6 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
   holes["word-is-empty"] = "(word" + emptyBits + (isTagged ? ") != 0" : ") == 0");
   holes["slot-is-empty"] =
       "(word" + emptyBits + (isTagged && hasOctants ? "u" : "") + (isTagged ? ") != 0u" : ") == 0u");
-}
-
-/// Addresses. Where references count words, an offset is added to one; where they count granules, the two
-/// stay apart, and `load_word` takes both. A hole that ends in a plus stands where an offset begins, and is
-/// left out in the second case; one that ends in a comma stands before a whole offset, and is left out in the
-/// first.
-void addAddresses(TemplateNames &names, const Plan &plan) {
-  const int log2Granule = plan.layout.log2Granule;
-  const bool granules = log2Granule > 0;
-  auto &holes = names.holes;
-  holes["+"] = granules ? ", " : " + ";
-  for (const std::string name : {"grid", "table", "node", "section"}) {
-    holes[name + "+"] = granules ? "" : name + " + ";
-    holes[name + ","] = granules ? name + ", " : "";
-  }
-  holes["uint-section,"] = granules ? "uint section, " : "";
-  holes["section-begin"] = granules ? "section, 0u" : "section";
-  holes["head,"] = granules ? "0u, " : "";
-  holes["log2-granule"] = std::to_string(log2Granule);
-  holes["granule-words"] = std::to_string(1 << log2Granule);
-  names.conditions["granules"] = granules;
 }
 
 /// One axis of a cell's number, `bits` of them from bit `at` on: those from bit `from` on, or those before
@@ -267,16 +248,6 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.conditions["colour"] = outputs.colour;
 }
 
-/// How words are reached, and what becomes of a ray that waits for some of them.
-void addPaging(TemplateNames &names, const Plan &plan) {
-  const bool paged = plan.addressing == Addressing::Paged;
-  names.conditions["segments"] = plan.addressing == Addressing::Segments;
-  names.conditions["paged"] = paged;
-  names.holes["cut-short"] = paged ? "kernel.lacks_page ? DONE : LET_GO" : "LET_GO";
-  names.holes["may-have-waited"] = paged ? "true" : "false";
-  names.holes["waited-or"] = paged ? "waited || " : "";
-}
-
 } // namespace
 
 int flatLayers(const Stratum &stratum) { return std::max(stratum.depth, 1); }
@@ -295,7 +266,7 @@ TemplateNames planNames(const Plan &plan) {
   const Stratum &lowest = plan.layout.strata.back();
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   addQuestion(names, plan);
-  addAddresses(names, plan);
+  addMemoryNames(names, plan);
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid() && lowest.cells != Cells::Slot;
@@ -313,7 +284,6 @@ TemplateNames planNames(const Plan &plan) {
   names.conditions["exact"] = plan.predicate == Predicate::Exact;
   names.conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   names.conditions["cone"] = plan.detail == Detail::Cone;
-  addPaging(names, plan);
   int layers = 0;
   for (const Stratum &stratum : plan.layout.strata)
     layers += flatLayers(stratum);

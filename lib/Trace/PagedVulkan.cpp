@@ -2,6 +2,7 @@
 #include "Capabilities.h"
 #include "Clock.h"
 #include "PagedRounds.h"
+#include "RayBuffers.h"
 #include "TileQueue.h"
 #include "Transfer.h"
 
@@ -48,9 +49,7 @@ private:
   Transfer transfer_;
   Buffer slots_;
   Buffer table_;
-  std::optional<Buffer> rays_;
-  std::optional<Buffer> hits_;
-  std::optional<Buffer> left_; ///< The list of a tile's rays that are left over.
+  std::optional<RayBuffers> batch_; ///< Made when first needed.
   TracePipeline pipeline_;
   BoundBuffers bound_;
   TileQueue tiles_;
@@ -81,28 +80,17 @@ Expected<std::unique_ptr<PagedBackEnd>> VulkanPaging::create(Device::State &devi
 }
 
 Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
-  if (rays * sizeof(Ray) <= (rays_ ? rays_->bytes() : 0))
+  if (rays * sizeof(Ray) <= (batch_ ? batch_->rays.bytes() : 0))
     return {};
-  auto raysBuffer = Buffer::create(*device_, {.what = "the rays", .bytes = rays * sizeof(Ray)});
-  if (!raysBuffer)
-    return raysBuffer.error();
-  auto hitsBuffer = Buffer::create(*device_, {.what = "the hits", .bytes = rays * sizeof(Hit)});
-  if (!hitsBuffer)
-    return hitsBuffer.error();
-  auto leftBuffer =
-      Buffer::create(*device_, {.what = "the rays that are left over",
-                                .bytes = leftListBytes(std::min<std::uint64_t>(rays, tiles_.tileRays())),
-                                .starts = true});
-  if (!leftBuffer)
-    return leftBuffer.error();
+  auto batch = RayBuffers::create(*device_, rays, tiles_.tileRays());
+  if (!batch)
+    return batch.error();
   auto bound = pipeline_.bind(
-      {wholeOf(*raysBuffer), wholeOf(*hitsBuffer), wholeOf(slots_), wholeOf(*leftBuffer), wholeOf(table_)});
+      {wholeOf(batch->rays), wholeOf(batch->hits), wholeOf(slots_), wholeOf(batch->left), wholeOf(table_)});
   if (!bound)
     return bound.error();
   bound_ = std::move(*bound);
-  left_.emplace(std::move(*leftBuffer));
-  rays_.emplace(std::move(*raysBuffer));
-  hits_.emplace(std::move(*hitsBuffer));
+  batch_.emplace(std::move(*batch));
   return {};
 }
 
@@ -112,7 +100,7 @@ Expected<void> VulkanPaging::take(std::span<const Ray> rays, std::span<Hit> hits
     return reserved;
   room_ = hits;
   const double begin = wallSeconds();
-  if (auto uploaded = transfer_.upload(std::as_bytes(rays), *rays_); !uploaded)
+  if (auto uploaded = transfer_.upload(std::as_bytes(rays), batch_->rays); !uploaded)
     return uploaded;
   report.transfer += wallSeconds() - begin;
   const Counted counted = countedBy(options);
@@ -145,7 +133,7 @@ Expected<TraceTime> VulkanPaging::trace(RayGroup group, bool goesOn, std::span<s
 
 Expected<void> VulkanPaging::fetch(TraceReport &report) {
   const double begin = wallSeconds();
-  auto downloaded = transfer_.download(*hits_, std::as_writable_bytes(room_));
+  auto downloaded = transfer_.download(batch_->hits, std::as_writable_bytes(room_));
   report.transfer += wallSeconds() - begin;
   return downloaded;
 }

@@ -99,34 +99,23 @@ Expected<TraceReport> VulkanTracer::trace(std::span<const Ray> rays, std::span<H
 }
 
 Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
-  if (rays * sizeof(Ray) <= (rays_ ? rays_->bytes() : 0))
+  if (rays * sizeof(Ray) <= (batch_ ? batch_->rays.bytes() : 0))
     return {};
-  auto raysBuffer = Buffer::create(*device_, {.what = "the rays", .bytes = rays * sizeof(Ray)});
-  if (!raysBuffer)
-    return raysBuffer.error();
-  auto hitsBuffer = Buffer::create(*device_, {.what = "the hits", .bytes = rays * sizeof(Hit)});
-  if (!hitsBuffer)
-    return hitsBuffer.error();
-  auto leftBuffer =
-      Buffer::create(*device_, {.what = "the rays that are left over",
-                                .bytes = leftListBytes(std::min<std::uint64_t>(rays, tiles_.tileRays())),
-                                .starts = true});
-  if (!leftBuffer)
-    return leftBuffer.error();
+  auto batch = RayBuffers::create(*device_, rays, tiles_.tileRays());
+  if (!batch)
+    return batch.error();
   auto bound = pipeline_.bind(
-      {wholeOf(*raysBuffer), wholeOf(*hitsBuffer), wholeOf(words_.binding()), wholeOf(*leftBuffer)});
+      {wholeOf(batch->rays), wholeOf(batch->hits), wholeOf(words_.binding()), wholeOf(batch->left)});
   if (!bound)
     return bound.error();
   bound_ = std::move(*bound);
-  left_.emplace(std::move(*leftBuffer));
-  rays_.emplace(std::move(*raysBuffer));
-  hits_.emplace(std::move(*hitsBuffer));
+  batch_.emplace(std::move(*batch));
   return {};
 }
 
 Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit> hits, Work &work) {
   double uploadBegin = wallSeconds();
-  if (auto uploaded = transfer_.upload(std::as_bytes(rays), *rays_); !uploaded)
+  if (auto uploaded = transfer_.upload(std::as_bytes(rays), batch_->rays); !uploaded)
     return uploaded;
   work.report.transfer += wallSeconds() - uploadBegin;
   auto count = static_cast<std::uint32_t>(rays.size());
@@ -150,7 +139,7 @@ Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit
 
 Expected<void> VulkanTracer::download(std::span<Hit> hits, Work &work) {
   double begin = wallSeconds();
-  auto downloaded = transfer_.download(*hits_, std::as_writable_bytes(hits));
+  auto downloaded = transfer_.download(batch_->hits, std::as_writable_bytes(hits));
   work.report.transfer += wallSeconds() - begin;
   return downloaded;
 }

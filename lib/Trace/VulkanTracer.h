@@ -1,6 +1,7 @@
 // A tracer on a Vulkan device.
 #pragma once
 
+#include "RayBuffers.h"
 #include "TileQueue.h"
 #include "Transfer.h"
 #include "VolumeWords.h"
@@ -33,9 +34,7 @@ private:
   Device::State *device_;
   Transfer transfer_;
   VolumeWords words_;
-  std::optional<Buffer> rays_; ///< Of one batch; made when first needed.
-  std::optional<Buffer> hits_;
-  std::optional<Buffer> left_; ///< The list of a tile's rays that are left over.
+  std::optional<RayBuffers> batch_; ///< Made when first needed.
   TracePipeline pipeline_;
   BoundBuffers bound_; ///< Those, and the words.
   TileQueue tiles_;

@@ -1,0 +1,26 @@
+// Buffers for the rays of a batch.
+#include "RayBuffers.h"
+
+#include "TracePipeline.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+
+Expected<RayBuffers> RayBuffers::create(Device::State &device, std::uint64_t rays, std::uint64_t tileRays) {
+  auto raysBuffer = Buffer::create(device, {.what = "the rays", .bytes = rays * sizeof(Ray)});
+  if (!raysBuffer)
+    return raysBuffer.error();
+  auto hitsBuffer = Buffer::create(device, {.what = "the hits", .bytes = rays * sizeof(Hit)});
+  if (!hitsBuffer)
+    return hitsBuffer.error();
+  auto leftBuffer = Buffer::create(device, {.what = "the rays that are left over",
+                                            .bytes = leftListBytes(std::min(rays, tileRays)),
+                                            .starts = true});
+  if (!leftBuffer)
+    return leftBuffer.error();
+  return RayBuffers{std::move(*raysBuffer), std::move(*hitsBuffer), std::move(*leftBuffer)};
+}
+
+} // namespace voxc

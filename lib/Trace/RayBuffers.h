@@ -1,0 +1,20 @@
+// What a device needs for the rays of a batch: they themselves, their hits, and a list of those that are left
+// over.
+#pragma once
+
+#include "Buffer.h"
+
+#include <cstdint>
+
+namespace voxc {
+
+struct RayBuffers {
+  Buffer rays;
+  Buffer hits;
+  Buffer left; ///< Of a tile's rays.
+
+  /// For so many rays, taken by tiles of at most `tileRays`. Error: the device has no room.
+  static Expected<RayBuffers> create(Device::State &device, std::uint64_t rays, std::uint64_t tileRays);
+};
+
+} // namespace voxc
