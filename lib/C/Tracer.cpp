@@ -13,10 +13,11 @@ namespace {
 /// Sets what is stored of a hit to the names in a list.
 Expected<void> setOutputs(Format &format, std::string_view list) {
   std::vector<std::string> names = namesIn(list);
-  for (const AttributeKind *kind : {&kVoxelAttribute, &kTAttribute, &kFaceAttribute, &kColourAttribute})
+  for (const AttributeKind *kind :
+       {&kVoxelAttribute, &kTAttribute, &kFaceAttribute, &kColourAttribute, &kIndexAttribute})
     format.setAttribute(*kind, std::erase(names, std::string(kind->name)) > 0 ? "yes" : "no");
   if (!names.empty())
-    return Error::usage("'" + names.front() + "' is no output; those are voxel, t, face and colour");
+    return Error::usage("'" + names.front() + "' is no output; those are voxel, t, face, colour and index");
   return {};
 }
 

@@ -9,6 +9,8 @@ namespace voxc {
 Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const BuildOptions &options) {
   std::unique_ptr<VolumeBuild> build(new VolumeBuild(std::move(info), options));
   const Layout layout = layoutOf(build->info_.format);
+  // Counted at the end; their record has its room in the head from the beginning.
+  build->info_.wordCounts = WordCounts{std::vector<std::uint64_t>(layout.strata.size()), 0};
   build->maxWords_ = std::min(options.maxWords, layout.maxWords());
   auto words = build->openWords();
   if (!words)
@@ -112,6 +114,17 @@ Expected<void> VolumeBuild::save(const Volume &volume) {
   return options_.path.empty() || streamWriter_ ? Expected<void>() : volume.save(options_.path);
 }
 
+namespace {
+
+WordCounts countsOf(const BuildReport &report) {
+  WordCounts counts{{}, report.valueWords};
+  for (const LevelReport &level : report.levels)
+    counts.levels.push_back(level.words);
+  return counts;
+}
+
+} // namespace
+
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour,
                                     Origin origin) {
   WordStore &words = store_->words();
@@ -137,6 +150,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   report.voxels = voxels;
   report.levels = store_->report();
   report.valueWords = span.size() - nodeWords;
+  info_.wordCounts = countsOf(report);
   std::vector<Stream> streams = {wordStream(span)};
   if (streamWriter_ && !pagedWriter_)
     if (auto finished = streamWriter_->finish(info_, streams, words.settled(), *options_.memory); !finished)

@@ -49,7 +49,7 @@ private:
     if (plan_.detail == Detail::Cone)
       file("detail/cone.glsl");
     beginFormat();
-    const bool looksUpValues = plan_.layout.values == Values::Apart && plan_.outputs.colour;
+    const bool looksUpValues = plan_.layout.values == Values::Apart && storesValue(plan_.outputs);
     if (looksUpValues)
       file("rank/order.glsl");
     levels(&FunctionEmitter::level);
@@ -59,8 +59,9 @@ private:
       file("walk/direct.glsl");
     if (looksUpValues)
       ranks();
-    if (plan_.outputs.colour)
-      file("payload/" + std::string(kindOf(plan_.layout.payload).hit) + ".glsl");
+    if (storesValue(plan_.outputs))
+      file("payload/" + std::string(plan_.outputs.index ? "index" : kindOf(plan_.layout.payload).hit) +
+           ".glsl");
   }
 
   /// One way down from the root.
@@ -163,13 +164,14 @@ private:
   /// The level as a function from a cell to what is there.
   void locate(std::size_t index) { down(index, "walk/direct"); }
 
-  /// From a voxel to its rank, level by level, and from there to its value.
+  /// From a voxel to its rank, level by level, and from there to its value if that is asked.
   void ranks() {
     for (std::size_t i = plan_.layout.strata.size(); i-- > 0;) {
       text_ += "\n";
       down(i, "rank");
     }
-    file("values/" + std::string(kindOf(plan_.layout.payload).blocks) + ".glsl");
+    if (plan_.outputs.colour)
+      file("values/" + std::string(kindOf(plan_.layout.payload).blocks) + ".glsl");
   }
 
   /// A function that goes straight down through the level, layer by layer, from the files of a folder.

@@ -16,11 +16,11 @@ bool isWide(const Stratum &stratum) { return stratum.leaves && stratum.log2Child
 
 /// True if a voxel's value is looked up when it is hit, if at all, not when it is found: no other stop of a
 /// walk then needs its own.
-bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full || !plan.outputs.colour; }
+bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full || !storesValue(plan.outputs); }
 
 /// True if a kernel needs no more of a stratum's full cells than that they are there.
 bool areCellsAlike(const Plan &plan, std::size_t index) {
-  return plan.layout.strata[index].implied || (plan.layout.holdsVoxels(index) && !plan.outputs.colour);
+  return plan.layout.strata[index].implied || (plan.layout.holdsVoxels(index) && !storesValue(plan.outputs));
 }
 
 /// True if masks have counts beside them.
@@ -199,12 +199,12 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["grid"] = stratum.isGrid();
   conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
-  conditions["ranks"] = stratum.ranked && plan.outputs.colour;
+  conditions["ranks"] = stratum.ranked && storesValue(plan.outputs);
   conditions["voxels-in-morton-order"] =
       stratum.ranked && stratum.implied && stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
   conditions["indexed"] = stratum.isIndexed();
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
-  conditions["slots-rank"] = stratum.ranked && !stratum.implied && plan.outputs.colour;
+  conditions["slots-rank"] = stratum.ranked && !stratum.implied && storesValue(plan.outputs);
   conditions["counts"] = hasCounts(stratum);
   conditions["alike"] = areCellsAlike(plan, index);
   conditions["distances"] = stratum.skip != Skip::None;
@@ -236,7 +236,7 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.holes["and-arrival"] = hasArrival ? ", arrival" : "";
   names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
   names.holes["no-axis"] = hasArrival ? "-1, " : "";
-  names.holes["no-voxel"] = outputs.colour ? "0u, " : "";
+  names.holes["no-voxel"] = storesValue(outputs) ? "0u, " : "";
   names.holes["and-all-of-the-volume"] = plan.bounded ? ", ivec3(0), VOLUME_SIZE" : "";
   names.conditions["bounded"] = plan.bounded;
   names.holes["sixth-word"] = outputs.face ? "lookups or words read, else a face" : "lookups or words read";
@@ -245,7 +245,7 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.conditions["voxel"] = outputs.voxel;
   names.conditions["t"] = outputs.t;
   names.conditions["face"] = outputs.face;
-  names.conditions["colour"] = outputs.colour;
+  names.conditions["colour"] = storesValue(outputs);
 }
 
 } // namespace

@@ -64,6 +64,12 @@ const AttributeKind kFaceAttribute = {
 const AttributeKind kColourAttribute = {"colour", AttributeEffect::Walk, kYesValues,
                                         "whether the kernel stores the colour of a closest hit", &kOutputs};
 
+const AttributeKind kIndexAttribute = {
+    "index", AttributeEffect::Walk, kNoValues,
+    "whether the kernel stores, in place of the colour, the number of a closest hit's voxel among all of the "
+    "volume, in Morton order",
+    &kOutputs};
+
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
                                          "what a voxel is: a colour of four bytes; or nothing but that it is "
                                          "there, white or of the one colour of all "
@@ -126,10 +132,10 @@ std::vector<ValueRange> valueRanges(const AttributeKind &kind) {
 }
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 12> kAttributes = {
-      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute,
-      &kVoxelAttribute,     &kTAttribute,      &kFaceAttribute,   &kColourAttribute,
-      &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute, &kGranuleAttribute};
+  static constexpr std::array<const AttributeKind *, 13> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute, &kVoxelAttribute,
+      &kTAttribute,         &kFaceAttribute,   &kColourAttribute, &kIndexAttribute, &kPayloadAttribute,
+      &kAlphaAttribute,     &kValuesAttribute, &kGranuleAttribute};
   return kAttributes;
 }
 

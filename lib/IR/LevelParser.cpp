@@ -119,6 +119,15 @@ std::string signature(const LevelKind &kind) {
   return text + end;
 }
 
+/// Who wrote R(4) may have meant a cube.
+std::string cubeHint(const LevelKind &kind, const std::vector<Argument> &arguments) {
+  const std::size_t required = requiredParameters(kind);
+  if (arguments.size() != 1 || required < 3)
+    return {};
+  return std::string(", or ") + kind.letter + "(" + std::to_string(arguments.front().value) +
+         (required > 3 ? "^3, ...) for a cube" : "^3) for a cube");
+}
+
 bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceRange head,
                    Diagnostics &diagnostics) {
   const auto kinds = level.kind->parameters;
@@ -128,7 +137,7 @@ bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceR
   if (arguments.size() < required) {
     diagnostics.error({head.begin, level.range.end}, letter + " has " + std::to_string(arguments.size()) +
                                                          " of " + std::to_string(required) + " parameters" +
-                                                         right);
+                                                         right + cubeHint(*level.kind, arguments));
     return false;
   }
   if (arguments.size() > kinds.size()) {

@@ -12,7 +12,8 @@ constexpr std::pair<const AttributeKind *, bool Outputs::*> kOutputs[] = {
     {&kVoxelAttribute, &Outputs::voxel},
     {&kTAttribute, &Outputs::t},
     {&kFaceAttribute, &Outputs::face},
-    {&kColourAttribute, &Outputs::colour}};
+    {&kColourAttribute, &Outputs::colour},
+    {&kIndexAttribute, &Outputs::index}};
 
 } // namespace
 
@@ -29,6 +30,8 @@ std::string_view problemOf(const Question &question) {
   const bool isClosest = question.query == Query::Closest;
   if (!isClosest && question.outputs != outputsOf(question.query))
     return "chooses outputs, which query=closest alone has; leave them out, or the query";
+  if (question.outputs.colour && question.outputs.index)
+    return "stores both colour and index, which have one place in a hit; choose one";
   const bool storesNone =
       std::ranges::none_of(kOutputs, [&](const auto &output) { return question.outputs.*output.second; });
   return isClosest && storesNone ? "has no output; query=any asks whether there is a hit at all"

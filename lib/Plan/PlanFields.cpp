@@ -108,7 +108,7 @@ bool parseGranule(Plan &plan, std::string_view text) {
   return isNumber;
 }
 
-constexpr std::array<Field<Plan>, 19> kPlanFields = {{
+constexpr std::array<Field<Plan>, 20> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload,
      "rgba8, occupancy, constant, palette(1) to palette(16), rgb565, material(1) to material(16)"},
@@ -125,6 +125,7 @@ constexpr std::array<Field<Plan>, 19> kPlanFields = {{
     output<&Outputs::t>("t"),
     output<&Outputs::face>("face"),
     output<&Outputs::colour>("colour"),
+    output<&Outputs::index>("index"),
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
     field<Plan, &Plan::packing>("packing", "device, packets"),

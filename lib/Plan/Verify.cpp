@@ -12,6 +12,9 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   if (plan.query == Query::Occupancy &&
       (plan.walk != Walk::Auto || plan.steps != Steps::Float32 || plan.detail != Detail::Full))
     diagnostics.error({}, "a point is looked up without a walk, its steps and its detail");
+  if (plan.outputs.index && (plan.layout.values != Values::Apart || plan.detail != Detail::Full))
+    diagnostics.error({},
+                      "the numbers of voxels are counted where their values stand apart, with detail=full");
   const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
   if (isOneLoop && plan.detail == Detail::Cone)
     diagnostics.error({}, "one loop for all levels stops at voxels alone");

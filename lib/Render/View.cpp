@@ -100,6 +100,7 @@ struct Place {
 constexpr int kTurns = 24;
 constexpr double kPitches[] = {-30, -8, 12, 70};
 constexpr int kLevelRings = 3;
+constexpr std::size_t kLevel = std::size_t(kLevelRings) * kTurns; ///< Directions of the level rings.
 
 std::vector<glm::dvec3> probeDirections() {
   std::vector<glm::dvec3> directions;
@@ -143,24 +144,22 @@ glm::dvec3 bestDirection(std::span<const glm::dvec3> directions, std::span<const
   return chosen;
 }
 
-/// A place is worth the more, the more there is around it at eye level and the more room it has: the quarter
-/// of the rays that end first decides. One that sees the sky is worth more than a closed one.
-double worthOf(std::span<const Hit> hits) {
-  constexpr std::size_t kLevel = std::size_t(kLevelRings) * kTurns;
-  std::vector<double> distances(kLevel, 0.0);
-  double met = 0, sky = 0;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (i >= kLevel) {
-      sky += !hits[i].isHit();
-      continue;
-    }
-    met += hits[i].isHit();
-    distances[i] = hits[i].isHit() ? double(hits[i].t) : 0;
-  }
-  const auto quarter = distances.begin() + kLevel / 4;
+/// The room around a place: the distance that a quarter of the rays of the level rings do not come to.
+double roomOf(std::span<const Hit> level) {
+  std::vector<double> distances;
+  for (const Hit &hit : level)
+    distances.push_back(hit.isHit() ? double(hit.t) : 0);
+  const auto quarter = distances.begin() + std::ptrdiff_t(distances.size() / 4);
   std::ranges::nth_element(distances, quarter);
-  const double share = met / kLevel;
-  return share * share * *quarter * (sky > 0 ? 2 : 1);
+  return *quarter;
+}
+
+/// A place is worth the more, the more there is around it at eye level and the more room it has. One that
+/// sees the sky is worth more than a closed one.
+double worthOf(std::span<const Hit> hits) {
+  const auto level = hits.first(kLevel), above = hits.subspan(kLevel);
+  const double share = double(std::ranges::count_if(level, &Hit::isHit)) / kLevel;
+  return share * share * roomOf(level) * (std::ranges::all_of(above, &Hit::isHit) ? 1 : 2);
 }
 
 /// The best of many places, on a grid at several heights.
@@ -187,7 +186,7 @@ Expected<Place> bestPlace(const glm::dvec3 &extent, TraceRays trace) {
     if (const double worth = worthOf(around(i)); worth > best.worth)
       best = {eyes[i], best.direction, worth, i};
   if (best.worth > 0)
-    best.direction = bestDirection(directions, around(best.number).first(std::size_t(kLevelRings) * kTurns));
+    best.direction = bestDirection(directions, around(best.number).first(kLevel));
   return best;
 }
 
@@ -197,8 +196,11 @@ Camera cameraAt(const Place &place, const glm::dvec3 &extent, Camera camera) {
   return camera;
 }
 
-/// The camera inside, if the volume is a building or a yard: it sees something wherever it looks, and some
-/// sky, and much of what it sees lies under a roof, where no camera from above would look.
+/// The least room of a room, in parts of the longer side of the ground: a thicket has less.
+constexpr double kLeastRoom = 0.04;
+
+/// The camera inside, if the volume is a building or a yard: it has room, sees something wherever it looks,
+/// and some sky, and much of what it sees lies under a roof, where no camera from above would look.
 Expected<std::optional<Camera>> roomCamera(const Place &place, const glm::dvec3 &extent, TraceRays trace,
                                            const Camera &settings) {
   const std::vector<glm::dvec3> directions = probeDirections();
@@ -208,11 +210,10 @@ Expected<std::optional<Camera>> roomCamera(const Place &place, const glm::dvec3 
   std::vector<Hit> hits(rays.size());
   if (Expected<void> traced = trace(rays, hits, {}); !traced)
     return traced.error();
-  constexpr std::size_t kLevel = std::size_t(kLevelRings) * kTurns;
   const auto level = std::span(hits).first(kLevel);
   const auto above = std::span(hits).subspan(kLevel);
   if (std::ranges::count_if(level, &Hit::isHit) < std::ptrdiff_t(kLevel * 85 / 100) ||
-      std::ranges::all_of(above, &Hit::isHit))
+      std::ranges::all_of(above, &Hit::isHit) || roomOf(level) < kLeastRoom * std::max(extent.x, extent.z))
     return std::optional<Camera>();
   std::vector<Ray> up;
   constexpr double kBefore = 0.97; // Of the way, so that a wall is not its own roof.

@@ -104,8 +104,7 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   if (!isPageSize(options.pageBytes))
     return Error::usage("pages have a power of two of bytes, from 4 KiB to 1 MiB, not " +
                         std::to_string(options.pageBytes));
-  const std::string ir = printIr(info.format);
-  Header header = headerOf(info, ir.size(), streams.size());
+  Header header = headerOf(info, streams.size());
   header.version = kPagedVersion;
   header.headBytes = wholePages(header.textEnd() + pagesOf(streams, options.pageBytes) * sizeof(PageRow));
   const std::string room(header.headBytes, '\0');
@@ -125,7 +124,7 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   }
   header.fileBytes = appender.end();
 
-  std::string head = headText(header, rows, ir, info.provenance) + tables;
+  std::string head = headText(header, rows, info) + tables;
   head.resize(header.headBytes);
   Checksum checksum;
   addAllButItself(checksum, std::as_bytes(std::span(head)));

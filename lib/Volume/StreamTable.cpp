@@ -8,8 +8,6 @@ namespace voxc {
 namespace {
 
 constexpr std::uint64_t kPageBytes = 4096;
-constexpr std::uint32_t kMostElementBytes = 256;
-
 bool isLetter(char c) { return c >= 'a' && c <= 'z'; }
 
 bool isInName(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-'; }
@@ -17,8 +15,7 @@ bool isInName(char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '-'
 /// A name fills its row up with zeros, so that it can be written in one way only.
 bool hasName(const StreamRow &row) {
   const std::string_view name = nameOf(row);
-  return !name.empty() && name.size() < row.name.size() && isLetter(name.front()) &&
-         std::ranges::all_of(name, isInName) &&
+  return isStreamName(name) &&
          std::ranges::count(row.name, '\0') == static_cast<std::ptrdiff_t>(row.name.size() - name.size());
 }
 
@@ -27,6 +24,11 @@ bool isWords(const StreamRow &row) {
 }
 
 } // namespace
+
+bool isStreamName(std::string_view name) {
+  return !name.empty() && name.size() < StreamRow{}.name.size() && isLetter(name.front()) &&
+         std::ranges::all_of(name, isInName);
+}
 
 std::string_view nameOf(const StreamRow &row) {
   return {row.name.data(), static_cast<std::size_t>(std::ranges::find(row.name, '\0') - row.name.begin())};

@@ -14,6 +14,7 @@
 namespace voxc {
 
 inline constexpr std::uint32_t kMostStreams = 64;
+inline constexpr std::uint32_t kMostElementBytes = 256;
 
 /// A row of the table; little-endian, no padding.
 struct StreamRow {
@@ -24,6 +25,9 @@ struct StreamRow {
   std::uint64_t offset = 0; ///< In bytes from the beginning of the file.
 };
 static_assert(sizeof(StreamRow) == 56);
+
+/// 1 to 31 of a to z, 0 to 9 and '-', the first a letter.
+bool isStreamName(std::string_view name);
 
 /// The smallest number of bytes from here up that is whole pages, as they can be mapped and uploaded.
 std::uint64_t wholePages(std::uint64_t bytes);

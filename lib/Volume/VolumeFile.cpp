@@ -77,16 +77,15 @@ Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_pt
 }
 
 std::uint64_t volumeHeadBytes(const VolumeInfo &info, std::size_t streams) {
-  return headerOf(info, printIr(info.format).size(), streams).headBytes;
+  return headerOf(info, streams).headBytes;
 }
 
 std::string volumeFileHead(const VolumeInfo &info, std::span<const Stream> streams,
                            const std::function<void()> &pause) {
-  const std::string ir = printIr(info.format);
-  Header header = headerOf(info, ir.size(), streams.size());
+  Header header = headerOf(info, streams.size());
   const auto rows = layOut(streams, header.headBytes);
   header.fileBytes = rows.back().offset + streams.back().bytes.size();
-  std::string head = headText(header, rows, ir, info.provenance);
+  std::string head = headText(header, rows, info);
   head.resize(header.headBytes);
 
   Checksum checksum;

@@ -1,6 +1,8 @@
 // Reading, checking and writing the heads of .hvx files.
 #include "VolumeHead.h"
 
+#include "WordRecord.h"
+
 #include <cstring>
 
 namespace voxc {
@@ -97,19 +99,21 @@ Expected<VolumeInfo> infoOf(const Header &header, std::span<const std::byte> fil
     return Error::input("names no valid format: " + diagnostics.all().front().message);
   if (format != storageFormat(format) || !fitsFormat(header, format))
     return Error::input("has a header that contradicts its format");
-  return VolumeInfo{std::move(format),
-                    {header.extent[0], header.extent[1], header.extent[2]},
-                    transformOfRows(header.voxelToModel),
-                    header.voxels,
-                    std::string(text + header.irBytes, header.provenanceBytes)};
+  VolumeInfo info;
+  info.format = std::move(format);
+  info.extent = {header.extent[0], header.extent[1], header.extent[2]};
+  info.voxelToModel = transformOfRows(header.voxelToModel);
+  info.voxels = header.voxels;
+  readRecord({text + header.irBytes, header.provenanceBytes}, info);
+  return info;
 }
 
-Header headerOf(const VolumeInfo &info, std::size_t irBytes, std::size_t streams) {
+Header headerOf(const VolumeInfo &info, std::size_t streams) {
   Header header;
   header.voxels = info.voxels;
   header.extent = {info.extent.x, info.extent.y, info.extent.z};
-  header.irBytes = static_cast<std::uint32_t>(irBytes);
-  header.provenanceBytes = static_cast<std::uint32_t>(info.provenance.size());
+  header.irBytes = static_cast<std::uint32_t>(printIr(info.format).size());
+  header.provenanceBytes = static_cast<std::uint32_t>(textWithRecord(info).size());
   header.streams = static_cast<std::uint32_t>(streams);
   header.voxelToModel = voxc::rowsOf(info.voxelToModel);
   header.headBytes = wholePages(header.textEnd());
@@ -123,9 +127,9 @@ void addAllButItself(Checksum &checksum, std::span<const std::byte> bytes) {
   checksum.add(bytes.data() + kAfter, bytes.size() - kAfter);
 }
 
-std::string headText(const Header &header, std::span<const StreamRow> rows, const std::string &ir,
-                     const std::string &provenance) {
-  return bytesOf(std::span<const Header>(&header, 1)) + bytesOf(rows) + ir + provenance;
+std::string headText(const Header &header, std::span<const StreamRow> rows, const VolumeInfo &info) {
+  return bytesOf(std::span<const Header>(&header, 1)) + bytesOf(rows) + printIr(info.format) +
+         textWithRecord(info);
 }
 
 void seal(std::string &head, std::uint64_t checksum) {

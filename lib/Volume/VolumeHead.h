@@ -33,7 +33,7 @@ struct Header {
   std::uint64_t voxels = 0;
   std::array<std::int32_t, 3> extent{};
   std::uint32_t irBytes = 0;
-  std::uint32_t provenanceBytes = 0;
+  std::uint32_t provenanceBytes = 0; ///< And the record of words behind it.
   std::uint32_t streams = 0; ///< Rows of the table. Version 1 has none: all that follows the head is words.
   std::array<double, 12> voxelToModel{};
 
@@ -53,14 +53,13 @@ std::vector<StreamRow> rowsOf(const Header &header, std::span<const std::byte> f
 Expected<VolumeInfo> infoOf(const Header &header, std::span<const std::byte> file);
 
 /// The header of a file of a volume with so many streams, but for the checksum and the bytes of the file.
-Header headerOf(const VolumeInfo &info, std::size_t irBytes, std::size_t streams);
+Header headerOf(const VolumeInfo &info, std::size_t streams);
 
 /// The bytes of a file, or of its head, but those of the checksum itself.
 void addAllButItself(Checksum &checksum, std::span<const std::byte> bytes);
 
 /// The header, the table and the texts, without what fills the head up.
-std::string headText(const Header &header, std::span<const StreamRow> rows, const std::string &ir,
-                     const std::string &provenance);
+std::string headText(const Header &header, std::span<const StreamRow> rows, const VolumeInfo &info);
 
 /// Puts the checksum into the head.
 void seal(std::string &head, std::uint64_t checksum);

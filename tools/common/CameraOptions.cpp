@@ -4,6 +4,8 @@
 #include "CameraFile.h"
 #include "Help.h"
 
+#include <CLI/CLI.hpp>
+
 #include <glm/matrix.hpp>
 
 #include <charconv>

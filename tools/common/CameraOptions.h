@@ -1,12 +1,11 @@
 // The options that say where a picture is taken from.
 #pragma once
 
+#include "CliNames.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Transform.h"
 #include "voxc/Trace/Camera.h"
-
-#include <CLI/CLI.hpp>
 
 #include <array>
 #include <string>

@@ -6,6 +6,8 @@
 #include "Misspelling.h"
 #include "Process.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iostream>
 #include <vector>
@@ -35,16 +37,25 @@ const std::string &firstOption(const std::vector<std::string> &words) {
   return option == words.end() ? words.front() : *option;
 }
 
+/// What CLI11 says, as a sentence of ours begins.
+std::string inOurWords(const CLI::ParseError &failure) {
+  std::string text = failure.what();
+  if (text.starts_with("A "))
+    text.front() = 'a';
+  return text;
+}
+
 /// CLI11 tells of wrong arguments, but also of --help and --version, by throwing.
 int parseFailure(CLI::App &app, const CLI::ParseError &failure) {
-  if (const std::vector<std::string> words = app.remaining(true);
-      !words.empty() && dynamic_cast<const CLI::ExtrasError *>(&failure)) {
-    const std::vector<CLI::App *> commands = app.get_subcommands();
-    printError(
-        Error::usage(explainUnknown(app, commands.empty() ? app : *commands.front(), firstOption(words))));
-    return kUsageExit;
-  }
-  return app.exit(failure, std::cout, std::cerr) == 0 ? 0 : kUsageExit;
+  if (failure.get_exit_code() == 0)
+    return app.exit(failure, std::cout, std::cerr);
+  const std::vector<CLI::App *> commands = app.get_subcommands();
+  const CLI::App &command = commands.empty() ? app : *commands.front();
+  const std::vector<std::string> words = app.remaining(true);
+  printError(Error::usage(!words.empty() && dynamic_cast<const CLI::ExtrasError *>(&failure)
+                              ? explainUnknown(app, command, firstOption(words))
+                              : inOurWords(failure) + "; see '" + helpOf(app, command) + "'"));
+  return kUsageExit;
 }
 
 } // namespace

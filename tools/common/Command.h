@@ -1,9 +1,8 @@
 // What every command shares: its common options, how it is run, and which exit code its errors become.
 #pragma once
 
+#include "CliNames.h"
 #include "voxc/Support/Error.h"
-
-#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <string>

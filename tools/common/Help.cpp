@@ -1,6 +1,8 @@
 // Help texts.
 #include "Help.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <memory>
 #include <sys/ioctl.h>

@@ -1,6 +1,8 @@
 // What someone may have meant.
 #include "Misspelling.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <vector>
 
@@ -55,17 +57,21 @@ std::size_t wordDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string helpOf(const CLI::App &app, const CLI::App &command) {
+  return app.get_name() + (&app == &command ? "" : " " + command.get_name()) + " --help";
+}
+
 std::string explainUnknown(const CLI::App &app, const CLI::App &command, const std::string &word) {
   const std::string name = command.get_name();
   if (!word.starts_with('-'))
-    return "'" + word + "' is one argument too many for " + name + "; see '" + name + " --help'";
+    return "'" + word + "' is one argument too many for " + name + "; see '" + helpOf(app, command) + "'";
   const std::string option = word.substr(0, word.find('='));
   std::string text = name + " has no option " + option;
   if (const std::string like = nearest(optionsOf(command), option); !like.empty())
     return text + "; did you mean " + like + "?";
   if (const std::string others = commandsWith(app, option); !others.empty())
     return text + "; these commands have it: " + others;
-  return text + "; see '" + name + " --help'";
+  return text + "; see '" + helpOf(app, command) + "'";
 }
 
 } // namespace voxc::tool

@@ -6,6 +6,8 @@
 
 #include "voxc/Render/View.h"
 
+#include <CLI/CLI.hpp>
+
 #include <glm/trigonometric.hpp>
 
 #include <cmath>

@@ -4,6 +4,8 @@
 #include "common/Help.h"
 #include "voxc/IR/Query.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 namespace voxc::tool {

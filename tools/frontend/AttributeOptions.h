@@ -2,9 +2,8 @@
 // --outputs for those that are chosen together.
 #pragma once
 
+#include "common/CliNames.h"
 #include "voxc/IR/Format.h"
-
-#include <CLI/CLI.hpp>
 
 #include <map>
 #include <string>

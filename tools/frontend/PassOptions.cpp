@@ -1,6 +1,8 @@
 // Pass flags, generated from the registry.
 #include "frontend/PassOptions.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

@@ -2,9 +2,8 @@
 // written.
 #pragma once
 
+#include "common/CliNames.h"
 #include "voxc/Passes/Pass.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

@@ -9,6 +9,8 @@
 #include "voxc/Passes/Pass.h"
 #include "voxc/Support/File.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -10,6 +10,8 @@
 
 #include "voxc/Trace/Tracer.h"
 
+#include <CLI/CLI.hpp>
+
 namespace {
 
 using namespace voxc;

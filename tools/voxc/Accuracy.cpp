@@ -10,6 +10,8 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 
 namespace voxc::tool {

@@ -12,6 +12,8 @@
 #include "sweep/Summary.h"
 #include "sweep/Sweep.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <set>
 

@@ -7,6 +7,8 @@
 #include "common/Statistics.h"
 #include "sweep/Pack.h"
 
+#include <CLI/CLI.hpp>
+
 #include <set>
 
 namespace voxc::tool {

@@ -8,6 +8,8 @@
 #include "sweep/SampleCheck.h"
 #include "voxc/Support/File.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -4,6 +4,8 @@
 #include "common/Files.h"
 #include "report/Report.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 

@@ -10,6 +10,8 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

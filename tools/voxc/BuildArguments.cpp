@@ -3,6 +3,8 @@
 
 #include "common/Help.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>

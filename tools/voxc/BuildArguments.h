@@ -2,9 +2,8 @@
 // there is one.
 #pragma once
 
+#include "common/CliNames.h"
 #include "voxc/Construct/Constructor.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <string>

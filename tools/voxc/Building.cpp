@@ -10,6 +10,8 @@
 #include "search/Suggestion.h"
 #include "voxc/Layout/Layout.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>

@@ -6,6 +6,8 @@
 #include "common/Statistics.h"
 #include "common/UserCache.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace voxc::tool {

@@ -10,6 +10,8 @@
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <filesystem>
 

@@ -3,6 +3,8 @@
 
 #include "voxc/Support/EmbeddedFile.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <map>
 #include <span>

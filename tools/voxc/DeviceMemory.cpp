@@ -6,6 +6,8 @@
 #include "common/Help.h"
 #include "common/Statistics.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 void DeviceMemory::declare(CLI::App &app) {

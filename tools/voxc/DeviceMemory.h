@@ -2,10 +2,9 @@
 #pragma once
 
 #include "Tracing.h"
+#include "common/CliNames.h"
 
 #include "voxc/Volume/PagedVolume.h"
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

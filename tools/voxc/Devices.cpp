@@ -5,6 +5,8 @@
 #include "common/Statistics.h"
 #include "voxc/Trace/CpuKernel.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace voxc::tool {

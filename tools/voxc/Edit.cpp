@@ -12,6 +12,8 @@
 #include "voxc/Source/Edit.h"
 #include "voxc/Support/Stopwatch.h"
 
+#include <CLI/CLI.hpp>
+
 #include <array>
 #include <charconv>
 #include <map>

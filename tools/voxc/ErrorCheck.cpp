@@ -1,6 +1,8 @@
 // Checking a sample of traced rays.
 #include "ErrorCheck.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <vector>
 

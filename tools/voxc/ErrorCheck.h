@@ -1,12 +1,11 @@
 // A speed beside its error: some of the rays that were traced, checked against the exact oracle.
 #pragma once
 
+#include "common/CliNames.h"
 #include "common/Json.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Trace/Ray.h"
 #include "voxc/Volume/Volume.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstddef>
 #include <span>

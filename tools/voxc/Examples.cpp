@@ -3,6 +3,8 @@
 
 #include "voxc/IR/LevelKind.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cctype>
 
 namespace voxc::tool {
@@ -50,6 +52,8 @@ constexpr Example kExamples[] = {
     {"export", "voxc export model.hvx -o model.vox", "as a MagicaVoxel model"},
     {"export", "voxc export model.hvx -o model.html",
      "a page that shows it in any browser, without a network"},
+    {"attach", "voxc attach terrain.hvx --normals -o with-normals.hvx",
+     "the direction of the surface, for each voxel"},
     {"view", "voxc view model.obj", "a window in which to turn it, or walk inside"},
     {"facts", "voxc facts model.obj --resolution 256", "colours, emptiness and repetition of a scene"},
     {"suggest", "voxc suggest model.obj", "one format, why, and the command that builds it"},

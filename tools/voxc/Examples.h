@@ -1,7 +1,7 @@
 // What stands at the end of a command's help: examples, and what a FORMAT is.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "common/CliNames.h"
 
 #include <span>
 #include <string>

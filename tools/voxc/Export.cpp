@@ -12,6 +12,8 @@
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 namespace voxc::tool {

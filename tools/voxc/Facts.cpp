@@ -9,6 +9,8 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace voxc::tool {

@@ -1,6 +1,8 @@
 // Reading "I/N".
 #include "FragmentOption.h"
 
+#include <CLI/CLI.hpp>
+
 #include <charconv>
 #include <string_view>
 

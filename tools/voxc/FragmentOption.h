@@ -1,7 +1,7 @@
 // The option --fragment I/N of the commands that write one fragment of a volume.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "common/CliNames.h"
 
 #include <cstdint>
 #include <optional>

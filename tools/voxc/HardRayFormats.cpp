@@ -5,6 +5,8 @@
 #include "testing/RandomFormat.h"
 #include "voxc/Support/File.h"
 
+#include <CLI/CLI.hpp>
+
 #include <sstream>
 
 namespace voxc::tool {

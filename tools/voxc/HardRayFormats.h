@@ -1,12 +1,11 @@
 // The formats that hard rays are traced in: given, listed in a file, or random.
 #pragma once
 
+#include "common/CliNames.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Support/Error.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <string>

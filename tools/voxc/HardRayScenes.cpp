@@ -3,6 +3,8 @@
 
 #include "HardRayScenes.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 namespace voxc::tool {

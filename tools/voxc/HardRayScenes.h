@@ -2,12 +2,11 @@
 #pragma once
 
 #include "InputArguments.h"
+#include "common/CliNames.h"
 
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <string>

@@ -10,6 +10,8 @@
 #include "testing/HardRays.h"
 #include "voxc/Support/File.h"
 
+#include <CLI/CLI.hpp>
+
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>

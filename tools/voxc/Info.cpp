@@ -1,121 +1,167 @@
-// voxc info: what a volume says of itself.
+// voxc info: what the head of a volume says, and on request what a walk over all of it proves.
 #include "Figures.h"
 #include "Subcommand.h"
-#include "VolumeArgument.h"
 
+#include "common/Help.h"
+#include "common/Interrupt.h"
 #include "common/Statistics.h"
 #include "voxc/Layout/PaletteBlocks.h"
-#include "voxc/Support/Stopwatch.h"
-#include "voxc/Volume/PagedVolume.h"
+#include "voxc/Volume/VolumeSummary.h"
+
+#include <CLI/CLI.hpp>
 
 #include <cinttypes>
 #include <cstdio>
+#include <optional>
 
 namespace voxc::tool {
 
 namespace {
 
-std::uint64_t storedBytes(const Volume &volume) {
-  std::uint64_t bytes = 0;
-  for (const Stream &stream : volume.streams())
-    bytes += stream.storedBytes;
-  return bytes;
+constexpr double kMiB = 1 << 20;
+
+double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+std::string levelText(const Format &format, std::size_t level) {
+  Format alone;
+  alone.levels = {format.levels[level]};
+  return toString(alone);
 }
 
-void print(const Volume &volume) {
-  const VolumeInfo &info = volume.info();
-  const std::uint64_t stored = storedBytes(volume);
-  const double bytes = double(volume.bytes());
-  std::printf("%s", printIr(info.format).c_str());
-  std::printf("extent      %d x %d x %d voxels, in a format of %d x %d x %d\n", info.extent.x, info.extent.y,
-              info.extent.z, info.format.extent().x, info.format.extent().y, info.format.extent().z);
-  std::printf("voxels      %" PRIu64 "\n", info.voxels);
-  std::printf("bytes       %" PRIu64 " (%.2f MiB, %.2f a voxel)\n", volume.bytes(), bytes / (1 << 20),
-              info.voxels ? bytes / double(info.voxels) : 0.0);
-  if (stored < volume.bytes())
-    std::printf("stored      %" PRIu64 " (%.2f MiB, %.1f %%), compressed in pages\n", stored,
-                double(stored) / (1 << 20), 100 * double(stored) / bytes);
-  if (volume.layout().values == Values::Apart && info.voxels > 0) {
-    const WordReader words(volume.words(), volume.layout().log2Granule);
-    const std::uint64_t section = words.wordOf(words[1]);
-    const double valueBytes = 4.0 * double(words.size() - section);
-    std::printf("of these    %.3f a voxel for the shape, %.3f for values apart\n",
-                (bytes - valueBytes) / double(info.voxels), valueBytes / double(info.voxels));
-    const std::uint64_t few = paletteColours(words, section);
-    if (volume.layout().payload == Payload::Palette)
-      std::printf("colours     %" PRIu64 " in the palette\n", few);
-    if (volume.layout().payload == Payload::Material)
-      std::printf("labels      %" PRIu64 "\n", few);
-  }
-  for (const Stream &stream : volume.streams())
-    std::printf("stream      %s: %zu bytes, %" PRIu64 " elements of %" PRIu32 "\n", stream.name.c_str(),
-                stream.bytes.size(), stream.elements(), stream.elementBytes);
-  std::printf("made with   %s\n", info.provenance.empty() ? "(not told)" : info.provenance.c_str());
-  std::printf("to model   ");
-  for (const double entry : rowsOf(info.voxelToModel))
-    std::printf(" %g", entry);
-  std::printf("\n");
+void printPart(const std::string &name, std::uint64_t words, std::uint64_t bytes) {
+  const double part = double(words * sizeof(std::uint32_t));
+  std::printf("  %-16s %12.0f bytes, %5.1f %%\n", name.c_str(), part, 100 * share(part, double(bytes)));
 }
 
-/// What a compressed file has in place of streams as they are.
-void printPages(const PagedVolume &file) {
-  for (const PagedStream &stream : file.streams())
+/// The bytes of each level, if the file tells them.
+void printWords(const VolumeInfo &info, std::uint64_t bytes) {
+  if (!info.wordCounts)
+    return;
+  for (std::size_t i = 0; i < info.wordCounts->levels.size(); ++i)
+    printPart(levelText(info.format, i), info.wordCounts->levels[i], bytes);
+  if (info.wordCounts->values > 0)
+    printPart("values apart", info.wordCounts->values, bytes);
+}
+
+void printBytes(const VolumeSummary &summary) {
+  const double voxels = double(summary.info.voxels), bytes = double(summary.bytes());
+  std::printf("bytes       %.0f (%.2f MiB, %.3g a voxel)\n", bytes, bytes / kMiB, share(bytes, voxels));
+  printWords(summary.info, summary.bytes());
+  if (summary.storedBytes() < summary.bytes())
+    std::printf("stored      %" PRIu64 " (%.2f MiB, %.1f %%), compressed in pages\n", summary.storedBytes(),
+                double(summary.storedBytes()) / kMiB, 100 * share(double(summary.storedBytes()), bytes));
+}
+
+void printStream(const StreamSummary &stream) {
+  std::printf("stream      %s: %" PRIu64 " bytes, %" PRIu64 " elements of %" PRIu32 "\n", stream.name.c_str(),
+              stream.bytes, stream.elements(), stream.elementBytes);
+  if (stream.pageBytes > 0)
     std::printf("pages       %s: %" PRIu64 " of %" PRIu32 " bytes\n", stream.name.c_str(), stream.pages(),
                 stream.pageBytes);
 }
 
-Json figuresOf(std::span<const PagedStream> streams) {
-  Json figures = Json::array();
-  for (const PagedStream &stream : streams)
-    figures.push_back({{"name", stream.name}, {"page_bytes", stream.pageBytes}, {"pages", stream.pages()}});
-  return figures;
+/// As rows of a matrix that takes the corner of a voxel to the units of the model.
+void printTransform(const Transform &voxelToModel) {
+  const auto rows = rowsOf(voxelToModel);
+  for (int row = 0; row < 3; ++row)
+    std::printf("%s%-2c = %g x + %g y + %g z + %g\n", row == 0 ? "to model    " : "            ", "XYZ"[row],
+                rows[4 * row], rows[4 * row + 1], rows[4 * row + 2], rows[4 * row + 3]);
 }
 
-Json figuresOf(std::span<const Stream> streams) {
-  Json figures = Json::array();
-  for (const Stream &stream : streams)
-    figures.push_back({{"name", stream.name},
-                       {"element_bytes", stream.elementBytes},
-                       {"elements", stream.elements()},
-                       {"bytes", stream.bytes.size()},
-                       {"stored_bytes", stream.storedBytes}});
+void print(const VolumeSummary &summary) {
+  const VolumeInfo &info = summary.info;
+  const Int3 whole = info.format.extent();
+  std::printf("%s", printIr(info.format).c_str());
+  std::printf("extent      %d x %d x %d voxels, in a format of %d x %d x %d\n", info.extent.x, info.extent.y,
+              info.extent.z, whole.x, whole.y, whole.z);
+  std::printf("voxels      %" PRIu64 "\n", info.voxels);
+  printBytes(summary);
+  for (const StreamSummary &stream : summary.streams)
+    printStream(stream);
+  std::printf("made with   %s\n", info.provenance.empty() ? "(not told)" : info.provenance.c_str());
+  printTransform(info.voxelToModel);
+}
+
+/// What stands in a table of the words, which the walk has proved.
+void printPalette(const Volume &volume) {
+  const Payload payload = volume.layout().payload;
+  if (volume.info().voxels == 0 || (payload != Payload::Palette && payload != Payload::Material))
+    return;
+  const WordReader words(volume.words(), volume.layout().log2Granule);
+  const std::uint64_t few = paletteColours(words, words.wordOf(words[1]));
+  if (payload == Payload::Palette)
+    std::printf("colours     %" PRIu64 " in the palette\n", few);
+  else
+    std::printf("labels      %" PRIu64 "\n", few);
+}
+
+Json figuresOf(const VolumeSummary &summary) {
+  const VolumeInfo &info = summary.info;
+  Json figures = {{"format", toString(info.format)},
+                  {"extent", {info.extent.x, info.extent.y, info.extent.z}},
+                  {"words", summary.streams.front().elements()},
+                  {"bytes", summary.bytes()},
+                  {"voxels", info.voxels},
+                  {"stored_bytes", summary.storedBytes()},
+                  {"ir", printIr(info.format)},
+                  {"provenance", info.provenance},
+                  {"voxel_to_model", rowsOf(info.voxelToModel)}};
+  for (const StreamSummary &stream : summary.streams) {
+    figures["streams"].push_back({{"name", stream.name},
+                                  {"element_bytes", stream.elementBytes},
+                                  {"elements", stream.elements()},
+                                  {"bytes", stream.bytes},
+                                  {"stored_bytes", stream.storedBytes}});
+    if (stream.pageBytes > 0)
+      figures["pages"].push_back(
+          {{"name", stream.name}, {"page_bytes", stream.pageBytes}, {"pages", stream.pages()}});
+  }
+  if (info.wordCounts) {
+    figures["level_words"] = info.wordCounts->levels;
+    figures["value_words"] = info.wordCounts->values;
+  }
   return figures;
 }
 
 class InfoCommand final : public Subcommand {
 public:
   void declare(CLI::App &app) override {
-    volume_.declare(app);
+    app.add_option("VOLUME", path_, "A .hvx file")->required()->type_name("");
+    app.add_flag("--prove", prove_, "Read the whole file too, and follow every pointer in it");
     addCommonOptions(app, common_);
   }
 
   Expected<void> run() override {
-    const Stopwatch watch;
-    Expected<Volume> volume = volume_.load();
-    if (!volume)
-      return volume.error();
-    const double loadSeconds = watch.seconds();
-    const Expected<PagedVolume> pages = PagedVolume::open(volume_.path());
-    if (tellsOnStdout(common_)) {
-      print(*volume);
-      if (pages)
-        printPages(*pages);
-    }
-    Json figures;
-    addVolumeFigures(figures, *volume);
-    figures["load_seconds"] = loadSeconds;
-    figures["stored_bytes"] = storedBytes(*volume);
-    figures["streams"] = figuresOf(volume->streams());
-    if (pages)
-      figures["pages"] = figuresOf(pages->streams());
-    figures["ir"] = printIr(volume->format());
-    figures["provenance"] = volume->info().provenance;
-    figures["voxel_to_model"] = rowsOf(volume->info().voxelToModel);
+    const auto summary = summarizeVolume(path_);
+    if (!summary)
+      return summary.error();
+    Json figures = figuresOf(*summary);
+    if (tellsOnStdout(common_))
+      print(*summary);
+    if (prove_)
+      if (auto proved = prove(figures); !proved)
+        return proved;
     return writeStatistics(common_.stats, figures);
   }
 
 private:
-  VolumeArgument volume_;
+  Expected<void> prove(Json &figures) const {
+    LoadOptions options;
+    options.progress.stop = &catchInterrupts();
+    const Stopwatch watch;
+    const auto volume = Volume::load(path_, options);
+    if (!volume)
+      return volume.error();
+    figures["load_seconds"] = watch.seconds();
+    if (!tellsOnStdout(common_))
+      return {};
+    printPalette(*volume);
+    std::printf("proved      all bytes are those that were written, and every pointer leads to words\n");
+    return {};
+  }
+
+  std::string path_;
+  bool prove_ = false;
   CommonOptions common_;
 };
 

@@ -7,6 +7,8 @@
 #include "voxc/OpenVdb/OpenVdb.h"
 #endif
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>

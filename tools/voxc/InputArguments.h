@@ -1,9 +1,8 @@
 // The options that say how an input becomes voxels.
 #pragma once
 
+#include "common/CliNames.h"
 #include "voxc/Input/Input.h"
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

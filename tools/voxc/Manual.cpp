@@ -6,6 +6,8 @@
 #include "common/Help.h"
 #include "voxc/Support/File.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <filesystem>
 #include <vector>

@@ -11,6 +11,8 @@
 #include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

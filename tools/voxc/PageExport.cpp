@@ -9,6 +9,8 @@
 #include "voxc/IR/Attribute.h"
 #include "voxc/Oracle/Oracle.h"
 
+#include <CLI/CLI.hpp>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "Tracing.h"
+#include "common/CliNames.h"
 
 #include "common/PictureOptions.h"
 #include "voxc/Volume/Volume.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

@@ -1,6 +1,8 @@
 // Measuring the colours of an input, and the first payload that a format takes.
 #include "PayloadOption.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

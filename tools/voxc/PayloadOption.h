@@ -1,6 +1,7 @@
 // --payload auto: the payload by what the input's voxels are like.
 #pragma once
 
+#include "common/CliNames.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Source/VoxelSource.h"
@@ -8,8 +9,6 @@
 #include "voxc/Support/WorkingMemory.h"
 
 #include "voxc/Facts/PayloadChoice.h"
-
-#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <memory>

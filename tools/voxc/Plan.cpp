@@ -11,6 +11,8 @@
 #include "common/Terminal.h"
 #include "sweep/Model.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <numeric>
 

@@ -1,6 +1,8 @@
 // A command with a plan, or with all that it takes without one.
 #include "PlanOption.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 namespace voxc::tool {

@@ -1,7 +1,7 @@
 // The options --plan of the commands that are tasks of a build plan: all that they need stands in the plan.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "common/CliNames.h"
 
 #include <cstdint>
 #include <string>

@@ -9,6 +9,8 @@
 #include "common/Statistics.h"
 #include "voxc/IR/Query.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 
 namespace voxc::tool {

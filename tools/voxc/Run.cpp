@@ -8,6 +8,8 @@
 #include "common/Terminal.h"
 #include "frontend/AttributeOptions.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

@@ -13,6 +13,8 @@
 #include "search/SearchReport.h"
 #include "sweep/Machine.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <limits>

@@ -10,6 +10,8 @@
 #include "common/Terminal.h"
 #include "voxc/Construct/Split.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

@@ -7,6 +7,8 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <filesystem>
 

@@ -25,6 +25,7 @@ std::unique_ptr<Subcommand> makeSubmitCommand();
 std::unique_ptr<Subcommand> makeStatusCommand();
 std::unique_ptr<Subcommand> makeMergeCommand();
 std::unique_ptr<Subcommand> makeSplitCommand();
+std::unique_ptr<Subcommand> makeAttachCommand();
 std::unique_ptr<Subcommand> makeRenderCommand();
 std::unique_ptr<Subcommand> makeRunCommand();
 std::unique_ptr<Subcommand> makeViewCommand();

@@ -5,6 +5,8 @@
 
 #include "common/Terminal.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 
 namespace voxc::tool {

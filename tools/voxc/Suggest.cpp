@@ -7,6 +7,8 @@
 #include "common/Terminal.h"
 #include "search/ObjectiveOption.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace voxc::tool {

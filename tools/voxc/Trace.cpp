@@ -11,6 +11,8 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
+#include <CLI/CLI.hpp>
+
 #include <vector>
 
 namespace voxc::tool {

@@ -6,6 +6,8 @@
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdlib>
 
 namespace voxc::tool {

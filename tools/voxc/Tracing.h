@@ -1,6 +1,7 @@
 // From a volume to hits: what every command that traces shares.
 #pragma once
 
+#include "common/CliNames.h"
 #include "common/Command.h"
 #include "common/Json.h"
 #include "common/UserCache.h"
@@ -8,8 +9,6 @@
 #include "voxc/Trace/CpuKernel.h"
 #include "voxc/Trace/PagedTracer.h"
 #include "voxc/Trace/Tracer.h"
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <span>

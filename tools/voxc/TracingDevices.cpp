@@ -1,6 +1,8 @@
 // A tracing for each device, with the options that the command line gives to all of them.
 #include "TracingDevices.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 namespace {

@@ -15,6 +15,8 @@
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Source/Sources.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cinttypes>
 #include <cstdio>
 #include <string>

@@ -6,6 +6,8 @@
 #include "view/Viewer.h"
 #include "window/Window.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

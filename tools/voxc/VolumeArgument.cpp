@@ -3,6 +3,8 @@
 
 #include "common/Interrupt.h"
 
+#include <CLI/CLI.hpp>
+
 namespace voxc::tool {
 
 void VolumeArgument::declare(CLI::App &app) {

@@ -1,11 +1,10 @@
 // The V.hvx argument of the commands that take a finished volume.
 #pragma once
 
+#include "common/CliNames.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Volume/Volume.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

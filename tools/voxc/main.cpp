@@ -5,6 +5,8 @@
 #include "common/Help.h"
 #include "common/Misspelling.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -36,6 +38,7 @@ constexpr CommandKind kCommands[] = {
     {kMake, "compile", "Write the code that is generated for a format", makeCompileCommand},
     {kMake, "build", "Voxelize an input and construct its volume", makeBuildCommand},
     {kMake, "edit", "Replace boxes of a volume, building only what they touch", makeEditCommand},
+    {kMake, "attach", "Give the voxels of a volume named attributes, such as normals", makeAttachCommand},
     {kUse, "render", "Render a picture of a volume", makeRenderCommand},
     {kUse, "view", "Walk through a volume in a window", makeViewCommand},
     {kUse, "run", "Compile, build and render in one go", makeRunCommand},

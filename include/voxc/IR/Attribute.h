@@ -60,6 +60,7 @@ extern const AttributeKind kVoxelAttribute;     ///< voxel: yes | no
 extern const AttributeKind kTAttribute;         ///< t: yes | no
 extern const AttributeKind kFaceAttribute;      ///< face: no | yes
 extern const AttributeKind kColourAttribute;    ///< colour: yes | no
+extern const AttributeKind kIndexAttribute;     ///< index: no | yes
 extern const AttributeKind
     kPayloadAttribute; ///< payload: rgba8 | occupancy | constant | palette(n) | rgb565 | material(n)
 extern const AttributeKind kAlphaAttribute;   ///< alpha: any | positive

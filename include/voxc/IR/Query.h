@@ -24,6 +24,8 @@ struct Outputs {
   bool t = true;
   bool face = false; ///< By which the ray enters the voxel: `Hit::steps`.
   bool colour = true;
+  /// The number of the voxel among all of the volume, in Morton order, in place of the colour: `Hit::rgba`.
+  bool index = false;
 
   bool operator==(const Outputs &) const = default;
 };
@@ -53,6 +55,9 @@ constexpr Outputs outputsOf(Query query) {
 
 /// What the attributes of a verified format ask.
 Question questionOf(const Format &format);
+
+/// Whether the kernel stores something that the voxel has: its colour or its number.
+constexpr bool storesValue(const Outputs &outputs) { return outputs.colour || outputs.index; }
 
 /// What is wrong with a question, to follow the words "the format" or "the plan"; empty if it is right.
 std::string_view problemOf(const Question &question);

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,13 @@ namespace voxc {
 
 class WorkingMemory;
 
+/// The words that each part of a volume takes. The rest of its words are a head of a few, and what keeps
+/// nodes apart where references count granules.
+struct WordCounts {
+  std::vector<std::uint64_t> levels; ///< Nodes of each level, from the first.
+  std::uint64_t values = 0;          ///< Values of voxels that stand apart from the levels.
+};
+
 /// What a volume says of itself beside its streams; kept in the file's header.
 struct VolumeInfo {
   Format format; ///< Its storage: no walk attributes.
@@ -29,6 +37,8 @@ struct VolumeInfo {
   Transform voxelToModel;
   std::uint64_t voxels = 0; ///< Non-empty ones.
   std::string provenance;   ///< How to voxelize the input again: "resolution=512 coverage=conservative ...".
+  /// As the build counted them; none in volumes of one's own and files of before. Not proved on loading.
+  std::optional<WordCounts> wordCounts;
 };
 
 /// A quarter of an hour of decoding.

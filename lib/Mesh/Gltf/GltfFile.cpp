@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 namespace voxc {
 
@@ -39,11 +40,23 @@ std::optional<Chunk> takeChunk(std::span<const std::byte> &rest) {
   return chunk;
 }
 
+/// Whether the first character that is not white is that of an object. A byte order mark may precede it.
+bool mayBeJson(std::span<const std::byte> bytes) {
+  std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+  if (text.starts_with("\xef\xbb\xbf"))
+    text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
 } // namespace
 
 Expected<GltfFile> splitGltf(std::span<const std::byte> bytes) {
-  if (bytes.size() < 4 || wordAt(bytes, 0) != kMagic)
+  if (bytes.size() < 4 || wordAt(bytes, 0) != kMagic) {
+    if (!mayBeJson(bytes))
+      return Error::input("it begins neither with 'glTF', as a .glb file does, nor with a JSON object");
     return GltfFile{bytes, std::nullopt};
+  }
   if (bytes.size() < kHeaderBytes)
     return Error::input("its header is cut short");
   if (const std::uint32_t version = wordAt(bytes, 4); version != 2)

@@ -1,6 +1,8 @@
 // The objectives by their names.
 #include "search/ObjectiveOption.h"
 
+#include <CLI/CLI.hpp>
+
 #include <map>
 
 namespace voxc::tool {

@@ -1,9 +1,8 @@
 // --objective, which suggest and search have in common.
 #pragma once
 
+#include "common/CliNames.h"
 #include "voxc/Search/Suggest.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

@@ -6,6 +6,8 @@
 #include "sweep/Machine.h"
 #include "sweep/Model.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <map>
 

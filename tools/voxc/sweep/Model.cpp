@@ -3,6 +3,8 @@
 
 #include "bench/Digest.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>

@@ -8,6 +8,8 @@
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 namespace voxc::tool {

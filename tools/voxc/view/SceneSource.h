@@ -3,12 +3,11 @@
 
 #include "BuildArguments.h"
 #include "InputArguments.h"
+#include "common/CliNames.h"
 
 #include "common/Command.h"
 #include "frontend/PassOptions.h"
 #include "view/Scene.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

@@ -1,0 +1,110 @@
+// Normals by the numbers of voxels.
+#include "voxc/Render/NormalAttribute.h"
+
+#include "voxc/Render/SurfaceNormals.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/packing.hpp>
+#include <glm/vec2.hpp>
+
+#include <cmath>
+#include <cstring>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint32_t kNoNormal = 0x80008000u;
+
+/// Voxels whose normals are found at once, on all threads.
+constexpr std::size_t kBatch = std::size_t{1} << 18;
+
+/// Turns the corners of the square in, or out again: the lower half of the octahedron.
+glm::vec2 folded(const glm::vec2 &place) {
+  return {(1 - std::abs(place.y)) * (place.x < 0 ? -1.0f : 1.0f),
+          (1 - std::abs(place.x)) * (place.y < 0 ? -1.0f : 1.0f)};
+}
+
+glm::vec3 outwards(const SurfaceNormal &normal) {
+  return normal.roomAgainst > normal.roomAlong ? -normal.direction : normal.direction;
+}
+
+/// Finds those of a batch of voxels and puts them behind the others.
+class NormalWriter {
+public:
+  NormalWriter(const Volume &volume, unsigned threads, const Progress &progress)
+      : normals_(volume, threads), progress_(progress) {
+    elements_.reserve(volume.info().voxels * sizeof(std::uint32_t));
+  }
+
+  void add(Int3 voxel) {
+    Hit hit{};
+    hit.voxel[0] = voxel.x;
+    hit.voxel[1] = voxel.y;
+    hit.voxel[2] = voxel.z;
+    hit.t = 0;
+    hits_.push_back(hit);
+    if (hits_.size() == kBatch)
+      write();
+  }
+
+  std::vector<std::byte> finish() {
+    write();
+    return std::move(elements_);
+  }
+
+private:
+  void write() {
+    if (!normals_.learn(hits_, progress_))
+      return; // Stopped; so is the visit of the voxels.
+    for (const Hit &hit : hits_) {
+      const std::uint32_t packed = packNormal(outwards(normals_.at(hit)));
+      const auto *bytes = reinterpret_cast<const std::byte *>(&packed);
+      elements_.insert(elements_.end(), bytes, bytes + sizeof packed);
+    }
+    hits_.clear();
+  }
+
+  SurfaceNormals normals_;
+  const Progress &progress_;
+  std::vector<Hit> hits_;
+  std::vector<std::byte> elements_;
+};
+
+} // namespace
+
+std::uint32_t packNormal(const glm::vec3 &direction) {
+  const float sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
+  if (!(sum > 0))
+    return kNoNormal;
+  const glm::vec2 place = glm::vec2(direction.x, direction.y) / sum;
+  return glm::packSnorm2x16(direction.z < 0 ? folded(place) : place);
+}
+
+glm::vec3 unpackNormal(std::uint32_t packed) {
+  if (packed == kNoNormal)
+    return {};
+  const glm::vec2 place = glm::unpackSnorm2x16(packed);
+  const float z = 1 - std::abs(place.x) - std::abs(place.y);
+  const glm::vec2 level = z < 0 ? folded(place) : place;
+  return glm::normalize(glm::vec3(level, z));
+}
+
+Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, const Progress &progress) {
+  NormalWriter writer(volume, threads, progress);
+  const auto visited = visitVoxels(
+      volume,
+      [&](Int3 voxel) {
+        writer.add(voxel);
+        return !progress.stopped();
+      },
+      progress);
+  if (!visited)
+    return visited.error();
+  Attribute attribute{"normal", sizeof(std::uint32_t), writer.finish()};
+  if (progress.stopped())
+    return Error::interrupted();
+  return attribute;
+}
+
+} // namespace voxc

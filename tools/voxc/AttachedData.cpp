@@ -1,0 +1,143 @@
+// Reading what is attached to voxels.
+#include "AttachedData.h"
+
+#include "InputArguments.h"
+
+#include "voxc/Source/Sources.h"
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+namespace voxc::tool {
+
+namespace {
+
+constexpr int kLog2Block = 3; // The largest cube that a source reads at once.
+constexpr std::size_t kBlockVoxels = std::size_t{1} << (3 * kLog2Block);
+
+/// "NAME=REST", or none.
+std::optional<std::pair<std::string, std::string>> named(const std::string &text) {
+  const std::size_t at = text.find('=');
+  if (at == std::string::npos || at == 0 || at + 1 == text.size())
+    return std::nullopt;
+  return std::pair(text.substr(0, at), text.substr(at + 1));
+}
+
+/// Goes through the voxels of one source and takes the words that another has there.
+class WordReading {
+public:
+  WordReading(VoxelSource &voxels, VoxelSource &input, const Progress &progress)
+      : voxels_(voxels), input_(input), progress_(progress) {}
+
+  Expected<std::vector<std::byte>> run() {
+    const Int3 extent = voxels_.extent();
+    const auto longest =
+        static_cast<std::uint32_t>(std::max({extent.x, extent.y, extent.z, 1 << kLog2Block}));
+    descend({{}, std::bit_width(longest - 1)});
+    if (progress_.stopped())
+      return Error::interrupted();
+    for (const VoxelSource *source : {&voxels_, &input_})
+      if (const std::optional<Error> failure = source->failure())
+        return *failure;
+    return std::move(elements_);
+  }
+
+private:
+  void descend(const Cube &cube) {
+    if (progress_.stopped() || voxels_.empty(cube))
+      return;
+    if (cube.log2Side == kLog2Block)
+      return readBlock(cube);
+    for (std::uint64_t child = 0; child < 8; ++child)
+      descend({cube.low + mortonCell(child) * (1 << (cube.log2Side - 1)), cube.log2Side - 1});
+  }
+
+  void readBlock(const Cube &cube) {
+    voxels_.read(cube, there_.data());
+    if (input_.empty(cube))
+      words_.fill(0);
+    else
+      input_.read(cube, words_.data());
+    for (std::size_t i = 0; i < kBlockVoxels; ++i)
+      if (there_[i] != 0) {
+        const auto *bytes = reinterpret_cast<const std::byte *>(&words_[i]);
+        elements_.insert(elements_.end(), bytes, bytes + sizeof words_[i]);
+      }
+  }
+
+  VoxelSource &voxels_;
+  VoxelSource &input_;
+  const Progress &progress_;
+  std::array<std::uint32_t, kBlockVoxels> there_{};
+  std::array<std::uint32_t, kBlockVoxels> words_{};
+  std::vector<std::byte> elements_;
+};
+
+/// How an input is read whose voxels shall be those of a volume of this extent.
+InputOptions optionsFor(const std::string &input, Int3 extent) {
+  InputArguments arguments;
+  arguments.isAutomatic = false;
+  arguments.colourMap = "labels";
+  if (!checkInputArguments(arguments, input))
+    arguments.colourMap.clear();
+  arguments.resolution = std::max({extent.x, extent.y, extent.z});
+  if (!checkInputArguments(arguments, input))
+    arguments.resolution = 0;
+  return makeInputOptions(arguments, extent);
+}
+
+std::string textOf(Int3 extent) {
+  return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
+}
+
+} // namespace
+
+Expected<Attribute> wordsOfInput(const std::string &text, const std::shared_ptr<const Volume> &volume,
+                                 const Progress &progress) {
+  const auto parts = named(text);
+  if (!parts)
+    return Error::usage("--words is written NAME=INPUT, such as density=scan.nii.gz, not '" + text + "'");
+  const Int3 extent = volume->info().extent;
+  InputOptions options = optionsFor(parts->second, extent);
+  options.progress = progress;
+  const Expected<Input> input = openInput(parts->second, options);
+  if (!input)
+    return input.error();
+  if (input->source->extent() != extent)
+    return Error::input("'" + parts->second + "' has " + textOf(input->source->extent()) +
+                        " voxels, but the volume has " + textOf(extent));
+  Expected<std::vector<std::byte>> elements =
+      WordReading(*makeVolumeSource(volume), *input->source, progress).run();
+  if (!elements)
+    return elements.error();
+  return Attribute{parts->first, sizeof(std::uint32_t), std::move(*elements)};
+}
+
+Expected<Attribute> dataOfFile(const std::string &text, const Volume &volume) {
+  const auto parts = named(text);
+  const std::size_t colon = parts ? parts->first.find(':') : std::string::npos;
+  std::uint32_t bytes = 0;
+  const bool isNumber =
+      colon != std::string::npos &&
+      std::from_chars(parts->first.data() + colon + 1, parts->first.data() + parts->first.size(), bytes)
+              .ptr == parts->first.data() + parts->first.size();
+  if (!isNumber || bytes == 0)
+    return Error::usage("--data is written NAME:BYTES=FILE, such as weight:4=weights.bin, not '" + text +
+                        "'");
+  const Expected<MappedFile> file = MappedFile::open(parts->second);
+  if (!file)
+    return file.error();
+  const auto all = file->bytes();
+  if (all.size() / bytes != volume.info().voxels || all.size() % bytes != 0)
+    return Error::input("'" + parts->second + "' has " + std::to_string(all.size()) +
+                        " bytes, but the volume's " + std::to_string(volume.info().voxels) + " voxels take " +
+                        std::to_string(bytes) + " each");
+  return Attribute{parts->first.substr(0, colon), bytes, {all.begin(), all.end()}};
+}
+
+} // namespace voxc::tool
