@@ -31,6 +31,7 @@ struct Outputs {
 struct Question {
   Query query = Query::Closest;
   Outputs outputs;
+  bool bounds = false; ///< Rays have a tmin and a tmax (voxc/Trace/BoundedRay.h).
 
   bool operator==(const Question &) const = default;
 };
@@ -56,5 +57,8 @@ Question questionOf(const Format &format);
 
 /// What is wrong with a question, to follow the words "the format" or "the plan"; empty if it is right.
 std::string_view problemOf(const Question &question);
+
+/// What is wrong with what a format asks, to follow the words "the format"; empty if it is right.
+std::string_view problemOfQuestion(const Format &format);
 
 } // namespace voxc
