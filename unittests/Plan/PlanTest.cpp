@@ -36,6 +36,11 @@ TEST(PlanText, IsReadAsItWasPrinted) {
       format.setAttribute(kColourAttribute, random() % 2 ? "yes" : "no");
       format.setAttribute(kTAttribute, random() % 2 ? "yes" : "no");
     }
+    if (problemOfQuestion(format).empty() && random() % 2) {
+      format.setAttribute(kBoundsAttribute, "yes");
+      if (!problemOfQuestion(format).empty())
+        format.setAttribute(kBoundsAttribute, "no");
+    }
     const Plan plan =
         *makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
                            .loops = random() % 2 ? Loops::Whole : Loops::Cut,
