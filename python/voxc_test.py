@@ -112,6 +112,28 @@ class Tracing(unittest.TestCase):
         np.testing.assert_array_equal(hits["voxel"], [(16, 16, 4)] * 3)
         np.testing.assert_array_equal(hits["t"], [4] * 3)
 
+    def test_bounds(self):
+        volume = voxc.build("G(5)", voxels=ball())
+        tracer = volume.tracer("cpu", outputs="voxel,t,face,colour")
+        origins = np.full((3, 3), (16, 16, -4), np.float32)
+        hits = tracer.trace(origins, (0, 0, 2), tmin=[0, 4, 4.25], tmax=4.5)
+        np.testing.assert_array_equal(hits["voxel"][:, 2], [4, 4, 5])
+        np.testing.assert_array_equal(hits["t"], [4, 4, 4.5])
+        np.testing.assert_array_equal(voxc.normals(hits), [(0, 0, -1)] * 3)
+        missed = tracer.trace(origins, (0, 0, 2), tmax=3.5)
+        np.testing.assert_array_equal(missed["voxel"], [(-1, -1, -1)] * 3)
+        np.testing.assert_array_equal(voxc.normals(missed), np.zeros((3, 3)))
+        np.testing.assert_array_equal(tracer.trace(origins, (0, 0, 2))["t"], [4] * 3)
+        rays = np.zeros(2, voxc.BOUNDED_RAY)
+        rays["origin"], rays["direction"], rays["tmin"], rays["tmax"] = (16, 16, -4), (0, 0, 2), 4.5, np.inf
+        np.testing.assert_array_equal(volume.trace(rays, None, "cpu")["voxel"], [(16, 16, 5)] * 2)
+        only = volume.trace((16, 16, -4), (0, 0, 2), "cpu", tmin=4.5, query="any")
+        self.assertEqual(only["voxel"].tolist(), [0, 0, 0])
+        with self.assertRaisesRegex(ValueError, "take no others"):
+            tracer.trace(rays, tmin=1)
+        with self.assertRaisesRegex(voxc.Error, "gives bounds to points"):
+            volume.tracer("cpu", query="occupancy", bounds=True)
+
     def test_queries(self):
         volume = voxc.build("G(5)", voxels=ball())
         self.assertEqual(volume.trace((-1, 16, 16), (1, 0, 0), "cpu", query="any")["voxel"].tolist(), [0, 0, 0])

@@ -1,8 +1,15 @@
 // From the buffers to a walk, and back.
 
 uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
+%if bounded
 
-%if arrival
+// Where a ray begins whose hit begins at `at`: it has eight words, and a hit has six.
+uint ray_at(uint at) { return at / 6u * 8u; }
+
+Bounds load_bounds(uint at) { return bounds_between(ray_words[ray_at(at) + 3u], ray_words[ray_at(at) + 7u]); }
+%end
+
+%if axis
 // The walk of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in place of
 // t. One of -1 has not begun.
 %else
@@ -11,8 +18,13 @@ uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_w
 %end
 Walk left_walk(uint at) {
   Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]));
-%if arrival
+%if axis
   walk.axis = int(hit_words[at + 4u]);
+%end
+%if bounded
+%if packets
+  walk.is_within = int(hit_words[at + 3u]) == WITHIN;
+%end
 %end
   walk.open = max(int(hit_words[at + 3u]), CLOSED);
   walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
@@ -27,7 +39,7 @@ void store_left(uint at, const Walk walk) {
   hit_words[at + 1u] = uint(voxel.y);
   hit_words[at + 2u] = uint(voxel.z);
   hit_words[at + 3u] = uint(walk.open);
-%if arrival
+%if axis
   hit_words[at + 4u] = uint(walk.axis);
 %end
   hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;

@@ -18,11 +18,20 @@ bool trace_ray(uint ray_number, bool goes_on) {
   Walk walk = walk_at(ivec3(-1));
   if (goes_on)
     walk = left_walk(at);
-  uvec3 direction = load_bits(at + 3u);
+  uvec3 direction = load_bits(${ray-at} + ${direction-place}u);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
+%if bounded
+  Bounds bounds = load_bounds(at);
+  bool hit = begin_walk(load_bits(ray_at(at)), direction, root, ray, walk) && bound_walk(ray, walk, bounds);
+  if (hit) {
+    skip_to(ray, walk, bounds.tmin);
+    hit = walk_within(ray, walk, root, bounds);
+  }
+%else
   bool hit = begin_walk(load_bits(at), direction, root, ray, walk) && walk_on(ray, walk, root);
-  hit = end_walk(load_bits(at), direction, walk, hit);
+%end
+  hit = end_walk(load_bits(${ray-at}), direction, walk, hit);
 %if paged
 %if colour
   if (hit)
@@ -39,10 +48,10 @@ bool trace_ray(uint ray_number, bool goes_on) {
   // A walk that is still inside the volume without a hit, or whose arrival may not be whole, was cut off by the device.
   if (SETTLES && hit && !loops_are_whole())
     hit = false;
-  bool is_left = walk.open != CLOSED || (!hit && is_in_volume(walk.cell));
+  bool is_left = walk.open != CLOSED || (!hit && ${is-inside});
 %else
 %if paged
-  bool is_left = walk.open != CLOSED || (!hit && is_in_volume(walk.cell));
+  bool is_left = walk.open != CLOSED || (!hit && ${is-inside});
 %else
   bool is_left = walk.open != CLOSED;
 %end

@@ -72,8 +72,17 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   crossing.rising = !ray.falls[axis];
   Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
   range.least[axis] = range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
+%if bounded
+  range = approximate_cell(ray, crossing, range);
+  if (!SETTLES && range.least != range.most)
+    return walk; // It stays, which is not wrong: only later cells are skipped to.
+  walk.cell = range.least;
+  if (SETTLES)
+    walk.cell = settle(ray, crossing, range);
+%else
   walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
-%if arrival
+%end
+%if axis
   walk.axis = axis;
 %end
   return walk;
@@ -99,7 +108,7 @@ Walk entered(const Ray ray, Walk walk, bvec3 enters, ivec3 face, out bool sure) 
   sure = count.x + count.y + count.z == 1 && all(greaterThan(ivec3(certain) + count, ivec3(0)));
   ivec3 behind = face - ivec3(ray.falls);
   walk.cell = mix(ivec3(clamp(whole, -1.0f, 4194304.0f)), behind, may_be_last);
-%if arrival
+%if axis
   walk.axis = may_be_last.x ? 0 : may_be_last.y ? 1 : 2;
 %end
   return walk;

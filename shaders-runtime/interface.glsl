@@ -9,7 +9,11 @@ layout(constant_id = 0) const bool COUNT_LOOKUPS = false;
 layout(constant_id = 2) const bool COUNT_WORDS = false;
 uint words_read = 0u;
 
+%if bounded
+// Eight words a ray, the bits of float32: origin, tmin, direction, tmax.
+%else
 // Six words a ray, the bits of float32: origin, direction.
+%end
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uint ray_words[]; };
 // Six words a hit: voxel, rgba, t, ${sixth-word}.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uint hit_words[]; };

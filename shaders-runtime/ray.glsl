@@ -33,7 +33,7 @@ struct Exit {
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
-%if arrival
+%if axis
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
 %end
 %if colour
@@ -45,11 +45,19 @@ struct Walk {
 %if bounded
   ivec3 begin; // A walk ends where it leaves the box of `size` cells from `begin` on.
   ivec3 size;
+%if packets
+  bool is_within; // It is known to enter its cell within the ray's bounds.
+%end
 %end
 };
 
 const int CLOSED = -1;
 const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+%if bounded
+%if packets
+const int WITHIN = -3; // Who settles has found that it enters its cell within the ray's bounds.
+%end
+%end
 
 const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
 
@@ -88,16 +96,17 @@ void count_lookup(inout Walk walk) {
 
 bool is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(VOLUME_SIZE))); }
 
+%if bounded
+// Whether a walk is in the box in which it may find something.
+bool is_in_reach(const Walk walk) { return all(lessThan(uvec3(walk.cell - walk.begin), uvec3(walk.size))); }
+
+%end
 // Whether a walk has more to see here.
 bool goes_on(const Walk walk) {
 %if packets
-  return is_in_volume(walk.cell) && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
+  return ${is-inside} && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
 %else
-%if bounded
-  return all(lessThan(uvec3(walk.cell - walk.begin), uvec3(walk.size)));
-%else
-  return is_in_volume(walk.cell);
-%end
+  return ${is-inside};
 %end
 }
 

@@ -2,7 +2,7 @@
 
 // Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
 void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, const Gap gap) {
-%if arrival
+%if axis
   walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
 %end
 %if exact

@@ -119,6 +119,17 @@ typedef struct voxc_ray {
   float direction[3]; /* Of any length: t counts in it. */
 } voxc_ray;
 
+/* A ray and the moments between which voxels are looked for. It enters a voxel at one moment, 0 if it begins
+ * in it; that exact t, and not the rounded one of the hit, is compared with both, which belong to the
+ * interval. A tmin below 0 is as good as 0; nothing lies in an interval that is empty or has a NaN at an end.
+ */
+typedef struct voxc_bounded_ray {
+  float origin[3]; /* In voxels. */
+  float tmin;
+  float direction[3]; /* Of any length: t counts in it. */
+  float tmax;         /* May be INFINITY. */
+} voxc_bounded_ray;
+
 typedef struct voxc_hit {
   int32_t voxel[3]; /* -1, -1, -1 of a miss, whose other members are 0. */
   uint32_t rgba;    /* Or a label. */
@@ -140,6 +151,7 @@ typedef struct voxc_tracer_options {
       *outputs; /* What is stored of the closest hit, as "voxel,t,colour" (null); "face" may be among it. */
   const char *precision; /* "exact" (null) or "fast". */
   const char *passes;    /* Passes that choose the walk, with commas between; null: those of the format. */
+  int bounds;            /* 1: for voxc_tracer_trace_bounded. */
 } voxc_tracer_options;
 #define VOXC_TRACER_OPTIONS {.struct_size = sizeof(voxc_tracer_options)}
 
@@ -150,9 +162,14 @@ VOXC_API voxc_error *voxc_tracer_load(const voxc_volume *volume, const char *ker
 VOXC_API void voxc_tracer_free(voxc_tracer *tracer);
 /* The name of the device that it traces on. */
 VOXC_API const char *voxc_tracer_device(const voxc_tracer *tracer);
-/* Traces rays[i] into hits[i], `count` of them. */
+/* Traces rays[i] into hits[i], `count` of them. A tracer with bounds takes them as those of [0, INFINITY]. */
 VOXC_API voxc_error *voxc_tracer_trace(voxc_tracer *tracer, const voxc_ray *rays, uint64_t count,
                                        voxc_hit *hits);
+/* The same of rays with bounds. Error: the tracer was made without (voxc_tracer_options, or its kernel). */
+VOXC_API voxc_error *voxc_tracer_trace_bounded(voxc_tracer *tracer, const voxc_bounded_ray *rays,
+                                               uint64_t count, voxc_hit *hits);
+/* The normal of a hit's face, out of the voxel; 0, 0, 0 where there is none. */
+VOXC_API void voxc_face_normal(uint32_t face, float normal[3]);
 
 #ifdef __cplusplus
 }

@@ -9,6 +9,7 @@
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/Version.h"
 #include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/Face.h"
 #include "voxc/Trace/InstancedTracer.h"
 #include "voxc/Trace/Kernel.h"
 #include "voxc/Trace/Picture.h"

@@ -1,6 +1,7 @@
 // Devices in C, and tracers by kernels that lie in files.
 #include "C/Handles.h"
 #include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/Face.h"
 
 #include <cstdio>
 #include <vector>
@@ -9,11 +10,18 @@ using namespace voxc;
 using namespace voxc::c;
 
 static_assert(sizeof(voxc_ray) == sizeof(Ray) && sizeof(voxc_hit) == sizeof(Hit));
+static_assert(sizeof(voxc_bounded_ray) == sizeof(BoundedRay));
 
 namespace {
 
 template <std::size_t N> void copyText(char (&to)[N], const std::string &from) {
   std::snprintf(to, N, "%s", from.c_str());
+}
+
+voxc_error *traceAll(voxc_tracer &tracer, const RaySpan &rays, voxc_hit *hits) {
+  const Expected<TraceReport> traced =
+      tracer.tracer->trace(rays, std::span(reinterpret_cast<Hit *>(hits), rays.size()));
+  return traced ? nullptr : wrap(traced.error());
 }
 
 voxc_device_info infoOf(const DeviceInfo &device) {
@@ -76,9 +84,19 @@ const char *voxc_tracer_device(const voxc_tracer *tracer) { return tracer->devic
 
 voxc_error *voxc_tracer_trace(voxc_tracer *tracer, const voxc_ray *rays, uint64_t count, voxc_hit *hits) {
   return guarded([&]() -> voxc_error * {
-    const auto *const first = reinterpret_cast<const Ray *>(rays);
-    const Expected<TraceReport> traced = tracer->tracer->trace(
-        {first, std::size_t(count)}, {reinterpret_cast<Hit *>(hits), std::size_t(count)});
-    return traced ? nullptr : wrap(traced.error());
+    return traceAll(*tracer, std::span(reinterpret_cast<const Ray *>(rays), std::size_t(count)), hits);
   });
+}
+
+voxc_error *voxc_tracer_trace_bounded(voxc_tracer *tracer, const voxc_bounded_ray *rays, uint64_t count,
+                                      voxc_hit *hits) {
+  return guarded([&]() -> voxc_error * {
+    return traceAll(*tracer, std::span(reinterpret_cast<const BoundedRay *>(rays), std::size_t(count)), hits);
+  });
+}
+
+void voxc_face_normal(uint32_t face, float normal[3]) {
+  const glm::vec3 vector = normalOf(face);
+  for (int axis = 0; axis < 3; ++axis)
+    normal[axis] = vector[axis];
 }

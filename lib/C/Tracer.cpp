@@ -38,7 +38,9 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
   if (options.outputs)
     if (Expected<void> set = setOutputs(format, options.outputs); !set)
       return set.error();
-  if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
+  if (options.bounds)
+    format.setAttribute(kBoundsAttribute, "yes");
+  if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     return Error::usage("the format " + std::string(problem));
   if (Expected<void> passed = runPasses(format, namesIn(textOr(options.passes, ""))); !passed)
     return passed.error();

@@ -64,7 +64,7 @@ std::string prefixed(const std::string &lacking, std::span<const std::string_vie
 }
 
 /// Of plans with bounds.
-constexpr std::string_view kQueries[] = {"header/bounds", "header/hit", "header/queries"};
+constexpr std::string_view kQueries[] = {"bounds", "header/hit", "header/queries"};
 /// Of plans without.
 constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
 

@@ -235,17 +235,32 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   names.holes["and-an-arrival"] = hasArrival ? ", const Arrival arrival" : "";
   names.holes["and-arrival"] = hasArrival ? ", arrival" : "";
   names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
-  names.holes["no-axis"] = hasArrival ? "-1, " : "";
+  names.holes["no-axis"] = hasArrival || plan.bounded ? "-1, " : "";
   names.holes["no-voxel"] = storesValue(outputs) ? "0u, " : "";
-  names.holes["and-all-of-the-volume"] = plan.bounded ? ", ivec3(0), VOLUME_SIZE" : "";
-  names.conditions["bounded"] = plan.bounded;
   names.holes["sixth-word"] = outputs.face ? "lookups or words read, else a face" : "lookups or words read";
   names.conditions["point"] = isPoint;
   names.conditions["arrival"] = hasArrival;
+  names.conditions["axis"] = hasArrival || plan.bounded;
   names.conditions["voxel"] = outputs.voxel;
   names.conditions["t"] = outputs.t;
   names.conditions["face"] = outputs.face;
   names.conditions["colour"] = storesValue(outputs);
+}
+
+/// Where a ray lies, and how its bounds are kept.
+void addBounds(TemplateNames &names, const Plan &plan) {
+  const bool bounded = plan.bounded;
+  const bool isLetGo = plan.packing == Packing::Packets;
+  auto &holes = names.holes;
+  names.conditions["bounded"] = bounded;
+  holes["and-all-of-the-volume"] = !bounded  ? ""
+                                   : isLetGo ? ", ivec3(0), VOLUME_SIZE, false"
+                                             : ", ivec3(0), VOLUME_SIZE";
+  holes["is-inside"] = bounded ? "is_in_reach(walk)" : "is_in_volume(walk.cell)";
+  holes["ray-words"] = bounded ? "8" : "6";
+  holes["ray-at"] = bounded ? "ray_at(at)" : "at";
+  holes["kernel-ray-at"] = bounded ? "kernel.ray_at(at)" : "at";
+  holes["direction-place"] = bounded ? "4" : "3";
 }
 
 } // namespace
@@ -266,6 +281,7 @@ TemplateNames planNames(const Plan &plan) {
   const Stratum &lowest = plan.layout.strata.back();
   names.holes["LOWEST_LEVEL"] = std::to_string(plan.layout.strata.size());
   addQuestion(names, plan);
+  addBounds(names, plan);
   addMemoryNames(names, plan);
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";

@@ -51,6 +51,10 @@ const AttributeKind kQueryAttribute = {
     "what the kernel answers: the closest hit, whether there is any, whether there is a voxel where the ray "
     "begins, or the t of the closest hit alone"};
 
+const AttributeKind kBoundsAttribute = {
+    "bounds", AttributeEffect::Walk, kNoValues,
+    "whether each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels"};
+
 const AttributeKind kVoxelAttribute = {"voxel", AttributeEffect::Walk, kYesValues,
                                        "whether the kernel stores which voxel a closest hit is", &kOutputs};
 
@@ -132,10 +136,10 @@ std::vector<ValueRange> valueRanges(const AttributeKind &kind) {
 }
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 13> kAttributes = {
-      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute, &kVoxelAttribute,
-      &kTAttribute,         &kFaceAttribute,   &kColourAttribute, &kIndexAttribute, &kPayloadAttribute,
-      &kAlphaAttribute,     &kValuesAttribute, &kGranuleAttribute};
+  static constexpr std::array<const AttributeKind *, 14> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute,  &kBoundsAttribute,
+      &kVoxelAttribute,     &kTAttribute,      &kFaceAttribute,   &kColourAttribute, &kIndexAttribute,
+      &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute, &kGranuleAttribute};
   return kAttributes;
 }
 

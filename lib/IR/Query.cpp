@@ -19,6 +19,7 @@ constexpr std::pair<const AttributeKind *, bool Outputs::*> kOutputs[] = {
 
 Question questionOf(const Format &format) {
   Question question{*fromString<Query>(format.attributes.value(kQueryAttribute)), {}};
+  question.bounds = format.attributes.value(kBoundsAttribute) == "yes";
   question.outputs = outputsOf(question.query);
   for (const auto &[kind, output] : kOutputs)
     if (const std::string_view value = format.attributes.value(*kind); value != kind->values.front())
@@ -28,6 +29,8 @@ Question questionOf(const Format &format) {
 
 std::string_view problemOf(const Question &question) {
   const bool isClosest = question.query == Query::Closest;
+  if (question.bounds && question.query == Query::Occupancy)
+    return "gives bounds to points, of which rays alone have any; leave out bounds=yes, or the query";
   if (!isClosest && question.outputs != outputsOf(question.query))
     return "chooses outputs, which query=closest alone has; leave them out, or the query";
   if (question.outputs.colour && question.outputs.index)
@@ -36,6 +39,13 @@ std::string_view problemOf(const Question &question) {
       std::ranges::none_of(kOutputs, [&](const auto &output) { return question.outputs.*output.second; });
   return isClosest && storesNone ? "has no output; query=any asks whether there is a hit at all"
                                  : std::string_view();
+}
+
+std::string_view problemOfQuestion(const Format &format) {
+  const Question question = questionOf(format);
+  if (question.bounds && format.attributes.value(kDetailAttribute) != "full")
+    return "stops above voxels, whose bounds cannot be told there; leave out bounds=yes, or detail=cone";
+  return problemOf(question);
 }
 
 } // namespace voxc

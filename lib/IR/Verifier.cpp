@@ -123,7 +123,7 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
 
 /// What is stored is chosen for the closest hit alone.
 void verifyQuestion(const Format &format, Diagnostics &diagnostics) {
-  if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
+  if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     diagnostics.error({format.levels.front().range.begin, format.levels.back().range.end},
                       "the format " + std::string(problem));
   if (questionOf(format).outputs.index && (format.attributes.value(kValuesAttribute) != "apart" ||

@@ -23,6 +23,11 @@ SpirvWords wordsOf(std::string_view bytes) {
   return words;
 }
 
+/// What is known of a plan's kernel before it is compiled.
+Kernel kernelOf(const Plan &plan) {
+  return {{}, plan.layout.storageDigest, plan.addressing, plan.loops, plan.arithmetic, plan.bounded};
+}
+
 } // namespace
 
 Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise) {
@@ -31,7 +36,7 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
     module = optimiseSpirv(*module);
   if (!module)
     return module.error();
-  Kernel kernel{{}, plan.layout.storageDigest, plan.addressing, plan.loops, plan.arithmetic};
+  Kernel kernel = kernelOf(plan);
   kernel.spirv = addModuleProcessed(*module, kernelFacts(kernel));
   if (auto valid = validateSpirv(kernel.spirv); !valid)
     return valid.error();
@@ -47,8 +52,7 @@ Expected<Kernel> compileKernel(const Format &format, const KernelOptions &option
     return compileGlsl(glsl, *plan, options.optimise);
   // glslang and SPIRV-Tools are part of this very program or library, which the cache tells by itself.
   // The module says what it was made for, which its text need not.
-  const std::string facts =
-      kernelFacts({{}, plan->layout.storageDigest, plan->addressing, plan->loops, plan->arithmetic});
+  const std::string facts = kernelFacts(kernelOf(*plan));
   const std::string_view parts[] = {glsl, facts, options.optimise ? "optimised" : ""};
   if (const std::optional<std::string> found = options.cache->find(kCacheKind, parts))
     if (auto kernel = Kernel::fromSpirv(wordsOf(*found)))

@@ -64,9 +64,12 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, cons
   const auto function = code->find(kSymbol);
   if (!function)
     return function.error();
-  return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function), storageDigest(format),
-                   std::make_shared<const JitCode>(std::move(*code)), countWords,
-                   addressing == Addressing::Paged};
+  return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function),
+                   storageDigest(format),
+                   std::make_shared<const JitCode>(std::move(*code)),
+                   countWords,
+                   addressing == Addressing::Paged,
+                   plan->bounded};
 }
 
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {

@@ -15,8 +15,7 @@ public:
   OwningTracer(std::unique_ptr<Device> device, std::unique_ptr<Tracer> tracer)
       : owned_(std::move(device)), tracer_(std::move(tracer)) {}
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override {
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     return tracer_->trace(rays, hits, options);
   }
 

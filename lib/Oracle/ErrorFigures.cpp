@@ -90,10 +90,10 @@ class Comparison {
 public:
   Comparison(const Oracle &oracle, const Question &question) : oracle_(oracle), question_(question) {}
 
-  void add(const Ray &ray, const Hit &closest, const Hit &hit) {
+  void add(const Ray &ray, const RayBounds &bounds, const Hit &closest, const Hit &hit) {
     const bool isOfPoint = question_.query == Query::Occupancy;
     const Hit exact = isOfPoint ? oracle_.answer(ray, question_) : closest;
-    if (exact.isHit() != hit.isHit() || (exact.isHit() && !isSameVoxel(ray, exact, hit)))
+    if (exact.isHit() != hit.isHit() || (exact.isHit() && !isSameVoxel(ray, bounds, exact, hit)))
       addDifference(ray, exact, hit);
     else if (exact.isHit())
       addTimes(ray, exact, hit);
@@ -108,10 +108,10 @@ public:
 
 private:
   /// As far as that is asked, and by which of its faces it is entered.
-  bool isSameVoxel(const Ray &ray, const Hit &exact, const Hit &hit) const {
+  bool isSameVoxel(const Ray &ray, const RayBounds &bounds, const Hit &exact, const Hit &hit) const {
     const Outputs &asked = question_.outputs;
     return (!asked.voxel || voxelOf(exact) == voxelOf(hit)) &&
-           (!asked.face || oracle_.answer(ray, question_).steps == hit.steps);
+           (!asked.face || oracle_.answer(ray, question_, bounds).steps == hit.steps);
   }
 
   void addDifference(const Ray &ray, const Hit &exact, const Hit &hit) {
@@ -180,13 +180,13 @@ void ErrorFigures::append(const ErrorFigures &further) {
     this->*count += further.*count;
 }
 
-ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> exact,
+ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> exact,
                      std::span<const Hit> hits, const Question &question) {
   std::vector<ErrorFigures> parts(rangeCount(rays.size()));
   forEachRange(rays.size(), 0, {}, [&](std::size_t part, std::size_t begin, std::size_t end) {
     Comparison comparison(oracle, question);
     for (std::size_t i = begin; i < end; ++i)
-      comparison.add(rays[i], exact[i], hits[i]);
+      comparison.add(rays[i], rays.bounds(i), exact[i], hits[i]);
     parts[part] = std::move(comparison).figures();
   });
   ErrorFigures figures;
@@ -195,7 +195,7 @@ ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<
   return figures;
 }
 
-ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits,
+ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> hits,
                      const Question &question) {
   // Nothing asks this to stop, so there are hits.
   return compare(oracle, rays, *oracle.trace(rays), hits, question);

@@ -110,6 +110,15 @@ std::weak_ordering ExactRay::compareExactly(const Moment &a, const Moment &b) co
   return found != 0 ? found <=> 0 : a.after <=> b.after;
 }
 
+std::weak_ordering ExactRay::compareTime(const Moment &moment, float t) const {
+  if (moment.approximate * (1 + kTimeSlack) < t)
+    return std::weak_ordering::less;
+  if (t < moment.approximate * (1 - kTimeSlack))
+    return std::weak_ordering::greater;
+  const Fraction time = exactTime(*this, moment);
+  return Integer(time.numerator << kScale).compare(scaled(t) * time.denominator) <=> 0;
+}
+
 /// The cell on `axis` at a moment at which no boundary but `face` can be within the error of a double.
 int ExactRay::cellNear(int axis, int face, const Moment &moment) const {
   const bool falls = direction_[axis] < 0;

@@ -44,6 +44,9 @@ public:
     return compareExactly(a, b);
   }
 
+  /// Whether the moment's time is before, at or after `t`, a number that is finite and not below 0.
+  std::weak_ordering compareTime(const Moment &moment, float t) const;
+
   /// The ray's cell on one axis once all that happens at `moment` has happened. It must fit an int.
   int cell(int axis, const Moment &moment) const;
 

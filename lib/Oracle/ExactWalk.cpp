@@ -2,6 +2,7 @@
 #include "ExactWalk.h"
 #include "ExactRay.h"
 
+#include <cmath>
 #include <optional>
 
 namespace voxc {
@@ -74,16 +75,27 @@ struct Arrival {
   Int3 cell;
 };
 
-std::optional<Arrival> arrive(const VoxelRuns &voxels, const ExactRay &ray) {
+bool isBefore(const ExactRay &ray, const Moment &moment, float tmin) {
+  return tmin > 0 && (std::isinf(tmin) || ray.compareTime(moment, tmin) < 0);
+}
+
+bool isAfter(const ExactRay &ray, const Moment &moment, float tmax) {
+  return tmax < 0 || (!std::isinf(tmax) && ray.compareTime(moment, tmax) > 0);
+}
+
+/// The same between bounds.
+std::optional<Arrival> arrive(const VoxelRuns &voxels, const ExactRay &ray, const RayBounds &bounds) {
+  if (std::isnan(bounds.tmin) || std::isnan(bounds.tmax))
+    return std::nullopt;
   std::optional<Moment> moment = enterGrid(ray, voxels.extent());
-  while (moment) {
+  while (moment && !isAfter(ray, *moment, bounds.tmax)) {
     const Int3 cell = cellAt(ray, *moment);
     if (!contains(voxels.extent(), cell))
       break;
     const std::optional<Cube> empty = voxels.emptyAround(cell);
-    if (!empty)
+    if (!empty && !isBefore(ray, *moment, bounds.tmin))
       return Arrival{*moment, cell};
-    moment = leaveCube(ray, *empty);
+    moment = leaveCube(ray, empty.value_or(Cube{cell, 0}));
   }
   return std::nullopt;
 }
@@ -123,11 +135,11 @@ bool listCells(const VoxelRuns &voxels, const ExactRay &ray, std::size_t maxCell
 
 } // namespace
 
-Hit traceExactly(const VoxelRuns &voxels, const Ray &ray) {
+Hit traceExactly(const VoxelRuns &voxels, const Ray &ray, const RayBounds &bounds) {
   if (!isFinite(ray))
     return kMiss;
   const ExactRay exact(ray);
-  const std::optional<Arrival> arrival = arrive(voxels, exact);
+  const std::optional<Arrival> arrival = arrive(voxels, exact, bounds);
   return arrival ? hitOf(voxels, exact, *arrival) : kMiss;
 }
 
@@ -143,12 +155,13 @@ Hit hitAtOrigin(const VoxelRuns &voxels, const Ray &ray) {
   return word == 0 ? kMiss : Hit{{cell.x, cell.y, cell.z}, word, 0, 0};
 }
 
-Explanation explainExactly(const VoxelRuns &voxels, const Ray &ray, std::size_t maxCells) {
+Explanation explainExactly(const VoxelRuns &voxels, const Ray &ray, std::size_t maxCells,
+                           const RayBounds &bounds) {
   Explanation explanation{kMiss, {}, {}, true};
   if (!isFinite(ray))
     return explanation;
   const ExactRay exact(ray);
-  if (const std::optional<Arrival> arrival = arrive(voxels, exact)) {
+  if (const std::optional<Arrival> arrival = arrive(voxels, exact, bounds)) {
     explanation.hit = hitOf(voxels, exact, *arrival);
     explanation.face = entryFace(exact, *arrival);
   }

@@ -96,39 +96,40 @@ Oracle::Oracle(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Oracle::~Oracle() = default;
 Oracle::Oracle(Oracle &&) noexcept = default;
 
-Hit Oracle::trace(const Ray &ray) const { return traceExactly(state_->voxels, ray); }
+Hit Oracle::trace(const Ray &ray, const RayBounds &bounds) const {
+  return traceExactly(state_->voxels, ray, bounds);
+}
 
 std::uint32_t faceNumber(const Face &face) {
   return face.axis < 0 ? 6 : static_cast<std::uint32_t>(2 * face.axis + (face.side > 0 ? 1 : 0));
 }
 
-Hit Oracle::answer(const Ray &ray, const Question &question) const {
+Hit Oracle::answer(const Ray &ray, const Question &question, const RayBounds &bounds) const {
   const Outputs &outputs = question.outputs;
-  Hit hit = question.query == Query::Occupancy ? hitAtOrigin(state_->voxels, ray) : trace(ray);
+  Hit hit = question.query == Query::Occupancy ? hitAtOrigin(state_->voxels, ray) : trace(ray, bounds);
   if (!hit.isHit())
     return hit;
   if (!outputs.voxel)
     std::ranges::fill(hit.voxel, 0);
   hit.rgba = outputs.colour ? hit.rgba : 0;
   hit.t = outputs.t ? hit.t : 0;
-  hit.steps = outputs.face ? faceNumber(explain(ray, 0).face) : 0;
+  hit.steps = outputs.face ? faceNumber(explain(ray, 0, bounds).face) : 0;
   return hit;
 }
 
-Expected<std::vector<Hit>> Oracle::trace(std::span<const Ray> rays, unsigned threads,
-                                         const Progress &progress) const {
+Expected<std::vector<Hit>> Oracle::trace(RaySpan rays, unsigned threads, const Progress &progress) const {
   std::vector<Hit> hits(rays.size());
   const auto traceRange = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      hits[i] = trace(rays[i]);
+      hits[i] = trace(rays[i], rays.bounds(i));
   };
   if (!forEachRange(rays.size(), threads, progress, traceRange))
     return Error::interrupted();
   return hits;
 }
 
-Explanation Oracle::explain(const Ray &ray, std::size_t maxCells) const {
-  return explainExactly(state_->voxels, ray, maxCells);
+Explanation Oracle::explain(const Ray &ray, std::size_t maxCells, const RayBounds &bounds) const {
+  return explainExactly(state_->voxels, ray, maxCells, bounds);
 }
 
 std::vector<Int3> Oracle::sampleVoxels(std::size_t count) const { return state_->voxels.sample(count); }

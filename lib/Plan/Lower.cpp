@@ -10,10 +10,10 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.loops = options.loops;
   plan.arithmetic = options.arithmetic;
   plan.packing = options.packing;
-  plan.bounded = options.bounded;
   const Question question = options.question.value_or(questionOf(format));
   plan.query = question.query;
   plan.outputs = question.outputs;
+  plan.bounded = question.bounds;
   for (const Level &level : format.levels)
     plan.traversals.push_back({.descent = level.kind->isTree()
                                               ? *fromString<Descent>(level.attribute(kWalkAttribute))

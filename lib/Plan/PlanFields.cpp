@@ -129,7 +129,7 @@ constexpr std::array<Field<Plan>, 20> kPlanFields = {{
     field<Plan, &Plan::loops>("loops", "whole, cut"),
     field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
     field<Plan, &Plan::packing>("packing", "device, packets"),
-    field<Plan, &Plan::bounded>("bounded", "yes, no"),
+    field<Plan, &Plan::bounded>("bounds", "yes, no"),
 }};
 
 using S = PlannedStratum;

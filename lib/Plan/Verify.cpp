@@ -7,7 +7,7 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   verify(plan.layout, diagnostics, ranges);
   if (plan.traversals.size() != plan.layout.strata.size())
     return diagnostics.error({}, "a plan says of each stratum how it is walked");
-  if (const std::string_view problem = problemOf({plan.query, plan.outputs}); !problem.empty())
+  if (const std::string_view problem = problemOf({plan.query, plan.outputs, plan.bounded}); !problem.empty())
     diagnostics.error({}, "the plan " + std::string(problem));
   if (plan.query == Query::Occupancy &&
       (plan.walk != Walk::Auto || plan.steps != Steps::Float32 || plan.detail != Detail::Full))
@@ -20,8 +20,8 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
     diagnostics.error({}, "one loop for all levels stops at voxels alone");
   if (plan.addressing == Addressing::Paged && plan.query == Query::Occupancy)
     diagnostics.error({}, "pages that are not here are what rays wait for, not points");
-  if (plan.bounded && (plan.detail == Detail::Cone || plan.packing == Packing::Packets))
-    diagnostics.error({}, "a walk that is bounded stops at voxels alone, and is not let go before its end");
+  if (plan.bounded && plan.detail == Detail::Cone)
+    diagnostics.error({}, "a walk between bounds stops at voxels alone");
   if (plan.steps != Steps::Float32 &&
       (plan.arithmetic != Arithmetic::Ieee || plan.predicate != Predicate::Exact))
     diagnostics.error({}, "exact walks alone take doubles, with arithmetic=ieee");

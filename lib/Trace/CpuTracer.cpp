@@ -1,6 +1,7 @@
 // A tracer on this processor: threads that take chunks of the rays as they come.
 #include "Clock.h"
 #include "Endless.h"
+#include "FittingRays.h"
 #include "KernelFit.h"
 #include "OrderedTracer.h"
 
@@ -22,7 +23,7 @@ constexpr std::size_t kChunkRays = 2048;
 struct Pass {
   const CpuKernel &kernel;
   const std::uint32_t *words;
-  std::span<const Ray> rays;
+  RaySpan rays;
   std::span<Hit> hits;
   const TraceOptions &options;
   std::atomic<std::size_t> next = 0; ///< The first ray that no thread has taken.
@@ -34,7 +35,7 @@ struct Pass {
     if (first >= rays.size() || options.progress.stopped())
       return false;
     const std::size_t count = std::min(kChunkRays, rays.size() - first);
-    kernel.function(words, rays[first].origin, reinterpret_cast<std::uint32_t *>(&hits[first]), count,
+    kernel.function(words, rays.origin(first), reinterpret_cast<std::uint32_t *>(&hits[first]), count,
                     options.countSteps, options.spread);
     done.fetch_add(count, std::memory_order_relaxed);
     return true;
@@ -46,8 +47,7 @@ public:
   CpuTracer(CpuKernel kernel, const Volume &volume, unsigned threads)
       : kernel_(std::move(kernel)), words_(volume.words()), threads_(threads) {}
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override;
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
 
 private:
   /// Traces the rays once. `before` rays of `total` were traced by earlier repeats.
@@ -58,8 +58,11 @@ private:
   unsigned threads_;
 };
 
-Expected<TraceReport> CpuTracer::trace(std::span<const Ray> rays, std::span<Hit> hits,
-                                       const TraceOptions &options) {
+Expected<TraceReport> CpuTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
+  const Expected<FittingRays> fitting = FittingRays::of(given, kernel_.bounded);
+  if (!fitting)
+    return fitting.error();
+  const RaySpan rays = fitting->rays();
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");

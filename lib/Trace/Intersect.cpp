@@ -6,16 +6,32 @@
 
 namespace voxc {
 
-Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const Ray &ray) {
+namespace {
+
+/// `ray`: as many floats as the kernel takes.
+Expected<Hit> intersectOne(const Volume &volume, const CpuKernel &kernel, const float *ray) {
   if (auto fits = checkFit(kernel.storageDigest, volume, "cpu"); !fits)
     return fits.error();
   if (kernel.isPaged)
     return Error::usage("this kernel is for volumes in pages: createPagedCpuTracer takes it");
   Hit hit;
-  kernel.function(volume.words().data(), ray.origin, reinterpret_cast<std::uint32_t *>(&hit), 1, false, 0);
+  kernel.function(volume.words().data(), ray, reinterpret_cast<std::uint32_t *>(&hit), 1, false, 0);
   if (auto ended = checkEnded({&hit, 1}); !ended)
     return ended.error();
   return hit;
+}
+
+} // namespace
+
+Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const Ray &ray) {
+  return kernel.bounded ? intersect(volume, kernel, bounded(ray)) : intersectOne(volume, kernel, ray.origin);
+}
+
+Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const BoundedRay &ray) {
+  if (!kernel.bounded)
+    return Error::usage(
+        "the ray has bounds, but the kernel was compiled for rays without: compile one with bounds=yes");
+  return intersectOne(volume, kernel, ray.origin);
 }
 
 } // namespace voxc

@@ -20,6 +20,7 @@ static_assert(std::endian::native == std::endian::little, "modules and volumes a
 
 constexpr std::string_view kFactsPrefix = "voxc kernel ";
 constexpr std::string_view kFactsVersion = "3";
+constexpr std::string_view kBounds = "bounds=yes";
 
 std::optional<std::uint64_t> parseDigest(std::string_view text) {
   std::uint64_t digest = 0;
@@ -63,9 +64,12 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
     loops = fromString<Loops>(*value);
   if (auto value = takeValue(rest, "arithmetic="))
     arithmetic = fromString<Arithmetic>(*value);
-  if (!digest || !addressing || !loops || !arithmetic || !rest.empty())
-    return Error::input("this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
-                        "addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>\"");
+  kernel.bounded = rest == kBounds;
+  if (!digest || !addressing || !loops || !arithmetic || !(rest.empty() || kernel.bounded))
+    return Error::input(
+        "this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
+        "addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>\", and may have "
+        "\"bounds=yes\" behind that");
   kernel.storageDigest = *digest;
   kernel.addressing = *addressing;
   kernel.loops = *loops;
@@ -83,7 +87,8 @@ std::string kernelFacts(const Kernel &kernel) {
   facts.append(kFactsVersion).append(" storage=").append(digits.data());
   facts.append(" addressing=").append(toString(kernel.addressing));
   facts.append(" loops=").append(toString(kernel.loops));
-  return facts.append(" arithmetic=").append(toString(kernel.arithmetic));
+  facts.append(" arithmetic=").append(toString(kernel.arithmetic));
+  return kernel.bounded ? facts.append(" ").append(kBounds) : facts;
 }
 
 Expected<Kernel> Kernel::fromSpirv(std::vector<std::uint32_t> spirv) {

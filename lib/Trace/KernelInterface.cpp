@@ -5,7 +5,7 @@
 #include "Spirv.h"
 #include "TracePipeline.h"
 
-#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/BoundedRay.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +15,17 @@ namespace {
 
 const std::vector<KernelField> kRay = {{"origin", "float32[3]", offsetof(Ray, origin)},
                                        {"direction", "float32[3]", offsetof(Ray, direction)}};
+
+const std::vector<KernelField> kBoundedRay = {{"origin", "float32[3]", offsetof(BoundedRay, origin)},
+                                              {"tmin", "float32", offsetof(BoundedRay, tmin)},
+                                              {"direction", "float32[3]", offsetof(BoundedRay, direction)},
+                                              {"tmax", "float32", offsetof(BoundedRay, tmax)}};
+
+KernelBinding rays(bool bounded) {
+  if (bounded)
+    return {0, "rays", "read", {}, 0, kBoundedRay, sizeof(BoundedRay)};
+  return {0, "rays", "read", {}, 0, kRay, sizeof(Ray)};
+}
 
 const std::vector<KernelField> kHit = {{"voxel", "int32[3]", offsetof(Hit, voxel)},
                                        {"rgba", "uint32", offsetof(Hit, rgba)},
@@ -63,7 +74,7 @@ Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
   if (!features)
     return features.error();
   KernelInterface result;
-  result.bindings = {{0, "rays", "read", {}, 0, kRay, sizeof(Ray)},
+  result.bindings = {rays(kernel.bounded),
                      {1, "hits", "read write", {}, 0, kHit, sizeof(Hit)},
                      words(kernel.addressing),
                      {3, "left", "read write", kListHeader, kListHeaderBytes, {{"ray", "uint32", 0}}, 4}};

@@ -5,6 +5,7 @@
 #include "Crew.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace voxc {
 namespace {
@@ -22,20 +23,21 @@ public:
   OrderedTracer(std::unique_ptr<Tracer> tracer, const Volume &volume, unsigned threads, bool pays)
       : tracer_(std::move(tracer)), edge_(longestEdge(volume.info().extent)), crew_(threads), pays_(pays) {}
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override;
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
 
 private:
-  Expected<TraceReport> traceSlice(std::span<const Ray> rays, std::span<Hit> hits,
-                                   const TraceOptions &options);
-  void gatherRays(std::span<const Ray> rays, std::span<const std::uint32_t> order);
+  Expected<TraceReport> traceSlice(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
+  RaySpan gatherRays(const RaySpan &rays, std::span<const std::uint32_t> order);
+  template <typename AnyRay>
+  RaySpan gather(const RaySpan &rays, std::span<const std::uint32_t> order, std::vector<AnyRay> &gathered);
   void scatterHits(std::span<Hit> hits, std::span<const std::uint32_t> order) const;
 
   std::unique_ptr<Tracer> tracer_;
   int edge_; ///< Voxels on the volume's longest axis.
   Crew crew_;
   bool pays_;
-  std::vector<Ray> rays_; ///< Of a slice, bin by bin.
+  std::vector<Ray> rays_; ///< Of a slice, bin by bin; those with bounds in the other.
+  std::vector<BoundedRay> boundedRays_;
   std::vector<Hit> hits_;
 };
 
@@ -78,8 +80,7 @@ Progress partOf(const Progress &all, std::size_t before, std::size_t count, std:
   return part;
 }
 
-Expected<TraceReport> OrderedTracer::trace(std::span<const Ray> rays, std::span<Hit> hits,
-                                           const TraceOptions &options) {
+Expected<TraceReport> OrderedTracer::trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) {
   const bool bins = options.order == RayOrder::Binned ||
                     (options.order == RayOrder::Auto && pays_ && areScattered(rays, edge_));
   if (!bins || rays.empty() || rays.size() != hits.size())
@@ -98,15 +99,15 @@ Expected<TraceReport> OrderedTracer::trace(std::span<const Ray> rays, std::span<
   return report;
 }
 
-Expected<TraceReport> OrderedTracer::traceSlice(std::span<const Ray> rays, std::span<Hit> hits,
+Expected<TraceReport> OrderedTracer::traceSlice(const RaySpan &rays, std::span<Hit> hits,
                                                 const TraceOptions &options) {
   TraceTime ordering;
   Watch before;
   const std::vector<std::uint32_t> order = binnedOrder(rays, edge_, crew_.size());
-  gatherRays(rays, order);
+  const RaySpan gathered = gatherRays(rays, order);
   hits_.resize(hits.size());
   before.addTo(ordering);
-  auto report = tracer_->trace(rays_, hits_, options);
+  auto report = tracer_->trace(gathered, hits_, options);
   if (!report)
     return report;
   Watch after;
@@ -119,14 +120,21 @@ Expected<TraceReport> OrderedTracer::traceSlice(std::span<const Ray> rays, std::
   return report;
 }
 
-void OrderedTracer::gatherRays(std::span<const Ray> rays, std::span<const std::uint32_t> order) {
-  rays_.resize(rays.size());
+RaySpan OrderedTracer::gatherRays(const RaySpan &rays, std::span<const std::uint32_t> order) {
+  return rays.isBounded() ? gather(rays, order, boundedRays_) : gather(rays, order, rays_);
+}
+
+template <typename AnyRay>
+RaySpan OrderedTracer::gather(const RaySpan &rays, std::span<const std::uint32_t> order,
+                              std::vector<AnyRay> &gathered) {
+  gathered.resize(rays.size());
   crew_.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i) {
-      __builtin_prefetch(&rays[order[std::min(i + kAhead, last - 1)]]);
-      rays_[i] = rays[order[i]];
+      __builtin_prefetch(rays.origin(order[std::min(i + kAhead, last - 1)]));
+      std::memcpy(&gathered[i], rays.origin(order[i]), sizeof(AnyRay));
     }
   });
+  return gathered;
 }
 
 void OrderedTracer::scatterHits(std::span<Hit> hits, std::span<const std::uint32_t> order) const {

@@ -32,7 +32,7 @@ public:
     return {};
   }
 
-  Expected<void> take(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+  Expected<void> take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                       TraceReport &) override {
     if (options.countWords != kernel_.countsWords)
       return Error::usage(kernel_.countsWords
@@ -53,7 +53,7 @@ public:
       const std::uint64_t first = group.first + chunk * kChunkRays;
       const std::uint64_t count = std::min(kChunkRays, group.first + group.count - first);
       if (!options.progress.stopped())
-        kernel_.function(words, rays_[first].origin, reinterpret_cast<std::uint32_t *>(&hits_[first]), count,
+        kernel_.function(words, rays_.origin(first), reinterpret_cast<std::uint32_t *>(&hits_[first]), count,
                          options.countSteps, options.spread);
     });
     if (options.progress.stopped())
@@ -69,7 +69,7 @@ private:
   std::size_t slotWords_;
   std::vector<std::uint32_t> slots_;
   CpuPages pages_;
-  std::span<const Ray> rays_;
+  RaySpan rays_;
   std::span<Hit> hits_;
 };
 
@@ -86,7 +86,7 @@ createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume, const P
   if (!cache)
     return cache.error();
   auto backEnd = std::make_unique<CpuPaging>(kernel, *cache, options.threads);
-  return drivePages(std::move(backEnd), std::move(*cache));
+  return drivePages(std::move(backEnd), std::move(*cache), kernel.bounded);
 }
 
 } // namespace voxc

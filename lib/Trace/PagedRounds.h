@@ -22,7 +22,7 @@ public:
   /// Brings bytes into a slot; nothing is being traced.
   virtual Expected<void> place(std::uint32_t slot, std::span<const std::byte> bytes) = 0;
   /// Takes rays, and room for their hits; both stay until others are taken.
-  virtual Expected<void> take(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+  virtual Expected<void> take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                               TraceReport &report) = 0;
   /// Traces a group of them from their beginning, or on from where they wait, and marks pages in `table`.
   virtual Expected<TraceTime> trace(RayGroup group, bool goesOn, std::span<std::uint32_t> table,
@@ -31,8 +31,10 @@ public:
   virtual Expected<void> fetch(TraceReport &report) = 0;
 };
 
-/// The tracer that drives a back end, whose slots and table are those of `cache`.
-Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache);
+/// The tracer that drives a back end, whose slots and table are those of `cache`; `bounded`: its kernel's
+/// rays have bounds.
+Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache,
+                                                  bool bounded);
 
 /// Error (`Input`) if a kernel of that storage digest was made for another format than the volume's.
 Expected<void> checkPagedFit(std::uint64_t storageDigest, const PagedVolume &volume, std::string_view emit);

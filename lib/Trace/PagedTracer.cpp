@@ -3,6 +3,7 @@
 
 #include "Clock.h"
 #include "Endless.h"
+#include "FittingRays.h"
 #include "KernelFit.h"
 
 #include <algorithm>
@@ -18,13 +19,12 @@ bool isUnfinished(const Hit &hit) { return hit.voxel[0] < -1; }
 
 class Driver final : public PagedTracer {
 public:
-  Driver(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache)
-      : backEnd_(std::move(backEnd)), cache_(std::move(cache)) {}
+  Driver(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache, bool bounded)
+      : backEnd_(std::move(backEnd)), cache_(std::move(cache)), bounded_(bounded) {}
 
   Expected<void> begin() { return cache_.begin(place()); }
   PagingReport paging() const override { return cache_.report(); }
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override;
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
 
 private:
   /// What is left of a batch, and how its rays are taken.
@@ -49,10 +49,14 @@ private:
 
   std::unique_ptr<PagedBackEnd> backEnd_;
   PageCache cache_;
+  bool bounded_;
 };
 
-Expected<TraceReport> Driver::trace(std::span<const Ray> rays, std::span<Hit> hits,
-                                    const TraceOptions &options) {
+Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
+  const Expected<FittingRays> fitting = FittingRays::of(given, bounded_);
+  if (!fitting)
+    return fitting.error();
+  const RaySpan rays = fitting->rays();
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");
@@ -144,8 +148,9 @@ Expected<void> Driver::checkProgress(Batch &batch) {
 
 } // namespace
 
-Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache) {
-  auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache));
+Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache,
+                                                  bool bounded) {
+  auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache), bounded);
   if (auto begun = driver->begin(); !begun)
     return begun.error();
   return std::unique_ptr<PagedTracer>(std::move(driver));

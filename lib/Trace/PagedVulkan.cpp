@@ -27,12 +27,13 @@ public:
 
   std::uint64_t mostRays() const override {
     const DeviceInfo &info = device_->info();
-    return std::min(kMostRays, std::min(info.maxStorageBufferBytes, info.maxAllocationBytes) / sizeof(Ray));
+    return std::min(kMostRays,
+                    std::min(info.maxStorageBufferBytes, info.maxAllocationBytes) / sizeof(BoundedRay));
   }
   Expected<void> place(std::uint32_t slot, std::span<const std::byte> bytes) override {
     return transfer_.upload(bytes, slots_, slot * slotBytes_);
   }
-  Expected<void> take(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+  Expected<void> take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                       TraceReport &report) override;
   Expected<TraceTime> trace(RayGroup group, bool goesOn, std::span<std::uint32_t> table,
                             const TraceOptions &options) override;
@@ -40,9 +41,9 @@ public:
 
 private:
   VulkanPaging(Device::State &device, Transfer transfer, TracePipeline pipeline, TileQueue tiles,
-               Buffer slots, Buffer table, std::uint64_t slotBytes)
+               Buffer slots, Buffer table, std::uint64_t slotBytes, bool bounded)
       : device_(&device), transfer_(std::move(transfer)), slots_(std::move(slots)), table_(std::move(table)),
-        pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), slotBytes_(slotBytes) {}
+        pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), slotBytes_(slotBytes), bounded_(bounded) {}
   Expected<void> reserve(std::uint64_t rays);
 
   Device::State *device_;
@@ -54,6 +55,7 @@ private:
   BoundBuffers bound_;
   TileQueue tiles_;
   std::uint64_t slotBytes_;
+  bool bounded_;        ///< Rays have bounds.
   std::span<Hit> room_; ///< Where the hits go.
 };
 
@@ -74,15 +76,15 @@ Expected<std::unique_ptr<PagedBackEnd>> VulkanPaging::create(Device::State &devi
   auto table = Buffer::create(device, {.what = "a table of pages", .bytes = cache.table().size_bytes()});
   if (!table)
     return table.error();
-  return std::unique_ptr<PagedBackEnd>(new VulkanPaging(device, std::move(*transfer), std::move(*pipeline),
-                                                        std::move(*tiles), std::move(*slots),
-                                                        std::move(*table), cache.slotBytes()));
+  return std::unique_ptr<PagedBackEnd>(
+      new VulkanPaging(device, std::move(*transfer), std::move(*pipeline), std::move(*tiles),
+                       std::move(*slots), std::move(*table), cache.slotBytes(), kernel.bounded));
 }
 
 Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
-  if (rays * sizeof(Ray) <= (batch_ ? batch_->rays.bytes() : 0))
+  if (rays * sizeof(Hit) <= (batch_ ? batch_->hits.bytes() : 0))
     return {};
-  auto batch = RayBuffers::create(*device_, rays, tiles_.tileRays());
+  auto batch = RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays());
   if (!batch)
     return batch.error();
   auto bound = pipeline_.bind(
@@ -94,13 +96,13 @@ Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
   return {};
 }
 
-Expected<void> VulkanPaging::take(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+Expected<void> VulkanPaging::take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                                   TraceReport &report) {
   if (auto reserved = reserve(rays.size()); !reserved)
     return reserved;
   room_ = hits;
   const double begin = wallSeconds();
-  if (auto uploaded = transfer_.upload(std::as_bytes(rays), batch_->rays); !uploaded)
+  if (auto uploaded = transfer_.upload(rays.bytes(), batch_->rays); !uploaded)
     return uploaded;
   report.transfer += wallSeconds() - begin;
   const Counted counted = countedBy(options);
@@ -158,7 +160,7 @@ Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const K
   auto backEnd = VulkanPaging::create(state, kernel, *cache);
   if (!backEnd)
     return backEnd.error();
-  return drivePages(std::move(*backEnd), std::move(*cache));
+  return drivePages(std::move(*backEnd), std::move(*cache), kernel.bounded);
 }
 
 } // namespace voxc

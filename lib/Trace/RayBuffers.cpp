@@ -8,8 +8,10 @@
 
 namespace voxc {
 
-Expected<RayBuffers> RayBuffers::create(Device::State &device, std::uint64_t rays, std::uint64_t tileRays) {
-  auto raysBuffer = Buffer::create(device, {.what = "the rays", .bytes = rays * sizeof(Ray)});
+Expected<RayBuffers> RayBuffers::create(Device::State &device, std::uint64_t rays, bool bounded,
+                                        std::uint64_t tileRays) {
+  const std::uint64_t bytesOfOne = bounded ? sizeof(BoundedRay) : sizeof(Ray);
+  auto raysBuffer = Buffer::create(device, {.what = "the rays", .bytes = rays * bytesOfOne});
   if (!raysBuffer)
     return raysBuffer.error();
   auto hitsBuffer = Buffer::create(device, {.what = "the hits", .bytes = rays * sizeof(Hit)});

@@ -13,8 +13,10 @@ struct RayBuffers {
   Buffer hits;
   Buffer left; ///< Of a tile's rays.
 
-  /// For so many rays, taken by tiles of at most `tileRays`. Error: the device has no room.
-  static Expected<RayBuffers> create(Device::State &device, std::uint64_t rays, std::uint64_t tileRays);
+  /// For so many rays, with bounds or without, taken by tiles of at most `tileRays`. Error: the device has no
+  /// room.
+  static Expected<RayBuffers> create(Device::State &device, std::uint64_t rays, bool bounded,
+                                     std::uint64_t tileRays);
 };
 
 } // namespace voxc

@@ -110,7 +110,7 @@ RayOrder rayOrderFrom(std::string_view name) {
   return name == "given" ? RayOrder::Given : name == "binned" ? RayOrder::Binned : RayOrder::Auto;
 }
 
-bool areScattered(std::span<const Ray> rays, int edge) {
+bool areScattered(const RaySpan &rays, int edge) {
   if (rays.size() < kFewestRays)
     return false;
   const float scale = 1 / static_cast<float>(edge);
@@ -125,7 +125,7 @@ bool areScattered(std::span<const Ray> rays, int edge) {
   return changes > kSampledGroups * (kGroupRays - 1) / 4;
 }
 
-std::vector<std::uint32_t> binnedOrder(std::span<const Ray> rays, int edge, unsigned threads) {
+std::vector<std::uint32_t> binnedOrder(const RaySpan &rays, int edge, unsigned threads) {
   const float scale = 1 / static_cast<float>(edge);
   Crew crew(threads);
   std::vector<BinnedRay> given(rays.size());

@@ -19,7 +19,8 @@ struct TraceRecorder::State {
   std::uint64_t storageDigest;
   Addressing addressing;
   Counted counted;
-  unsigned resumes; ///< 0 where no loop is cut short.
+  unsigned resumes;         ///< 0 where no loop is cut short.
+  std::uint64_t bytesOfRay; ///< As the kernel takes it.
 };
 
 struct BoundTrace::State {
@@ -62,13 +63,13 @@ Expected<void> checkRange(const Device::State &device, std::string_view what, co
 }
 
 Expected<void> checkRanges(const Device::State &device, const DeviceVolume &volume,
-                           const TraceBuffers &buffers) {
+                           const TraceBuffers &buffers, std::uint64_t bytesOfRay) {
   struct Row {
     std::string_view what;
     BufferRange range;
     std::uint64_t leastBytes;
   };
-  const Row rows[] = {{"rays", buffers.rays, sizeof(Ray)},
+  const Row rows[] = {{"rays", buffers.rays, bytesOfRay},
                       {"hits", buffers.hits, sizeof(Hit)},
                       {"words", volume.words(), 1},
                       {"scratch memory", buffers.scratch, leftListBytes(kWorkgroupSize)}};
@@ -100,9 +101,9 @@ Expected<TraceRecorder> TraceRecorder::create(Device &device, const Kernel &kern
   if (auto prepared = pipeline->prepare(counted, options.spread, options.pipelineCache); !prepared)
     return prepared.error();
   const bool cuts = state.info().loops == Loops::Cut;
-  return TraceRecorder(
-      std::make_shared<State>(State{&state, std::move(*pipeline), kernel.storageDigest, kernel.addressing,
-                                    counted, cuts ? options.resumes : 0}));
+  return TraceRecorder(std::make_shared<State>(State{&state, std::move(*pipeline), kernel.storageDigest,
+                                                     kernel.addressing, counted, cuts ? options.resumes : 0,
+                                                     kernel.bounded ? sizeof(BoundedRay) : sizeof(Ray)}));
 }
 
 Expected<BoundTrace> TraceRecorder::bind(const DeviceVolume &volume, const TraceBuffers &buffers) const {
@@ -114,13 +115,14 @@ Expected<BoundTrace> TraceRecorder::bind(const DeviceVolume &volume, const Trace
         "this kernel has addressing=" + std::string(toString(state_->addressing)) +
         ", but the volume's words were uploaded with addressing=" + std::string(toString(words.addressing)));
   const Device::State &device = *state_->device;
-  if (auto checked = checkRanges(device, volume, buffers); !checked)
+  if (auto checked = checkRanges(device, volume, buffers, state_->bytesOfRay); !checked)
     return checked.error();
   auto bound = state_->pipeline.bind({descriptorOf(buffers.rays), descriptorOf(buffers.hits),
                                       descriptorOf(volume.words()), descriptorOf(buffers.scratch)});
   if (!bound)
     return bound.error();
-  const std::uint64_t rays = std::min(buffers.rays.bytes / sizeof(Ray), buffers.hits.bytes / sizeof(Hit));
+  const std::uint64_t rays =
+      std::min(buffers.rays.bytes / state_->bytesOfRay, buffers.hits.bytes / sizeof(Hit));
   return BoundTrace(std::make_shared<BoundTrace::State>(
       BoundTrace::State{state_, volume.state(), std::move(*bound), static_cast<std::uint32_t>(rays),
                         tileRaysOf(device, buffers.scratch.bytes)}));

@@ -4,6 +4,7 @@
 #include "Capabilities.h"
 #include "Clock.h"
 #include "Endless.h"
+#include "FittingRays.h"
 #include "KernelFit.h"
 #include "OrderedTracer.h"
 
@@ -22,9 +23,9 @@ constexpr std::uint64_t kMaxBatchRays = std::uint64_t{4} << 20;
 constexpr int kMaxResumes = 4096;
 
 /// The rays whose buffers every limit of the device allows.
-std::uint64_t batchRays(const DeviceInfo &device) {
+std::uint64_t batchRays(const DeviceInfo &device, std::uint64_t bytesOfOne) {
   std::uint64_t bytes = std::min(device.maxStorageBufferBytes, device.maxAllocationBytes);
-  return std::min(kMaxBatchRays, bytes / sizeof(Ray));
+  return std::min(kMaxBatchRays, bytes / bytesOfOne);
 }
 
 Counted countedBy(const TraceOptions &options) {
@@ -50,9 +51,9 @@ struct VulkanTracer::Work {
 };
 
 VulkanTracer::VulkanTracer(Device::State &device, Transfer transfer, VolumeWords words,
-                           TracePipeline pipeline, TileQueue tiles)
+                           TracePipeline pipeline, TileQueue tiles, bool bounded)
     : device_(&device), transfer_(std::move(transfer)), words_(std::move(words)),
-      pipeline_(std::move(pipeline)), tiles_(std::move(tiles)) {}
+      pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), bounded_(bounded) {}
 
 Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, const Kernel &kernel,
                                                        const Volume &volume) {
@@ -76,18 +77,21 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
   if (!tiles)
     return tiles.error();
   return std::unique_ptr<Tracer>(new VulkanTracer(device, std::move(*transfer), std::move(*words),
-                                                  std::move(*pipeline), std::move(*tiles)));
+                                                  std::move(*pipeline), std::move(*tiles), kernel.bounded));
 }
 
-Expected<TraceReport> VulkanTracer::trace(std::span<const Ray> rays, std::span<Hit> hits,
-                                          const TraceOptions &options) {
+Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
+  const Expected<FittingRays> fitting = FittingRays::of(given, bounded_);
+  if (!fitting)
+    return fitting.error();
+  const RaySpan rays = fitting->rays();
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");
   Work work{options, {}};
   work.report.repeats.resize(std::max(options.repeat, 1u));
   work.totalRays = static_cast<double>(rays.size()) * static_cast<double>(work.report.repeats.size());
-  std::uint64_t batch = std::min<std::uint64_t>(batchRays(device_->info()), rays.size());
+  std::uint64_t batch = std::min<std::uint64_t>(batchRays(device_->info(), rays.bytesOfOne()), rays.size());
   if (auto reserved = reserve(batch); !reserved)
     return reserved.error();
   for (std::uint64_t first = 0; first < rays.size(); first += batch) {
@@ -99,9 +103,9 @@ Expected<TraceReport> VulkanTracer::trace(std::span<const Ray> rays, std::span<H
 }
 
 Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
-  if (rays * sizeof(Ray) <= (batch_ ? batch_->rays.bytes() : 0))
+  if (rays * sizeof(Hit) <= (batch_ ? batch_->hits.bytes() : 0))
     return {};
-  auto batch = RayBuffers::create(*device_, rays, tiles_.tileRays());
+  auto batch = RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays());
   if (!batch)
     return batch.error();
   auto bound = pipeline_.bind(
@@ -113,9 +117,9 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
   return {};
 }
 
-Expected<void> VulkanTracer::traceBatch(std::span<const Ray> rays, std::span<Hit> hits, Work &work) {
+Expected<void> VulkanTracer::traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work) {
   double uploadBegin = wallSeconds();
-  if (auto uploaded = transfer_.upload(std::as_bytes(rays), batch_->rays); !uploaded)
+  if (auto uploaded = transfer_.upload(rays.bytes(), batch_->rays); !uploaded)
     return uploaded;
   work.report.transfer += wallSeconds() - uploadBegin;
   auto count = static_cast<std::uint32_t>(rays.size());

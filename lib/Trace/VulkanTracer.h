@@ -16,16 +16,15 @@ public:
   static Expected<std::unique_ptr<Tracer>> create(Device::State &device, const Kernel &kernel,
                                                   const Volume &volume);
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override;
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
 
 private:
   struct Work;
 
   VulkanTracer(Device::State &device, Transfer transfer, VolumeWords words, TracePipeline pipeline,
-               TileQueue tiles);
+               TileQueue tiles, bool bounded);
   Expected<void> reserve(std::uint64_t rays);
-  Expected<void> traceBatch(std::span<const Ray> rays, std::span<Hit> hits, Work &work);
+  Expected<void> traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work);
   Expected<void> download(std::span<Hit> hits, Work &work);
   /// Goes on with rays that the device cut short (`Kernel`), until none is left.
   Expected<void> finishRays(std::span<Hit> hits, Work &work);
@@ -38,6 +37,7 @@ private:
   TracePipeline pipeline_;
   BoundBuffers bound_; ///< Those, and the words.
   TileQueue tiles_;
+  bool bounded_; ///< Rays have bounds.
 };
 
 } // namespace voxc

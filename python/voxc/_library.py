@@ -38,7 +38,7 @@ class DeviceInfo(ctypes.Structure):
 
 class TracerOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("device", c_char_p), ("threads", c_uint), ("query", c_char_p),
-                ("outputs", c_char_p), ("precision", c_char_p), ("passes", c_char_p)]
+                ("outputs", c_char_p), ("precision", c_char_p), ("passes", c_char_p), ("bounds", c_int)]
 
 
 class BuildOptions(ctypes.Structure):
@@ -84,6 +84,7 @@ FUNCTIONS = {
     "voxc_tracer_free": (None, [c_void_p]),
     "voxc_tracer_device": (c_char_p, [c_void_p]),
     "voxc_tracer_trace": (c_void_p, [c_void_p, c_void_p, c_uint64, c_void_p]),
+    "voxc_tracer_trace_bounded": (c_void_p, [c_void_p, c_void_p, c_uint64, c_void_p]),
     "voxc_format_parse": (c_void_p, [c_char_p, c_char_p, POINTER(c_void_p)]),
     "voxc_format_free": (None, [c_void_p]),
     "voxc_format_ir": (c_char_p, [c_void_p]),

@@ -9,6 +9,10 @@ from .format import list_of
 RAY = np.dtype([("origin", "<f4", 3), ("direction", "<f4", 3)])
 """A ray, in voxels, as it lies in files."""
 
+BOUNDED_RAY = np.dtype([("origin", "<f4", 3), ("tmin", "<f4"), ("direction", "<f4", 3), ("tmax", "<f4")])
+"""A ray with bounds: voxels are looked for that it enters at a t from tmin to tmax. The exact t counts, which is 0 where
+the ray begins in the voxel."""
+
 HIT = np.dtype([("voxel", "<i4", 3), ("rgba", "<u4"), ("t", "<f4"), ("face", "<u4")])
 """A hit: the voxel (-1, -1, -1 of a miss), its colour or label, the t at which the ray enters it, correctly rounded, and
 the face, if that was asked for: twice its axis, and 1 more for the high one; 6 if the ray begins in the voxel."""
@@ -22,38 +26,78 @@ def devices():
     return [info.name.decode() for info in infos[:count]]
 
 
+def normals(hits):
+    """The normals of the faces by which rays enter their voxels, out of these, as an array (..., 3): of hits of a tracer
+    whose outputs have the face. Those of misses, and where a ray begins in its voxel, are 0."""
+    face = np.where(hits["voxel"][..., 0] >= 0, hits["face"], 6)
+    table = np.zeros((7, 3), np.float32)
+    table[np.arange(6), np.arange(6) // 2] = np.where(np.arange(6) % 2, 1, -1)
+    return table[np.minimum(face, 6)]
+
+
+def _rays(origins, directions, tmin, tmax):
+    """Rays as the library takes them, with bounds if there are any."""
+    is_bounded = tmin is not None or tmax is not None
+    if directions is None:
+        kind = getattr(origins, "dtype", RAY)
+        given = np.ascontiguousarray(origins, dtype=BOUNDED_RAY if kind == BOUNDED_RAY else RAY)
+        if not is_bounded:
+            return given
+        if kind == BOUNDED_RAY:
+            raise ValueError("rays that have bounds take no others")
+        origins, directions = given["origin"], given["direction"]
+    origins, directions = np.broadcast_arrays(np.asarray(origins, np.float32), np.asarray(directions, np.float32))
+    if origins.shape[-1:] != (3,):
+        raise ValueError(f"origins and directions have three numbers each, not the shape {origins.shape}")
+    rays = np.empty(origins.shape[:-1], BOUNDED_RAY if is_bounded else RAY)
+    rays["origin"], rays["direction"] = origins, directions
+    if is_bounded:
+        rays["tmin"] = 0 if tmin is None else tmin
+        rays["tmax"] = np.inf if tmax is None else tmax
+    return rays
+
+
 class Tracer:
     """Traces rays through a volume by a kernel that is compiled for it. `device` is a part of a device's name, or "cpu"; by
     default the best of Vulkan, or the cpu where there is none. `query` is "closest", "any", "occupancy" or "distance";
-    `outputs` names what is stored of the closest hit, of voxel, t, face and colour; `precision` is "exact" or "fast"."""
+    `outputs` names what is stored of the closest hit, of voxel, t, face and colour; `precision` is "exact" or "fast".
+    With `bounds` its one kernel is for rays with bounds; without, that is a second one, made when such rays come."""
 
-    def __init__(self, volume, device=None, *, threads=None, query=None, outputs=None, precision=None, passes=None):
-        options = c.options(c.TracerOptions, device=c.text(device), threads=threads, query=c.text(query),
-                            outputs=list_of(outputs), precision=c.text(precision), passes=list_of(passes))
-        self._handle = c.make(c.lib.voxc_tracer_create, volume._handle, ctypes.byref(options))
+    def __init__(self, volume, device=None, *, threads=None, query=None, outputs=None, precision=None, passes=None,
+                 bounds=False):
+        self._volume = volume
+        self._options = dict(device=c.text(device), threads=threads, query=c.text(query), outputs=list_of(outputs),
+                             precision=c.text(precision), passes=list_of(passes))
+        self._handle = self._create(bounds=int(bounds))
+        self._bounded_handle = self._handle if bounds else None
+
+    def _create(self, bounds):
+        options = c.options(c.TracerOptions, bounds=bounds, **self._options)
+        return c.make(c.lib.voxc_tracer_create, self._volume._handle, ctypes.byref(options))
 
     def __del__(self):
-        if getattr(self, "_handle", None):
-            c.lib.voxc_tracer_free(self._handle)
+        handles = [getattr(self, name, None) for name in ("_handle", "_bounded_handle")]
+        for handle in {handle.value: handle for handle in handles if handle}.values():
+            c.lib.voxc_tracer_free(handle)
 
     @property
     def device(self):
         """The name of the device that it traces on."""
         return c.lib.voxc_tracer_device(self._handle).decode()
 
-    def trace(self, origins, directions=None):
+    def trace(self, origins, directions=None, tmin=None, tmax=None):
         """The hits of rays: an array of HIT, of as many and in the shape of the rays. These are (..., 3) origins and
-        directions, of which one may be a single one for all, or an array of RAY alone."""
-        if directions is None:
-            rays = np.ascontiguousarray(origins, dtype=RAY)
-        else:
-            origins, directions = np.broadcast_arrays(np.asarray(origins, np.float32), np.asarray(directions, np.float32))
-            if origins.shape[-1:] != (3,):
-                raise ValueError(f"origins and directions have three numbers each, not the shape {origins.shape}")
-            rays = np.empty(origins.shape[:-1], RAY)
-            rays["origin"], rays["direction"] = origins, directions
+        directions, of which one may be a single one for all, or an array of RAY or BOUNDED_RAY alone. `tmin` and `tmax`,
+        a number for all or one for each ray, are the bounds between which voxels are looked for; the kernel for rays
+        with bounds is compiled when it is first asked for."""
+        rays = _rays(origins, directions, tmin, tmax)
         hits = np.zeros(rays.shape, HIT)
-        c.check(c.lib.voxc_tracer_trace(self._handle, rays.ctypes.data, rays.size, hits.ctypes.data))
+        if rays.dtype == RAY:
+            function, handle = c.lib.voxc_tracer_trace, self._handle
+        else:
+            self._bounded_handle = self._bounded_handle or self._create(bounds=1)
+            function, handle = c.lib.voxc_tracer_trace_bounded, self._bounded_handle
+        c.check(function(handle, rays.ctypes.data, rays.size, hits.ctypes.data))
         return hits
 
     def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,

@@ -86,9 +86,10 @@ class Volume:
         """A Tracer of this volume."""
         return Tracer(self, device, **options)
 
-    def trace(self, origins, directions, device=None, **options):
+    def trace(self, origins, directions, device=None, *, tmin=None, tmax=None, **options):
         """The hits of rays, once: `Tracer.trace` of a new tracer, for those who trace no more than this."""
-        return self.tracer(device, **options).trace(origins, directions)
+        is_bounded = tmin is not None or tmax is not None
+        return self.tracer(device, bounds=is_bounded, **options).trace(origins, directions, tmin, tmax)
 
     def render(self, width=1280, height=720, device=None, **options):
         """A picture, once: `Tracer.render` of a new tracer."""

@@ -1,18 +1,17 @@
 // What is called from outside.
 
-// Walks from the ray's begin, or from the walk's voxel where it has one, to the next voxel within [tmin, tmax].
+// Walks from the ray's begin, or from behind the walk's voxel where it has one, to the next voxel within [tmin, tmax].
 bool seek(uvec3 origin, uvec3 direction, float tmin, float tmax, out Ray ray, inout Walk walk) {
   bool goes_past = is_in_volume(walk.cell);
-  uint least = moment_of(tmin);
-  uint most = moment_of(tmax);
+  Bounds bounds = bounds_between(floatBitsToUint(tmin), floatBitsToUint(tmax));
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
-  bool found = begin_walk(origin, direction, root, ray, walk) && is_interval(least, tmax);
+  bool found = begin_walk(origin, direction, root, ray, walk) && bound_walk(ray, walk, bounds);
   if (found) {
-    end_after(ray, walk, most);
-    if (least != 0u)
-      skip_to(ray, walk, least);
-    found = goes_past ? walk_past(ray, walk, root) : is_in_volume(walk.cell) && walk_on(ray, walk, root);
-    found = walk_within(ray, walk, root, found, least, most);
+    if (goes_past)
+      step_over_voxel(ray, walk);
+    else
+      skip_to(ray, walk, bounds.tmin);
+    found = walk_within(ray, walk, root, bounds);
   }
   return end_walk(origin, direction, walk, found);
 }

@@ -47,7 +47,7 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
                      cell_by_doubles(corner.y, side, least.y, doubt.y, sure),
                      cell_by_doubles(corner.z, side, least.z, doubt.z, sure));
   walk.cell = sure ? cell : walk.cell;
-%if arrival
+%if axis
   walk.axis = sure ? (crossed.z ? 2 : crossed.y ? 1 : 0) : walk.axis;
 %end
   return sure;

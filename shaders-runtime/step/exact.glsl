@@ -67,7 +67,7 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
   }
   if (${order-known}range.least == range.most) {
     walk.cell = range.least;
-%if arrival
+%if axis
     walk.axis = crossing.axis;
 %end
   }

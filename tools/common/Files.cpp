@@ -20,21 +20,6 @@ Expected<void> writeStandardOutput(std::string_view bytes) {
   return {};
 }
 
-/// Rays or hits. `source` names the bytes in errors, `form` what a record is.
-template <typename Item>
-Expected<std::vector<Item>> parse(std::span<const std::byte> bytes, const std::string &source,
-                                  const char *form) {
-  if (bytes.size() % sizeof(Item) != 0)
-    return Error::input(source + " has " + std::to_string(bytes.size()) + " bytes, but " + form +
-                        " each: it should have a multiple of 24");
-  std::vector<Item> items(bytes.size() / sizeof(Item));
-  if (!items.empty())
-    std::memcpy(items.data(), bytes.data(), bytes.size());
-  return items;
-}
-
-constexpr const char *kRayForm = "rays are 6 float32", *kHitForm = "hits are 6 words";
-
 } // namespace
 
 Expected<void> writeText(const std::string &path, std::string_view text) {
@@ -45,22 +30,39 @@ Expected<void> writeBytes(const std::string &path, std::span<const std::byte> by
   return writeText(path, {reinterpret_cast<const char *>(bytes.data()), bytes.size()});
 }
 
-Expected<std::vector<Ray>> readRays(const std::string &path) {
+Expected<RayFile> readRayFile(const std::string &path) {
   if (path == kStandardStream) {
     std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    return parse<Ray>(std::as_bytes(std::span(text)), "standard input", kRayForm);
+    return parseRayFile(std::as_bytes(std::span(text)), "standard input");
   }
   auto file = MappedFile::open(path);
   if (!file)
     return file.error();
-  return parse<Ray>(file->bytes(), path, kRayForm);
+  return parseRayFile(file->bytes(), path);
+}
+
+Expected<std::vector<Ray>> readRays(const std::string &path) {
+  Expected<RayFile> file = readRayFile(path);
+  if (!file)
+    return file.error();
+  if (file->rays().isBounded())
+    return Error::input(path +
+                        " has rays with bounds, of version 2; here rays without are wanted, of version 1");
+  return std::move(*file).takeRays();
 }
 
 Expected<std::vector<Hit>> readHits(const std::string &path) {
   auto file = MappedFile::open(path);
   if (!file)
     return file.error();
-  return parse<Hit>(file->bytes(), path, kHitForm);
+  const std::span<const std::byte> bytes = file->bytes();
+  if (bytes.size() % sizeof(Hit) != 0)
+    return Error::input(path + " has " + std::to_string(bytes.size()) +
+                        " bytes, but hits are 6 words each: it should have a multiple of 24");
+  std::vector<Hit> hits(bytes.size() / sizeof(Hit));
+  if (!hits.empty())
+    std::memcpy(hits.data(), bytes.data(), bytes.size());
+  return hits;
 }
 
 Expected<void> writeHits(const std::string &path, std::span<const Hit> hits) {

@@ -1,6 +1,8 @@
 // Files of the tools: rays and hits, and outputs. "-" is standard input or output.
 #pragma once
 
+#include "RayFile.h"
+
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Ray.h"
 
@@ -17,13 +19,17 @@ namespace voxc::tool {
 Expected<void> writeBytes(const std::string &path, std::span<const std::byte> bytes);
 Expected<void> writeText(const std::string &path, std::string_view text);
 
-/// A ray file: 24 bytes a ray. Errors: `Input` if it is unreadable or no multiple of 24 bytes.
+/// A ray file of either version. Errors: unreadable, or as of `parseRayFile`.
+Expected<RayFile> readRayFile(const std::string &path);
+
+/// The rays of a file, where they have no bounds. Errors: as of `readRayFile`; `Input` if they have some.
 Expected<std::vector<Ray>> readRays(const std::string &path);
 
-/// The hits of a file. Errors as `readRays`.
+/// The hits of a file of version 1, 24 bytes each. Errors: `Input` if it is unreadable or no multiple of 24
+/// bytes.
 Expected<std::vector<Hit>> readHits(const std::string &path);
 
-/// A hit file: 24 bytes a hit. Errors as `writeBytes`.
+/// A hit file of version 1: 24 bytes a hit. Errors as `writeBytes`.
 Expected<void> writeHits(const std::string &path, std::span<const Hit> hits);
 
 } // namespace voxc::tool

@@ -5,7 +5,7 @@
 
 namespace voxc::tool {
 
-void RayTally::add(std::span<const Ray> rays, std::span<const Hit> hits, const TraceReport &report,
+void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceReport &report,
                    bool counted) {
   const RayCounts counts = countsOf(hits);
   counts_.rays += counts.rays;

@@ -15,7 +15,7 @@ public:
   explicit RayTally(std::size_t sample = 0) : sample_(sample) {}
 
   /// Counts rays that were traced; `counted`: with their lookups.
-  void add(std::span<const Ray> rays, std::span<const Hit> hits, const TraceReport &report, bool counted);
+  void add(const RaySpan &rays, std::span<const Hit> hits, const TraceReport &report, bool counted);
 
   const RayCounts &counts() const { return counts_; }
   /// Of each repeat, the sum over the calls.

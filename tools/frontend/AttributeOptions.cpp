@@ -35,6 +35,8 @@ void AttributeOptions::declare(CLI::App &app) {
   for (const AttributeKind *kind : formatAttributes()) {
     if (kind->effect == AttributeEffect::Storage) // Passes set those.
       continue;
+    if (kind == &kBoundsAttribute) // Who has rays knows; --bounds is that of a model.
+      continue;
     if (kind->list) {
       if (!listed_.contains(kind->list))
         declareList(app, *kind->list);
@@ -58,10 +60,18 @@ void AttributeOptions::declareList(CLI::App &app, const AttributeList &list) {
       ->check(CLI::IsMember(names).description(""));
 }
 
+void AttributeOptions::declareBounds(CLI::App &app) {
+  const OptionGroup group(app, "Kernel");
+  app.add_flag("--ray-bounds", bounds_,
+               "Each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels");
+}
+
 Expected<void> AttributeOptions::apply(Format &format) const {
   for (const auto &[kind, value] : values_)
     if (!value.empty())
       format.setAttribute(*kind, value);
+  if (bounds_)
+    format.setAttribute(kBoundsAttribute, "yes");
   for (const auto &[list, names] : listed_)
     for (const AttributeKind *kind : formatAttributes())
       if (kind->list == list && !names.empty())
@@ -70,7 +80,7 @@ Expected<void> AttributeOptions::apply(Format &format) const {
   const bool lists = std::ranges::any_of(listed_, [](const auto &entry) { return !entry.second.empty(); });
   if (lists && questionOf(format).query != Query::Closest)
     return Error::usage("--outputs chooses what --query closest stores; another query leaves no choice");
-  if (const std::string_view problem = problemOf(questionOf(format)); !problem.empty())
+  if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     return Error::usage("the format " + std::string(problem));
   return {};
 }

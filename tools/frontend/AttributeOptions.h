@@ -16,6 +16,9 @@ public:
   /// Adds an option for each walk attribute of `formatAttributes()`, or for each list of such.
   void declare(CLI::App &app);
 
+  /// Adds --ray-bounds, for a command whose rays may have bounds.
+  void declareBounds(CLI::App &app);
+
   /// Sets what was given; the rest stays as `format` says. Error: what was given does not go together.
   Expected<void> apply(Format &format) const;
 
@@ -24,6 +27,7 @@ private:
 
   std::map<const AttributeKind *, std::string> values_;              // Empty: not given.
   std::map<const AttributeList *, std::vector<std::string>> listed_; // The same.
+  bool bounds_ = false;
 };
 
 } // namespace voxc::tool

@@ -17,8 +17,7 @@ public:
   SlicedTracer(std::unique_ptr<Tracer> tracer, double seconds)
       : tracer_(std::move(tracer)), seconds_(seconds) {}
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override {
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     TraceReport all;
     all.repeats.resize(1);
     std::size_t first = 0;

@@ -35,9 +35,10 @@ void addOptions(CLI::App &app, Options &options) {
   app.add_option("--kernel", options.kernel, "Its kernel, from voxc compile")
       ->required()
       ->type_name("KERNEL.spv");
-  app.add_option(
-         "--rays", options.rays,
-         "Rays to trace: float32 origin and direction, 24 bytes each; without them a picture is taken")
+  app.add_option("--rays", options.rays,
+                 "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
+                 "bounds, for a "
+                 "kernel for such; without them a picture is taken")
       ->type_name("RAYS.bin");
   app.add_option("-o,--output", options.output,
                  "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps; or the picture, as " +
@@ -76,7 +77,7 @@ Expected<void> checkUsage(const CLI::App &app, const Options &options) {
 
 /// Traces rays and counts them in `tally`.
 auto tracingInto(RayTally &tally, Tracer &tracer) {
-  return [&tally, &tracer](std::span<const Ray> rays, std::span<Hit> hits,
+  return [&tally, &tracer](const RaySpan &rays, std::span<Hit> hits,
                            const TraceOptions &options) -> Expected<void> {
     const Expected<TraceReport> report = tracer.trace(rays, hits, options);
     if (!report)
@@ -88,12 +89,12 @@ auto tracingInto(RayTally &tally, Tracer &tracer) {
 
 /// Traces the rays of a file, and writes their hits.
 Expected<void> traceRays(const Options &options, Tracer &tracer, RayTally &tally, const Progress &progress) {
-  const auto rays = readRays(options.rays);
-  if (!rays)
-    return rays.error();
-  std::vector<Hit> hits(rays->size());
+  const auto file = readRayFile(options.rays);
+  if (!file)
+    return file.error();
+  std::vector<Hit> hits(file->rays().size());
   const TraceOptions how{.countSteps = options.count, .repeat = options.repeat, .progress = progress};
-  if (auto traced = tracingInto(tally, tracer)(*rays, hits, how); !traced)
+  if (auto traced = tracingInto(tally, tracer)(file->rays(), hits, how); !traced)
     return traced;
   return writeHits(options.output, hits);
 }

@@ -78,6 +78,7 @@ void CompileCommand::declare(CLI::App &app) {
          "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
       ->type_name("NAME");
   attributes_.declare(app);
+  attributes_.declareBounds(app);
   passes_.declare(app, PassChoice::All);
   addCommonOptions(app, common_);
 }

@@ -20,7 +20,7 @@ void ErrorCheck::declare(CLI::App &app) {
       ->capture_default_str();
 }
 
-Expected<void> ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
+Expected<void> ErrorCheck::run(const Volume &volume, const RaySpan &rays, std::span<const Hit> hits,
                                const Question &question, const Progress &progress, Json &figures) const {
   const std::size_t count = std::min(sample_, rays.size());
   if (count == 0)
@@ -28,11 +28,11 @@ Expected<void> ErrorCheck::run(const Volume &volume, std::span<const Ray> rays, 
   const Expected<Oracle> oracle = Oracle::of(volume, progress);
   if (!oracle)
     return oracle.error();
-  std::vector<Ray> sampledRays(count);
+  std::vector<BoundedRay> sampledRays(count);
   std::vector<Hit> sampledHits(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = i * rays.size() / count;
-    sampledRays[i] = rays[at];
+    sampledRays[i] = bounded(rays[at], rays.bounds(at));
     sampledHits[i] = hits[at];
   }
   figures["error"] = errorJson(compare(*oracle, sampledRays, sampledHits, question));

@@ -4,7 +4,7 @@
 #include "common/CliNames.h"
 #include "common/Json.h"
 #include "voxc/Oracle/Oracle.h"
-#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/BoundedRay.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstddef>
@@ -28,7 +28,7 @@ public:
 
   /// Checks the sample, evenly spread over the rays, for what was asked, and adds `error`; with --check 0
   /// nothing. Errors: as `Oracle::of`.
-  Expected<void> run(const Volume &volume, std::span<const Ray> rays, std::span<const Hit> hits,
+  Expected<void> run(const Volume &volume, const RaySpan &rays, std::span<const Hit> hits,
                      const Question &question, const Progress &progress, Json &figures) const;
 
 private:

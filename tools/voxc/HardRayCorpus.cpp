@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <span>
 #include <sstream>
 
 namespace voxc::tool {
 
 namespace {
+
+/// Of a line's hit.
+constexpr int kHitWords = 5;
 
 std::string hexFloat(float value) {
   char text[40];
@@ -49,8 +53,17 @@ bool readRay(std::istream &words, CorpusRay &ray) {
     for (float &component : *half)
       if (!readFloat(words, component))
         return false;
+  // Bounds make a line two words longer.
+  const std::string rest(std::istreambuf_iterator<char>(words), {});
+  std::istringstream counted(rest), last(rest);
+  const auto left = std::distance(std::istream_iterator<std::string>(counted), {});
+  if (left == kHitWords + 2) {
+    ray.bounds.emplace();
+    if (!readFloat(last, ray.bounds->tmin) || !readFloat(last, ray.bounds->tmax))
+      return false;
+  }
   std::string surplus;
-  return readHit(words, ray.exact) && !(words >> surplus);
+  return readHit(last, ray.exact) && !(last >> surplus);
 }
 
 } // namespace
@@ -68,6 +81,8 @@ std::string corpusLine(const CorpusRay &ray) {
   for (const float *half : {ray.ray.origin, ray.ray.direction})
     for (const float component : std::span(half, 3))
       line += ' ' + hexFloat(component);
+  if (ray.bounds)
+    line += ' ' + hexFloat(ray.bounds->tmin) + ' ' + hexFloat(ray.bounds->tmax);
   return line + ' ' + hitText(ray.exact);
 }
 
@@ -83,7 +98,8 @@ Expected<std::vector<CorpusRay>> parseCorpus(std::string_view text, const std::s
     CorpusRay ray{};
     if (!readRay(words, ray))
       return Error::input(name + ", line " + std::to_string(number) +
-                          ": a line is SCENE WxHxD, six components, and the exact hit as X Y Z RGBA T");
+                          ": a line is SCENE WxHxD, six components, TMIN TMAX if there are bounds, "
+                          "and the exact hit as X Y Z RGBA T");
     rays.push_back(std::move(ray));
   }
   return rays;

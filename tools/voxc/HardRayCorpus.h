@@ -3,8 +3,9 @@
 
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
-#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/BoundedRay.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,10 +17,12 @@ struct CorpusRay {
   std::string scene; ///< One of `hardScenes`.
   Int3 extent;
   Ray ray;
+  std::optional<RayBounds> bounds; ///< If it has some.
   Hit exact;
 };
 
-/// "SCENE WxHxD OX OY OZ DX DY DZ X Y Z RGBA T": floats in hexadecimal, so that no bit is lost.
+/// "SCENE WxHxD OX OY OZ DX DY DZ X Y Z RGBA T", with bounds "TMIN TMAX" before X: floats in hexadecimal, so
+/// that no bit is lost.
 std::string corpusLine(const CorpusRay &ray);
 /// The hit's part of it: "X Y Z RGBA T".
 std::string hitText(const Hit &hit);

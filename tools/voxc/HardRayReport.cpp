@@ -36,6 +36,19 @@ Json rowsOf(const std::vector<std::pair<std::string, ErrorFigures>> &figures) {
 
 } // namespace
 
+CorpusRay corpusRay(const RaySet &set, std::size_t index) {
+  return {set.scene, set.extent, set.rays[index],
+          set.isBounded() ? std::optional(set.bounds[index]) : std::nullopt, set.exact[index]};
+}
+
+std::vector<BoundedRay> RaySet::boundedRays() const {
+  std::vector<BoundedRay> result;
+  result.reserve(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    result.push_back(bounded(rays[i], isBounded() ? bounds[i] : RayBounds{}));
+  return result;
+}
+
 std::uint64_t HardRayReport::failuresOf(const ErrorFigures &error) const {
   const std::uint64_t wrong = error.differences() - (rules_.allowBoundary ? error.boundary : 0);
   // Of rays whose t is too far off only the worst is known.
@@ -46,14 +59,15 @@ void HardRayReport::keep(const RaySet &set, std::size_t index, const Hit &hit, c
   if (kept_.size() == kMostKept)
     return;
   kept_.push_back(failure);
-  kept_.back().ray = {set.scene, set.extent, set.rays[index], set.exact[index]};
+  kept_.back().ray = corpusRay(set, index);
   kept_.back().kernel = hit;
 }
 
 void HardRayReport::add(const RaySet &set, const Oracle &oracle, std::span<const Hit> hits,
                         const Format &format, const std::string &device) {
+  const std::vector<BoundedRay> rays = set.boundedRays();
   for (const RaySet::Part &part : set.parts) {
-    const ErrorFigures error = compare(oracle, std::span(set.rays).subspan(part.begin, part.count),
+    const ErrorFigures error = compare(oracle, std::span(rays).subspan(part.begin, part.count),
                                        std::span(set.exact).subspan(part.begin, part.count),
                                        hits.subspan(part.begin, part.count), questionOf(format));
     entry(classes_, part.name).append(error);

@@ -25,9 +25,17 @@ struct RaySet {
   std::string scene;
   Int3 extent;
   std::vector<Ray> rays;
+  std::vector<RayBounds> bounds; ///< Of each; empty: rays have none.
   std::vector<Hit> exact;
   std::vector<Part> parts;
+
+  bool isBounded() const { return !bounds.empty(); }
+  /// The rays with their bounds, or with [0, +inf].
+  std::vector<BoundedRay> boundedRays() const;
 };
+
+/// A ray of a set, as it stands in a corpus.
+CorpusRay corpusRay(const RaySet &set, std::size_t index);
 
 class HardRayReport {
 public:

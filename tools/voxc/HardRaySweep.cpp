@@ -1,4 +1,5 @@
 // The loops over extents, scenes, formats and devices.
+#include "testing/HardBounds.h"
 #include "testing/HardRays.h"
 
 #include "HardRaySweep.h"
@@ -99,7 +100,7 @@ Expected<void> HardRaySweep::runRound(std::uint64_t round, std::uint64_t raysEac
 
 Expected<void> HardRaySweep::runScene(std::size_t scene, Int3 extent, const Indices &formats,
                                       std::uint64_t round, std::uint64_t raysEach) {
-  RaySet set{names_[scene], extent, {}, {}, {}};
+  RaySet set{names_[scene], extent, {}, {}, {}, {}};
   const std::uint64_t place =
       mixed(static_cast<std::uint64_t>(extent.x) << 42 | static_cast<std::uint64_t>(extent.y) << 21 |
                 static_cast<std::uint64_t>(extent.z),
@@ -131,6 +132,9 @@ Expected<Oracle> HardRaySweep::makeSet(RaySet &set, std::uint64_t raysEach, std:
     set.parts.push_back({std::string(share.name), set.rays.size(), rays.size()});
     set.rays.insert(set.rays.end(), rays.begin(), rays.end());
   }
+  if (size_.bounds)
+    for (const BoundedRay &ray : test::withHardBounds(*oracle, set.rays, seed))
+      set.bounds.push_back(ray.bounds());
   if (Expected<void> answered = answer(set, *oracle); !answered)
     return answered.error();
   return oracle;
@@ -138,7 +142,8 @@ Expected<Oracle> HardRaySweep::makeSet(RaySet &set, std::uint64_t raysEach, std:
 
 Expected<void> HardRaySweep::answer(RaySet &set, const Oracle &oracle) {
   const Stopwatch watch;
-  Expected<std::vector<Hit>> exact = oracle.trace(set.rays, devices_.threads(), quiet_);
+  const std::vector<BoundedRay> rays = set.boundedRays();
+  Expected<std::vector<Hit>> exact = oracle.trace(rays, devices_.threads(), quiet_);
   if (!exact)
     return exact.error();
   set.exact = std::move(*exact);
@@ -185,19 +190,26 @@ Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, s
   const Expected<Volume> volume = build(set, format);
   if (!volume)
     return volume.error();
-  std::vector<Hit> hits(set.rays.size());
+  Format asked = formats_[format];
+  if (set.isBounded())
+    asked.setAttribute(kBoundsAttribute, "yes");
+  if (const std::string_view problem = problemOfQuestion(asked); !problem.empty())
+    return withFormat(asked, Error::usage("the format " + std::string(problem)));
+  const std::vector<BoundedRay> boundedRays = set.isBounded() ? set.boundedRays() : std::vector<BoundedRay>();
+  const RaySpan rays = set.isBounded() ? RaySpan(boundedRays) : RaySpan(set.rays);
+  std::vector<Hit> hits(rays.size());
   for (const TracingDevices::Device &device : devices_.all()) {
     const Stopwatch watch;
     Json figures;
-    if (Expected<void> prepared = device.tracing->prepare(*volume, formats_[format], figures); !prepared)
+    if (Expected<void> prepared = device.tracing->prepare(*volume, asked, figures); !prepared)
       return prepared;
     times_.kernel += watch.seconds();
-    if (Expected<void> traced = device.tracing->trace(set.rays, hits, {.progress = quiet_}, figures); !traced)
+    if (Expected<void> traced = device.tracing->trace(rays, hits, {.progress = quiet_}, figures); !traced)
       return traced;
     times_.trace += figures.value("cpu_seconds", 0.0);
     if (volume->layout().payload == Payload::Occupancy)
       colourHits(hits, oracle);
-    report_.add(set, oracle, hits, formats_[format], figures.value("device", device.name));
+    report_.add(set, oracle, hits, asked, figures.value("device", device.name));
     const double done = size_.seconds > 0
                             ? watch_.seconds() / size_.seconds
                             : static_cast<double>(report_.rays()) / static_cast<double>(size_.rays);
@@ -212,11 +224,15 @@ namespace {
 std::vector<RaySet> setsOf(const std::vector<CorpusRay> &corpus) {
   std::vector<RaySet> sets;
   for (const CorpusRay &ray : corpus) {
-    auto set = std::ranges::find_if(
-        sets, [&](const RaySet &other) { return other.scene == ray.scene && other.extent == ray.extent; });
+    auto set = std::ranges::find_if(sets, [&](const RaySet &other) {
+      return other.scene == ray.scene && other.extent == ray.extent &&
+             other.isBounded() == ray.bounds.has_value();
+    });
     if (set == sets.end())
-      set = sets.insert(sets.end(), {ray.scene, ray.extent, {}, {}, {{"corpus", 0, 0}}});
+      set = sets.insert(sets.end(), {ray.scene, ray.extent, {}, {}, {}, {{"corpus", 0, 0}}});
     set->rays.push_back(ray.ray);
+    if (ray.bounds)
+      set->bounds.push_back(*ray.bounds);
     set->exact.push_back(ray.exact);
     ++set->parts[0].count;
   }
@@ -224,9 +240,8 @@ std::vector<RaySet> setsOf(const std::vector<CorpusRay> &corpus) {
 }
 
 Error wrongInCorpus(const RaySet &set, std::size_t index, const Hit &exact) {
-  return Error::input("the corpus has " +
-                      corpusLine({set.scene, set.extent, set.rays[index], set.exact[index]}) +
-                      ", but the oracle's hit is " + hitText(exact));
+  return Error::input("the corpus has " + corpusLine(corpusRay(set, index)) + ", but the oracle's hit is " +
+                      hitText(exact));
 }
 
 } // namespace
@@ -240,7 +255,8 @@ Expected<void> HardRaySweep::runCorpus(const std::vector<CorpusRay> &corpus) {
     if (!oracle)
       return oracle.error();
     for (std::size_t i = 0; i < set.rays.size(); ++i)
-      if (const Hit exact = oracle->trace(set.rays[i]); !sameHit(exact, set.exact[i]))
+      if (const Hit exact = oracle->trace(set.rays[i], set.isBounded() ? set.bounds[i] : RayBounds{});
+          !sameHit(exact, set.exact[i]))
         return wrongInCorpus(set, i, exact);
     size_.rays += set.rays.size() * formats_.size() * devices_.all().size();
     for (std::size_t format = 0; format < formats_.size(); ++format)

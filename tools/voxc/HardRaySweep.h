@@ -23,6 +23,7 @@ struct SweepSize {
   double seconds = 0;     ///< Above 0: all of it again, with other rays, until so much time has passed.
   std::uint64_t seed = 1; ///< Another number makes other rays.
   std::size_t scenes = 0; ///< For each format, taking turns; 0: all.
+  bool bounds = false;    ///< Rays have bounds, which are hard too.
 };
 
 /// Seconds that the parts of the work took.

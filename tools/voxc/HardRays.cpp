@@ -63,6 +63,8 @@ void HardRaysCommand::declare(CLI::App &app) {
                  "Another number makes other rays and other random formats; default: $VOXC_SEED, or 1")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62).description(""));
+  app.add_flag("--ray-bounds", size_.bounds,
+               "Give each ray a tmin and a tmax, at and beside the moments at which it enters voxels");
   app.add_option("--budget", budget_, "Weights of classes and scenes; default: those of docs/hard-rays.md")
       ->type_name("FILE");
   app.add_option("--corpus", corpus_,

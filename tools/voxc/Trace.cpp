@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace voxc::tool {
@@ -24,15 +25,23 @@ public:
   void declare(CLI::App &app) override {
     volume_.declare(app);
     app.add_option("--rays", rays_,
-                   "Rays to trace: float32 origin and direction, 24 bytes each; - for standard input")
+                   "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
+                   "bounds; - for standard input")
         ->type_name("R.bin")
         ->required();
     app.add_option("-o,--output", output_,
-                   "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each; - for "
-                   "standard "
-                   "output")
+                   "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a "
+                   "file of version 2; - for standard output")
         ->type_name("H.bin")
         ->required();
+    app.add_option("--tmin", tmin_, "Look for voxels that rays enter at this t or later")->type_name("T");
+    app.add_option("--tmax", tmax_, "Look for voxels that rays enter at this t or before")->type_name("T");
+    app.add_option(
+           "--hit-version", hitVersion_,
+           "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, "
+           "or 1 where the query is not of the closest hit")
+        ->type_name("1|2")
+        ->check(CLI::IsMember({1, 2}).description(""));
     app.add_option("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")
         ->type_name("N")
         ->check(CLI::Range(1u, 1000000u).description(""))
@@ -70,6 +79,55 @@ private:
     return question;
   }
 
+  /// The rays, with the bounds of their file or of the options.
+  Expected<RayFile> readBoundedRays() const {
+    Expected<RayFile> file = readRayFile(rays_);
+    if (!file || (!tmin_ && !tmax_))
+      return file;
+    if (file->rays().isBounded())
+      return Error::usage("--tmin and --tmax are for rays without bounds, but " + rays_ +
+                          " has rays with bounds");
+    const RayBounds usual;
+    std::vector<BoundedRay> rays;
+    rays.reserve(file->rays().size());
+    for (const Ray &ray : std::move(*file).takeRays())
+      rays.push_back(bounded(ray, {tmin_.value_or(usual.tmin), tmax_.value_or(usual.tmax)}));
+    return RayFile(std::move(rays));
+  }
+
+  /// Asks the kernel for what rays and hits have.
+  Expected<void> ask(Format &format, int rayVersion, bool bounds) {
+    if (options_.spread > 0)
+      format.setAttribute(kDetailAttribute, "cone");
+    if (bounds)
+      format.setAttribute(kBoundsAttribute, "yes");
+    const bool isClosest = questionOf(format).query == Query::Closest;
+    if (hitVersion_ == 2 && !isClosest)
+      return Error::usage("hits of version 2 have faces, which --query closest alone tells");
+    if (hitVersion_ == 0)
+      hitVersion_ = isClosest ? rayVersion : 1;
+    if (hitVersion_ == 2)
+      format.setAttribute(kFaceAttribute, "yes");
+    if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
+      return Error::usage("the format " + std::string(problem));
+    return {};
+  }
+
+  /// Writes the hits; where those of version 2 have lookups in place of faces, rays are traced for faces too.
+  Expected<void> writeAll(const RaySpan &rays, std::span<const Hit> hits) {
+    if (hitVersion_ == 1)
+      return writeHits(output_, hits);
+    if (!options_.countSteps)
+      return writeText(output_, hitFileText(hits));
+    std::vector<std::uint32_t> steps;
+    for (const Hit &hit : hits)
+      steps.push_back(hit.steps);
+    std::vector<Hit> faces(hits.size());
+    if (auto traced = tracing_.trace(rays, faces, {.progress = options_.progress}); !traced)
+      return traced.error();
+    return writeText(output_, hitFileText(faces, steps));
+  }
+
   Expected<void> trace(Json &figures) {
     const Stopwatch watch;
     Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
@@ -81,11 +139,12 @@ private:
     Expected<Format> format = volume_.kernelFormat(*volume);
     if (!format)
       return format.error();
-    if (options_.spread > 0)
-      format->setAttribute(kDetailAttribute, "cone");
-    Expected<std::vector<Ray>> rays = readRays(rays_);
-    if (!rays)
-      return rays.error();
+    const Expected<RayFile> file = readBoundedRays();
+    if (!file)
+      return file.error();
+    const RaySpan rays = file->rays();
+    if (Expected<void> asked = ask(*format, tmin_ || tmax_ ? 1 : file->version(), rays.isBounded()); !asked)
+      return asked;
     tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
@@ -94,21 +153,23 @@ private:
         !prepared)
       return prepared;
 
-    std::vector<Hit> hits(rays->size());
-    if (Expected<void> traced = tracing_.trace(*rays, hits, options_, figures); !traced)
+    std::vector<Hit> hits(rays.size());
+    if (Expected<void> traced = tracing_.trace(rays, hits, options_, figures); !traced)
       return traced;
     if (!memory_.isGiven())
       if (Expected<void> checked =
-              check_.run(*volume, *rays, hits, questionOfHits(*format), options_.progress, figures);
+              check_.run(*volume, rays, hits, questionOfHits(*format), options_.progress, figures);
           !checked)
         return checked;
     addWritten(figures, output_);
-    return writeHits(output_, hits);
+    return writeAll(rays, hits);
   }
 
   VolumeArgument volume_;
   std::string rays_;
   std::string output_;
+  std::optional<float> tmin_, tmax_;
+  int hitVersion_ = 0; ///< 0: as the ray file says.
   TraceOptions options_;
   ErrorCheck check_{1000};
   DeviceMemory memory_; // Outlives the tracer.

@@ -106,14 +106,13 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
   return tracer;
 }
 
-Expected<TraceReport> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits,
-                                     const TraceOptions &options) {
+Expected<TraceReport> Tracing::trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options) {
   TraceOptions ordered = options;
   ordered.order = rayOrderFrom(order_);
   return tracer_->trace(rays, hits, ordered);
 }
 
-Expected<void> Tracing::trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
+Expected<void> Tracing::trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options,
                               Json &figures) {
   Expected<TraceReport> report = trace(rays, hits, options);
   if (!report)

@@ -38,11 +38,10 @@ public:
   /// Adds what paging has done so far, if that is how rays are traced.
   void addPagingFigures(Json &figures) const;
   /// Traces rays through the prepared volume. The trace's figures are added.
-  Expected<void> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options,
-                       Json &figures);
+  Expected<void> trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options, Json &figures);
 
   /// The same without figures.
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &options);
+  Expected<TraceReport> trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
 
   /// Makes the prepared tracer count words read where that takes another kernel; from then on it traces with
   /// `TraceOptions::countWords` alone. `volume` and `format` are those of `prepare`.

@@ -10,6 +10,7 @@
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "testing/HardBounds.h"
 #include "testing/HardRays.h"
 #include "voxc/Layout/Values.h"
 #include "voxc/Oracle/Oracle.h"
@@ -99,6 +100,7 @@ void VerifyCommand::declare(CLI::App &app) {
                "Accept, but still count, differences that float rounding at a cell's boundary explains");
   tracing_.declare(app);
   volume_.declareKernelOptions(app);
+  volume_.declareBounds(app);
   addCommonOptions(app, common_);
 }
 
@@ -155,20 +157,24 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
     return opened;
   if (Expected<void> prepared = tracing_.prepare(volume, *format, figures_); !prepared)
     return prepared;
-  const std::vector<Ray> rays = test::verifyRays(volume.info().extent, rays_, seed_);
+  const Expected<Oracle> oracle = Oracle::of(volume, progress);
+  if (!oracle)
+    return oracle.error();
+  const std::vector<Ray> plain = test::verifyRays(volume.info().extent, rays_, seed_);
+  std::vector<BoundedRay> bounded;
+  if (questionOf(*format).bounds)
+    bounded = test::withHardBounds(*oracle, plain, seed_);
+  const RaySpan rays = bounded.empty() ? RaySpan(plain) : RaySpan(bounded);
   std::vector<Hit> hits(rays.size());
   if (Expected<void> traced = tracing_.trace(rays, hits, {.progress = progress}, figures_); !traced)
     return traced;
 
-  const Expected<Oracle> oracle = Oracle::of(volume, progress);
-  if (!oracle)
-    return oracle.error();
   const ErrorFigures error = compare(*oracle, rays, hits, questionOf(*format));
   figures_["error"] = errorJson(error);
   if (tellsOnStdout(common_)) {
     printErrors(error);
     for (const std::uint64_t index : error.examples)
-      printExample(index, rays[index], hits[index], oracle->trace(rays[index]));
+      printExample(index, rays[index], hits[index], oracle->trace(rays[index], rays.bounds(index)));
   }
   if (!accepts(error))
     fail("the kernel's hits differ from the oracle's on " +

@@ -16,6 +16,8 @@ public:
   void declare(CLI::App &app);
   /// Adds --precision and the walk passes, for a command that traces the volume.
   void declareKernelOptions(CLI::App &app);
+  /// Adds --ray-bounds, for a command that gives its rays bounds.
+  void declareBounds(CLI::App &app) { attributes_.declareBounds(app); }
 
   Expected<Volume> load() const;
   const std::string &path() const { return path_; }

@@ -4,7 +4,7 @@
 
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Geometry.h"
-#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/BoundedRay.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -123,8 +123,17 @@ inline float roundToFloat(const Rational &t) {
   return std::bit_cast<float>(down ? low : high);
 }
 
-/// The hit of a ray on a list of voxels.
-inline Hit bruteForce(const std::vector<Voxel> &voxels, const Ray &ray) {
+/// Whether a moment lies between bounds.
+inline bool isWithin(const Rational &t, const RayBounds &bounds) {
+  if (std::isnan(bounds.tmin) || std::isnan(bounds.tmax))
+    return false;
+  const bool isLateEnough = std::isinf(bounds.tmin) ? bounds.tmin < 0 : t >= Rational(bounds.tmin);
+  const bool isSoonEnough = std::isinf(bounds.tmax) ? bounds.tmax > 0 : t <= Rational(bounds.tmax);
+  return isLateEnough && isSoonEnough;
+}
+
+/// The hit of a ray on a list of voxels, of those that it enters between the bounds.
+inline Hit bruteForce(const std::vector<Voxel> &voxels, const Ray &ray, const RayBounds &bounds = {}) {
   Hit hit{{-1, -1, -1}, 0, 0, 0};
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(ray.origin[axis]) || !std::isfinite(ray.direction[axis]))
@@ -139,7 +148,7 @@ inline Hit bruteForce(const std::vector<Voxel> &voxels, const Ray &ray) {
         cached->second = timesIn(ray.origin[axis], ray.direction[axis], voxel.cell[axis]);
       times = cached->second ? intersection(times, *cached->second) : Interval{{Rational(1)}, {Rational(0)}};
     }
-    if (isEmpty(times) || (first && !startsSooner(times.low, *first)))
+    if (isEmpty(times) || !isWithin(*times.low.t, bounds) || (first && !startsSooner(times.low, *first)))
       continue;
     first = times.low;
     hit = {{voxel.cell.x, voxel.cell.y, voxel.cell.z}, voxel.word, 0, 0};

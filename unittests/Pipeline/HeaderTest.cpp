@@ -325,6 +325,7 @@ void main() {
 }
 )";
   plan.loops = Loops::Cut; // The scenes are so small that no device cuts anything.
+  plan.bounded = false;    // Its rays are records of six numbers, whatever the header takes.
   auto kernel = compileGlsl(text, plan);
   EXPECT_TRUE(kernel) << kernel.error().message;
   return std::move(*kernel);

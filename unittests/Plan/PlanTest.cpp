@@ -36,6 +36,11 @@ TEST(PlanText, IsReadAsItWasPrinted) {
       format.setAttribute(kColourAttribute, random() % 2 ? "yes" : "no");
       format.setAttribute(kTAttribute, random() % 2 ? "yes" : "no");
     }
+    if (problemOfQuestion(format).empty() && random() % 2) {
+      format.setAttribute(kBoundsAttribute, "yes");
+      if (!problemOfQuestion(format).empty())
+        format.setAttribute(kBoundsAttribute, "no");
+    }
     const Plan plan =
         *makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
                            .loops = random() % 2 ? Loops::Whole : Loops::Cut,
@@ -97,7 +102,7 @@ TEST(PlanRules, AreEachHeld) {
       {"H(2^3)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "walked by index"},
       {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "more than a single cell"},
       {"G(2)", [](Plan &p) { p.traversals[0].stops = true; }, "detail=cone alone"},
-      {"G(2)", [](Plan &p) { p.bounded = true, p.packing = Packing::Packets; }, "stops at voxels alone"},
+      {"G(2)", [](Plan &p) { p.bounded = true, p.detail = Detail::Cone; }, "stops at voxels alone"},
       {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is walked"},
       {"G(2)", [](Plan &p) { p.steps = Steps::Float64; }, "arithmetic=ieee"},
       {"G(2)", [](Plan &p) { p.query = Query::Any; }, "query=closest alone has"},

@@ -121,6 +121,60 @@ TEST(InstancedTracer, FindsTheSameOnADevice) {
   EXPECT_EQ(countDifferent(traced(others, rays), traced(instances, rays)), 0u);
 }
 
+std::unique_ptr<Tracer> openBounded(const Volume &volume) {
+  Format format = volume.format();
+  format.setAttribute(kBoundsAttribute, "yes");
+  auto tracer = openTracer(volume, {.device = "cpu", .format = format});
+  EXPECT_TRUE(tracer) << tracer.error().message;
+  return std::move(*tracer);
+}
+
+/// Rays that end at the nearest hit so far find what rays without an end do, by fewer steps.
+TEST(InstancedTracer, CutsRaysOffBehindWhatTheyHit) {
+  const Volume volume = makeVolume("G(4)", 7);
+  const auto whole = open(volume), cut = openBounded(volume);
+  std::mt19937 random(11);
+  std::vector<Instance> instances;
+  for (int i = 0; i < 5; ++i)
+    instances.push_back({whole.get(), volume.format().extent(), randomPlace(random)});
+  std::vector<Instance> others = instances;
+  for (Instance &instance : others)
+    instance = {cut.get(), instance.extent, instance.toWorld, true};
+  const std::vector<Ray> rays = raysAround(20000);
+  EXPECT_EQ(countDifferent(traced(others, rays), traced(instances, rays)), 0u);
+}
+
+TEST(InstancedTracer, KeepsTheBoundsOfRays) {
+  const Volume volume = makeVolume("G(4)", 7);
+  const auto whole = open(volume), cut = openBounded(volume);
+  std::mt19937 random(12);
+  const std::vector<Ray> rays = raysAround(3000);
+  std::vector<BoundedRay> boundedRays;
+  for (const Ray &ray : rays)
+    boundedRays.push_back(bounded(ray, {float(random() % 10), float(5 + random() % 40)}));
+  std::vector<Instance> instances;
+  for (int i = 0; i < 3; ++i)
+    instances.push_back({cut.get(), volume.format().extent(), randomPlace(random), true});
+  std::vector<InstanceHit> hits(rays.size()), expected(rays.size(), InstanceHit{{{-1, -1, -1}, 0, 0, 0}});
+  ASSERT_TRUE(InstancedTracer::create(instances)->trace(boundedRays, hits));
+  for (std::uint32_t number = 0; number < instances.size(); ++number) {
+    std::vector<BoundedRay> own;
+    for (const BoundedRay &ray : boundedRays)
+      own.push_back(bounded(rayIn(instances[number].toWorld, ray.ray()), ray.bounds()));
+    std::vector<Hit> found(rays.size());
+    ASSERT_TRUE(cut->trace(own, found));
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (found[i].isHit() && (!expected[i].isHit() || found[i].t < expected[i].hit.t))
+        expected[i] = {found[i], number};
+  }
+  EXPECT_EQ(countDifferent(hits, expected), 0u);
+  EXPECT_GT(std::ranges::count_if(hits, &InstanceHit::isHit), 300);
+  instances[1] = {whole.get(), volume.format().extent()};
+  const auto refused = InstancedTracer::create(instances)->trace(boundedRays, hits);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("instance 1 is not said to take such"));
+}
+
 /// Two volumes beside each other are as one that holds both: by whole voxels nothing is rounded.
 TEST(InstancedTracer, VolumesSideBySideAreAsOne) {
   const auto voxel = [](Int3 c) {

@@ -55,6 +55,14 @@ TEST(KernelFacts, AreTheDocumentedText) {
             "voxc kernel 3 storage=ffffffffffffffff addressing=segments loops=whole arithmetic=any");
 }
 
+TEST(KernelFacts, TellOfBounds) {
+  Kernel kernel{{}, 5, Addressing::Buffer, Loops::Whole, Arithmetic::Ieee, true};
+  EXPECT_TRUE(kernelFacts(kernel).ends_with(" arithmetic=ieee bounds=yes"));
+  EXPECT_TRUE(Kernel::fromSpirv(moduleWith(kernelFacts(kernel)))->bounded);
+  kernel.bounded = false;
+  EXPECT_FALSE(Kernel::fromSpirv(moduleWith(kernelFacts(kernel)))->bounded);
+}
+
 TEST(KernelFacts, AreFoundAmongOtherInstructions) {
   std::vector<std::uint32_t> module = moduleWith("client vulkan100");
   std::vector<std::uint32_t> facts = moduleWith(kernelFacts({{}, 7, Addressing::Buffer, Loops::Cut}));
@@ -79,7 +87,8 @@ TEST(KernelFacts, MustBeWellFormed) {
         "voxc kernel 3 storage=0000000000000000 addressing=texture loops=cut arithmetic=any",
         "voxc kernel 3 storage=0000000000000000 addressing=buffer",
         "voxc kernel 3 storage=0000000000000000 addressing=buffer loops=some arithmetic=any",
-        "voxc kernel 3 storage=0000000000000000 addressing=buffer loops=cut arithmetic=any more"})
+        "voxc kernel 3 storage=0000000000000000 addressing=buffer loops=cut arithmetic=any more",
+        "voxc kernel 3 storage=0000000000000000 addressing=buffer loops=cut arithmetic=any bounds=no"})
     EXPECT_THAT(problemOf(moduleWith(facts)), HasSubstr("description is broken")) << facts;
 }
 

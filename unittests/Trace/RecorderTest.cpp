@@ -119,6 +119,33 @@ TEST_F(RecorderTest, TracesTwoVolumesInOneCommandBuffer) {
   expectHits(b, grids);
 }
 
+TEST_F(RecorderTest, TracesRaysWithBounds) {
+  Model model = makeModel("R(1,1,1) G(3)", 7, 3000);
+  Format format = model.volume.format();
+  format.setAttribute(kBoundsAttribute, "yes");
+  std::vector<BoundedRay> rays;
+  for (const Ray &ray : model.rays)
+    rays.push_back(bounded(ray, {float(rays.size() % 8), 20}));
+  ASSERT_TRUE((*createCpuTracer(*compileCpuKernel(format), model.volume))->trace(rays, model.expected));
+  const Kernel kernel = *compileKernel(format, {.loops = device_->info().loops});
+  const std::uint64_t bytes = rays.size() * sizeof(BoundedRay);
+  Placed placed{*DeviceVolume::upload(*device_, model.volume, Addressing::Buffer),
+                *TraceRecorder::create(*device_, kernel),
+                host_->makeBuffer(bytes),
+                host_->makeBuffer(rays.size() * sizeof(Hit)),
+                host_->makeBuffer(scratchBytes(rays.size())),
+                {}};
+  std::memcpy(placed.rays.bytes, rays.data(), bytes);
+  TraceBuffers buffers = buffersOf(placed, model, rays.size());
+  buffers.rays.bytes = bytes;
+  auto bound = placed.recorder.bind(placed.volume, buffers);
+  ASSERT_TRUE(bound) << bound.error().message;
+  EXPECT_EQ(bound->rays(), rays.size());
+  host_->submit(
+      [&](VkCommandBuffer commands) { ASSERT_TRUE(recordTrace(commands, {&*bound, countOf(model)})); });
+  expectHits(placed, model);
+}
+
 TEST_F(RecorderTest, TracesInPartsWhereScratchMemoryIsSmall) {
   const Model tree = makeModel("G(4)", 7, 3000), grid = makeModel("R(4,4,4)", 6, 2000);
   const Placed a = place(tree, 700), b = place(grid, 1000);

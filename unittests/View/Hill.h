@@ -17,8 +17,7 @@ public:
   explicit OracleTracer(std::shared_ptr<const Volume> volume)
       : volume_(std::move(volume)), oracle_(*Oracle::of(*volume_)) {}
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override {
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     if (options.progress.stopped())
       return Error::interrupted();
     for (std::size_t i = 0; i < rays.size(); ++i) {

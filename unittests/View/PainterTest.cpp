@@ -15,8 +15,7 @@ namespace {
 /// Hits nothing, and waits for leave before each call; until it is told to stop, if it may be.
 class GatedTracer final : public Tracer {
 public:
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override {
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     std::unique_lock lock(mutex_);
     ++waiting_;
     changed_.notify_all();

@@ -115,7 +115,7 @@ TEST(Witness, SaysWhatIsRightWhereTheKernelIsNot) {
 class CountingTracer final : public Tracer {
 public:
   explicit CountingTracer(std::vector<std::size_t> &calls) : calls_(calls) {}
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits, const TraceOptions &) override {
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &) override {
     calls_.push_back(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i)
       hits[i].t = rays[i].origin[0];

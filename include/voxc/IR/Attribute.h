@@ -56,6 +56,7 @@ extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
 extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
 extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
 extern const AttributeKind kQueryAttribute;     ///< query: closest | any | occupancy | distance
+extern const AttributeKind kBoundsAttribute;    ///< bounds: no | yes
 extern const AttributeKind kVoxelAttribute;     ///< voxel: yes | no
 extern const AttributeKind kTAttribute;         ///< t: yes | no
 extern const AttributeKind kFaceAttribute;      ///< face: no | yes

@@ -33,6 +33,7 @@ struct Outputs {
 struct Question {
   Query query = Query::Closest;
   Outputs outputs;
+  bool bounds = false; ///< Rays have a tmin and a tmax (voxc/Trace/BoundedRay.h).
 
   bool operator==(const Question &) const = default;
 };
@@ -61,5 +62,8 @@ constexpr bool storesValue(const Outputs &outputs) { return outputs.colour || ou
 
 /// What is wrong with a question, to follow the words "the format" or "the plan"; empty if it is right.
 std::string_view problemOf(const Question &question);
+
+/// What is wrong with what a format asks, to follow the words "the format"; empty if it is right.
+std::string_view problemOfQuestion(const Format &format);
 
 } // namespace voxc

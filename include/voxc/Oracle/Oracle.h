@@ -3,7 +3,7 @@
 
 #include "voxc/IR/Query.h"
 #include "voxc/Source/VoxelSource.h"
-#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/BoundedRay.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstddef>
@@ -51,20 +51,21 @@ public:
   ~Oracle();
   Oracle(Oracle &&) noexcept;
 
-  /// The hit of `ray`; t is the exact value rounded to float32 (`steps` is 0).
-  Hit trace(const Ray &ray) const;
+  /// The hit of `ray`, the first of those that it enters between the bounds; t is the exact value rounded to
+  /// float32 (`steps` is 0).
+  Hit trace(const Ray &ray, const RayBounds &bounds = {}) const;
 
   /// What a kernel that is asked `question` stores of `ray`, to the bit: the hit, with 0 where it is asked
   /// less.
-  Hit answer(const Ray &ray, const Question &question) const;
+  Hit answer(const Ray &ray, const Question &question, const RayBounds &bounds = {}) const;
 
   /// The hits of many rays, hits[i] that of rays[i], on so many threads (0: as many as the machine has).
   /// Error: interrupted.
-  Expected<std::vector<Hit>> trace(std::span<const Ray> rays, unsigned threads = 0,
-                                   const Progress &progress = {}) const;
+  Expected<std::vector<Hit>> trace(RaySpan rays, unsigned threads = 0, const Progress &progress = {}) const;
 
-  /// The hit of `ray`, the face by which it is entered, and the first `maxCells` cells on the way to it.
-  Explanation explain(const Ray &ray, std::size_t maxCells) const;
+  /// The hit of `ray` between the bounds, the face by which it is entered, and the first `maxCells` cells on
+  /// the way to the first that is not empty, whatever the bounds.
+  Explanation explain(const Ray &ray, std::size_t maxCells, const RayBounds &bounds = {}) const;
 
   /// Some of the voxels that are not empty: at most `count`, spread evenly over their runs in Morton order.
   std::vector<Int3> sampleVoxels(std::size_t count) const;
@@ -110,12 +111,12 @@ struct ErrorFigures {
 
 /// Compares hits with the oracle's, in what is asked of them: hits[i] is that of rays[i], and there are as
 /// many. On all threads.
-ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> hits,
+ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> hits,
                      const Question &question = {});
 
 /// The same with the oracle's hits at hand: exact[i] is that of rays[i], whatever is asked. They depend on
 /// nothing but voxels and rays, so that one `Oracle::trace` serves every format, walk and device.
-ErrorFigures compare(const Oracle &oracle, std::span<const Ray> rays, std::span<const Hit> exact,
+ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> exact,
                      std::span<const Hit> hits, const Question &question = {});
 
 } // namespace voxc

@@ -93,7 +93,7 @@ struct Plan {
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
-  bool bounded = false;              ///< A walk ends beyond the t that it is given.
+  bool bounded = false;              ///< Rays have a tmin and a tmax, between which voxels are looked for.
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
 
   bool operator==(const Plan &) const = default;
@@ -105,7 +105,6 @@ struct PlanOptions {
   Loops loops = Loops::Cut; ///< The safe choice, where the device is not known.
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
-  bool bounded = false;
   std::optional<Question> question = {}; ///< Asked in place of what the format asks.
 };
 
@@ -115,8 +114,8 @@ inline constexpr PlanOptions kCpuPlan = {
 
 /// What functions for the shaders and programs of others are made for, which answer all that can be asked of
 /// a ray.
-inline constexpr PlanOptions kHeaderPlan = {
-    .loops = Loops::Whole, .bounded = true, .question = Question{Query::Closest, {.face = true}}};
+inline constexpr PlanOptions kHeaderPlan = {.loops = Loops::Whole,
+                                            .question = Question{Query::Closest, {.face = true}, true}};
 
 /// The same where rays have no bounds.
 inline constexpr PlanOptions kFirstHitPlan = {.loops = Loops::Whole,

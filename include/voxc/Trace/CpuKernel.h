@@ -17,7 +17,8 @@ namespace voxc {
 ///
 /// May be called from any number of threads at once.
 struct CpuKernel {
-  /// Traces `count` rays, six floats each (`Ray`), through a volume's words into as many hits, six words each
+  /// Traces `count` rays, six floats each (`Ray`; eight of a `BoundedRay`, if the kernel is `bounded`),
+  /// through a volume's words into as many hits, six words each
   /// (`Hit`); counts lookups if `countLookups` is not 0; `spread` is that of
   /// `TraceOptions`. Trusts its arguments.
   using Function = void (*)(const std::uint32_t *words, const float *rays, std::uint32_t *hits,
@@ -28,6 +29,7 @@ struct CpuKernel {
   std::shared_ptr<const void> owner; ///< Keeps the code, where it was compiled in the process.
   bool countsWords = false;          ///< It counts words read, always, and no lookups.
   bool isPaged = false;              ///< Its `words` lead to `CpuPages`.
+  bool bounded = false;              ///< Its rays are `BoundedRay`s.
 };
 
 /// What a kernel of `Addressing::Paged` finds in place of words (docs/paging.md).
@@ -43,6 +45,8 @@ struct CpuPages {
 /// ask at once. For many rays `createCpuTracer` is faster. Error: the kernel was made for other storage
 /// (`Input`), which two digests tell, so that asking for every ray costs next to nothing.
 Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const Ray &ray);
+/// The same between two moments, of a kernel that is `bounded`; of another it is an error (`Usage`).
+Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const BoundedRay &ray);
 
 /// A tracer on this processor, with so many threads; 0: as many as it runs at once. `volume` must outlive it.
 /// Error: the kernel was made for other storage (`Input`).

@@ -18,6 +18,8 @@ struct Instance {
   Tracer *tracer = nullptr; ///< Of the volume; must outlive the instances' tracer.
   Int3 extent;              ///< Of its format, in voxels: `volume.format().extent()`.
   glm::mat4 toWorld{1.0f};  ///< From its voxels to the world: affine, with an inverse.
+  /// The tracer takes rays with bounds. Rays then go no further in it than to the nearest hit that is known.
+  bool bounded = false;
 };
 
 /// The nearest hit among all instances.
@@ -40,22 +42,23 @@ public:
   /// a matrix is not finite, has another last row than 0, 0, 0, 1, or has no inverse in float64.
   static Expected<InstancedTracer> create(std::vector<Instance> instances, unsigned threads = 0);
 
-  /// Traces rays[i] into hits[i]; both have the same size. `options` go to each tracer; each of its repeats
-  /// traces all. Errors: as of the tracers.
-  Expected<void> trace(std::span<const Ray> rays, std::span<InstanceHit> hits,
-                       const TraceOptions &options = {});
+  /// Traces rays[i] into hits[i]; both have the same size. Bounds mean the same in the world and in every
+  /// instance, as t does. `options` go to each tracer; each of its repeats traces all. Errors: as of the
+  /// tracers; rays have bounds, but an instance is not `bounded` (`Usage`).
+  Expected<void> trace(RaySpan rays, std::span<InstanceHit> hits, const TraceOptions &options = {});
 
 private:
   struct Placed {
     Tracer *tracer;
     glm::dmat4 fromWorld;
     Int3 extent;
+    bool bounded;
   };
 
   InstancedTracer(std::vector<Placed> instances, unsigned threads)
       : instances_(std::move(instances)), threads_(threads) {}
-  Expected<void> traceSlice(std::span<const Ray> rays, std::span<InstanceHit> hits,
-                            const TraceOptions &options);
+  Expected<void> traceSlice(const RaySpan &rays, std::span<InstanceHit> hits, const TraceOptions &options);
+  Expected<void> checkBounds(const RaySpan &rays) const;
 
   std::vector<Placed> instances_;
   unsigned threads_;

@@ -15,9 +15,11 @@ namespace voxc {
 inline constexpr std::uint32_t kWorkgroupSize = 64;
 
 /// SPIR-V with its voxc facts, which travel inside the module as an OpModuleProcessed string: "voxc kernel 3
-/// storage=<16 hex digits> addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>".
+/// storage=<16 hex digits> addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>", and
+/// " bounds=yes" behind it if rays have bounds.
 ///
-/// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each), 1 the hits (6 words each), 2
+/// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each, `Ray`; with bounds 8,
+/// `BoundedRay`), 1 the hits (6 words each), 2
 /// the words (`Buffer`), or a table of up to 16 64-bit segment addresses (`Segments`),
 /// or slots of pages (`Paged`), 3 a list of rays: three words of workgroups as `vkCmdDispatchIndirect` takes
 /// them, their number, and the rays' own numbers, 4 the page table (`Paged`; docs/paging.md).
@@ -37,6 +39,7 @@ struct Kernel {
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut;                ///< `Whole`: only for devices that run every loop to its end.
   Arithmetic arithmetic = Arithmetic::Any; ///< `Ieee`: only for devices of such arithmetic.
+  bool bounded = false;                    ///< Rays are `BoundedRay`s.
 
   /// Reads the facts out of a module. Errors: not SPIR-V, truncated, or not made by voxc.
   static Expected<Kernel> fromSpirv(std::vector<std::uint32_t> spirv);

@@ -1,10 +1,9 @@
 // In which order a tracer takes its rays. Hits do not depend on it; times do.
 #pragma once
 
-#include "voxc/Trace/Ray.h"
+#include "voxc/Trace/BoundedRay.h"
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -25,10 +24,10 @@ RayOrder rayOrderFrom(std::string_view name);
 
 /// Whether more than a quarter of neighbouring rays, by a sample, have another octant or begin far from each
 /// other in a volume whose longest edge has `edge` voxels, and there are enough of them for bins to pay.
-bool areScattered(std::span<const Ray> rays, int edge);
+bool areScattered(const RaySpan &rays, int edge);
 
 /// The numbers of the rays, bin by bin and as given within a bin, found by a radix sort with so many threads
 /// (at least 1). `edge`: as above. Precondition: fewer than 2^32 rays.
-std::vector<std::uint32_t> binnedOrder(std::span<const Ray> rays, int edge, unsigned threads);
+std::vector<std::uint32_t> binnedOrder(const RaySpan &rays, int edge, unsigned threads);
 
 } // namespace voxc

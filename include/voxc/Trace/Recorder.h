@@ -45,7 +45,7 @@ private:
 
 /// Where a trace reads and writes: buffers of the host's, all with VK_BUFFER_USAGE_STORAGE_BUFFER_BIT.
 struct TraceBuffers {
-  BufferRange rays; ///< `Ray`s.
+  BufferRange rays; ///< `Ray`s; `BoundedRay`s of a kernel that is `bounded`.
   BufferRange hits; ///< As many `Hit`s.
   /// For what one dispatch leaves to the next; also with TRANSFER_DST and INDIRECT_BUFFER. Of
   /// `scratchBytes` of the most rays that are to be traced side by side; with less, they are traced in as

@@ -3,8 +3,8 @@
 
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Trace/BoundedRay.h"
 #include "voxc/Trace/Kernel.h"
-#include "voxc/Trace/Ray.h"
 #include "voxc/Trace/RayOrder.h"
 #include "voxc/Volume/Volume.h"
 
@@ -90,8 +90,10 @@ struct TraceReport {
 class Tracer {
 public:
   virtual ~Tracer() = default;
-  /// Traces rays[i] into hits[i]; both have the same size. Errors: `Environment` from the device.
-  virtual Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
+  /// Traces rays[i] into hits[i]; both have the same size. A kernel with bounds takes rays without as those
+  /// of [0, +inf]. Errors: rays have bounds, but the kernel has none (`Usage`); `Environment` from the
+  /// device.
+  virtual Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits,
                                       const TraceOptions &options = {}) = 0;
 };
 

@@ -21,8 +21,7 @@ public:
   KeptTracer(std::shared_ptr<const Volume> volume, Tracing tracing)
       : volume_(std::move(volume)), tracing_(std::move(tracing)) {}
 
-  Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) override {
+  Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     return tracing_.trace(rays, hits, options);
   }
 
