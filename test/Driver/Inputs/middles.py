@@ -4,12 +4,18 @@ SCENE has SIDE^3 cells. SOLID was made of its faces at twice the resolution, hal
 in the middle of the cells, those of odd coordinates, must be full where the scene is, and nowhere else.
 """
 import sys
+from array import array
 
-import numpy
-
-scene, solid = (numpy.fromfile(name, dtype=numpy.uint32) for name in sys.argv[1:3])
+scene, solid = (array("I", open(name, "rb").read()) for name in sys.argv[1:3])
 side = int(sys.argv[3])
-scene = scene.reshape(side, side, side)
-solid = solid.reshape(2 * side + 1, 2 * side + 1, 2 * side + 1)[1::2, 1::2, 1::2]
-assert ((scene != 0) == (solid != 0)).all(), ((scene != 0) != (solid != 0)).sum()
-print("equal:", (scene != 0).sum(), "voxels")
+wide = 2 * side + 1
+assert len(scene) == side**3 and len(solid) == wide**3
+voxels = 0
+for z in range(side):
+    for y in range(side):
+        for x in range(side):
+            full = scene[x + side * (y + side * z)] != 0
+            middle = solid[2 * x + 1 + wide * (2 * y + 1 + wide * (2 * z + 1))] != 0
+            assert full == middle, (x, y, z)
+            voxels += full
+print("equal:", voxels, "voxels")
