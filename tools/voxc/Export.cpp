@@ -13,6 +13,10 @@
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
 
+#ifdef VOXC_HAS_OPENVDB
+#include "voxc/OpenVdb/OpenVdb.h"
+#endif
+
 #include <algorithm>
 
 namespace voxc::tool {
@@ -83,6 +87,9 @@ private:
       return page_.write(volume, volume_.path(), output_, options_.save.progress, figures);
     }
     options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
+#ifdef VOXC_HAS_OPENVDB
+    options_.otherKinds = {openVdbExport()};
+#endif
     const Expected<Exported> exported = exportVoxels(volume, output_, options_);
     if (!exported)
       return exported.error();

@@ -12,11 +12,20 @@
 
 namespace voxc {
 
+struct ExportOptions;
+
+/// A kind of file that an optional component writes.
+struct OtherExport {
+  std::string_view ending; ///< With its dot.
+  Expected<void> (*write)(const Volume &volume, const std::string &path, const ExportOptions &options);
+};
+
 /// How a volume is exported.
 struct ExportOptions {
   SaveOptions save; ///< Of a .hvx file; its `progress` and `memory` of every kind.
   /// A kind that holds too few colours gets those that stand best for the volume's, rather than to fail.
   bool lossy = false;
+  std::vector<OtherExport> otherKinds; ///< Asked before the kinds known here.
 };
 
 /// What an export made.
@@ -42,6 +51,7 @@ std::vector<ExportFormat> exportFormats();
 /// - .nvdb: a NanoVDB grid of RGBA8 values, active where there are voxels;
 /// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex;
 /// - .png: a picture for each z; `path` is a pattern with %d or %04d in place of z, unless there is but one;
+/// - .vdb: OpenVDB grids, where `otherKinds` has what writes them;
 /// - .hvx: the volume itself, as `Volume::save` writes it.
 /// Each file is written under a temporary name and renamed. Errors: another ending; `Usage`,
 /// `options.save.compress` for what is no .hvx; more than the kind, its file or the disk can hold; as

@@ -30,12 +30,17 @@ struct ExportKind {
   WriteExport *write; ///< Null: the kind is no single file of voxels.
 };
 
-constexpr std::array<ExportKind, 7> kKinds{
+constexpr std::array<ExportKind, 8> kKinds{
     {{{".hvx", "the volume itself, stored again"}, "", 1, unknownSize, nullptr},
      {{".raw", "a dense grid of uint32 RGBA"}, "cells", 4, gridSize, writeGrid},
      {{".ply", "a point for each voxel"}, "points", 16, voxelCount, writePoints},
      {{".vox", "MagicaVoxel models, at most 255 colours"}, "voxels", 4, voxelCount, writeMagicaVoxel},
      {{".nvdb", "a NanoVDB grid of RGBA8 values"}, "", 1, unknownSize, writeNanoVdb},
+     {{".vdb", "OpenVDB grids of density and colour, where voxc was built with it"},
+      "",
+      1,
+      unknownSize,
+      nullptr},
      {{".glb", "the visible faces as a mesh, merged"}, "", 1, unknownSize, writeSurface},
      {{".png", "a picture for each z, as in s%04d.png"}, "", 1, unknownSize, nullptr}}};
 
@@ -76,6 +81,10 @@ Expected<void> write(const ExportKind &kind, const Volume &volume, const std::st
     return writeFile(kind, volume, path, options, exported);
   if (kind.format.ending == ".png")
     return writeSlices(volume, path, options, exported);
+  if (kind.format.ending == ".vdb")
+    return Error::environment("'" + path +
+                              "' is an OpenVDB file, which this build does not write; build voxc with "
+                              "VOXC_OPENVDB=ON");
   return volume.save(path, options.save);
 }
 
@@ -93,6 +102,11 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
   if (options.save.compress && ending != ".hvx")
     return Error::usage("'" + path +
                         "' is no volume that could be compressed; only a file that ends in .hvx is");
+  for (const OtherExport &other : options.otherKinds)
+    if (other.ending == ending) {
+      auto written = other.write(volume, path, options);
+      return written ? Expected<Exported>(Exported()) : written.error();
+    }
   for (const ExportKind &kind : kKinds) {
     if (kind.format.ending != ending)
       continue;
