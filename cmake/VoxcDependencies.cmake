@@ -16,6 +16,9 @@ find_package(nlohmann_json REQUIRED CONFIG)
 find_package(ZLIB REQUIRED)
 find_path(VOXC_PNG_INCLUDE png.h REQUIRED)
 find_path(VOXC_TURBOJPEG_INCLUDE turbojpeg.h REQUIRED)
+find_path(VOXC_DRACO_INCLUDE draco/compression/decode.h REQUIRED)
+find_path(VOXC_MESHOPTIMIZER_INCLUDE meshoptimizer.h REQUIRED)
+find_path(VOXC_WEBP_INCLUDE webp/decode.h REQUIRED)
 find_path(VOXC_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 
 # The component that reads OpenVDB files. Not by default: its libraries would be loaded by every run of the driver.

@@ -22,7 +22,7 @@ Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
                             "VOXC_OPENVDB=ON");
 }
 
-constexpr std::array<InputKind, 16> kKinds{{{"builtin:", openBuiltin},
+constexpr std::array<InputKind, 18> kKinds{{{"builtin:", openBuiltin},
                                             {"grid:", openGrid},
                                             {"raw:", openRaw},
                                             {".obj", openMesh},
@@ -37,6 +37,8 @@ constexpr std::array<InputKind, 16> kKinds{{{"builtin:", openBuiltin},
                                             {".nhdr", openNrrd},
                                             {".nii", openNifti},
                                             {".nii.gz", openNifti},
+                                            {".png", openSlices},
+                                            {".nvdb", openNanoVdb},
                                             {".vdb", lackOpenVdb}}};
 
 Error unknownKind(const std::string &input) {

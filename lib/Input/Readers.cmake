@@ -6,15 +6,21 @@ set(VOXC_INPUT_READERS
   Dense/Histogram.cpp
   Dense/NiftiHeader.cpp
   Dense/NrrdHeader.cpp
+  Dense/PngSlice.cpp
   Dense/Samples.cpp
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp
   MagicaVoxel/VoxScene.cpp
+  NanoVdb/NanoVdbFile.cpp
+  NanoVdb/NanoVdbGrid.cpp
+  NanoVdb/ValueKind.cpp
   Openers/InputText.cpp
   Openers/OpenBinvox.cpp
   Openers/OpenMagicaVoxel.cpp
+  Openers/OpenNanoVdb.cpp
   Openers/OpenNifti.cpp
   Openers/OpenNrrd.cpp
+  Openers/OpenSlices.cpp
   Points/PointList.cpp
   Points/PointSource.cpp)
-set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB)
+set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB png)

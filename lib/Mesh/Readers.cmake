@@ -3,10 +3,12 @@ set(VOXC_MESH_READERS
   Gltf/DataUri.cpp
   Gltf/GltfAccessors.cpp
   Gltf/GltfBuffers.cpp
+  Gltf/GltfDraco.cpp
   Gltf/GltfExtensions.cpp
   Gltf/GltfFile.cpp
   Gltf/GltfMaterials.cpp
   Gltf/GltfMeshes.cpp
+  Gltf/GltfMeshopt.cpp
   Gltf/GltfNodes.cpp
   Gltf/GltfObject.cpp
   Gltf/GltfReader.cpp
@@ -17,6 +19,7 @@ set(VOXC_MESH_READERS
   Image/OtherImage.cpp
   Image/Png.cpp
   Image/TextureSet.cpp
+  Image/WebP.cpp
   Obj/MaterialLibrary.cpp
   Obj/ObjGeometry.cpp
   Obj/ObjMaterials.cpp
@@ -32,4 +35,5 @@ set(VOXC_MESH_READERS
   Stl/StlText.cpp
   TriangleScene.cpp)
 # What they are built on, beside stb_image, a header.
-set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> png turbojpeg)
+set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> png turbojpeg draco meshoptimizer
+                                webp)

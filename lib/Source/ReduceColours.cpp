@@ -172,8 +172,7 @@ bool refine(const std::vector<Cell> &histogram, std::span<const std::size_t> cel
 
 } // namespace
 
-Expected<Rounding> reduceColours(VoxelSource &source, int log2Colours, const Progress &progress) {
-  const std::size_t most = std::size_t{1} << log2Colours;
+Expected<Rounding> reduceColours(VoxelSource &source, std::size_t most, const Progress &progress) {
   const auto found = histogramOf(source, most, progress);
   if (!found)
     return found.error();

@@ -4,6 +4,7 @@
 #include "CubeTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <mutex>
 #include <utility>
@@ -15,11 +16,38 @@ int channel(std::uint32_t word, std::size_t i) { return static_cast<int>(word >>
 
 } // namespace
 
+void ColourErrorSum::add(std::uint32_t word, std::uint32_t rounded) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const int error = std::abs(channel(rounded, i) - channel(word, i));
+    largest_[i] = std::max(largest_[i], error);
+    sum_[i] += static_cast<std::uint64_t>(error);
+    squares_[i] += static_cast<std::uint64_t>(error * error);
+  }
+  ++voxels_;
+}
+
+void ColourErrorSum::add(const ColourErrorSum &other) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    largest_[i] = std::max(largest_[i], other.largest_[i]);
+    sum_[i] += other.sum_[i];
+    squares_[i] += other.squares_[i];
+  }
+  voxels_ += other.voxels_;
+}
+
+ColourError ColourErrorSum::error() const {
+  ColourError error{.largest = largest_, .voxels = voxels_};
+  const auto voxels = static_cast<double>(voxels_);
+  for (std::size_t i = 0; i < 4 && voxels_ > 0; ++i) {
+    error.mean[i] = static_cast<double>(sum_[i]) / voxels;
+    error.rms[i] = std::sqrt(static_cast<double>(squares_[i]) / voxels);
+  }
+  return error;
+}
+
 struct RoundedSource::Tally {
   std::mutex mutex; ///< Guards what follows.
-  std::array<int, 4> largest{};
-  std::array<std::uint64_t, 4> sum{};
-  std::uint64_t voxels = 0;
+  ColourErrorSum sum;
 };
 
 RoundedSource::RoundedSource(VoxelSource &source, Rounding rounding)
@@ -37,35 +65,21 @@ std::unique_ptr<VoxelSource> RoundedSource::view() const {
 
 void RoundedSource::read(const Cube &cube, std::uint32_t *words) {
   source_->read(cube, words);
-  std::array<int, 4> largest{};
-  std::array<std::uint64_t, 4> sum{};
-  std::uint64_t voxels = 0;
+  ColourErrorSum sum;
   for (std::uint64_t at = 0; at < cellCount(cube.log2Side); ++at) {
     if (words[at] == 0)
       continue;
     const std::uint32_t rounded = rounding_(words[at]);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const int error = std::abs(channel(rounded, i) - channel(words[at], i));
-      largest[i] = std::max(largest[i], error);
-      sum[i] += static_cast<std::uint64_t>(error);
-    }
+    sum.add(words[at], rounded);
     words[at] = rounded;
-    ++voxels;
   }
   const std::lock_guard lock(tally_->mutex);
-  for (std::size_t i = 0; i < 4; ++i) {
-    tally_->largest[i] = std::max(tally_->largest[i], largest[i]);
-    tally_->sum[i] += sum[i];
-  }
-  tally_->voxels += voxels;
+  tally_->sum.add(sum);
 }
 
 ColourError RoundedSource::error() const {
   const std::lock_guard lock(tally_->mutex);
-  ColourError error{.largest = tally_->largest, .voxels = tally_->voxels};
-  for (std::size_t i = 0; i < 4 && error.voxels > 0; ++i)
-    error.mean[i] = static_cast<double>(tally_->sum[i]) / static_cast<double>(error.voxels);
-  return error;
+  return tally_->sum.error();
 }
 
 } // namespace voxc

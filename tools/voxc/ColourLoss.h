@@ -17,7 +17,7 @@ inline constexpr const char *kReducedColours = "reduced";
 
 /// "largest error of R, G, B and alpha 4, 2, 4 and 0 of 255, mean 1.94, ...".
 std::string errorText(const ColourError &error);
-/// `largest` and `mean`, of R, G, B and alpha.
+/// `largest`, `mean` and `rms`, of R, G, B and alpha.
 Json errorFigures(const ColourError &error);
 
 /// A source in the colours of a palette of the format's size that stand best for its own; null if it has no

@@ -1,7 +1,8 @@
-// voxc export: the voxels of a volume as a dense grid, points or MagicaVoxel, the volume itself, stored
-// otherwise, or a page that shows it.
+// voxc export: the voxels of a volume as a file of another kind, the volume itself, stored otherwise, or a
+// page that shows it.
 #include "BuildArguments.h"
 #include "Building.h"
+#include "ColourLoss.h"
 #include "Figures.h"
 #include "Outputs.h"
 #include "PageExport.h"
@@ -11,6 +12,10 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
+
+#ifdef VOXC_HAS_OPENVDB
+#include "voxc/OpenVdb/OpenVdb.h"
+#endif
 
 #include <CLI/CLI.hpp>
 
@@ -24,13 +29,13 @@ class ExportCommand final : public Subcommand {
 public:
   void declare(CLI::App &app) override {
     volume_.declare(app);
-    app.add_option("-o,--output", output_,
-                   "File to write; its ending says what: .raw, .ply, .vox, .hvx for the volume itself, or "
-                   ".html for a "
-                   "page that shows it in a browser, with the words and the kernel in it")
+    app.add_option("-o,--output", output_, "File to write; its ending says what: " + kinds())
         ->type_name("FILE")
         ->required();
-    addCompressArgument(app, compress_);
+    app.add_flag("--lossy", options_.lossy,
+                 "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
+                 "to fail; the errors are told");
+    addCompressArgument(app, options_.save.compress);
     page_.declare(app);
     app.add_option(
            "--page-bytes", pageBytes_,
@@ -54,31 +59,61 @@ public:
     ProgressBar bar(common_.quiet);
     const Stopwatch watch;
     Json figures;
-    if (Expected<void> exported = write(*volume, bar.progress(), figures); !exported)
+    options_.save.progress = bar.progress();
+    if (Expected<void> exported = write(*volume, figures); !exported)
       return exported;
     addVolumeFigures(figures, *volume);
     figures["export_seconds"] = watch.seconds();
-    addFileFigure(figures, output_);
+    if (figures.value("files_written", 1) == 1)
+      addFileFigure(figures, output_);
     addWritten(figures, output_);
     return tellFigures(common_, figures);
   }
 
 private:
-  Expected<void> write(const Volume &volume, const Progress &progress, Json &figures) {
-    if (!isPage(output_))
-      return exportVoxels(volume, output_,
-                          {.compress = compress_,
-                           .pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u)),
-                           .progress = progress});
-    if (compress_)
-      return Error::usage(
-          "--compress is for a file that ends in .hvx; the words of a page are always compressed");
-    return page_.write(volume, volume_.path(), output_, progress, figures);
+  static std::string kinds() {
+    std::string text;
+    for (const ExportFormat &format : exportFormats())
+      text += std::string(format.ending) + ", " + std::string(format.holds) + "; ";
+    return text + "or .html, a page that shows it in a browser, with the words and the kernel in it";
+  }
+
+  Expected<void> write(const Volume &volume, Json &figures) {
+    const bool isVox = output_.ends_with(".vox") || output_.ends_with(".VOX");
+    if (options_.lossy && !isVox)
+      return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
+    if (isPage(output_)) {
+      if (options_.save.compress)
+        return Error::usage(
+            "--compress is for a file that ends in .hvx; the words of a page are always compressed");
+      return page_.write(volume, volume_.path(), output_, options_.save.progress, figures);
+    }
+    options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
+#ifdef VOXC_HAS_OPENVDB
+    options_.otherKinds = {openVdbExport()};
+#endif
+    const Expected<Exported> exported = exportVoxels(volume, output_, options_);
+    if (!exported)
+      return exported.error();
+    tell(*exported, figures);
+    return {};
+  }
+
+  void tell(const Exported &exported, Json &figures) const {
+    if (exported.files != 1)
+      figures["files_written"] = exported.files;
+    if (exported.rectangles != 0)
+      figures["rectangles"] = exported.rectangles;
+    if (!exported.loss)
+      return;
+    figures["colour_error"] = errorFigures(*exported.loss);
+    if (!common_.quiet)
+      printNote("note: 255 colours stand for those of the volume: " + errorText(*exported.loss));
   }
 
   VolumeArgument volume_;
   std::string output_;
-  bool compress_ = false;
+  ExportOptions options_;
   PageExport page_;
   std::string pageBytes_ = "256KiB";
   CommonOptions common_;

@@ -50,7 +50,8 @@ struct MatterRow {
 constexpr MatterRow kMatters[] = {
     {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther}, {".obj", kMesh},   {".ply", kMesh},
     {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense}, {".nhdr", kDense},
-    {".nii", kDense},       {".nii.gz", kDense}, {".vdb", kDense},  {".vox", kModels}, {".hvx", kOther},
+    {".nii", kDense},       {".nii.gz", kDense}, {".vdb", kDense},  {".nvdb", kDense}, {".png", kDense},
+    {".vox", kModels},      {".hvx", kOther},
 };
 
 /// What an input is made of; nothing if its kind is not known here.

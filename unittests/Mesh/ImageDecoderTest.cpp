@@ -71,7 +71,7 @@ TEST_F(Images, SixteenBitsAndPalettes) {
 }
 
 TEST_F(Images, BrokenOnesSayWhy) {
-  EXPECT_THAT(problem("empty.png"), HasSubstr("no PNG, JPEG, BMP or TGA"));
+  EXPECT_THAT(problem("empty.png"), HasSubstr("no PNG, JPEG, WebP, BMP or TGA"));
   EXPECT_THAT(problem("wide.png"), HasSubstr("20000x1 texels, but none may have more than 16384 a side"));
   EXPECT_THAT(problem("claims.png"), HasSubstr("16000x16000 texels, more than its 66 bytes can hold"));
   EXPECT_THAT(problem("huge.tga"), HasSubstr("16383x16383 texels, more than its 18 bytes can hold"));

@@ -3,6 +3,7 @@
 #include "Source/SourceTesting.h"
 
 #include "voxc/Input/Input.h"
+#include "voxc/Source/Export.h"
 
 #include <gmock/gmock.h>
 
@@ -21,6 +22,18 @@ TEST(OpenVdb, ABuildWithoutItSaysSo) {
   ASSERT_FALSE(input);
   EXPECT_EQ(input.error().kind, ErrorKind::Environment);
   EXPECT_THAT(input.error().message, HasSubstr("VOXC_OPENVDB=ON"));
+}
+
+TEST(OpenVdb, ABuildWithoutItWritesNone) {
+  const TemporaryFolder folder;
+  VolumeInfo info;
+  info.format = *parseFormat("R(1, 1, 1)");
+  info.extent = {2, 2, 2};
+  const auto written = exportVoxels(Volume(info, {0}), folder.path("v.vdb"));
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().kind, ErrorKind::Environment);
+  EXPECT_THAT(written.error().message, HasSubstr("VOXC_OPENVDB=ON"));
+  EXPECT_EQ(folder.count(), 0);
 }
 
 #ifdef VOXC_HAS_OPENVDB
@@ -83,6 +96,45 @@ TEST(OpenVdb, LevelSetsAreFilled) {
   ASSERT_TRUE(turned);
   EXPECT_EQ(turned->source->extent(), (Int3{214, 167, 212}));
   EXPECT_EQ(voxelsOf(*turned->source).size(), count);
+}
+
+/// A dense volume of R(4, 3, 3), of which the input took 13 x 8 x 5.
+Volume smallVolume(const Voxels &voxels) {
+  VolumeInfo info;
+  info.format = *parseFormat("R(4, 3, 3)");
+  info.extent = {13, 8, 5};
+  info.voxels = voxels.size();
+  info.voxelToModel = transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7});
+  std::vector<std::uint32_t> words(1 + 16 * 8 * 8);
+  words[0] = 1;
+  for (const auto &[code, word] : voxels) {
+    const Int3 cell = mortonCell(code);
+    words[1 + static_cast<std::size_t>(cell.x + 16 * (cell.y + 8 * cell.z))] = word;
+  }
+  return Volume(info, words);
+}
+
+TEST(OpenVdb, WhatIsWrittenComesBackAsFog) {
+  const TemporaryFolder folder;
+  Voxels voxels;
+  for (int i = 0; i < 13; ++i)
+    voxels[mortonCode({i, i % 8, i % 5})] = rgba(static_cast<std::uint32_t>(i), 255, 0);
+  const std::string path = folder.path("v.vdb");
+  ExportOptions options;
+  EXPECT_FALSE(exportVoxels(smallVolume(voxels), path, options));
+  options.otherKinds = {openVdbExport()};
+  const auto written = exportVoxels(smallVolume(voxels), path, options);
+  ASSERT_TRUE(written) << written.error().message;
+  EXPECT_EQ(folder.count(), 1);
+  const auto fog = openInput(path, withOpenVdb());
+  ASSERT_TRUE(fog) << fog.error().message;
+  EXPECT_EQ(fog->source->extent(), (Int3{13, 8, 5}));
+  Voxels places;
+  for (const auto &[code, word] : voxelsOf(*fog->source))
+    places[code] = voxels.contains(code) ? voxels[code] : 0;
+  EXPECT_EQ(places, voxels);
+  EXPECT_EQ(rowsOf(fog->source->voxelToModel()),
+            (std::array<double, 12>{0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7}));
 }
 
 TEST(OpenVdb, BrokenFilesAreErrors) {

@@ -31,7 +31,7 @@ std::set<std::uint32_t> coloursOf(VoxelSource &source) {
 
 TEST(ReduceColours, KeepsThoseForWhichThereIsRoom) {
   const auto source = gradient(64); // Four steps a channel.
-  const auto rounding = reduceColours(*source, 6);
+  const auto rounding = reduceColours(*source, 1 << 6);
   ASSERT_TRUE(rounding);
   EXPECT_FALSE(*rounding);
 }
@@ -39,7 +39,7 @@ TEST(ReduceColours, KeepsThoseForWhichThereIsRoom) {
 TEST(ReduceColours, ChoosesAsManyAsThereMayBe) {
   for (const int log2Colours : {1, 3, 5, 8, 10}) {
     const auto source = gradient(16); // 4096 colours.
-    const auto rounding = reduceColours(*source, log2Colours);
+    const auto rounding = reduceColours(*source, std::size_t{1} << log2Colours);
     ASSERT_TRUE(rounding);
     RoundedSource rounded(*source, *rounding);
     const auto colours = coloursOf(rounded);
@@ -53,7 +53,7 @@ TEST(ReduceColours, ErrsLessWithMore) {
   double last = 256;
   for (const int log2Colours : {1, 3, 6, 9}) {
     const auto source = gradient(16);
-    RoundedSource rounded(*source, *reduceColours(*source, log2Colours));
+    RoundedSource rounded(*source, *reduceColours(*source, std::size_t{1} << log2Colours));
     coloursOf(rounded);
     const double mean = rounded.error().mean[0] + rounded.error().mean[1] + rounded.error().mean[2];
     EXPECT_LT(mean, last);

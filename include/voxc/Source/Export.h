@@ -1,18 +1,62 @@
-// Writing a volume to a file of any kind: its voxels as a dense grid, points or MagicaVoxel, or itself.
+// Writing a volume to files of any kind: as grids, points, models, surfaces or pictures, or itself.
 #pragma once
 
+#include "voxc/Source/Rounding.h"
 #include "voxc/Volume/Volume.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace voxc {
 
-/// Decodes `volume` to `path`, by its ending: .raw (uint32 RGBA, x fastest, of the input's extent), .ply
-/// (binary points: int x y z, uchar red green blue alpha, one a voxel in Morton order) or .vox (MagicaVoxel;
-/// at most 255 colours, several models of up to 256 cells a side). A path that ends in .hvx gets the volume
-/// itself, as `Volume::save` writes it. Written under a temporary name and renamed. Errors: another ending;
-/// `Usage`, `options.compress` for what is no .hvx; more voxels than the file or the disk can hold; as
+struct ExportOptions;
+
+/// A kind of file that an optional component writes.
+struct OtherExport {
+  std::string_view ending; ///< With its dot.
+  Expected<void> (*write)(const Volume &volume, const std::string &path, const ExportOptions &options);
+};
+
+/// How a volume is exported.
+struct ExportOptions {
+  SaveOptions save; ///< Of a .hvx file; its `progress` and `memory` of every kind.
+  /// A kind that holds too few colours gets those that stand best for the volume's, rather than to fail.
+  bool lossy = false;
+  std::vector<OtherExport> otherKinds; ///< Asked before the kinds known here.
+};
+
+/// What an export made.
+struct Exported {
+  std::uint64_t files = 1;         ///< That were written; several of a pattern.
+  std::uint64_t rectangles = 0;    ///< Of a surface: what its faces were merged to.
+  std::optional<ColourError> loss; ///< Set if `lossy` changed colours: by how much.
+};
+
+/// A kind of file that volumes are exported to.
+struct ExportFormat {
+  std::string_view ending; ///< With its dot.
+  std::string_view holds;  ///< What is in the file, as text.
+};
+
+/// All kinds, in the order of messages and tables.
+std::vector<ExportFormat> exportFormats();
+
+/// Writes the voxels of `volume` to `path`, by its ending:
+/// - .raw: uint32 RGBA, x fastest, then y, then z, of the input's extent;
+/// - .ply: binary points, int x y z, uchar red green blue alpha, one a voxel in Morton order;
+/// - .vox: MagicaVoxel, models of up to 256 cells a side in a scene graph, at most 255 colours;
+/// - .nvdb: a NanoVDB grid of RGBA8 values, active where there are voxels;
+/// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex;
+/// - .png: a picture for each z; `path` is a pattern with %d or %04d in place of z, unless there is but one;
+/// - .vdb: OpenVDB grids, where `otherKinds` has what writes them;
+/// - .hvx: the volume itself, as `Volume::save` writes it.
+/// Each file is written under a temporary name and renamed. Errors: another ending; `Usage`,
+/// `options.save.compress` for what is no .hvx; more than the kind, its file or the disk can hold; as
 /// `decode` and `save`.
-Expected<void> exportVoxels(const Volume &volume, const std::string &path, const SaveOptions &options = {});
+Expected<Exported> exportVoxels(const Volume &volume, const std::string &path,
+                                const ExportOptions &options = {});
 
 } // namespace voxc

@@ -15,7 +15,22 @@ namespace voxc {
 struct ColourError {
   std::array<int, 4> largest{};
   std::array<double, 4> mean{};
-  std::uint64_t voxels = 0; ///< Over so many.
+  std::array<double, 4> rms{}; ///< The root of the mean square.
+  std::uint64_t voxels = 0;    ///< Over so many.
+};
+
+/// Sums up the errors of colours.
+class ColourErrorSum {
+public:
+  void add(std::uint32_t word, std::uint32_t rounded);
+  void add(const ColourErrorSum &other);
+  ColourError error() const;
+
+private:
+  std::array<int, 4> largest_{};
+  std::array<std::uint64_t, 4> sum_{};
+  std::array<std::uint64_t, 4> squares_{};
+  std::uint64_t voxels_ = 0;
 };
 
 /// The word that stands for a word; neither is 0. May be called by several threads.
@@ -48,9 +63,9 @@ private:
   std::shared_ptr<Tally> tally_;
 };
 
-/// At most 2^log2Colours colours that stand for those of a source, by variance cuts and, of up to 256, some
-/// steps of k-means (Lloyd), over its colours in 64 steps a channel; or null if it has no more colours than
-/// that. Reads the source once. Errors: the source's, interrupted.
-Expected<Rounding> reduceColours(VoxelSource &source, int log2Colours, const Progress &progress = {});
+/// At most `most` colours that stand for those of a source, by variance cuts and, of up to 256, some steps of
+/// k-means (Lloyd), over its colours in 64 steps a channel; or null if it has no more colours than that.
+/// Reads the source once. Errors: the source's, interrupted.
+Expected<Rounding> reduceColours(VoxelSource &source, std::size_t most, const Progress &progress = {});
 
 } // namespace voxc

@@ -26,9 +26,11 @@ bool isGzip(std::span<const std::byte> bytes) {
   return bytes.size() >= 2 && bytes[0] == std::byte{0x1f} && bytes[1] == std::byte{0x8b};
 }
 
-GzipReader::GzipReader(std::span<const std::byte> bytes) : bytes_(bytes), state_(std::make_unique<State>()) {
-  // 16: a gzip header is expected, and its checksum held against the data.
-  state_->isOpen = inflateInit2(&state_->stream, 16 + MAX_WBITS) == Z_OK;
+GzipReader::GzipReader(std::span<const std::byte> bytes, Wrapping wrapping)
+    : bytes_(bytes), state_(std::make_unique<State>()) {
+  // 16: a gzip header is expected. Either way the checksum is held against the data.
+  const int windowBits = wrapping == Wrapping::Gzip ? 16 + MAX_WBITS : MAX_WBITS;
+  state_->isOpen = inflateInit2(&state_->stream, windowBits) == Z_OK;
 }
 
 GzipReader::~GzipReader() {

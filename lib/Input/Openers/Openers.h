@@ -17,6 +17,9 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
 Expected<Input> openBinvox(const std::string &path, const InputOptions &options);
 Expected<Input> openNrrd(const std::string &path, const InputOptions &options);
 Expected<Input> openNifti(const std::string &path, const InputOptions &options);
+/// A PNG picture, or a pattern of them.
+Expected<Input> openSlices(const std::string &path, const InputOptions &options);
+Expected<Input> openNanoVdb(const std::string &path, const InputOptions &options);
 Expected<Input> openRaw(const std::string &text, const InputOptions &options);
 
 } // namespace voxc

@@ -2,6 +2,7 @@
 #include "Mesh/Gltf/GltfBuffers.h"
 
 #include "Mesh/Gltf/DataUri.h"
+#include "Mesh/Gltf/GltfMeshopt.h"
 #include "Support/WatchedFile.h"
 
 namespace voxc {
@@ -9,6 +10,9 @@ namespace voxc {
 namespace {
 
 constexpr std::uint64_t kMostStride = 252; // By the specification.
+
+/// Compressed views may show the same bytes again and again, and each is decoded.
+constexpr std::uint64_t kMostDecodedAByte = 1024;
 
 } // namespace
 
@@ -18,6 +22,41 @@ GltfBuffers::GltfBuffers(GltfContext &context)
 
 GltfBuffers::View GltfBuffers::view(std::size_t index) {
   const GltfObject json = views_[index];
+  const GltfObject meshopt = meshoptOf(json);
+  if (!meshopt)
+    return stored(json);
+  const std::uint64_t stride = json.count("byteStride").value_or(0);
+  const std::uint64_t length = json.count("byteLength").value_or(0);
+  const std::span<const std::byte> bytes = decoded(index, meshopt);
+  if (stride > kMostStride || length > bytes.size()) {
+    json.problem("has a byteStride or a byteLength that is not that of its compressed data");
+    return {};
+  }
+  return {bytes.first(length), static_cast<std::uint32_t>(stride)};
+}
+
+std::span<const std::byte> GltfBuffers::decoded(std::size_t index, const GltfObject &meshopt) {
+  const auto [entry, isNew] = decoded_.try_emplace(index);
+  if (!isNew)
+    return entry->second;
+  const std::span<const std::byte> compressed = stored(meshopt).bytes;
+  bytesDecoded_ += meshoptBytes(meshopt, compressed.size());
+  if (bytesDecoded_ / kMostDecodedAByte > context_.fileBytes + bytesOfFiles_) {
+    meshopt.problem("and those before it claim " + std::to_string(bytesDecoded_) +
+                    " bytes, but the files have only " + std::to_string(bytesOfFiles_));
+    return {};
+  }
+  if (context_.problem)
+    return {};
+  const auto kept = decodeMeshopt(meshopt, compressed, context_.memory, context_.problem);
+  if (!kept)
+    return {};
+  context_.scene.storage.push_back(kept);
+  bytesOfFiles_ += kept->size();
+  return entry->second = kept->span();
+}
+
+GltfBuffers::View GltfBuffers::stored(const GltfObject &json) {
   const auto bufferIndex = json.index("buffer", list_);
   if (!bufferIndex) {
     json.problem("has no buffer");
@@ -31,7 +70,7 @@ GltfBuffers::View GltfBuffers::view(std::size_t index) {
     json.problem("reaches over the end of its buffer, which has " + std::to_string(bytes.size()) + " bytes");
     return {};
   }
-  if (stride > kMostStride) {
+  if (stride > kMostStride && !json.has("mode")) { // What is decoded may have 256.
     json.problem("has a byteStride of " + std::to_string(stride) + ", more than 252");
     return {};
   }

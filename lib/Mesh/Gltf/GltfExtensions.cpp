@@ -10,9 +10,13 @@ namespace {
 
 /// Those that are read, and those that say nothing about where the surface is or which colour it has. A name
 /// that ends in _ stands for all that begin so.
-constexpr std::array<std::string_view, 17> kHarmless{"KHR_texture_transform",
+constexpr std::array<std::string_view, 21> kHarmless{"KHR_texture_transform",
                                                      "KHR_mesh_quantization",
                                                      "EXT_mesh_gpu_instancing",
+                                                     "KHR_draco_mesh_compression",
+                                                     "EXT_meshopt_compression",
+                                                     "KHR_meshopt_compression",
+                                                     "EXT_texture_webp",
                                                      "KHR_materials_",
                                                      "KHR_lights_",
                                                      "KHR_animation_",
@@ -34,13 +38,18 @@ bool isHarmless(std::string_view name) {
   });
 }
 
+/// What to do about an extension that cannot be read.
+std::string adviceOn(std::string_view name) {
+  return name == "KHR_texture_basisu" ? "; convert its KTX2 textures to PNG, JPEG or WebP" : "";
+}
+
 } // namespace
 
 void checkGltfExtensions(GltfContext &context) {
   const GltfList required = context.root.list("extensionsRequired");
   for (std::size_t i = 0; i < required.size(); ++i)
     if (const std::string name(required.text(i)); !isHarmless(name))
-      context.problem.set("it requires the extension '" + name + "', which is not read");
+      context.problem.set("it requires the extension '" + name + "', which is not read" + adviceOn(name));
   const GltfList used = context.root.list("extensionsUsed");
   for (std::size_t i = 0; i < used.size(); ++i)
     if (const std::string name(used.text(i)); !isHarmless(name))

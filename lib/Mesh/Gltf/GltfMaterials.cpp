@@ -99,7 +99,8 @@ void GltfMaterials::readWrap(const GltfObject &texture, TextureUse &use) const {
 }
 
 int GltfMaterials::readImage(const GltfObject &texture) {
-  const auto index = texture.index("source", imageList_);
+  const GltfObject webp = texture.extension("EXT_texture_webp");
+  const auto index = webp ? webp.index("source", imageList_) : texture.index("source", imageList_);
   if (!index) {
     context_.warnings.add(texture.name() + " has no image of a kind that is read");
     return -1;

@@ -19,9 +19,10 @@ bool isFloat(Type type) { return type == Type::Float32 || type == Type::Float64;
 
 } // namespace
 
-GltfMeshes::GltfMeshes(GltfContext &context, GltfAccessors &accessors, GltfMaterials &materials)
-    : context_(context), accessors_(accessors), materials_(materials), list_(context.root.list("meshes")),
-      known_(list_.size()) {}
+GltfMeshes::GltfMeshes(GltfContext &context, GltfBuffers &buffers, GltfAccessors &accessors,
+                       GltfMaterials &materials)
+    : context_(context), buffers_(buffers), accessors_(accessors), materials_(materials),
+      list_(context.root.list("meshes")), known_(list_.size()) {}
 
 GltfMeshes::Parts GltfMeshes::parts(std::size_t mesh) {
   std::optional<Parts> &known = known_[mesh];
@@ -53,14 +54,22 @@ void GltfMeshes::readPrimitive(const GltfObject &primitive) {
     context_.warnings.add(primitive.name() + " has no positions and is left out");
     return;
   }
+  draco_.reset();
+  if (const GltfObject draco = primitive.extension("KHR_draco_mesh_compression")) {
+    draco_ = DracoMesh::decode(context_, buffers_, draco);
+    part.mode = PrimitiveMode::Triangles; // Strips are written out.
+    if (!draco_)
+      return;
+  }
   part.positions = attribute(attributes, "POSITION", 3, 3, part);
-  part.indices = readIndices(primitive);
+  part.indices = draco_ ? draco_->indices() : readIndices(primitive);
   const GltfMaterials::Use use = materials_.use(primitive);
   part.material = use.material;
   if (context_.scene.materials[use.material].texture.texture >= 0)
     part.uvs = attribute(attributes, "TEXCOORD_" + std::to_string(use.uvSet), 2, 2, part);
   readColours(attributes, part);
-  const bool isEmpty = part.positions.count == 0 || (primitive.has("indices") && part.indices.count == 0);
+  const bool hasIndices = draco_ || primitive.has("indices");
+  const bool isEmpty = part.positions.count == 0 || (hasIndices && part.indices.count == 0);
   if (!context_.problem && !isEmpty)
     context_.scene.parts.push_back(part);
 }
@@ -71,12 +80,20 @@ void GltfMeshes::readColours(const GltfObject &attributes, MeshPart &part) {
   part.colours.normalized = !isFloat(part.colours.type);
 }
 
+AttributeView GltfMeshes::rowsOf(const std::string &name, std::size_t index) const {
+  AttributeView view = draco_ ? draco_->attribute(name) : AttributeView();
+  if (!view)
+    return accessors_.view(index);
+  view.normalized = accessors_.list()[index].flag("normalized");
+  return view;
+}
+
 AttributeView GltfMeshes::attribute(const GltfObject &attributes, const std::string &name,
                                     std::uint8_t fewest, std::uint8_t most, const MeshPart &part) {
   const auto index = attributes.index(name, accessors_.list());
   if (!index)
     return {};
-  const AttributeView view = accessors_.view(*index);
+  const AttributeView view = rowsOf(name, *index);
   const std::string accessor = accessors_.list()[*index].name();
   if (view && (view.components < fewest || view.components > most))
     attributes.problem("uses " + accessor + " as " + name + ", but it has " +

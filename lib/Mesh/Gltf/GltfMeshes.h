@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Mesh/Gltf/GltfAccessors.h"
+#include "Mesh/Gltf/GltfDraco.h"
 #include "Mesh/Gltf/GltfMaterials.h"
 
 #include <optional>
@@ -11,7 +12,7 @@ namespace voxc {
 
 class GltfMeshes {
 public:
-  GltfMeshes(GltfContext &context, GltfAccessors &accessors, GltfMaterials &materials);
+  GltfMeshes(GltfContext &context, GltfBuffers &buffers, GltfAccessors &accessors, GltfMaterials &materials);
 
   const GltfList &list() const { return list_; }
 
@@ -27,15 +28,19 @@ public:
 private:
   void readPrimitive(const GltfObject &primitive);
   void readColours(const GltfObject &attributes, MeshPart &part);
+  /// The rows of an attribute, of Draco's mesh if there is one that has it. `index` is that of its accessor.
+  AttributeView rowsOf(const std::string &name, std::size_t index) const;
   AttributeView attribute(const GltfObject &attributes, const std::string &name, std::uint8_t fewest,
                           std::uint8_t most, const MeshPart &part);
   AttributeView readIndices(const GltfObject &primitive);
 
   GltfContext &context_;
+  GltfBuffers &buffers_;
   GltfAccessors &accessors_;
   GltfMaterials &materials_;
   GltfList list_;
   std::vector<std::optional<Parts>> known_;
+  std::optional<DracoMesh> draco_; ///< Of the primitive that is being read.
   bool sawMorphing_ = false;
 };
 

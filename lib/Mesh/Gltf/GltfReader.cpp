@@ -27,7 +27,7 @@ void readModel(GltfContext &context) {
   GltfBuffers buffers(context);
   GltfAccessors accessors(context, buffers);
   GltfMaterials materials(context, buffers);
-  GltfMeshes meshes(context, accessors, materials);
+  GltfMeshes meshes(context, buffers, accessors, materials);
   readGltfNodes(context, meshes, accessors);
   context.scene.loaderPeakBytes += materials.libraryPeakBytes();
 }

@@ -16,24 +16,22 @@ namespace {
 constexpr std::int64_t kMostTexels = std::int64_t{1} << 26;
 constexpr int kMostTexelsASide = 16384;
 
-/// No compression of the four kinds makes more texels of a byte (deflate: 1032 bytes, of one bit a texel).
-constexpr std::int64_t kMostTexelsAByte = 8400;
 constexpr std::int64_t kFewTexels = 1 << 16;
 
 const ImageKind &kindOf(std::span<const std::byte> bytes) {
-  for (const ImageKind *kind : {&kPngImage, &kJpegImage})
+  for (const ImageKind *kind : {&kPngImage, &kJpegImage, &kWebPImage})
     if (kind->recognises(bytes))
       return *kind;
   return kOtherImage;
 }
 
 /// What is wrong with an image of this size, or nothing.
-std::string checkSize(ImageSize size, std::size_t bytes) {
+std::string checkSize(ImageSize size, const ImageKind &kind, std::size_t bytes) {
   const std::string claim =
       "the image has " + std::to_string(size.width) + "x" + std::to_string(size.height) + " texels";
   if (std::max(size.width, size.height) > kMostTexelsASide)
     return claim + ", but none may have more than 16384 a side";
-  if (size.texels() > kFewTexels + kMostTexelsAByte * static_cast<std::int64_t>(bytes))
+  if (size.texels() > kFewTexels + kind.mostTexelsAByte * static_cast<std::int64_t>(bytes))
     return claim + ", more than its " + std::to_string(bytes) + " bytes can hold";
   if (size.texels() > kMostTexels)
     return claim + ", but none may have more than 2^26";
@@ -48,8 +46,8 @@ Expected<Texture> ImageDecoder::decode(std::span<const std::byte> bytes) {
   const ImageKind &kind = kindOf(bytes);
   const auto size = kind.readSize(bytes);
   if (!size || size->width < 1 || size->height < 1)
-    return Error::input("it is no PNG, JPEG, BMP or TGA image, or a broken one");
-  if (std::string wrong = checkSize(*size, bytes.size()); !wrong.empty())
+    return Error::input("it is no PNG, JPEG, WebP, BMP or TGA image, or a broken one");
+  if (std::string wrong = checkSize(*size, kind, bytes.size()); !wrong.empty())
     return Error::input(std::move(wrong));
   if (size->texels() > texelsLeft_)
     return Error::input("the images before it have taken all of the 2^30 texels that a model may have");

@@ -1,4 +1,4 @@
-// Decoding of compressed images: PNG, JPEG, BMP and TGA, within limits.
+// Decoding of compressed images: PNG, JPEG, WebP, BMP and TGA, within limits.
 #pragma once
 
 #include "voxc/Mesh/TriangleScene.h"

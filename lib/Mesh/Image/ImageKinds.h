@@ -25,12 +25,16 @@ struct ImageKind {
   std::string (*decode)(std::span<const std::byte> bytes, ImageSize size, std::uint32_t *texels);
   /// What the library may hold beside the texels, a texel.
   std::uint64_t libraryBytesATexel;
+  /// More texels than its compression can make of a byte. (Deflate: 1032 bytes, of one bit a texel.)
+  std::int64_t mostTexelsAByte = 8400;
 };
 
 /// By libpng, row by row.
 extern const ImageKind kPngImage;
 /// By libjpeg-turbo, which holds the coefficients of a progressive image.
 extern const ImageKind kJpegImage;
+/// By libwebp.
+extern const ImageKind kWebPImage;
 /// By stb_image: BMP, and TGA, which no sign begins with, so that anything may be one.
 extern const ImageKind kOtherImage;
 

@@ -1,9 +1,11 @@
-// Writing MagicaVoxel files, and visiting the voxels of a volume.
+// Visiting the voxels of a volume, and their rows.
 #pragma once
 
 #include "Source/CubeTools.h"
-#include "voxc/Support/File.h"
 #include "voxc/Volume/Volume.h"
+
+#include <algorithm>
+#include <span>
 
 namespace voxc {
 
@@ -29,9 +31,18 @@ Expected<void> forEachVoxel(const Volume &volume, const Progress &progress, Visi
   return decoded;
 }
 
-/// Writes models of at most 256 cells a side, placed by a scene graph, with a palette. MagicaVoxel's up is
-/// +z, so +y is turned to it. Errors: more than 255 colours or 2^29 voxels; as
-/// `decode`.
-Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const Progress &progress);
+/// Writes the words of a row along x from `cell` on: a lookup for each run of equal ones that the volume
+/// stores.
+inline void readRow(const Volume &volume, Int3 cell, std::span<std::uint32_t> row) {
+  const std::int32_t first = cell.x;
+  const std::int64_t width = first + static_cast<std::int64_t>(row.size());
+  while (cell.x < width) {
+    const Lookup found = volume.lookup(cell);
+    const std::int64_t side = std::int64_t{1} << found.log2Side;
+    const std::int64_t end = std::min<std::int64_t>((cell.x & -side) + side, width);
+    for (; cell.x < end; ++cell.x)
+      row[static_cast<std::size_t>(cell.x - first)] = found.value;
+  }
+}
 
 } // namespace voxc

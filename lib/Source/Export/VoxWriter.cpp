@@ -1,5 +1,7 @@
 // MagicaVoxel files: chunks of four letters, the size of their content, and that of their children.
-#include "Source/VoxWriter.h"
+#include "Source/Export/VoxelVisit.h"
+#include "Source/Export/Writers.h"
+#include "voxc/Source/Sources.h"
 
 #include <algorithm>
 #include <map>
@@ -145,20 +147,45 @@ private:
   std::unordered_map<std::uint32_t, std::uint32_t> indices_;
 };
 
+/// Null if the volume has no more colours than a palette holds.
+Expected<Rounding> reduceToPalette(const Volume &volume, const Progress &progress) {
+  const auto source = makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume));
+  return reduceColours(*source, kMaxColours, progress);
+}
+
 } // namespace
 
-Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const Progress &progress) {
+Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const ExportOptions &options,
+                                Exported &exported) {
   // Sizes of chunks are 32-bit; a voxel takes a word.
   constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
+  const Progress &progress = options.save.progress;
   if (volume.info().voxels > kMaxVoxels)
     return Error::input("a .vox file cannot hold " + std::to_string(volume.info().voxels) +
                         " voxels; at most 536870912 fit");
+  Rounding rounding;
+  if (options.lossy) {
+    auto found = reduceToPalette(volume, progress);
+    if (!found)
+      return found.error();
+    rounding = std::move(*found);
+  }
   Scene scene(volume.info().extent);
-  const auto add = [&](Int3 voxel, std::uint32_t word) { return scene.add(voxel, word); };
+  ColourErrorSum loss;
+  const auto add = [&](Int3 voxel, std::uint32_t word) {
+    if (!rounding)
+      return scene.add(voxel, word);
+    const std::uint32_t rounded = rounding(word);
+    loss.add(word, rounded);
+    return scene.add(voxel, rounded);
+  };
   if (auto visited = forEachVoxel(volume, progress, add); !visited)
     return visited;
   if (scene.hasTooManyColours())
-    return Error::input("a .vox file holds at most 255 colours, but the volume has more");
+    return Error::input("a .vox file holds at most 255 colours, but the volume has more; --lossy takes those "
+                        "that stand best for them");
+  if (rounding)
+    exported.loss = loss.error();
   const std::string bytes = scene.file();
   return file.write(bytes.data(), bytes.size());
 }

@@ -1,0 +1,246 @@
+// Opening NanoVDB grids: colours as they are, numbers as a dense volume of samples, level sets filled.
+#include "Input/Dense/ColourMap.h"
+#include "Input/Dense/Samples.h"
+#include "Input/NanoVdb/NanoVdbFile.h"
+#include "Input/NanoVdb/NanoVdbGrid.h"
+#include "Input/Openers/InputText.h"
+#include "Input/Openers/Openers.h"
+#include "Source/DenseSource.h"
+#include "Source/GridExtent.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+/// Which values are voxels, and what they look like.
+struct Look {
+  ValueMeaning meaning = ValueMeaning::Sample;
+  bool isLevelSet = false;
+  double threshold = 0; ///< Of a level set.
+  SampleMap map;        ///< Of any other numbers.
+
+  std::uint32_t word(double value, bool isActive) const {
+    if (meaning == ValueMeaning::Colour)
+      return isActive ? static_cast<std::uint32_t>(value) : 0;
+    if (meaning == ValueMeaning::Flag)
+      return value != 0 ? 0xffffffff : 0;
+    if (isLevelSet)
+      return value <= threshold ? 0xffffffff : 0;
+    return map.word(value);
+  }
+};
+
+/// A grid with the bytes that it lies in.
+struct OpenGrid {
+  StoredGrid stored;
+  NanoVdbGrid grid;
+};
+
+class GridRows final : public DenseRows {
+public:
+  GridRows(std::shared_ptr<const OpenGrid> open, const Look &look) : open_(std::move(open)), look_(look) {}
+
+  void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
+    const auto take = [&](double value, bool isActive) { *words++ = look_.word(value, isActive); };
+    for (Int3 cell = open_->grid.low() + first; count > 0;) {
+      const std::int32_t run = open_->grid.readRun(cell, count, take);
+      cell.x += run;
+      count -= run;
+    }
+  }
+
+private:
+  std::shared_ptr<const OpenGrid> open_;
+  Look look_;
+};
+
+Expected<Int3> extentOf(const NanoVdbGrid &grid, const InputOptions &options) {
+  Int3 extent;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t size = std::int64_t{grid.high()[axis]} - grid.low()[axis] + 1;
+    if (size < 1)
+      return Error::input("its grid has no active voxel");
+    extent[axis] = static_cast<std::int32_t>(std::min<std::int64_t>(size, (1 << kMaxLog2Extent) + 1));
+  }
+  if (auto possible = checkGridExtent(extent); !possible)
+    return possible.error();
+  const Int3 holds = options.mostExtent();
+  const bool fits = extent.x <= holds.x && extent.y <= holds.y && extent.z <= holds.z;
+  // What is empty is kept in a bit for each 512 cells.
+  if (!fits || cellsOf(extent) > std::uint64_t{1} << 40)
+    return Error::input("its grid takes " + toText(extent) + " voxels, but the format holds " +
+                        toText(holds) + (fits ? " and at most 2^40 are read" : ""));
+  return extent;
+}
+
+/// Of active values; without any, nothing but 0.
+SampleRange rangeOf(const NanoVdbGrid &grid) {
+  SampleRange range;
+  const auto add = [&](double value, bool isActive) {
+    if (!isActive || !std::isfinite(value))
+      return;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  };
+  grid.forEach(
+      [&](Int3, const std::byte *leaf) {
+        for (std::uint32_t cell = 0; cell < 512; ++cell)
+          add(grid.kind().readCell(leaf, cell), isActiveInLeaf(leaf, cell));
+      },
+      [&](const ValueTile &tile) { add(tile.value, tile.isActive); });
+  return range.low <= range.high ? range : SampleRange{0, 0};
+}
+
+Expected<Look> lookOf(const NanoVdbGrid &grid, const InputOptions &options) {
+  Look look;
+  look.meaning = grid.kind().meaning;
+  look.isLevelSet = grid.isLevelSet() && look.meaning == ValueMeaning::Sample;
+  // Nearer than half a voxel's side, as of OpenVDB's level sets.
+  look.threshold = options.threshold.value_or(grid.voxelSize() / 2);
+  look.map.threshold = options.threshold;
+  if (options.colourMap == kLabels) {
+    look.map.labels = true;
+    return look;
+  }
+  auto colours = colourMap(options.colourMap);
+  if (!colours)
+    return colours.error();
+  look.map.colours = *colours;
+  if (look.meaning == ValueMeaning::Sample && !look.isLevelSet)
+    look.map.window =
+        options.window ? SampleRange{(*options.window)[0], (*options.window)[1]} : rangeOf(grid);
+  return look;
+}
+
+/// Marks the bricks that cells of a box reach into.
+void markBox(OccupancyPyramid &occupancy, Int3 extent, Int3 low, std::int64_t side) {
+  constexpr std::int64_t kBrick = 1 << OccupancyPyramid::kLog2Brick;
+  Int3 first;
+  Int3 last;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t begin = std::max<std::int64_t>(low[axis], 0);
+    const std::int64_t end = std::min<std::int64_t>(low[axis] + side, extent[axis]);
+    if (begin >= end)
+      return;
+    first[axis] = static_cast<std::int32_t>(begin & -kBrick);
+    last[axis] = static_cast<std::int32_t>(end - 1);
+  }
+  Int3 cell;
+  for (cell.z = first.z; cell.z <= last.z; cell.z += kBrick)
+    for (cell.y = first.y; cell.y <= last.y; cell.y += kBrick)
+      for (cell.x = first.x; cell.x <= last.x; cell.x += kBrick)
+        occupancy.mark(cell);
+}
+
+/// Which bricks of the box of active cells hold a voxel.
+OccupancyPyramid occupancyOf(const NanoVdbGrid &grid, const Look &look, Int3 extent) {
+  OccupancyPyramid occupancy(extent);
+  // A cell far outside the box may be too far for a difference in 32 bits; it is clipped before that matters.
+  const auto shifted = [&](Int3 cell) {
+    Int3 moved;
+    for (int axis = 0; axis < 3; ++axis)
+      moved[axis] = static_cast<std::int32_t>(
+          std::clamp<std::int64_t>(std::int64_t{cell[axis]} - grid.low()[axis], -(1 << 24), 1 << 24));
+    return moved;
+  };
+  grid.forEach(
+      [&](Int3 low, const std::byte *leaf) {
+        for (std::uint32_t cell = 0; cell < 512; ++cell)
+          if (look.word(grid.kind().readCell(leaf, cell), isActiveInLeaf(leaf, cell)) != 0)
+            return markBox(occupancy, extent, shifted(low), 8);
+      },
+      [&](const ValueTile &tile) {
+        if (look.word(tile.value, tile.isActive) != 0)
+          markBox(occupancy, extent, shifted(tile.low), std::int64_t{1} << tile.log2Side);
+      });
+  if (look.word(grid.background(), false) != 0)
+    markBox(occupancy, extent, {}, std::int64_t{1} << kMaxLog2Extent);
+  return occupancy;
+}
+
+/// Whole numbers of index space are the middles of voxels.
+Transform voxelToModelOf(const NanoVdbGrid &grid) {
+  Transform map = grid.indexToWorld();
+  const Int3 low = grid.low();
+  map[3] = map * glm::dvec4(low.x - 0.5, low.y - 0.5, low.z - 0.5, 1);
+  return map;
+}
+
+std::string provenanceOf(const Look &look, const InputOptions &options) {
+  if (look.meaning != ValueMeaning::Sample)
+    return "coverage=cells" + upProvenance(options);
+  std::string text = look.isLevelSet ? "coverage=inside" : "coverage=samples";
+  if (options.threshold)
+    text += " threshold=" + toText(*options.threshold);
+  if (!look.isLevelSet)
+    text += " colour-map=" + options.colourMap;
+  if (!look.isLevelSet && !look.map.labels)
+    text += " window=" + toText(look.map.window.low) + "," + toText(look.map.window.high);
+  return text + upProvenance(options);
+}
+
+Expected<Input> makeInput(std::shared_ptr<const OpenGrid> open, const InputOptions &options) {
+  const NanoVdbGrid &grid = open->grid;
+  const auto stored = extentOf(grid, options);
+  if (!stored)
+    return stored.error();
+  const auto look = lookOf(grid, options);
+  if (!look)
+    return look.error();
+  Input input;
+  input.provenance = provenanceOf(*look, options);
+  if (open->stored.others != 0)
+    input.warnings.push_back(std::to_string(open->stored.others) + " grids after the first are left out");
+  OccupancyPyramid occupancy = occupancyOf(grid, *look, *stored);
+  const Transform map = voxelToModelOf(grid);
+  std::shared_ptr<const DenseRows> rows = std::make_shared<GridRows>(std::move(open), *look);
+  if (!options.zUp) {
+    input.source = makeDenseSource(*stored, std::move(rows), std::move(occupancy), map, options.memory);
+    return input;
+  }
+  auto source = makeDenseSource({stored->x, stored->z, stored->y}, turnUpright(std::move(rows), stored->y),
+                                turnUpright(map, stored->y), options.memory, options.progress);
+  if (!source)
+    return source.error();
+  input.source = std::move(*source);
+  return input;
+}
+
+Expected<Input> openFile(const std::string &path, const InputOptions &options) {
+  auto file = WatchedFile::open(path, options.memory);
+  if (!file)
+    return file.error();
+  const auto broken = [&](const Error &error) {
+    return error.kind == ErrorKind::Input
+               ? Error::input("'" + path + "' is not a usable NanoVDB file: " + error.message)
+               : error;
+  };
+  auto stored = findNanoVdbGrid(std::move(*file), options.memory, options.progress);
+  if (!stored)
+    return broken(stored.error());
+  auto grid = NanoVdbGrid::open(stored->bytes, options.progress);
+  if (!grid)
+    return broken(grid.error());
+  auto input =
+      makeInput(std::make_shared<const OpenGrid>(OpenGrid{std::move(*stored), std::move(*grid)}), options);
+  if (!input)
+    return broken(input.error());
+  return input;
+}
+
+} // namespace
+
+Expected<Input> openNanoVdb(const std::string &path, const InputOptions &options) {
+  const Stopwatch loading;
+  auto input = openFile(path, options);
+  if (input)
+    input->loadSeconds = loading.seconds();
+  return input;
+}
+
+} // namespace voxc

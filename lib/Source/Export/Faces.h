@@ -1,0 +1,25 @@
+// The visible faces of a volume: those between a voxel and an empty cell, merged to rectangles.
+#pragma once
+
+#include "voxc/Volume/Volume.h"
+
+#include <functional>
+
+namespace voxc {
+
+/// Faces of voxels of one colour that lie in one plane: `width` by `height` of them.
+struct FaceRectangle {
+  int axis = 0;        ///< That the plane is perpendicular to.
+  bool isHigh = false; ///< The faces look along +axis, else along -axis.
+  Int3 low;            ///< The first voxel.
+  int width = 1;       ///< Voxels along the next axis (x after z),
+  int height = 1;      ///< and along the one after that.
+  std::uint32_t word = 0;
+};
+
+/// Calls `visit`, which returns false to end, for rectangles that together are all visible faces, each face
+/// once. Merges within cubes of 64 cells, so that memory does not follow the volume. Errors: interrupted.
+Expected<void> forEachFace(const Volume &volume, const std::function<bool(const FaceRectangle &)> &visit,
+                           const Progress &progress = {});
+
+} // namespace voxc

@@ -1,0 +1,69 @@
+// Exports that are nothing but a list: dense grids and points.
+#include "Source/Export/VoxelVisit.h"
+#include "Source/Export/Writers.h"
+
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+struct PlyPoint {
+  std::int32_t position[3];
+  std::uint32_t colour;
+};
+static_assert(sizeof(PlyPoint) == 16);
+
+/// The cells of a cube that lie in [0, extent).
+std::uint64_t cellsWithin(const Cube &cube, Int3 extent) {
+  std::uint64_t cells = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t end = std::min<std::int64_t>(cube.low[axis] + cube.side(), extent[axis]);
+    cells *= static_cast<std::uint64_t>(std::max<std::int64_t>(end - cube.low[axis], 0));
+  }
+  return cells;
+}
+
+} // namespace
+
+Expected<void> writeGrid(const Volume &volume, OutputFile &file, const ExportOptions &options, Exported &) {
+  const Int3 extent = volume.info().extent;
+  std::vector<std::uint32_t> row(static_cast<std::size_t>(extent.x));
+  for (Int3 cell; cell.z < extent.z; ++cell.z)
+    for (cell.y = 0; cell.y < extent.y; ++cell.y) {
+      if (options.save.progress.stopped())
+        return Error::interrupted();
+      readRow(volume, cell, row);
+      if (auto written = file.write(row.data(), row.size() * sizeof row[0]); !written)
+        return written;
+    }
+  return {};
+}
+
+Expected<void> writePoints(const Volume &volume, OutputFile &file, const ExportOptions &options, Exported &) {
+  const Progress &progress = options.save.progress;
+  std::uint64_t count = 0;
+  const auto add = [&](const Cube &cube, std::uint32_t) {
+    count += cellsWithin(cube, volume.info().extent);
+    return true;
+  };
+  if (auto counted = decode(volume, add, progress); !counted)
+    return counted;
+  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
+                             "\nproperty int x\nproperty int y\nproperty int z\nproperty uchar red\n"
+                             "property uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n";
+  Expected<void> written = file.write(header.data(), header.size());
+  const auto write = [&](Int3 voxel, std::uint32_t word) {
+    const PlyPoint point{{voxel.x, voxel.y, voxel.z}, word};
+    written = file.write(&point, sizeof point);
+    return bool(written);
+  };
+  if (!written)
+    return written;
+  if (auto visited = forEachVoxel(volume, progress, write); !visited)
+    return visited;
+  return written;
+}
+
+} // namespace voxc

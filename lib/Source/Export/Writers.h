@@ -1,0 +1,32 @@
+// What writes each kind of export; the table in Export.cpp says which takes what.
+#pragma once
+
+#include "voxc/Source/Export.h"
+#include "voxc/Support/File.h"
+
+namespace voxc {
+
+/// Each writes the whole content to a file and says in `exported` what it made.
+using WriteExport = Expected<void>(const Volume &volume, OutputFile &file, const ExportOptions &options,
+                                   Exported &exported);
+
+/// Words as they lie in memory, which is little-endian on every machine that voxc runs on.
+WriteExport writeGrid;
+WriteExport writePoints;
+
+/// Models of at most 256 cells a side, placed by a scene graph, with a palette. MagicaVoxel's up is +z, so +y
+/// is turned to it. Errors: more than 255 colours, unless the options are lossy; more than 2^29 voxels.
+WriteExport writeMagicaVoxel;
+
+/// A binary glTF 2.0 file of the volume's faces. Errors: more than 4 GiB; a pipe.
+WriteExport writeSurface;
+
+/// A NanoVDB file of one RGBA8 grid. Errors: more than 2^31 leaves.
+WriteExport writeNanoVdb;
+
+/// A picture for each z, of rows along x with y downwards, to the files that the pattern `path` names. Error:
+/// more than 2^26 cells a picture; no pattern for several.
+Expected<void> writeSlices(const Volume &volume, const std::string &path, const ExportOptions &options,
+                           Exported &exported);
+
+} // namespace voxc

@@ -1,0 +1,114 @@
+// Slices come back as they were written; grey ones are samples; broken ones are errors.
+#include "Source/SourceTesting.h"
+
+#include "voxc/Input/Input.h"
+#include "voxc/Source/Export.h"
+
+#include <gmock/gmock.h>
+#include <png.h>
+
+#include <cstring>
+
+namespace voxc {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Writes a picture of `width` x `height` in a format of libpng.
+void writePng(const std::string &path, unsigned width, unsigned height, unsigned format, const void *cells) {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  image.width = width;
+  image.height = height;
+  image.format = format;
+  ASSERT_TRUE(png_image_write_to_file(&image, path.c_str(), 0, cells, 0, nullptr)) << image.message;
+}
+
+Volume volumeOf(std::vector<std::uint32_t> cells) {
+  VolumeInfo info;
+  info.format = *parseFormat("R(2, 2, 1)");
+  info.extent = {4, 4, 2};
+  for (const std::uint32_t word : cells)
+    info.voxels += word != 0;
+  cells.insert(cells.begin(), 1);
+  return Volume(info, cells);
+}
+
+TEST(Slices, ComeBackWordByWord) {
+  const TemporaryFolder folder;
+  std::vector<std::uint32_t> cells(32);
+  for (std::uint32_t i = 0; i < 32; ++i)
+    cells[i] = i % 3 == 0 ? 0 : i * 0x01030507; // Some of little alpha.
+  cells[1] = 0x00000001;
+  const auto exported = exportVoxels(volumeOf(cells), folder.path("s%03d.png"));
+  ASSERT_TRUE(exported) << exported.error().message;
+  EXPECT_EQ(exported->files, 2u);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("s001.png")));
+  const auto input = openInput(folder.path("s%03d.png"), {});
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->source->extent(), (Int3{4, 4, 2}));
+  Voxels expected;
+  for (int i = 0; i < 32; ++i)
+    if (cells[static_cast<std::size_t>(i)] != 0)
+      expected[mortonCode({i % 4, i / 4 % 4, i / 16})] = cells[static_cast<std::size_t>(i)];
+  EXPECT_EQ(voxelsOf(*input->source), expected);
+}
+
+TEST(Slices, GreyOnesAreSamples) {
+  const TemporaryFolder folder;
+  const std::array<unsigned char, 4> low{0, 10, 20, 30};
+  const std::array<unsigned char, 4> high{200, 0, 0, 0};
+  writePng(folder.path("a1.png"), 2, 2, PNG_FORMAT_GRAY, low.data());
+  writePng(folder.path("a2.png"), 2, 2, PNG_FORMAT_GRAY, high.data());
+  InputOptions options;
+  options.threshold = 20;
+  const auto input = openInput(folder.path("a%d.png"), options);
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->provenance.substr(0, 29), "coverage=samples threshold=20");
+  const Voxels voxels = voxelsOf(*input->source);
+  EXPECT_EQ(voxels.size(), 3u);
+  EXPECT_TRUE(voxels.contains(mortonCode({0, 0, 1})));
+}
+
+TEST(Slices, OfPicturesWithoutAlphaBlackIsEmpty) {
+  const TemporaryFolder folder;
+  const std::array<unsigned char, 6> cells{0, 0, 0, 3, 0, 0};
+  writePng(folder.path("a.png"), 2, 1, PNG_FORMAT_RGB, cells.data());
+  const auto input = openInput(folder.path("a.png"), {});
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(voxelsOf(*input->source), (Voxels{{mortonCode({1, 0, 0}), 0xff000003}}));
+}
+
+TEST(Slices, WhatIsBrokenIsAnError) {
+  const TemporaryFolder folder;
+  const std::array<std::uint32_t, 4> cells{1, 2, 3, 4};
+  writePng(folder.path("a0.png"), 2, 2, PNG_FORMAT_RGBA, cells.data());
+  writePng(folder.path("a1.png"), 4, 1, PNG_FORMAT_RGBA, cells.data());
+  const auto message = [&](const char *name) { return openInput(folder.path(name), {}).error().message; };
+  EXPECT_THAT(message("a%d.png"), HasSubstr("a1.png' is not a usable slice: it has another size"));
+  EXPECT_THAT(message("b%d.png"), HasSubstr("names no file"));
+  folder.file("c0.png", "nonsense");
+  EXPECT_THAT(message("c0.png"), HasSubstr("is not a usable slice: it is no PNG"));
+  std::ifstream whole(folder.path("a0.png"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+  folder.file("d0.png", bytes.substr(0, bytes.size() - 30));
+  EXPECT_THAT(message("d0.png"), HasSubstr("is not a usable slice"));
+  const std::array<std::uint16_t, 1> deep{77};
+  writePng(folder.path("e0.png"), 1, 1, PNG_FORMAT_LINEAR_Y, deep.data());
+  EXPECT_THAT(message("e0.png"), HasSubstr("16 bits a channel"));
+  InputOptions small;
+  small.formatExtent = {1, 8, 8};
+  EXPECT_THAT(openInput(folder.path("a0.png"), small).error().message, HasSubstr("the format holds 1x8x8"));
+}
+
+TEST(Slices, SeveralNeedAPattern) {
+  const TemporaryFolder folder;
+  const auto exported = exportVoxels(volumeOf(std::vector<std::uint32_t>(32, 5)), folder.path("s.png"));
+  ASSERT_FALSE(exported);
+  EXPECT_THAT(exported.error().message, HasSubstr("%04d"));
+  EXPECT_EQ(folder.count(), 0);
+}
+
+} // namespace
+} // namespace voxc

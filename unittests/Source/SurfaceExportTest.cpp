@@ -1,0 +1,153 @@
+// The surface of a volume has every visible face once, in the colour of its voxel, seen from outside.
+#include "SourceTesting.h"
+
+#include "voxc/Mesh/TriangleScene.h"
+#include "voxc/Source/Export.h"
+
+#include <bit>
+#include <random>
+
+namespace voxc {
+namespace {
+
+/// A voxel's face: its axis times 2, and 1 more if it looks along +axis.
+struct Face {
+  Int3 voxel;
+  int side = 0;
+
+  auto key() const { return std::array{voxel.x, voxel.y, voxel.z, side}; }
+  bool operator<(const Face &other) const { return key() < other.key(); }
+  bool operator==(const Face &other) const { return key() == other.key(); }
+};
+using Faces = std::map<Face, std::uint32_t>;
+
+Volume denseVolume(const Voxels &voxels, Int3 extent) {
+  VolumeInfo info;
+  std::string format = "R(";
+  for (int axis = 0; axis < 3; ++axis)
+    format +=
+        std::to_string(std::bit_width(static_cast<unsigned>(extent[axis] - 1))) + (axis < 2 ? "," : ")");
+  info.format = *parseFormat(format);
+  info.extent = extent;
+  info.voxels = voxels.size();
+  info.voxelToModel = transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7});
+  const Int3 size = info.format.extent();
+  std::vector<std::uint32_t> words(1 + static_cast<std::size_t>(size.x * size.y * size.z));
+  words[0] = 1;
+  for (const auto &[code, word] : voxels) {
+    const Int3 cell = mortonCell(code);
+    words[1 + static_cast<std::size_t>(cell.x + size.x * (cell.y + size.y * cell.z))] = word;
+  }
+  return Volume(info, words);
+}
+
+Faces visibleFaces(const Voxels &voxels) {
+  Faces faces;
+  for (const auto &[code, word] : voxels)
+    for (int side = 0; side < 6; ++side) {
+      const Int3 voxel = mortonCell(code);
+      Int3 beyond = voxel;
+      beyond[side / 2] += side % 2 ? 1 : -1;
+      if (beyond[side / 2] < 0 || !voxels.contains(mortonCode(beyond)))
+        faces[{voxel, side}] = word;
+    }
+  return faces;
+}
+
+/// Adds the faces of a rectangle: the corners of its two triangles, counter-clockwise from outside.
+void addFaces(const MeshPart &part, std::uint64_t triangle, Faces &faces) {
+  const auto first = part.corners(triangle);
+  const auto second = part.corners(triangle + 1);
+  ASSERT_EQ(first[0], second[0]);
+  ASSERT_EQ(first[2], second[1]);
+  const auto at = [&](std::uint32_t corner) {
+    const auto row = readRow<3>(part.positions, corner);
+    return glm::dvec3(row[0], row[1], row[2]);
+  };
+  const glm::dvec3 normal = glm::cross(at(first[1]) - at(first[0]), at(first[2]) - at(first[0]));
+  const glm::dvec3 other = glm::cross(at(second[1]) - at(second[0]), at(second[2]) - at(second[0]));
+  ASSERT_EQ(normal, other);
+  const int axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;
+  const bool isHigh = normal[axis] > 0;
+  Int3 low;
+  Int3 high;
+  for (int i = 0; i < 3; ++i) {
+    low[i] = static_cast<int>(std::min(at(first[0])[i], at(first[2])[i]));
+    high[i] = static_cast<int>(std::max(at(first[0])[i], at(first[2])[i]));
+  }
+  ASSERT_EQ(low[axis], high[axis]);
+  low[axis] -= isHigh;
+  high[axis] = low[axis] + 1;
+  const auto colour = readRow<4>(part.colours, first[0]);
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(std::lround(colour[i] * 255)); };
+  const std::uint32_t word = rgba(byte(0), byte(1), byte(2), byte(3));
+  Int3 cell;
+  for (cell.z = low.z; cell.z < high.z; ++cell.z)
+    for (cell.y = low.y; cell.y < high.y; ++cell.y)
+      for (cell.x = low.x; cell.x < high.x; ++cell.x)
+        ASSERT_TRUE(faces.emplace(Face{cell, 2 * axis + isHigh}, word).second) << "a face stands twice";
+}
+
+Faces facesOf(const TriangleScene &scene) {
+  Faces faces;
+  for (const MeshPart &part : scene.parts)
+    for (std::uint64_t triangle = 0; triangle < part.triangles(); triangle += 2)
+      addFaces(part, triangle, faces);
+  return faces;
+}
+
+TEST(SurfaceExport, HasEveryVisibleFaceOnce) {
+  std::mt19937 random(3);
+  const TemporaryFolder folder;
+  const std::string path = folder.path("v.glb");
+  for (const Int3 extent : {Int3{1, 1, 1}, Int3{5, 9, 3}, Int3{70, 66, 5}, Int3{3, 64, 130}})
+    for (const unsigned sparse : {1u, 2u, 40u}) {
+      Voxels voxels;
+      Int3 cell;
+      for (cell.z = 0; cell.z < extent.z; ++cell.z)
+        for (cell.y = 0; cell.y < extent.y; ++cell.y)
+          for (cell.x = 0; cell.x < extent.x; ++cell.x)
+            if (random() % sparse == 0)
+              voxels[mortonCode(cell)] = rgba(random() % 2 * 255, 7, 9, 1 + random() % 2);
+      const auto exported = exportVoxels(denseVolume(voxels, extent), path);
+      ASSERT_TRUE(exported) << exported.error().message;
+      if (voxels.empty())
+        continue;
+      const auto scene = loadScene(path, WorkingMemory::createDefault());
+      ASSERT_TRUE(scene) << scene.error().message;
+      EXPECT_EQ(scene->warnings, std::vector<std::string>());
+      EXPECT_EQ(facesOf(*scene), visibleFaces(voxels));
+      EXPECT_EQ(triangleCount(*scene), 2 * exported->rectangles);
+      ASSERT_EQ(scene->instances.size(), 1u);
+      EXPECT_EQ(rowsOf(scene->instances[0].toModel),
+                (std::array<double, 12>{0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7}));
+    }
+}
+
+TEST(SurfaceExport, MergesWhatIsFlatAndOfOneColour) {
+  const TemporaryFolder folder;
+  Voxels voxels;
+  for (int x = 0; x < 60; ++x)
+    for (int z = 0; z < 60; ++z)
+      voxels[mortonCode({x, 0, z})] = rgba(9, 9, 9);
+  const auto plate = exportVoxels(denseVolume(voxels, {60, 1, 60}), folder.path("v.glb"));
+  ASSERT_TRUE(plate);
+  EXPECT_EQ(plate->rectangles, 6u);
+  voxels[mortonCode({30, 0, 30})] = rgba(1, 1, 1);
+  const auto spotted = exportVoxels(denseVolume(voxels, {60, 1, 60}), folder.path("v.glb"));
+  ASSERT_TRUE(spotted);
+  // Above and below the spot, what is before it, beside it on both sides, and behind it.
+  EXPECT_EQ(spotted->rectangles, 4u + 2 * 5);
+}
+
+TEST(SurfaceExport, OfNothingIsAModelWithoutAMesh) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(exportVoxels(denseVolume({}, {4, 4, 4}), folder.path("v.glb")));
+  std::ifstream file(folder.path("v.glb"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(bytes.substr(0, 4), "glTF");
+  EXPECT_EQ(bytes.find("meshes"), std::string::npos);
+}
+
+} // namespace
+} // namespace voxc
