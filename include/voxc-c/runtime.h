@@ -153,6 +153,12 @@ VOXC_API const char *voxc_tracer_device(const voxc_tracer *tracer);
 /* Traces rays[i] into hits[i], `count` of them. */
 VOXC_API voxc_error *voxc_tracer_trace(voxc_tracer *tracer, const voxc_ray *rays, uint64_t count,
                                        voxc_hit *hits);
+/* Takes another volume of the same format, as an edited one is, in place of its own: from then on hits are
+ * those of a tracer that was made with it. Only what differs is brought to the device, and its memory grows
+ * where there is more; `copied_bytes` says how much, unless it is null. Errors: a volume of another format,
+ * which changes nothing; the device has no room or fails, after which the tracer can only be freed. */
+VOXC_API voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume,
+                                        uint64_t *copied_bytes);
 
 #ifdef __cplusplus
 }

@@ -82,3 +82,15 @@ voxc_error *voxc_tracer_trace(voxc_tracer *tracer, const voxc_ray *rays, uint64_
     return traced ? nullptr : wrap(traced.error());
   });
 }
+
+voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume, uint64_t *copied_bytes) {
+  return guarded([&]() -> voxc_error * {
+    const Expected<UpdateReport> updated = tracer->tracer->update(*tracer->volume, *volume->volume);
+    if (!updated)
+      return wrap(updated.error());
+    tracer->volume = volume->volume;
+    if (copied_bytes)
+      *copied_bytes = updated->copiedBytes;
+    return nullptr;
+  });
+}

@@ -19,6 +19,9 @@ public:
                               const TraceOptions &options) override {
     return tracer_->trace(rays, hits, options);
   }
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override {
+    return tracer_->update(before, after);
+  }
 
 private:
   std::unique_ptr<Device> owned_; // Outlives the tracer.

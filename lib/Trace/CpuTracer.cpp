@@ -48,6 +48,7 @@ public:
 
   Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
                               const TraceOptions &options) override;
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override;
 
 private:
   /// Traces the rays once. `before` rays of `total` were traced by earlier repeats.
@@ -80,6 +81,15 @@ Expected<TraceReport> CpuTracer::trace(std::span<const Ray> rays, std::span<Hit>
   if (auto ended = checkEnded(hits); !ended)
     return ended.error();
   return report;
+}
+
+Expected<UpdateReport> CpuTracer::update(const Volume &before, const Volume &after) {
+  if (auto fits = checkFit(kernel_.storageDigest, after, "cpu"); !fits)
+    return fits.error();
+  if (before.words().data() != words_.data() || before.words().size() != words_.size())
+    return notTraced();
+  words_ = after.words();
+  return UpdateReport{};
 }
 
 Expected<TraceTime> CpuTracer::run(Pass &pass, double before, double total) const {

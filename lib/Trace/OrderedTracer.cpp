@@ -24,6 +24,12 @@ public:
 
   Expected<TraceReport> trace(std::span<const Ray> rays, std::span<Hit> hits,
                               const TraceOptions &options) override;
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override {
+    auto report = tracer_->update(before, after);
+    if (report)
+      edge_ = longestEdge(after.info().extent);
+    return report;
+  }
 
 private:
   Expected<TraceReport> traceSlice(std::span<const Ray> rays, std::span<Hit> hits,
