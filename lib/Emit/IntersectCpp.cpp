@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdio>
 #include <span>
 
 namespace voxc {
@@ -37,12 +36,6 @@ std::string upperCase(std::string_view name) {
   return result;
 }
 
-std::string hexadecimal(std::uint64_t number) {
-  char digits[19];
-  std::snprintf(digits, sizeof digits, "0x%016llx", static_cast<unsigned long long>(number));
-  return digits;
-}
-
 } // namespace
 
 std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords) {
@@ -69,7 +62,6 @@ std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {
   TemplateNames names = planNames(plan);
   names.holes["symbol"] = symbol;
   names.holes["PREFIX"] = upperCase(symbol);
-  names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
   return fillFile(cpuFiles(), "intersect.h", names);
 }
 
