@@ -30,7 +30,7 @@ private:
 
 Expected<std::unique_ptr<Tracer>> openOnCpu(const Volume &volume, const Format &format,
                                             const TracerChoice &choice) {
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, choice.countWords);
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, choice.countWords, choice.cache);
   if (!kernel)
     return kernel.error();
   return createCpuTracer(*kernel, volume, choice.threads);
@@ -42,7 +42,8 @@ Expected<std::unique_ptr<Tracer>> openOn(Device &device, const Volume &volume, c
       compileKernel(format, {.addressing = device.addressingFor(volume.words().size()),
                              .loops = device.info().loops,
                              .arithmetic = device.info().arithmetic,
-                             .optimise = choice.optimise});
+                             .optimise = choice.optimise,
+                             .cache = choice.cache});
   if (!kernel)
     return kernel.error();
   return createTracer(device, *kernel, volume, choice.threads);
@@ -62,6 +63,7 @@ Expected<std::unique_ptr<Tracer>> openTracer(const Volume &volume, const TracerC
   if (!opened)
     return opened.error();
   auto device = std::make_unique<Device>(std::move(*opened));
+  device->useCache(choice.cache);
   auto tracer = openOn(*device, volume, format, choice);
   if (!tracer)
     return tracer;

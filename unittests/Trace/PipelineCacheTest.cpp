@@ -3,6 +3,7 @@
 
 #include "Trace/PipelineCache.h"
 #include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/OpenTracer.h"
 #include "voxc/Support/File.h"
 
 #include <gtest/gtest.h>
@@ -154,6 +155,18 @@ TEST_F(PipelineCacheTest, KeepsNeitherOthersDataNorBareHeaders) {
   driver.made = "";
   EXPECT_EQ(start(), "");
   EXPECT_EQ(cache_->usage().entries, 0u);
+}
+
+TEST_F(PipelineCacheTest, ServesTracersThatOpenTheirDevice) {
+  const Format format = *parseFormat("R(2, 2, 2)");
+  const Volume volume({.format = format, .extent = {4, 4, 4}}, std::vector<std::uint32_t>(1 + 64));
+  for (const char *device : {"", "cpu"})
+    ASSERT_TRUE(openTracer(volume, {.device = device, .cache = &*cache_}));
+  const std::uint64_t entries = cache_->usage().entries;
+  EXPECT_GE(entries, 2u);
+  for (const char *device : {"", "cpu"})
+    ASSERT_TRUE(openTracer(volume, {.device = device, .cache = &*cache_}));
+  EXPECT_EQ(cache_->usage().entries, entries);
 }
 
 TEST(PipelineData, IsThatOfTheDevice) {
