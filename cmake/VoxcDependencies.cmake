@@ -30,6 +30,14 @@ if(VOXC_OPENVDB)
   find_library(VOXC_IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)
 endif()
 
+# Kernels in HLSL and MSL, where there is what writes them.
+find_package(spirv_cross_c_shared CONFIG QUIET)
+option(VOXC_SPIRV_CROSS "Write kernels in HLSL and MSL, if SPIRV-Cross is found" ON)
+if(VOXC_SPIRV_CROSS AND NOT TARGET spirv-cross-c-shared)
+  message(STATUS "SPIRV-Cross is missing: voxc compile will not write HLSL and MSL")
+  set(VOXC_SPIRV_CROSS OFF)
+endif()
+
 # The tools.
 find_package(CLI11 REQUIRED CONFIG)
 

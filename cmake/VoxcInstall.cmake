@@ -35,7 +35,7 @@ install(FILES "${PROJECT_BINARY_DIR}/voxc-config.cmake" "${PROJECT_BINARY_DIR}/v
 configure_file("${CMAKE_CURRENT_LIST_DIR}/voxc.pc.in" "${PROJECT_BINARY_DIR}/voxc.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/voxc.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 
-# The tools, with a page of the manual for each command and completion for bash, both from the tables of their help.
+# The tools, with a page of the manual for each command and completion for shells, both from the tables of their help.
 install(TARGETS voxc voxc-opt voxc-trace RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
 if(TARGET voxc-viewer)
   install(TARGETS voxc-viewer RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/voxc" COMPONENT viewer)
@@ -44,10 +44,14 @@ set(manual "${PROJECT_BINARY_DIR}/manual")
 add_custom_command(OUTPUT "${manual}/voxc" "${manual}/man1/voxc.1"
                    COMMAND voxc manual -o "${manual}/man1"
                    COMMAND voxc completion bash > "${manual}/voxc"
+                   COMMAND voxc completion zsh > "${manual}/_voxc"
+                   COMMAND voxc completion fish > "${manual}/voxc.fish"
                    DEPENDS voxc VERBATIM)
 add_custom_target(manual ALL DEPENDS "${manual}/voxc")
 install(DIRECTORY "${manual}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT tools)
 install(FILES "${manual}/voxc" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools)
+install(FILES "${manual}/_voxc" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT tools)
+install(FILES "${manual}/voxc.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT tools)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT tools)
 
 # What explains the libraries: docs without records of measurements, and the examples.

@@ -148,6 +148,16 @@ class Tracing(unittest.TestCase):
         words = voxc.build("G(5)", voxels=ball()).words[5:]
         self.assertGreater(words.sum(), 0)
 
+    def test_update(self):
+        words = ball()
+        tracer = voxc.build("G(5)", voxels=words).tracer("cpu")
+        words[:, :, :16] = 0
+        tracer.update(voxc.build("G(5)", voxels=words))
+        self.assertEqual(tracer.trace((8.5, 16.5, -1), (0, 0, 1))["voxel"].tolist(), [-1, -1, -1])
+        self.assertEqual(tracer.trace((20.5, 16.5, -1), (0, 0, 1))["voxel"].tolist()[:2], [20, 16])
+        with self.assertRaisesRegex(voxc.Error, "another format"):
+            tracer.update(voxc.build("R(5, 5, 5)", voxels=words))
+
 
 class Pictures(unittest.TestCase):
     def test_picture(self):

@@ -29,6 +29,7 @@ config.substitutions += [
     ("%build", config.voxc_binary_dir),
     ("%cmake", config.cmake),
     ("%cxx", config.cxx),
+    ("%cc", config.cc),
     ("%exits", f"{sys.executable} {os.path.join(config.test_source_root, 'exits.py')}"),
     ("%python", sys.executable),
 ]
@@ -66,5 +67,9 @@ for python in [sys.executable, "/usr/bin/python3"]:
         config.available_features.add("numpy")
         config.substitutions.insert(0, ("%numpython", python))
         break
-if shutil.which("readelf"):
-    config.available_features.add("readelf")
+# Programs that some tests need, and that a machine may lack.
+for program in ["readelf", "zsh", "fish"]:
+    if shutil.which(program):
+        config.available_features.add(program)
+if config.has_spirv_cross:
+    config.available_features.add("spirv-cross")

@@ -171,6 +171,13 @@ VOXC_API voxc_error *voxc_tracer_trace_bounded(voxc_tracer *tracer, const voxc_b
 /* The normal of a hit's face, out of the voxel; 0, 0, 0 where there is none. */
 VOXC_API void voxc_face_normal(uint32_t face, float normal[3]);
 
+/* Takes another volume of the same format, as an edited one is, in place of its own: from then on hits are
+ * those of a tracer that was made with it. Only what differs is brought to the device, and its memory grows
+ * where there is more; `copied_bytes` says how much, unless it is null. Errors: a volume of another format,
+ * which changes nothing; the device has no room or fails, after which the tracer can only be freed. */
+VOXC_API voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume,
+                                        uint64_t *copied_bytes);
+
 #ifdef __cplusplus
 }
 #endif

@@ -100,3 +100,15 @@ void voxc_face_normal(uint32_t face, float normal[3]) {
   for (int axis = 0; axis < 3; ++axis)
     normal[axis] = vector[axis];
 }
+
+voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume, uint64_t *copied_bytes) {
+  return guarded([&]() -> voxc_error * {
+    const Expected<UpdateReport> updated = tracer->tracer->update(*tracer->volume, *volume->volume);
+    if (!updated)
+      return wrap(updated.error());
+    tracer->volume = volume->volume;
+    if (copied_bytes)
+      *copied_bytes = updated->copiedBytes;
+    return nullptr;
+  });
+}

@@ -23,6 +23,14 @@ Int3 placeIn(const Stratum &stratum, Int3 cell, int layer) {
 
 std::uint64_t cubed(int log2Side) { return std::uint64_t{1} << 3 * log2Side; }
 
+/// Nodes of two layers whose leaves are alike are one block: all below it is larger by so much then.
+PlacedBlocks::Placed inLayer(PlacedBlocks::Placed placed, int layer, int log2Shape) {
+  const int up = log2Shape * (layer - placed.layer);
+  placed.voxels = up >= 0 ? placed.voxels * cubed(up) : placed.voxels / cubed(-up);
+  placed.layer = layer;
+  return placed;
+}
+
 } // namespace
 
 Fragment Extraction::cube(Int3 low, int log2Side) {
@@ -133,12 +141,13 @@ void Extraction::partOfGrid(std::size_t index, Found root, Int3 low, int log2Sid
 
 /// A cell's terminating integer: a voxel stays, and a sub-volume is copied.
 Extraction::Placed Extraction::cell(std::size_t index, std::uint32_t value) {
-  return layout_.holdsVoxels(index) ? Placed{value, 1} : subVolume(index + 1, words_.wordOf(value));
+  return layout_.holdsVoxels(index) ? Placed{.at = value, .voxels = 1}
+                                    : subVolume(index + 1, words_.wordOf(value));
 }
 
 Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
-  if (const auto known = placed_.find(at); known != placed_.end())
-    return known->second;
+  if (const Placed *known = placed_.find(at))
+    return *known;
   const Stratum &stratum = layout_.strata[index];
   if (stratum.isGrid())
     return grid(index, at);
@@ -151,7 +160,7 @@ Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
   const Placed below = cell(index, words_[at]);
   if (stratum.cells == Cells::Record)
     return record(index, at, below);
-  return {block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), below.voxels};
+  return {.at = block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), .voxels = below.voxels};
 }
 
 Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {
@@ -161,7 +170,8 @@ Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {
     placed.voxels += cell(index, cellValue(words_, stratum, child)).voxels;
   });
   placed.at = block(index, nodeKind(stratum), Block::Node, at, stratum.slots->size(words_, stratum, at));
-  return placed_[at] = placed;
+  placed_.place(at, placed);
+  return placed;
 }
 
 /// A node of a tree, after all that is below it. In a layout of siblings, its children's records: a record
@@ -170,8 +180,8 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
   const Stratum &stratum = layout_.strata[index];
   const bool isRecord = stratum.cells == Cells::Record;
   const std::uint64_t block = isRecord ? words_.wordOf(words_[at]) : at;
-  if (const auto known = placed_.find(block); known != placed_.end())
-    return known->second;
+  if (const Placed *known = placed_.find(block))
+    return inLayer(*known, layer, stratum.log2Shape.x);
   Placed placed;
   std::uint64_t children = 0;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
@@ -184,23 +194,26 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
     leafWords(index, at);
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);
-  return placed_[block] = placed;
+  placed.layer = layer;
+  placed_.place(block, placed);
+  return placed;
 }
 
 /// The record of a root, which has no siblings.
 Extraction::Placed Extraction::record(std::size_t index, std::uint64_t at, const Placed &children) {
   const Stratum &stratum = layout_.strata[index];
-  const Placed placed = {block(index, BlockRecord::Append, Block::Node, at, 1 + MaskShape(stratum).words()),
-                         children.voxels};
-  return placed_[at] = placed;
+  const Ref placedAt = block(index, BlockRecord::Append, Block::Node, at, 1 + MaskShape(stratum).words());
+  const Placed placed = {.at = placedAt, .voxels = children.voxels};
+  placed_.place(at, placed);
+  return placed;
 }
 
 /// The words of a node's leaves, as construction writes them: after all that is below, right before the node.
 void Extraction::leafWords(std::size_t index, std::uint64_t node) {
   const Stratum &stratum = layout_.strata[index];
   stratum.slots->visit(words_, stratum, node, [&](Int3, const Child &child) {
-    if (child.leaf && !placed_.contains(child.at))
-      placed_[child.at] = {block(index, BlockRecord::InternLeaf, Block::Leaf, child.at, 1), 0};
+    if (child.leaf && !placed_.find(child.at))
+      placed_.place(child.at, {.at = block(index, BlockRecord::InternLeaf, Block::Leaf, child.at, 1)});
   });
 }
 
@@ -215,8 +228,9 @@ Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, std
     words.push_back(words_[at + i]);
   const auto relocation = [&](Ref ref) {
     const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
-    const auto found = placed_.find(stratum.isIndexed() ? array + kIndexedWords * ref : words_.wordOf(ref));
-    return found == placed_.end() ? Ref{0} : found->second.at;
+    const Placed *found =
+        placed_.find(stratum.isIndexed() ? array + kIndexedWords * ref : words_.wordOf(ref));
+    return found ? found->at : Ref{0};
   };
   relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), stratum, what,
            layout_.holdsVoxels(index), relocation);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "Fragment.h"
+#include "PlacedBlocks.h"
 
 #include "voxc/Layout/SlotKind.h"
 #include "voxc/Layout/WordReader.h"
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 
 namespace voxc {
 
@@ -25,11 +25,7 @@ public:
   Fragment cube(Int3 low, int log2Side);
 
 private:
-  /// Where a block of the volume went, counted in words of the fragment, and the voxels below it.
-  struct Placed {
-    Ref at = 0;
-    std::uint64_t voxels = 0;
-  };
+  using Placed = PlacedBlocks::Placed;
 
   /// The word at which a sub-volume begins, and the rank of its first voxel.
   struct Found {
@@ -53,7 +49,7 @@ private:
   WordReader words_;
   const Layout &layout_;
   Fragment *fragment_ = nullptr;
-  std::unordered_map<std::uint64_t, Placed> placed_; ///< By the word where a block stands in the volume.
+  PlacedBlocks placed_; ///< By the word where a block stands in the volume.
 };
 
 } // namespace voxc

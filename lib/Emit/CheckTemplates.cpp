@@ -24,7 +24,7 @@ TemplateNames allNames() {
   TemplateNames names = layerNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
   for (const char *hole :
        {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "LAYERS_DOWN", "symbol",
-        "PREFIX", "DIGEST", "count-words", "prefix", "prefix-", "glsl-in-cpp", "what-colour-is"})
+        "PREFIX", "count-words", "prefix", "prefix-", "glsl-in-cpp", "what-colour-is"})
     names.holes[hole] = "";
   return names;
 }

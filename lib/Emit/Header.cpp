@@ -97,14 +97,24 @@ std::string emitHeader(const Plan &plan, std::string_view name) {
   return runtime("header/begin", names) + prefixed("", kQueries, plan, names) + runtime("header/end", names);
 }
 
+std::string emitCHeader(const Plan &plan, std::string_view name) {
+  return fillFile(cpuFiles(), "functions.h", headerNames(plan, name));
+}
+
+std::string emitCDefinitions(const Plan &plan, std::string_view name) {
+  return fillFile(cpuFiles(), "functions.cpp", headerNames(plan, name));
+}
+
 std::string emitWebGl(const Plan &plan, std::string_view name) {
   TemplateNames names = headerNames(plan, name);
-  const std::string builtins = runtime("webgl/builtins", names);
+  const std::string builtins = runtime("webgl/builtins", names) + "\n" + runtime("carries", names);
   return runtime("webgl/begin", names) +
          prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
                   names) +
          runtime("webgl/end", names);
 }
+
+std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "carries.glsl"); }
 
 std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {
   return fillFile(shaderFiles(), "header/" + std::string(toString(stage)) + ".glsl", headerNames(plan, name));

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdio>
 #include <span>
 
 namespace voxc {
@@ -35,12 +34,6 @@ std::string upperCase(std::string_view name) {
   std::string result(name);
   std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::toupper(c); });
   return result;
-}
-
-std::string hexadecimal(std::uint64_t number) {
-  char digits[19];
-  std::snprintf(digits, sizeof digits, "0x%016llx", static_cast<unsigned long long>(number));
-  return digits;
 }
 
 } // namespace
@@ -71,7 +64,6 @@ std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {
   TemplateNames names = planNames(plan);
   names.holes["symbol"] = symbol;
   names.holes["PREFIX"] = upperCase(symbol);
-  names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
   return fillFile(cpuFiles(), "intersect.h", names);
 }
 

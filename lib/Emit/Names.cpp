@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 
 namespace voxc {
 namespace {
@@ -263,6 +264,12 @@ void addBounds(TemplateNames &names, const Plan &plan) {
   holes["direction-place"] = bounded ? "4" : "3";
 }
 
+std::string hexadecimal(std::uint64_t number) {
+  char digits[19];
+  std::snprintf(digits, sizeof digits, "0x%016llx", static_cast<unsigned long long>(number));
+  return digits;
+}
+
 } // namespace
 
 int flatLayers(const Stratum &stratum) { return std::max(stratum.depth, 1); }
@@ -276,6 +283,7 @@ TemplateNames planNames(const Plan &plan) {
   const bool cut = plan.loops == Loops::Cut;
   TemplateNames names;
   names.holes["FORMAT"] = plan.layout.format;
+  names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
   names.holes["VOLUME_SIZE"] = intVector({1 << log2.x, 1 << log2.y, 1 << log2.z});
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
   const Stratum &lowest = plan.layout.strata.back();

@@ -18,6 +18,9 @@ public:
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     return tracer_->trace(rays, hits, options);
   }
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override {
+    return tracer_->update(before, after);
+  }
 
 private:
   std::unique_ptr<Device> owned_; // Outlives the tracer.
@@ -26,7 +29,7 @@ private:
 
 Expected<std::unique_ptr<Tracer>> openOnCpu(const Volume &volume, const Format &format,
                                             const TracerChoice &choice) {
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, choice.countWords);
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, choice.countWords, choice.cache);
   if (!kernel)
     return kernel.error();
   return createCpuTracer(*kernel, volume, choice.threads);
@@ -38,7 +41,8 @@ Expected<std::unique_ptr<Tracer>> openOn(Device &device, const Volume &volume, c
       compileKernel(format, {.addressing = device.addressingFor(volume.words().size()),
                              .loops = device.info().loops,
                              .arithmetic = device.info().arithmetic,
-                             .optimise = choice.optimise});
+                             .optimise = choice.optimise,
+                             .cache = choice.cache});
   if (!kernel)
     return kernel.error();
   return createTracer(device, *kernel, volume, choice.threads);
@@ -58,6 +62,7 @@ Expected<std::unique_ptr<Tracer>> openTracer(const Volume &volume, const TracerC
   if (!opened)
     return opened.error();
   auto device = std::make_unique<Device>(std::move(*opened));
+  device->useCache(choice.cache);
   auto tracer = openOn(*device, volume, format, choice);
   if (!tracer)
     return tracer;

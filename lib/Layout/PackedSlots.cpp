@@ -116,6 +116,13 @@ Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node,
 
 void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
   const MaskShape shape(stratum);
+  if (!stratum.isGrid()) { // Their numbers are in Morton order.
+    const Masks masks(words, shape, node);
+    for (std::uint64_t index = 0; index < shape.children; ++index)
+      if (masks.exists(index))
+        visit(mortonCell(index), found(words, stratum, shape, node, index));
+    return;
+  }
   forEachPlace(stratum, [&](Int3 place) {
     if (const Child child = found(words, stratum, shape, node, childIndex(stratum, place)); child.exists)
       visit(place, child);

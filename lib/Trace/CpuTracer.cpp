@@ -48,6 +48,7 @@ public:
       : kernel_(std::move(kernel)), words_(volume.words()), threads_(threads) {}
 
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override;
 
 private:
   /// Traces the rays once. `before` rays of `total` were traced by earlier repeats.
@@ -83,6 +84,15 @@ Expected<TraceReport> CpuTracer::trace(RaySpan given, std::span<Hit> hits, const
   if (auto ended = checkEnded(hits); !ended)
     return ended.error();
   return report;
+}
+
+Expected<UpdateReport> CpuTracer::update(const Volume &before, const Volume &after) {
+  if (auto fits = checkFit(kernel_.storageDigest, after, "cpu"); !fits)
+    return fits.error();
+  if (before.words().data() != words_.data() || before.words().size() != words_.size())
+    return notTraced();
+  words_ = after.words();
+  return UpdateReport{};
 }
 
 Expected<TraceTime> CpuTracer::run(Pass &pass, double before, double total) const {

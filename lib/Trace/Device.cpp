@@ -118,6 +118,8 @@ Expected<Device> Device::open(std::string_view name) {
 
 const DeviceInfo &Device::info() const { return state_->info(); }
 
+void Device::useCache(const CompileCache *cache) { state_->cache = cache; }
+
 Addressing Device::addressingFor(std::uint64_t words) const {
   bool fits = VolumeWords::paddedBytes(words) <= info().maxStorageBufferBytes;
   return fits ? Addressing::Buffer : Addressing::Segments;

@@ -13,6 +13,7 @@ struct Device::State {
   PhysicalDevice physical;
   VkDevice device = VK_NULL_HANDLE;
   VkQueue queue = VK_NULL_HANDLE;
+  const CompileCache *cache = nullptr; ///< Of pipelines, where there is one.
 
   State(Instance connection, PhysicalDevice description)
       : vk(connection.functions()), instance(std::move(connection)), physical(std::move(description)) {}

@@ -43,6 +43,7 @@ using QueryPoolHandle = Handle<VkQueryPool, &VulkanFunctions::DestroyQueryPool>;
 using ShaderModuleHandle = Handle<VkShaderModule, &VulkanFunctions::DestroyShaderModule>;
 using SetLayoutHandle = Handle<VkDescriptorSetLayout, &VulkanFunctions::DestroyDescriptorSetLayout>;
 using DescriptorPoolHandle = Handle<VkDescriptorPool, &VulkanFunctions::DestroyDescriptorPool>;
+using PipelineCacheHandle = Handle<VkPipelineCache, &VulkanFunctions::DestroyPipelineCache>;
 using PipelineLayoutHandle = Handle<VkPipelineLayout, &VulkanFunctions::DestroyPipelineLayout>;
 using PipelineHandle = Handle<VkPipeline, &VulkanFunctions::DestroyPipeline>;
 

@@ -19,4 +19,6 @@ Expected<void> checkFit(std::uint64_t storageDigest, std::uint64_t volumeDigest,
                       "` and the passes that the volume was built with");
 }
 
+Error notTraced() { return Error::usage("the volume to be replaced is not the one that this tracer traces"); }
+
 } // namespace voxc

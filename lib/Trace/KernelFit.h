@@ -17,4 +17,7 @@ Expected<void> checkFit(std::uint64_t storageDigest, const Volume &volume, std::
 Expected<void> checkFit(std::uint64_t storageDigest, std::uint64_t volumeDigest, std::string_view format,
                         std::string_view emit);
 
+/// The error of `Tracer::update` for a volume that the tracer does not trace.
+Error notTraced();
+
 } // namespace voxc

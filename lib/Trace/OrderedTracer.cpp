@@ -24,6 +24,12 @@ public:
       : tracer_(std::move(tracer)), edge_(longestEdge(volume.info().extent)), crew_(threads), pays_(pays) {}
 
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override {
+    auto report = tracer_->update(before, after);
+    if (report)
+      edge_ = longestEdge(after.info().extent);
+    return report;
+  }
 
 private:
   Expected<TraceReport> traceSlice(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);

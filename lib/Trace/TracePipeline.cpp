@@ -2,6 +2,7 @@
 #include "TracePipeline.h"
 
 #include "Commands.h"
+#include "PipelineCache.h"
 
 #include <cstddef>
 #include <iterator>
@@ -33,12 +34,16 @@ Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span
                                           "take the kernel");
 }
 
+template <typename T> std::string_view bytesOf(std::span<const T> values) {
+  return {reinterpret_cast<const char *>(values.data()), values.size_bytes()};
+}
+
 std::uint32_t groupsOf(const RayTile &tile) { return (tile.rayCount + kWorkgroupSize - 1) / kWorkgroupSize; }
 
 } // namespace
 
 Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel, PageShape pages) {
-  TracePipeline pipeline(device, kernel.addressing == Addressing::Paged, pages);
+  TracePipeline pipeline(device, kernel, pages);
   auto module = createModule(device, kernel.spirv);
   if (!module)
     return module.error();
@@ -108,6 +113,10 @@ Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
 
 Expected<void> TracePipeline::prepare(Counted counted, float spread, VkPipelineCache cache) {
   Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, false, pages_};
+  const bool isKept = cache == VK_NULL_HANDLE && !spirv_.empty();
+  const PipelineCache kept(*device_, isKept ? device_->cache : nullptr, bytesOf<std::uint32_t>(spirv_),
+                           bytesOf<Constants>({&constants, 1}));
+  cache = isKept ? kept.get() : cache;
   auto leaves = createPipeline(constants, cache);
   if (!leaves)
     return leaves.error();
@@ -115,6 +124,7 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread, VkPipelineC
   auto settles = createPipeline(constants, cache);
   if (!settles)
     return settles.error();
+  kept.store();
   variants_[std::size_t(counted)] = {std::move(*leaves), std::move(*settles), spread};
   return {};
 }

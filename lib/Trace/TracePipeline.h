@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace voxc {
 
@@ -73,6 +74,7 @@ public:
     return variant.settles && variant.spread == spread;
   }
   /// Makes a variant, in place of that for another spread; may compile for long. Nothing may be running.
+  /// `cache` is a host's; without one it is the device's (`Device::useCache`).
   Expected<void> prepare(Counted counted, float spread, VkPipelineCache cache = VK_NULL_HANDLE);
 
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant, in one dispatch
@@ -91,8 +93,11 @@ public:
                       const RayTile &tile) const;
 
 private:
-  TracePipeline(Device::State &device, bool isPaged, PageShape pages)
-      : device_(&device), bindings_(isPaged ? 5 : 4), pages_(pages) {}
+  TracePipeline(Device::State &device, const Kernel &kernel, PageShape pages)
+      : device_(&device), bindings_(kernel.addressing == Addressing::Paged ? 5 : 4), pages_(pages) {
+    if (device.cache)
+      spirv_ = kernel.spirv;
+  }
   Expected<void> createLayouts();
 
   struct Variant {
@@ -108,6 +113,7 @@ private:
   Device::State *device_;
   std::uint32_t bindings_; ///< Rays, hits, words or their table, the list of rays that are left over; pages.
   PageShape pages_;
+  std::vector<std::uint32_t> spirv_; ///< What pipelines are found by, where the device has a cache.
   ShaderModuleHandle module_;
   SetLayoutHandle setLayout_;
   PipelineLayoutHandle layout_;

@@ -19,10 +19,12 @@ public:
   /// Copies the start of `buffer` into `bytes`.
   Expected<void> download(const Buffer &buffer, std::span<std::byte> bytes);
 
+  /// Copies from one buffer into another, on the device. Returns when it is done.
+  Expected<void> copy(const Buffer &from, const Buffer &to, const VkBufferCopy &region);
+
 private:
   Transfer(Device::State &device, Commands commands) : device_(&device), commands_(std::move(commands)) {}
   Expected<Buffer *> staging(std::optional<Buffer> &buffer, Placement placement);
-  Expected<void> copy(const Buffer &from, const Buffer &to, const VkBufferCopy &region);
 
   Device::State *device_;
   Commands commands_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace voxc {
 namespace {
@@ -22,26 +23,17 @@ Expected<void> checkAddressing(const Device::State &device, std::uint64_t words,
   return {};
 }
 
-Expected<Buffer> uploadPart(Device::State &device, Transfer &transfer, std::span<const std::uint32_t> words,
-                            bool addressed) {
-  auto buffer = Buffer::create(
-      device,
-      {.what = "a volume's words", .bytes = VolumeWords::paddedBytes(words.size()), .addressed = addressed});
-  if (!buffer)
-    return buffer;
-  if (auto uploaded = transfer.upload(std::as_bytes(words), *buffer); !uploaded)
-    return uploaded.error();
-  return buffer;
-}
+/// Words are compared and copied in blocks of so many: copying a block takes less than a copy of its own.
+constexpr std::size_t kBlockWords = std::size_t{1} << 14;
 
-Expected<Buffer> uploadTable(Device::State &device, Transfer &transfer,
-                             std::span<const VkDeviceAddress> addresses) {
-  auto table = Buffer::create(device, {.what = "a table of segments", .bytes = addresses.size_bytes()});
-  if (!table)
-    return table;
-  if (auto uploaded = transfer.upload(std::as_bytes(addresses), *table); !uploaded)
-    return uploaded.error();
-  return table;
+/// A buffer that grows gets room for an eighth more than it needs: edits follow one another.
+std::uint64_t roomyBytes(const DeviceInfo &device, std::uint64_t words, Addressing addressing) {
+  const std::uint64_t most =
+      addressing == Addressing::Segments
+          ? VolumeWords::paddedBytes(kSegmentWords)
+          : std::min(device.maxStorageBufferBytes, device.maxAllocationBytes) / 16 * 16;
+  return std::max(VolumeWords::paddedBytes(words),
+                  std::min(VolumeWords::paddedBytes(words + words / 8), most));
 }
 
 bool areZero(std::span<const std::uint32_t> words) {
@@ -49,48 +41,130 @@ bool areZero(std::span<const std::uint32_t> words) {
          std::memcmp(words.data(), words.data() + 1, words.size_bytes() - sizeof(std::uint32_t)) == 0;
 }
 
+bool areEqual(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+/// Those of the part `index`, if there are any.
+std::span<const std::uint32_t> partOf(std::span<const std::uint32_t> words, std::uint64_t partWords,
+                                      std::uint64_t index) {
+  const std::uint64_t first = std::min<std::uint64_t>(index * partWords, words.size());
+  return words.subspan(first, std::min<std::uint64_t>(partWords, words.size() - first));
+}
+
+/// Whether block `index` of a part holds what it held before.
+bool isBlockEqual(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
+                  std::uint64_t index) {
+  return areEqual(partOf(before, kBlockWords, index), partOf(after, kBlockWords, index));
+}
+
+/// Copies those blocks of a part that differ; returns the bytes.
+Expected<std::uint64_t> copyChanges(Transfer &transfer, Buffer &buffer, std::span<const std::uint32_t> before,
+                                    std::span<const std::uint32_t> after) {
+  const std::uint64_t blocks = (after.size() + kBlockWords - 1) / kBlockWords;
+  std::uint64_t copied = 0;
+  for (std::uint64_t first = 0; first < blocks; ++first) {
+    std::uint64_t end = first;
+    while (end < blocks && !isBlockEqual(before, after, end))
+      ++end;
+    if (end == first)
+      continue;
+    const std::uint64_t at = first * kBlockWords;
+    const auto changed = std::as_bytes(after.subspan(at, std::min(end * kBlockWords, after.size()) - at));
+    if (auto uploaded = transfer.upload(changed, buffer, at * sizeof(std::uint32_t)); !uploaded)
+      return uploaded.error();
+    copied += changed.size();
+    first = end;
+  }
+  return copied;
+}
+
 } // namespace
+
+std::uint64_t VolumeWords::partWords() const {
+  return addressing_ == Addressing::Segments ? kSegmentWords : std::numeric_limits<std::uint64_t>::max();
+}
 
 Expected<VolumeWords> VolumeWords::upload(Device::State &device, Transfer &transfer,
                                           std::span<const std::uint32_t> words, Addressing addressing) {
-  if (auto checked = checkAddressing(device, words.size(), addressing); !checked)
-    return checked.error();
-  VolumeWords result;
-  if (addressing == Addressing::Segments) {
-    if (auto uploaded = result.uploadSegments(device, transfer, words); !uploaded)
-      return uploaded.error();
-    return result;
-  }
-  auto whole = uploadPart(device, transfer, words, false);
-  if (!whole)
-    return whole.error();
-  result.segments_.push_back(std::move(*whole));
+  VolumeWords result(device, addressing);
+  if (auto copied = result.update(transfer, {}, words); !copied)
+    return copied.error();
   return result;
 }
 
-Expected<void> VolumeWords::uploadSegments(Device::State &device, Transfer &transfer,
-                                           std::span<const std::uint32_t> words) {
-  std::vector<VkDeviceAddress> addresses;
-  VkDeviceAddress zeros = 0; // Of the one segment that all those are which hold nothing.
-  for (std::uint64_t first = 0; first < words.size(); first += kSegmentWords) {
-    const auto part = words.subspan(first, std::min(kSegmentWords, words.size() - first));
-    const bool isZero = part.size() == kSegmentWords && areZero(part);
-    if (isZero && zeros != 0) {
-      addresses.push_back(zeros);
-      continue;
-    }
-    auto segment = uploadPart(device, transfer, part, true);
-    if (!segment)
-      return segment.error();
-    addresses.push_back(segment->address(device));
-    zeros = isZero ? addresses.back() : zeros;
-    segments_.push_back(std::move(*segment));
+Expected<UpdateReport> VolumeWords::update(Transfer &transfer, std::span<const std::uint32_t> before,
+                                           std::span<const std::uint32_t> after) {
+  if (auto checked = checkAddressing(*device_, after.size(), addressing_); !checked)
+    return checked.error();
+  UpdateReport report;
+  parts_.resize(1 + (after.size() - 1) / partWords());
+  for (std::uint64_t index = 0; index < parts_.size(); ++index) {
+    auto copied = updatePart(transfer, parts_[index], partOf(before, partWords(), index),
+                             partOf(after, partWords(), index));
+    if (!copied)
+      return copied.error();
+    report.copiedBytes += *copied;
   }
-  auto table = uploadTable(device, transfer, addresses);
-  if (!table)
-    return table.error();
-  table_.emplace(std::move(*table));
+  if (zeros_.use_count() == 1)
+    zeros_ = nullptr;
+  count_ = after.size();
+  if (addressing_ == Addressing::Segments)
+    if (auto told = uploadTable(transfer); !told)
+      return told.error();
+  return report;
+}
+
+Expected<std::uint64_t> VolumeWords::updatePart(Transfer &transfer, Part &part,
+                                                std::span<const std::uint32_t> before,
+                                                std::span<const std::uint32_t> after) {
+  if (part && areEqual(before, after))
+    return std::uint64_t{0};
+  const bool isZero = after.size() == kSegmentWords && areZero(after);
+  if (isZero && zeros_) {
+    part = zeros_;
+    return std::uint64_t{0};
+  }
+  if (part == zeros_)
+    part = nullptr; // Others are that one, too.
+  if (!part)
+    before = {};
+  if (auto room = makeRoom(transfer, part, after.size()); !room)
+    return room.error();
+  auto copied = copyChanges(transfer, *part, before, after);
+  if (isZero)
+    zeros_ = part;
+  return copied;
+}
+
+Expected<void> VolumeWords::makeRoom(Transfer &transfer, Part &part, std::uint64_t words) {
+  if (part && part->bytes() >= paddedBytes(words))
+    return {};
+  const std::uint64_t bytes = part ? roomyBytes(device_->info(), words, addressing_) : paddedBytes(words);
+  auto buffer = Buffer::create(
+      *device_,
+      {.what = "a volume's words", .bytes = bytes, .addressed = addressing_ == Addressing::Segments});
+  if (!buffer)
+    return buffer.error();
+  if (part)
+    if (auto copied = transfer.copy(*part, *buffer, {0, 0, part->bytes()}); !copied)
+      return copied;
+  part = std::make_shared<Buffer>(std::move(*buffer));
   return {};
+}
+
+Expected<void> VolumeWords::uploadTable(Transfer &transfer) {
+  std::vector<VkDeviceAddress> addresses;
+  for (const Part &part : parts_)
+    addresses.push_back(part->address(*device_));
+  const auto bytes = std::as_bytes(std::span<const VkDeviceAddress>(addresses));
+  if (!table_ || table_->bytes() < bytes.size()) {
+    auto table = Buffer::create(*device_, {.what = "a table of segments", .bytes = bytes.size()});
+    if (!table)
+      return table.error();
+    table_.emplace(std::move(*table));
+  }
+  return transfer.upload(bytes, *table_);
 }
 
 } // namespace voxc

@@ -7,6 +7,7 @@
 #include "voxc/Trace/Kernel.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,17 +22,37 @@ public:
   static Expected<VolumeWords> upload(Device::State &device, Transfer &transfer,
                                       std::span<const std::uint32_t> words, Addressing addressing);
 
+  /// Takes the words `after` in place of `before`, which must be those that are there: copies the blocks that
+  /// differ, and makes room where there are more. Nothing may be running. `binding` may be another then.
+  /// Errors: as `upload`.
+  Expected<UpdateReport> update(Transfer &transfer, std::span<const std::uint32_t> before,
+                                std::span<const std::uint32_t> after);
+
+  /// How many there are.
+  std::uint64_t count() const { return count_; }
+
   /// What kernels find at binding 2: the words, or the table.
-  const Buffer &binding() const { return table_ ? *table_ : segments_.front(); }
+  const Buffer &binding() const { return table_ ? *table_ : *parts_.front(); }
 
   /// The bytes of a buffer for so many words: whole groups of four, so that kernels may load them so.
   static constexpr std::uint64_t paddedBytes(std::uint64_t words) { return (words + 3) / 4 * 16; }
 
 private:
-  Expected<void> uploadSegments(Device::State &device, Transfer &transfer,
-                                std::span<const std::uint32_t> words);
+  using Part = std::shared_ptr<Buffer>;
 
-  std::vector<Buffer> segments_;
+  VolumeWords(Device::State &device, Addressing addressing) : device_(&device), addressing_(addressing) {}
+  /// The words of a part: all of them, or those of a segment.
+  std::uint64_t partWords() const;
+  Expected<std::uint64_t> updatePart(Transfer &transfer, Part &part, std::span<const std::uint32_t> before,
+                                     std::span<const std::uint32_t> after);
+  Expected<void> makeRoom(Transfer &transfer, Part &part, std::uint64_t words);
+  Expected<void> uploadTable(Transfer &transfer);
+
+  Device::State *device_;
+  Addressing addressing_;
+  std::uint64_t count_ = 0;
+  std::vector<Part> parts_; ///< One, or the segments.
+  Part zeros_;              ///< The segment that all those are which hold nothing.
   std::optional<Buffer> table_;
 };
 

@@ -33,6 +33,7 @@
   X(CreateDescriptorSetLayout)                                                                               \
   X(CreateDevice)                                                                                            \
   X(CreateFence)                                                                                             \
+  X(CreatePipelineCache)                                                                                     \
   X(CreatePipelineLayout)                                                                                    \
   X(CreateQueryPool)                                                                                         \
   X(CreateShaderModule)                                                                                      \
@@ -44,6 +45,7 @@
   X(DestroyFence)                                                                                            \
   X(DestroyInstance)                                                                                         \
   X(DestroyPipeline)                                                                                         \
+  X(DestroyPipelineCache)                                                                                    \
   X(DestroyPipelineLayout)                                                                                   \
   X(DestroyQueryPool)                                                                                        \
   X(DestroyShaderModule)                                                                                     \
@@ -58,6 +60,7 @@
   X(GetPhysicalDeviceProperties)                                                                             \
   X(GetPhysicalDeviceProperties2)                                                                            \
   X(GetPhysicalDeviceQueueFamilyProperties)                                                                  \
+  X(GetPipelineCacheData)                                                                                    \
   X(GetQueryPoolResults)                                                                                     \
   X(MapMemory)                                                                                               \
   X(QueueSubmit)                                                                                             \

@@ -50,10 +50,10 @@ struct VulkanTracer::Work {
   }
 };
 
-VulkanTracer::VulkanTracer(Device::State &device, Transfer transfer, VolumeWords words,
-                           TracePipeline pipeline, TileQueue tiles, bool bounded)
-    : device_(&device), transfer_(std::move(transfer)), words_(std::move(words)),
-      pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), bounded_(bounded) {}
+VulkanTracer::VulkanTracer(Device::State &device, std::uint64_t storageDigest, Transfer transfer,
+                           VolumeWords words, TracePipeline pipeline, TileQueue tiles, bool bounded)
+    : device_(&device), storageDigest_(storageDigest), transfer_(std::move(transfer)),
+      words_(std::move(words)), pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), bounded_(bounded) {}
 
 Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, const Kernel &kernel,
                                                        const Volume &volume) {
@@ -76,8 +76,9 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
   auto tiles = TileQueue::create(device);
   if (!tiles)
     return tiles.error();
-  return std::unique_ptr<Tracer>(new VulkanTracer(device, std::move(*transfer), std::move(*words),
-                                                  std::move(*pipeline), std::move(*tiles), kernel.bounded));
+  return std::unique_ptr<Tracer>(new VulkanTracer(device, kernel.storageDigest, std::move(*transfer),
+                                                  std::move(*words), std::move(*pipeline), std::move(*tiles),
+                                                  kernel.bounded));
 }
 
 Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
@@ -108,13 +109,33 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
   auto batch = RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays());
   if (!batch)
     return batch.error();
+  if (auto bound = bind(*batch); !bound)
+    return bound;
+  batch_.emplace(std::move(*batch));
+  return {};
+}
+
+Expected<void> VulkanTracer::bind(const RayBuffers &batch) {
   auto bound = pipeline_.bind(
-      {wholeOf(batch->rays), wholeOf(batch->hits), wholeOf(words_.binding()), wholeOf(batch->left)});
+      {wholeOf(batch.rays), wholeOf(batch.hits), wholeOf(words_.binding()), wholeOf(batch.left)});
   if (!bound)
     return bound.error();
   bound_ = std::move(*bound);
-  batch_.emplace(std::move(*batch));
   return {};
+}
+
+Expected<UpdateReport> VulkanTracer::update(const Volume &before, const Volume &after) {
+  if (auto fits = checkFit(storageDigest_, after, "spirv"); !fits)
+    return fits.error();
+  if (before.words().size() != words_.count())
+    return notTraced();
+  const VkBuffer binding = words_.binding().get();
+  auto report = words_.update(transfer_, before.words(), after.words());
+  if (!report || !batch_ || words_.binding().get() == binding)
+    return report;
+  if (auto bound = bind(*batch_); !bound)
+    return bound.error();
+  return report;
 }
 
 Expected<void> VulkanTracer::traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work) {

@@ -17,13 +17,15 @@ public:
                                                   const Volume &volume);
 
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
+  Expected<UpdateReport> update(const Volume &before, const Volume &after) override;
 
 private:
   struct Work;
 
-  VulkanTracer(Device::State &device, Transfer transfer, VolumeWords words, TracePipeline pipeline,
-               TileQueue tiles, bool bounded);
+  VulkanTracer(Device::State &device, std::uint64_t storageDigest, Transfer transfer, VolumeWords words,
+               TracePipeline pipeline, TileQueue tiles, bool bounded);
   Expected<void> reserve(std::uint64_t rays);
+  Expected<void> bind(const RayBuffers &batch);
   Expected<void> traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work);
   Expected<void> download(std::span<Hit> hits, Work &work);
   /// Goes on with rays that the device cut short (`Kernel`), until none is left.
@@ -31,6 +33,7 @@ private:
   Expected<void> warmUp(std::uint32_t rays, Work &work);
 
   Device::State *device_;
+  std::uint64_t storageDigest_; ///< Of the kernel.
   Transfer transfer_;
   VolumeWords words_;
   std::optional<RayBuffers> batch_; ///< Made when first needed.

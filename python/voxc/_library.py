@@ -85,6 +85,7 @@ FUNCTIONS = {
     "voxc_tracer_device": (c_char_p, [c_void_p]),
     "voxc_tracer_trace": (c_void_p, [c_void_p, c_void_p, c_uint64, c_void_p]),
     "voxc_tracer_trace_bounded": (c_void_p, [c_void_p, c_void_p, c_uint64, c_void_p]),
+    "voxc_tracer_update": (c_void_p, [c_void_p, c_void_p, POINTER(c_uint64)]),
     "voxc_format_parse": (c_void_p, [c_char_p, c_char_p, POINTER(c_void_p)]),
     "voxc_format_free": (None, [c_void_p]),
     "voxc_format_ir": (c_char_p, [c_void_p]),

@@ -100,6 +100,13 @@ class Tracer:
         c.check(function(handle, rays.ctypes.data, rays.size, hits.ctypes.data))
         return hits
 
+    def update(self, volume):
+        """Takes another volume of the same format, such as an edited one, in place of its own. Only what differs is brought
+        to the device; returns how many bytes that was."""
+        copied = ctypes.c_uint64()
+        c.check(c.lib.voxc_tracer_update(self._handle, volume._handle, ctypes.byref(copied)))
+        return copied.value
+
     def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,
                progress=None):
         """A picture as an array (height, width, 4) of uint8. `style` and `view` are those of `voxc render`; `eye` and

@@ -5,6 +5,7 @@
 
 #include "voxc/Emit/Emit.h"
 #include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/Translate.h"
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <algorithm>
@@ -95,6 +96,16 @@ Expected<std::string> makeSpirvText(Generator &generator) {
   return kernel ? disassemble(**kernel) : Expected<std::string>(kernel.error());
 }
 
+/// Kernels for the devices of other interfaces, which run every loop to its end.
+template <ShadingLanguage language> Expected<std::string> makeTranslation(Generator &generator) {
+  Expected<Plan> plan =
+      makePlan(generator.format(), {.addressing = generator.choices().addressing, .loops = Loops::Whole});
+  if (!plan)
+    return plan.error();
+  const Expected<Kernel> kernel = compileGlsl(emitIntersect(*plan), *plan, generator.choices().optimise);
+  return kernel ? translateKernel(*kernel, language) : Expected<std::string>(kernel.error());
+}
+
 Expected<std::string> makeInterface(Generator &generator) {
   Expected<const Kernel *> kernel = generator.kernel();
   return kernel ? interfaceText(toString(generator.format()), **kernel)
@@ -108,6 +119,11 @@ Expected<std::string> makeCpuObject(Generator &generator) {
 Expected<std::string> makeHeader(Generator &generator) {
   Expected<const Plan *> plan = generator.headerPlan();
   return plan ? emitHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
+}
+
+Expected<std::string> makeC(Generator &generator) {
+  Expected<const Plan *> plan = generator.headerPlan();
+  return plan ? emitCHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
 }
 
 Expected<std::string> makeWebGl(Generator &generator) {
@@ -143,6 +159,13 @@ std::vector<Artefact> cpuCompanions(Generator &generator) {
   return {{"intersect.h", emitIntersectHeader(generator.cpuPlan(), generator.choices().cpu.symbol)}};
 }
 
+std::vector<Artefact> cCompanions(Generator &generator) {
+  const Plan &plan = **generator.headerPlan(); // There is one: the header was made of it.
+  const std::string &name = generator.name();
+  return {{headerFile(name), emitHeader(plan, name)},
+          {"voxc_" + name + "_c.cpp", emitCDefinitions(plan, name)}};
+}
+
 std::vector<Artefact> intersectionCompanions(Generator &generator) {
   const Plan &plan = **generator.headerPlan(); // There is one: the shader was made of it.
   const std::string &name = generator.name();
@@ -165,9 +188,12 @@ constexpr ArtefactKind kArtefacts[] = {
     {"spirv", "intersect.spv", makeSpirv, noCompanions},
     {"spvasm", "intersect.spvasm", makeSpirvText, noCompanions},
     {"interface", "intersect.json", makeInterface, noCompanions},
+    {"hlsl", "intersect.hlsl", makeTranslation<ShadingLanguage::Hlsl>, noCompanions},
+    {"msl", "intersect.metal", makeTranslation<ShadingLanguage::Msl>, noCompanions},
     {"cpp", "intersect.cpp", makeCpp, cppCompanions},
     {"cpu", "intersect.o", makeCpuObject, cpuCompanions},
     {"header", "voxc_*.h", makeHeader, noCompanions},
+    {"c", "voxc_*_c.h", makeC, cCompanions},
     {"webgl", "voxc_*.glsl", makeWebGl, noCompanions},
     {"rint", "voxc_*.rint", makeIntersection, intersectionCompanions},
 };

@@ -52,9 +52,9 @@ void CompileCommand::declare(CLI::App &app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--emit", kinds_,
-                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, cpp, cpu, header, "
-                 "webgl, rint, "
-                 "separated by commas")
+                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, hlsl, msl, cpp, "
+                 "cpu, header, c, "
+                 "webgl, rint, separated by commas")
       ->delimiter(',')
       ->type_name("KINDS")
       ->check(CLI::IsMember(artefactNames()).description(""))

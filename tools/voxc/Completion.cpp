@@ -1,18 +1,19 @@
 // voxc completion: what a shell needs to complete commands, options and their values.
 #include "Subcommand.h"
 
+#include "completion/Table.h"
+
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <map>
 #include <span>
 #include <vector>
 
 namespace voxc {
 
-/// completion.bash (cmake/VoxcEmbed.cmake).
+/// completion.bash and its like (cmake/VoxcEmbed.cmake).
 std::span<const EmbeddedFile> completionFiles();
 
 } // namespace voxc
@@ -21,86 +22,110 @@ namespace voxc::tool {
 
 namespace {
 
-/// What can stand behind an option, if that is known: the names of its check "{a,b}" or of its type "a|b=a".
-std::string valuesOf(const CLI::Option &option) {
-  const std::string type = option.get_type_name();
-  std::string values = type.substr(0, type.find('='));
-  if (values.find('|') == values.npos || values.find_first_of("[:,. ") != values.npos)
-    return "";
-  for (char &c : values)
-    if (c == '|')
-      c = ' ';
-  return values;
-}
-
-/// All names of an option, with its dashes.
-std::vector<std::string> namesOf(const CLI::Option &option) {
-  std::vector<std::string> names;
-  for (const std::string &name : option.get_lnames())
-    names.push_back("--" + name);
-  for (const std::string &name : option.get_snames())
-    names.push_back("-" + name);
-  return names;
-}
-
-/// The names that follow a command: of its options, or of its commands too.
-std::string wordsAfter(const CLI::App &command) {
-  std::string words;
-  for (const CLI::App *sub : command.get_subcommands({}))
-    if (!sub->get_group().empty())
-      words += sub->get_name() + " ";
-  for (const CLI::Option *option : command.get_options())
-    if (option->nonpositional())
-      for (const std::string &name : namesOf(*option))
-        words += name + " ";
-  if (!words.empty())
-    words.pop_back();
-  return words;
-}
-
-/// "build", or "bench export": what a command line begins with behind the tool's name.
-void collect(const CLI::App &command, const std::string &path, std::map<std::string, const CLI::App *> &all) {
-  all[path] = &command;
-  for (const CLI::App *sub : command.get_subcommands({}))
-    if (!sub->get_group().empty())
-      collect(*sub, path.empty() ? sub->get_name() : path + " " + sub->get_name(), all);
-}
-
 /// A text with one of its words replaced.
 std::string replaced(std::string text, std::string_view word, std::string_view by) {
   return text.replace(text.find(word), word.size(), by);
 }
 
-/// The script for bash: completion.bash with what follows each command, and each option that takes few
-/// values.
-std::string bashText(const CLI::App &root) {
-  std::map<std::string, const CLI::App *> commands;
-  collect(root, "", commands);
-  std::map<std::string, std::string> values; // By option: those of one name have the same ones everywhere.
-  std::string words, paths, choices;
-  for (const auto &[path, command] : commands) {
-    words += "    '" + path + "') words='" + wordsAfter(*command) + "' ;;\n";
-    if (!path.empty())
-      paths += (paths.empty() ? "'" : " | '") + path + "'";
-    for (const CLI::Option *option : command->get_options())
-      if (const std::string text = valuesOf(*option); !text.empty())
-        for (const std::string &name : namesOf(*option))
-          values[name] = text;
-  }
-  for (const auto &[name, text] : values)
-    choices += "  " + name + ") words='" + text + "' ;;\n";
-  words.pop_back();
-  choices.pop_back();
-  const std::string script(completionFiles().front().text);
-  return replaced(replaced(replaced(script, "@COMMANDS@", paths), "@VALUES@", choices), "@WORDS@", words);
+/// The script that is completion.`shell`.
+std::string scriptOf(std::string_view shell) {
+  for (const EmbeddedFile &file : completionFiles())
+    if (file.path.ends_with(shell))
+      return std::string(file.text);
+  return "";
+}
+
+/// For bash and zsh, where a quote ends the text, stands by itself, and begins it anew.
+std::string quotedOfPosix(std::string text) {
+  for (std::size_t at = text.find('\''); at != text.npos; at = text.find('\'', at + 4))
+    text.replace(at, 1, "'\\''");
+  return "'" + text + "'";
+}
+
+/// All commands in quotes, with something between.
+std::string pathsOf(const CompletionTable &table, std::string_view between) {
+  std::string paths;
+  for (const CompletionRow &row : table.rows)
+    if (!row.path.empty())
+      paths += (paths.empty() ? "" : std::string(between)) + "'" + row.path + "'";
+  return paths;
+}
+
+/// A script of "case": lines for each option with values, and for each command, written as `begin` and `end`
+/// say.
+std::string caseText(const CompletionTable &table, std::string_view shell, std::string_view begin,
+                     std::string_view end, std::string (*wordsOf)(const CompletionRow &row)) {
+  std::string values, words;
+  for (const auto &[name, text] : table.values)
+    values += (values.empty() ? "  " : "\n  ") + name + ") " + std::string(begin) + text + std::string(end);
+  for (const CompletionRow &row : table.rows)
+    words += (words.empty() ? "    '" : "\n    '") + row.path + "') " + std::string(begin) + wordsOf(row) +
+             std::string(end);
+  const std::string script = replaced(scriptOf(shell), "@COMMANDS@", pathsOf(table, " | "));
+  return replaced(replaced(script, "@VALUES@", values), "@WORDS@", words);
+}
+
+/// Names with blanks between.
+std::string namesOf(const CompletionRow &row) {
+  std::string names;
+  for (const CompletionWord &word : row.words)
+    names += (names.empty() ? "" : " ") + word.name;
+  return names;
+}
+
+/// 'name:what it is', as _describe takes them.
+std::string describedNamesOf(const CompletionRow &row) {
+  std::string names;
+  for (const CompletionWord &word : row.words)
+    names += (names.empty() ? "" : " ") + quotedOfPosix(word.name + ":" + word.summary);
+  return names;
+}
+
+std::string bashText(const CompletionTable &table) {
+  return caseText(table, "bash", "words='", "' ;;", namesOf);
+}
+
+std::string zshText(const CompletionTable &table) {
+  return caseText(table, "zsh", "choices=(", ") ;;", describedNamesOf);
+}
+
+/// For fish, where a quote within quotes has a backslash before it.
+std::string fishQuoted(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text)
+    result += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  return result + "'";
+}
+
+/// "complete" for a word that may follow a command.
+std::string fishLine(const CompletionTable &table, const std::string &path, const CompletionWord &word) {
+  std::string line = "complete -c voxc -n '__voxc_at \"" + path + "\"'";
+  if (!word.isOption())
+    line += " -f -a " + word.name;
+  else
+    line += word.name.starts_with("--") ? " -l " + word.name.substr(2) : " -s " + word.name.substr(1);
+  if (const auto values = table.values.find(word.name); values != table.values.end())
+    line += " -x -a " + fishQuoted(values->second);
+  else if (word.takesValue)
+    line += " -r";
+  return line + " -d " + fishQuoted(word.summary) + "\n";
+}
+
+std::string fishText(const CompletionTable &table) {
+  std::string lines;
+  for (const CompletionRow &row : table.rows)
+    for (const CompletionWord &word : row.words)
+      lines += fishLine(table, row.path, word);
+  lines.pop_back();
+  return replaced(replaced(scriptOf("fish"), "@COMMANDS@", pathsOf(table, " ")), "@WORDS@", lines);
 }
 
 struct Shell {
   const char *name;
-  std::string (*text)(const CLI::App &root);
+  std::string (*text)(const CompletionTable &table);
 };
 
-constexpr Shell kShells[] = {{"bash", bashText}};
+constexpr Shell kShells[] = {{"bash", bashText}, {"zsh", zshText}, {"fish", fishText}};
 
 class CompletionCommand final : public Subcommand {
 public:
@@ -109,7 +134,7 @@ public:
     std::vector<std::string> names;
     for (const Shell &shell : kShells)
       names.emplace_back(shell.name);
-    app.add_option("SHELL", shell_, "The shell: bash")
+    app.add_option("SHELL", shell_, "The shell: bash, zsh or fish")
         ->required()
         ->type_name("")
         ->check(CLI::IsMember(names).description(""));
@@ -119,7 +144,7 @@ public:
   Expected<void> run() override {
     for (const Shell &shell : kShells)
       if (shell_ == shell.name)
-        std::fputs(shell.text(*root_).c_str(), stdout);
+        std::fputs(shell.text(completionTable(*root_)).c_str(), stdout);
     return {};
   }
 

@@ -52,6 +52,7 @@ Expected<void> Tracing::openDevice(const CommonOptions &common) {
   if (!device)
     return Error{device.error().kind, device.error().message + "; and cpu, this processor"};
   device_ = std::make_unique<Device>(std::move(*device));
+  device_->useCache(cache_);
   return {};
 }
 

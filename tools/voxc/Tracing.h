@@ -25,6 +25,7 @@ public:
   void choose(const std::string &device, unsigned threads);
 
   /// Looks for kernels among those that were compiled before: for commands that do not measure compiling.
+  /// Asked before the device is opened.
   void useCache() { cache_ = compileCache(); }
 
   /// Opens the device; asked first, so that its absence is told before long work. Where no device was named

@@ -92,6 +92,23 @@ TEST(Edit, GivesTheWordsOfABuild) {
   }
 }
 
+/// A voxel alone in its node, and a cube of eight alone in the node above: the same words.
+TEST(Edit, CountsVoxelsOfNodesThatTwoLayersShare) {
+  const Format format = *parseFormat("G(7)");
+  const auto source = makeFunctionSource({128, 128, 128}, [](Int3 cell) {
+    const bool isCube = (cell >> 1) == Int3{4, 4, 4};
+    return cell == Int3{0, 0, 0} || isCube || cell == Int3{100, 100, 100} ? 0xff0000ffu : 0u;
+  });
+  const auto volume = buildVolume(format, *source);
+  ASSERT_EQ(volume->info().voxels, 10u);
+  const auto edited = Constructor::compile(format)->edit(volume, {VoxelEdit{{100, 100, 100}, {1, 1, 1}}});
+  ASSERT_TRUE(edited);
+  EXPECT_EQ(edited->volume.info().voxels, 9u);
+  const auto counted = checkStructure(format, edited->volume.words());
+  ASSERT_TRUE(counted);
+  EXPECT_EQ(*counted, 9u);
+}
+
 TEST(Edit, WhatIsOutsideOfTheVolumeIsAnError) {
   const auto source = makeBuiltinSource("terrain", 16);
   const Format format = *parseFormat("R(2^3) G(2)");

@@ -32,9 +32,17 @@ std::string emitIntersectHeader(const Plan &plan, std::string_view symbol);
 /// `kHeaderPlan`, of a format that stops at voxels alone; `name` is one that `isHeaderName` takes.
 std::string emitHeader(const Plan &plan, std::string_view name);
 
+/// voxc_NAME_c.h: the same functions as declarations in C99; and voxc_NAME_c.cpp, which defines them by what
+/// `emitHeader` makes of the same plan and name, as "voxc_NAME.h".
+std::string emitCHeader(const Plan &plan, std::string_view name);
+std::string emitCDefinitions(const Plan &plan, std::string_view name);
+
 /// voxc_NAME.glsl: the same functions for GLSL ES 3.00, the language of WebGL 2, with what that lacks. Takes
 /// what `emitHeader` takes; or a plan made with `kFirstHitPlan`, and then `first` is the only query.
 std::string emitWebGl(const Plan &plan, std::string_view name);
+
+/// Functions of GLSL on words with carries that HLSL lacks, which kernels in HLSL begin with.
+std::string_view carryFunctions();
 
 /// A shader of a pipeline that traces rays. Each value is a file of shaders-runtime/header.
 enum class RayStage { Intersection, ClosestHit };

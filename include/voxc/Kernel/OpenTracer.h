@@ -21,6 +21,9 @@ struct TracerChoice {
   /// Attributes of the walk and of what is asked, where they are not those that the volume was built with; of
   /// the same storage.
   std::optional<Format> format;
+  /// Where kernels are looked for first, and also pipelines where no device is given: the next start compiles
+  /// nothing. It must outlive the tracer. Null: none.
+  const CompileCache *cache = nullptr;
   bool optimise = false;   ///< As in `KernelOptions`.
   bool countWords = false; ///< A tracer for `TraceOptions::countWords` and nothing else.
 };

@@ -16,6 +16,8 @@
 
 namespace voxc {
 
+class CompileCache;
+
 /// A device that can trace, and what bears on which kernel it takes.
 struct DeviceInfo {
   std::string name;
@@ -49,6 +51,10 @@ public:
   const DeviceInfo &info() const;
   /// The addressing that a volume of so many words needs here.
   Addressing addressingFor(std::uint64_t words) const;
+
+  /// Kernels that are made ready on it from now on are looked for in `cache` as the driver compiled them, and
+  /// put there. The cache must outlive the device; null: none.
+  void useCache(const CompileCache *cache);
 
   struct State;
   State &state() { return *state_; }
@@ -86,6 +92,11 @@ struct TraceReport {
   bool binned = false; ///< Rays were taken bin by bin (`RayOrder::Binned`), which is in the times.
 };
 
+/// What `Tracer::update` brought to the device.
+struct UpdateReport {
+  std::uint64_t copiedBytes = 0; ///< 0 on this processor, which reads the volume itself.
+};
+
 /// Traces rays through one volume. A back end implements this; Vulkan is the first.
 class Tracer {
 public:
@@ -95,6 +106,17 @@ public:
   /// device.
   virtual Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits,
                                       const TraceOptions &options = {}) = 0;
+
+  /// Takes `after` in place of `before`, the volume that it traces now: from then on hits are those of a
+  /// tracer that was made with it. Of the words, which are compared, only the blocks that differ are copied
+  /// to a device, and its memory grows where there are more than before. `after` must live as the tracer's
+  /// first volume had to; `before` is not needed any more. Errors: a volume of other storage (`Input`);
+  /// `before` is not the volume that it traces, or the tracer is of a kind that cannot do this (`Usage`),
+  /// which leave it as it was; the device has no room or fails (`Environment`), after which it must not be
+  /// used.
+  virtual Expected<UpdateReport> update(const Volume & /*before*/, const Volume & /*after*/) {
+    return Error::usage("this tracer traces one volume and takes no other");
+  }
 };
 
 /// Uploads `volume` and prepares `kernel` on `device`. Errors: the kernel was made for other storage
