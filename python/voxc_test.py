@@ -148,6 +148,28 @@ class Tracing(unittest.TestCase):
         words = voxc.build("G(5)", voxels=ball()).words[5:]
         self.assertGreater(words.sum(), 0)
 
+    def test_attributes(self):
+        words = ball()
+        words[words != 0] += np.arange((words != 0).sum(), dtype=np.uint32)
+        volume = voxc.build("R(2, 2, 2) M(3, 3, 3)", voxels=words, passes=["values-apart"])
+        with self.assertRaises(KeyError):
+            volume.attribute("colour")
+        numbers = np.arange(volume.voxels, dtype="<u4")
+        more = volume.with_attribute("number", numbers).with_attribute("place", np.zeros((volume.voxels, 3), "<f4"))
+        del volume
+        np.testing.assert_array_equal(more.attribute("number").view("<u4")[:, 0], numbers)
+        self.assertEqual(more.attribute("place").shape, (more.voxels, 12))
+        hit = more.trace((16.5, 16.5, -1), (0, 0, 1), "cpu", outputs="voxel,index")
+        x, y, z = hit["voxel"].tolist()
+        codes = [sum((c >> b & 1) << (3 * b + axis) for axis, c in enumerate(cell) for b in range(5))
+                 for cell in zip(*np.nonzero(words)[::-1])]
+        place = sum((c >> b & 1) << (3 * b + axis) for axis, c in enumerate((x, y, z)) for b in range(5))
+        self.assertEqual(int(hit["rgba"]), sum(code < place for code in codes))
+        with self.assertRaisesRegex(ValueError, "3 elements, but"):
+            more.with_attribute("short", np.zeros(3))
+        with self.assertRaisesRegex(voxc.Error, "cannot be called 'words'"):
+            more.with_attribute("words", numbers)
+
     def test_update(self):
         words = ball()
         tracer = voxc.build("G(5)", voxels=words).tracer("cpu")

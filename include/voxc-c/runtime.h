@@ -89,6 +89,15 @@ VOXC_API uint64_t voxc_volume_voxels(const voxc_volume *volume);
 VOXC_API uint64_t voxc_volume_bytes(const voxc_volume *volume);
 /* The words that kernels read. They live as long as the volume. */
 VOXC_API const uint32_t *voxc_volume_words(const voxc_volume *volume, uint64_t *count);
+/* The elements of an attribute (docs/attributes.md), one for each voxel in Morton order, and how many bytes
+ * one has; null if there is no such attribute. They live as long as the volume. */
+VOXC_API const void *voxc_volume_attribute(const voxc_volume *volume, const char *name,
+                                           uint32_t *element_bytes);
+/* The same volume with an attribute more, or in place of one of that name: voxc_volume_voxels elements, which
+ * are copied. Both volumes may be freed in any order. Errors: no possible name, 0 or more than 256 bytes. */
+VOXC_API voxc_error *voxc_volume_with_attribute(const voxc_volume *volume, const char *name,
+                                                uint32_t element_bytes, const void *elements,
+                                                voxc_volume **result);
 /* The matrix from voxels to the units of the model: three rows of four, the last of each the translation. */
 VOXC_API void voxc_volume_to_model(const voxc_volume *volume, double rows[12]);
 /* One voxel: RGBA8 with R in the low byte, or a label; 0 is empty, and so is all outside. */

@@ -1,5 +1,6 @@
 // Volumes in C.
 #include "C/Handles.h"
+#include "voxc/Volume/Attributes.h"
 
 using namespace voxc;
 using namespace voxc::c;
@@ -60,6 +61,24 @@ const uint32_t *voxc_volume_words(const voxc_volume *volume, uint64_t *count) {
   const auto words = volume->volume->words();
   *count = words.size();
   return words.data();
+}
+
+const void *voxc_volume_attribute(const voxc_volume *volume, const char *name, uint32_t *element_bytes) {
+  const Stream *const attribute = findAttribute(*volume->volume, name);
+  if (!attribute)
+    return nullptr;
+  *element_bytes = attribute->elementBytes;
+  return attribute->bytes.data();
+}
+
+voxc_error *voxc_volume_with_attribute(const voxc_volume *volume, const char *name, uint32_t element_bytes,
+                                       const void *elements, voxc_volume **result) {
+  return guarded([&] {
+    const auto *const first = static_cast<const std::byte *>(elements);
+    // A size that is none is told by `withAttribute`, and nothing is read for it.
+    const std::uint64_t bytes = element_bytes > 256 ? 0 : volume->volume->info().voxels * element_bytes;
+    return handOver(withAttribute(volume->volume, {name, element_bytes, {first, first + bytes}}), result);
+  });
 }
 
 void voxc_volume_to_model(const voxc_volume *volume, double rows[12]) {

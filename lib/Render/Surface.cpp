@@ -19,9 +19,11 @@ float clearance(const glm::vec3 &point) {
   return std::max(1e-3f, size * 4 * std::numeric_limits<float>::epsilon());
 }
 
-/// Gives a surface the direction of its neighbourhood, where its rays to the light can begin above it.
+/// Gives a surface the direction of its neighbourhood, where its rays to the light can begin above it. At the
+/// edge of a thing that is seen against the sky, that direction may turn a little away from the eye; the face
+/// that was entered tells which side is the outer one then.
 void smooth(Surface &surface, const SurfaceNormal &normal, const glm::vec3 &direction) {
-  const bool isAlong = glm::dot(normal.direction, direction) < 0;
+  const bool isAlong = glm::dot(normal.direction, surface.normal - glm::normalize(direction)) > 0;
   const float room = isAlong ? normal.roomAlong : normal.roomAgainst;
   if (room == 0)
     return;

@@ -77,6 +77,8 @@ FUNCTIONS = {
     "voxc_volume_extent": (None, [c_void_p, POINTER(c_int32)]),
     "voxc_volume_voxels": (c_uint64, [c_void_p]),
     "voxc_volume_bytes": (c_uint64, [c_void_p]),
+    "voxc_volume_attribute": (c_void_p, [c_void_p, c_char_p, POINTER(c_uint32)]),
+    "voxc_volume_with_attribute": (c_void_p, [c_void_p, c_char_p, c_uint32, c_void_p, POINTER(c_void_p)]),
     "voxc_volume_words": (POINTER(c_uint32), [c_void_p, POINTER(c_uint64)]),
     "voxc_volume_to_model": (None, [c_void_p, POINTER(c_double)]),
     "voxc_volume_read": (c_void_p, [c_void_p, POINTER(c_int32), POINTER(c_int32), c_void_p]),

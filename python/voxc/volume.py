@@ -64,6 +64,30 @@ class Volume:
         words.flags.writeable = False
         return words
 
+    def attribute(self, name):
+        """The elements of an attribute as rows of bytes [voxel, byte], by the numbers of the voxels; `.view("<f4")` and the
+        like make numbers of them. KeyError where there is none."""
+        size = ctypes.c_uint32()
+        first = c.lib.voxc_volume_attribute(self._handle, c.text(name), ctypes.byref(size))
+        if size.value == 0:
+            raise KeyError(name)
+        shape = (self.voxels, size.value)
+        if self.voxels == 0:
+            return np.empty(shape, np.uint8)
+        pointer = ctypes.cast(first, ctypes.POINTER(ctypes.c_uint8))
+        elements = np.ctypeslib.as_array(pointer, shape).view(_KeepingArray)
+        elements.keeps = self
+        elements.flags.writeable = False
+        return elements
+
+    def with_attribute(self, name, elements):
+        """The same volume with an attribute more: an array whose first axis is that of the voxels, in Morton order."""
+        elements = np.ascontiguousarray(elements)
+        if len(elements) != self.voxels:
+            raise ValueError(f"there are {len(elements)} elements, but {self.voxels} voxels")
+        size = elements.itemsize * int(np.prod(elements.shape[1:]))
+        return Volume(c.make(c.lib.voxc_volume_with_attribute, self._handle, c.text(name), size, elements.ctypes.data))
+
     @property
     def to_model(self):
         """The matrix from voxels to the units of the model, (3, 4)."""

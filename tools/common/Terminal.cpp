@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace voxc::tool {
 namespace {
@@ -16,6 +17,15 @@ constexpr int kBarCells = 30;
 constexpr int kUsualColumns = 80;
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr const char *kEraseLine = "\r\x1b[K";
+
+/// What the stages count that are told at a rate.
+constexpr std::pair<std::string_view, std::string_view> kCounted[] = {
+    {"build", "voxels"}, {"trace", "rays"}, {"exact hits", "rays"}, {"hard rays", "rays"}};
+
+std::string_view countedIn(std::string_view stage) {
+  const auto row = std::ranges::find(kCounted, stage, &std::pair<std::string_view, std::string_view>::first);
+  return row == std::end(kCounted) ? std::string_view() : row->second;
+}
 
 } // namespace
 
@@ -54,21 +64,21 @@ void ProgressBar::draw(std::string_view stage, double fraction, std::uint64_t do
   double seconds = std::chrono::duration<double>(now - stageBegin_).count();
   char text[160];
   std::snprintf(text, sizeof text, "%-12s [%s] %3d%%%s", stage_.c_str(), bar.c_str(),
-                static_cast<int>(shown * 100), paceText(seconds, shown, done).c_str());
+                static_cast<int>(shown * 100), paceText(seconds, shown, done, countedIn(stage)).c_str());
   // A line that wraps could not be erased.
   std::fprintf(stderr, "%s%.*s", kEraseLine, std::max(terminalColumns(STDERR_FILENO, kUsualColumns) - 1, 1),
                text);
 }
 
-std::string paceText(double seconds, double fraction, std::uint64_t done) {
+std::string paceText(double seconds, double fraction, std::uint64_t done, std::string_view counted) {
   // Before half a second or a hundredth of the way any number would be a guess.
   if (seconds < 0.5)
     return {};
   char text[64];
   std::string pace;
-  if (done > 0) {
-    std::snprintf(text, sizeof text, "  %.1f M/s", static_cast<double>(done) / seconds * 1e-6);
-    pace += text;
+  if (done > 0 && !counted.empty()) {
+    std::snprintf(text, sizeof text, "  %.1f M ", static_cast<double>(done) / seconds * 1e-6);
+    pace += text + std::string(counted) + "/s";
   }
   if (fraction >= 0.01 && fraction < 1) {
     auto left = std::lround(seconds / fraction - seconds);

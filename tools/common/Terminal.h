@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace voxc::tool {
 
@@ -35,7 +36,8 @@ private:
   Clock::time_point lastDraw_{};
 };
 
-/// What stands behind the bar: "12.3 M/s", if things are counted, and "0:42 left", once that can be told.
-std::string paceText(double seconds, double fraction, std::uint64_t done);
+/// What stands behind the bar: "12.3 M rays/s", if `counted` says what `done` is, and "0:42 left", once that
+/// can be told.
+std::string paceText(double seconds, double fraction, std::uint64_t done, std::string_view counted);
 
 } // namespace voxc::tool

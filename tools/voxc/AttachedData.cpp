@@ -38,7 +38,7 @@ public:
     const Int3 extent = voxels_.extent();
     const auto longest =
         static_cast<std::uint32_t>(std::max({extent.x, extent.y, extent.z, 1 << kLog2Block}));
-    descend({{}, std::bit_width(longest - 1)});
+    descend({{}, int(std::bit_width(longest - 1))});
     if (progress_.stopped())
       return Error::interrupted();
     for (const VoxelSource *source : {&voxels_, &input_})

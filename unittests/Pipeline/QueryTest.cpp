@@ -10,11 +10,13 @@
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Trace/Tracer.h"
+#include "voxc/Volume/Attributes.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -60,6 +62,7 @@ Format asking(Format format, const Question &question) {
   set(kTAttribute, question.outputs.t);
   set(kFaceAttribute, question.outputs.face);
   set(kColourAttribute, question.outputs.colour);
+  set(kIndexAttribute, question.outputs.index);
   return format;
 }
 
@@ -191,6 +194,39 @@ TEST_P(Queries, FindTheHitsOfKernelsThatAreAskedForAll) {
     format.setAttribute(kPrecisionAttribute, "fast");
     expectSame({});
     format.setAttribute(kPrecisionAttribute, "exact");
+  }
+}
+
+/// The numbers of all voxels, by Morton code.
+std::map<std::uint64_t, std::uint32_t> numbersOf(const Volume &volume) {
+  std::map<std::uint64_t, std::uint32_t> numbers;
+  EXPECT_TRUE(visitVoxels(volume, [&](Int3 voxel) {
+    return numbers.emplace(mortonCode(voxel), static_cast<std::uint32_t>(numbers.size())).second;
+  }));
+  return numbers;
+}
+
+TEST_P(Queries, TellTheNumbersOfVoxels) {
+  for (const char *text : {"format values=apart { level 1: raw(2, 2, 2) level 2: svdag(2) }",
+                           "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }",
+                           "format values=apart payload=palette(4) { level 1: raw(3, 1, 2) level 2: masked(1, "
+                           "1, 1) level 3: masked(2, 2, 2) }"}) {
+    const Format format = *parseFormat(text);
+    const auto built = Constructor::compile(format)->build(*test::hardScenes(format.extent())[7].source());
+    ASSERT_TRUE(built) << built.error().message;
+    const auto numbers = numbersOf(built->volume);
+    ASSERT_EQ(numbers.size(), built->volume.info().voxels);
+    const auto rays = hardRaysOf(format.extent(), 60, 11);
+    const auto all = hitsOf(built->volume, format, rays);
+    const auto hits =
+        hitsOf(built->volume, asking(format, {Query::Closest, {.colour = false, .index = true}}), rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      Hit exact = all[i];
+      if (exact.isHit())
+        exact.rgba = numbers.at(mortonCode({exact.voxel[0], exact.voxel[1], exact.voxel[2]}));
+      ASSERT_EQ(std::memcmp(&hits[i], &exact, sizeof exact), 0)
+          << text << ", ray " << i << ": " << textOf(hits[i]) << ", and not " << textOf(exact);
+    }
   }
 }
 

@@ -12,7 +12,7 @@
 namespace voxc {
 
 /// A direction as a place on an octahedron that is unfolded to a square, its two coordinates as signed 16-bit
-/// fractions, x in the low half, as GLSL's packSnorm2x16 puts them: off by 0.004 degrees at most (Z. Cigolle
+/// fractions, x in the low half, as GLSL's packSnorm2x16 puts them: off by less than 0.02 degrees (Z. Cigolle
 /// et al., "A Survey of Efficient Representations for Independent Unit Vectors", 2014). A direction of
 /// length 0 is packed as 0x80008000, which no other is.
 std::uint32_t packNormal(const glm::vec3 &direction);

@@ -1,0 +1,128 @@
+// Named attributes of voxels.
+#include "VolumeTesting.h"
+
+#include "voxc/Render/NormalAttribute.h"
+#include "voxc/Volume/Attributes.h"
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace voxc {
+namespace {
+
+using ::testing::HasSubstr;
+
+using test::VolumeFile;
+
+std::vector<std::byte> bytesOf(std::initializer_list<int> values) {
+  std::vector<std::byte> bytes;
+  for (const int value : values)
+    bytes.push_back(std::byte(value));
+  return bytes;
+}
+
+TEST_F(VolumeFile, KeepsAttributes) {
+  const auto volume = std::make_shared<const Volume>(small());
+  auto more = withAttribute(volume, {"weight", 2, bytesOf({7, 9})});
+  ASSERT_TRUE(more) << more.error().message;
+  for (const bool compress : {false, true}) {
+    ASSERT_TRUE(more->save(path_, {.compress = compress}));
+    const auto loaded = Volume::load(path_);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const Stream *weight = findAttribute(*loaded, "weight");
+    ASSERT_TRUE(weight);
+    EXPECT_EQ(weight->elements(), 1u);
+    EXPECT_EQ(weight->bytes[1], std::byte{9});
+    EXPECT_TRUE(std::ranges::equal(loaded->words(), volume->words()));
+    EXPECT_FALSE(findAttribute(*loaded, "words"));
+    EXPECT_FALSE(findAttribute(*loaded, "height"));
+  }
+}
+
+TEST_F(VolumeFile, ReplacesAndDropsAttributes) {
+  auto volume = std::make_shared<const Volume>(small());
+  const auto take = [&](Expected<Volume> changed) {
+    ASSERT_TRUE(changed) << changed.error().message;
+    volume = std::make_shared<const Volume>(std::move(*changed));
+  };
+  take(withAttribute(volume, {"a", 1, bytesOf({1})}));
+  take(withAttribute(volume, {"b", 1, bytesOf({2})}));
+  take(withAttribute(volume, {"a", 2, bytesOf({3, 4})}));
+  ASSERT_EQ(volume->streams().size(), 3u);
+  EXPECT_EQ(findAttribute(*volume, "a")->elementBytes, 2u);
+  take(withoutAttribute(volume, "b"));
+  EXPECT_EQ(volume->streams().size(), 2u);
+  EXPECT_THAT(withoutAttribute(volume, "b").error().message, HasSubstr("no attribute 'b'"));
+  EXPECT_THAT(withoutAttribute(volume, "words").error().message, HasSubstr("no attribute 'words'"));
+}
+
+TEST_F(VolumeFile, TakesNoAttributeThatIsNone) {
+  const auto volume = std::make_shared<const Volume>(small());
+  const auto errorWith = [&](Attribute attribute) {
+    return withAttribute(volume, std::move(attribute)).error().message;
+  };
+  EXPECT_THAT(errorWith({"words", 1, bytesOf({1})}), HasSubstr("cannot be called 'words'"));
+  EXPECT_THAT(errorWith({"Weight", 1, bytesOf({1})}), HasSubstr("is no name"));
+  EXPECT_THAT(errorWith({"a-name-that-is-longer-than-thirty-one", 1, bytesOf({1})}), HasSubstr("is no name"));
+  EXPECT_THAT(errorWith({"a", 0, {}}), HasSubstr("1 to 256 bytes, not 0"));
+  EXPECT_THAT(errorWith({"a", 257, std::vector<std::byte>(257)}), HasSubstr("1 to 256 bytes, not 257"));
+  EXPECT_THAT(errorWith({"a", 1, bytesOf({1, 2})}), HasSubstr("has 2 bytes, but the volume has 1 voxels"));
+  EXPECT_THAT(errorWith({"a", 2, bytesOf({1, 2, 3})}), HasSubstr("has 3 bytes"));
+}
+
+/// A file may call anything an attribute; only what has an element for each voxel is found as one.
+TEST_F(VolumeFile, FindsNoAttributeOfAnotherSize) {
+  const auto volume = std::make_shared<const Volume>(small());
+  const std::vector<std::byte> elements(3);
+  std::vector<Stream> streams(volume->streams().begin(), volume->streams().end());
+  streams.push_back({"weight", 1, elements});
+  ASSERT_TRUE(Volume(volume->info(), std::move(streams), volume).save(path_));
+  const auto loaded = Volume::load(path_);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_TRUE(loaded->findStream("weight"));
+  EXPECT_FALSE(findAttribute(*loaded, "weight"));
+}
+
+TEST(PackedNormal, KeepsDirections) {
+  std::mt19937 random(5);
+  std::normal_distribution<float> number;
+  float least = 1;
+  for (int i = 0; i < 100000; ++i) {
+    const glm::vec3 direction = glm::normalize(glm::vec3(number(random), number(random), number(random)));
+    least = std::min(least, glm::dot(direction, unpackNormal(packNormal(direction))));
+  }
+  EXPECT_GT(least, std::cos(glm::radians(0.02f)));
+  for (const glm::vec3 axis : {glm::vec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})
+    EXPECT_EQ(unpackNormal(packNormal(axis * 3.0f)), axis);
+  EXPECT_EQ(packNormal({}), 0x80008000u);
+  EXPECT_EQ(unpackNormal(packNormal({})), glm::vec3());
+}
+
+/// A plate: all normals but those at its rim stand upright.
+TEST(NormalAttribute, StandsOnAPlate) {
+  std::vector<std::uint32_t> words = {1};
+  VolumeInfo info;
+  info.format = *parseFormat("R(4,4,4)");
+  info.extent = {16, 16, 16};
+  for (int i = 0; i < 16 * 16 * 16; ++i)
+    words.push_back((i >> 4 & 15) == 7 ? 1 : 0);
+  info.voxels = 256;
+  const Volume volume(info, words);
+  const auto attribute = normalAttribute(volume, 1);
+  ASSERT_TRUE(attribute) << attribute.error().message;
+  EXPECT_EQ(attribute->name, "normal");
+  ASSERT_EQ(attribute->elements.size(), 1024u);
+  int upright = 0;
+  for (std::size_t i = 0; i < 256; ++i) {
+    std::uint32_t packed = 0;
+    std::memcpy(&packed, &attribute->elements[4 * i], sizeof packed);
+    upright += std::abs(unpackNormal(packed).y) > 0.99f;
+  }
+  EXPECT_EQ(upright, 256);
+}
+
+} // namespace
+} // namespace voxc
