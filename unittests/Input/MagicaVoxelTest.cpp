@@ -264,6 +264,55 @@ TEST_F(MagicaVoxel, ExportsComeBackAsTheyWere) {
     }
 }
 
+TEST_F(MagicaVoxel, AFileForEachCubeHasColoursOfItsOwn) {
+  options_.formatExtent = {2048, 2048, 2048};
+  Voxels voxels;
+  for (int i = 0; i < 200; ++i) {
+    voxels[mortonCode({i, 3, 1})] = 0xff000001 + static_cast<std::uint32_t>(i);
+    voxels[mortonCode({1030 + i, 3, 1})] = 0xffff0001 + static_cast<std::uint32_t>(i);
+  }
+  const Int3 extent{1400, 5, 2};
+  EXPECT_FALSE(exportVoxels(volumeOf(voxels, extent), folder_.path("one.vox")));
+  const auto exported = exportVoxels(volumeOf(voxels, extent), folder_.path("part%d.vox"));
+  ASSERT_TRUE(exported) << exported.error().message;
+  EXPECT_EQ(exported->files, 2u);
+  auto input = openInput(folder_.path("part%d.vox"), options_);
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(voxelsOf(*input->source), voxels);
+  EXPECT_EQ(input->source->extent(), extent);
+  // Of nothing there is one file, which keeps the extent.
+  ASSERT_EQ(exportVoxels(volumeOf({}, extent), folder_.path("none%d.vox"))->files, 1u);
+  input = openInput(folder_.path("none%d.vox"), options_);
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->source->extent(), extent);
+}
+
+TEST_F(MagicaVoxel, LossyColoursAreNearTheirOwn) {
+  Voxels voxels;
+  for (int i = 0; i < 400; ++i)
+    voxels[mortonCode({i % 20, i / 20, 0})] = rgba(static_cast<std::uint32_t>(i) / 2, 9, 9);
+  voxels[mortonCode({0, 0, 1})] = rgba(250, 250, 250);
+  const Volume volume = volumeOf(voxels, {20, 20, 2});
+  EXPECT_TRUE(exportVoxels(volume, folder_.path("few.vox"), {.lossy = true}));
+  Voxels many = voxels;
+  for (int i = 0; i < 400; ++i)
+    many[mortonCode({i % 20, i / 20, 1})] = rgba(9, static_cast<std::uint32_t>(i) / 2, 77);
+  EXPECT_FALSE(exportVoxels(volumeOf(many, {20, 20, 2}), folder_.path("many.vox")));
+  const auto exported = exportVoxels(volumeOf(many, {20, 20, 2}), folder_.path("many.vox"), {.lossy = true});
+  ASSERT_TRUE(exported) << exported.error().message;
+  ASSERT_TRUE(exported->loss);
+  auto input = openInput(folder_.path("many.vox"), options_);
+  ASSERT_TRUE(input) << input.error().message;
+  ColourErrorSum sum;
+  for (const auto &[code, word] : voxelsOf(*input->source))
+    sum.add(many[code], word);
+  EXPECT_EQ(sum.error().largest, exported->loss->largest);
+  EXPECT_EQ(sum.error().rms, exported->loss->rms);
+  EXPECT_EQ(sum.error().voxels, 800u);
+  EXPECT_LE(sum.error().largest[1], 8);
+  EXPECT_GT(sum.error().largest[1], 0);
+}
+
 struct SharedScene {
   const char *name;
   std::size_t voxels;

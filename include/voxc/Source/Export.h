@@ -47,7 +47,8 @@ std::vector<ExportFormat> exportFormats();
 /// Writes the voxels of `volume` to `path`, by its ending:
 /// - .raw: uint32 RGBA, x fastest, then y, then z, of the input's extent;
 /// - .ply: binary points, int x y z, uchar red green blue alpha, one a voxel in Morton order;
-/// - .vox: MagicaVoxel, models of up to 256 cells a side in a scene graph, at most 255 colours;
+/// - .vox: MagicaVoxel, models of up to 256 cells a side in a scene graph, at most 255 colours; of a pattern
+///   such as scene%d.vox a file for each cube of 1024 cells a side, with colours of its own;
 /// - .nvdb: a NanoVDB grid of RGBA8 values, active where there are voxels;
 /// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex;
 /// - .png: a picture for each z; `path` is a pattern with %d or %04d in place of z, unless there is but one;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voxc {
 
@@ -15,6 +16,10 @@ int longestAxis(Int3 extent);
 /// The most voxels that a model may take: what the format holds, unless its resolution is given and it is
 /// cropped.
 Int3 modelExtent(const InputOptions &options);
+
+/// The paths of a pattern such as slice%04d.png, from number 0 or 1 on to the last before one that is not
+/// there; of another path that itself. Errors: none is there; more than `most`.
+Expected<std::vector<std::string>> numberedPaths(const std::string &path, std::size_t most);
 
 /// A whole positive number, and nothing else.
 std::optional<int> parseCount(std::string_view text);

@@ -1,13 +1,18 @@
-// Opening MagicaVoxel files: models placed by a scene graph, in axes whose up is +z.
+// Opening MagicaVoxel files: models placed by a scene graph, in axes whose up is +z. A scene may lie in
+// several files, each with a palette of its own.
 #include "Input/Openers/Openers.h"
 
 #include "Input/Dense/ColourMap.h"
 #include "Input/MagicaVoxel/VoxScene.h"
+#include "Input/Openers/InputText.h"
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
 #include "Support/WatchedFile.h"
 #include "voxc/Support/Stopwatch.h"
 
+#include <algorithm>
+#include <deque>
+#include <limits>
 #include <utility>
 
 namespace voxc {
@@ -17,35 +22,64 @@ namespace {
 /// A file of some megabytes may place its models so often that nothing could hold their voxels.
 constexpr std::uint64_t kMostPlaced = std::uint64_t{1} << 30;
 
+/// One file of a scene. The scene points into the file's models.
+struct ScenePart {
+  std::shared_ptr<const WatchedFile> bytes;
+  VoxFile file;
+  VoxScene scene;
+};
+using SceneParts = std::deque<ScenePart>;
+
+/// A scene cannot be longer, whatever its files say.
+constexpr std::int64_t kMostSide = std::int64_t{1} << 30;
+
 /// The voxels of a scene, with +z turned to +y and the low corner of the box moved to (0, 0, 0).
 class PlacedVoxels {
 public:
-  explicit PlacedVoxels(const VoxScene &scene) : scene_(scene) {}
+  explicit PlacedVoxels(const SceneParts &parts)
+      : parts_(parts), low_(parts.front().scene.low), size_(parts.front().scene.size) {
+    for (const ScenePart &part : parts)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::int64_t end =
+            std::max(low_[axis] + size_[axis], part.scene.low[axis] + part.scene.size[axis]);
+        low_[axis] = std::min(low_[axis], part.scene.low[axis]);
+        size_[axis] = std::min(end - low_[axis], kMostSide);
+      }
+  }
 
   Int3 extent() const {
-    return {static_cast<int>(scene_.size[0]), static_cast<int>(scene_.size[2]),
-            static_cast<int>(scene_.size[1])};
+    return {static_cast<int>(size_[0]), static_cast<int>(size_[2]), static_cast<int>(size_[1])};
   }
 
   /// From voxels back to the cells of the scene.
   Transform voxelToModel() const {
-    const auto &[x, y, z] = scene_.low;
-    const auto farY = static_cast<double>(y + scene_.size[1]);
+    const auto &[x, y, z] = low_;
+    const auto farY = static_cast<double>(y + size_[1]);
     return transformOfRows(
         {1, 0, 0, static_cast<double>(x), 0, 0, -1, farY, 0, 1, 0, static_cast<double>(z)});
   }
 
   std::uint64_t count() const {
     std::uint64_t count = 0;
-    for (const VoxInstance &instance : scene_.instances)
-      count += instance.model->voxels.size() / 4;
+    for (const ScenePart &part : parts_)
+      for (const VoxInstance &instance : part.scene.instances)
+        count += instance.model->voxels.size() / 4;
     return count;
   }
 
-  /// Calls `visit(voxel, colour)` for each voxel, the number of its colour being 0 to 255. Errors: a voxel
-  /// outside its model; interrupted.
+  /// Calls `visit(voxel, colour, file)` for each voxel, the number of its colour being 0 to 255. Errors: a
+  /// voxel outside its model; interrupted.
   template <typename Visit> Expected<void> forEach(const Progress &progress, Visit visit) const {
-    for (const VoxInstance &instance : scene_.instances) {
+    for (const ScenePart &part : parts_)
+      if (auto visited = forEachOf(part, progress, visit); !visited)
+        return visited;
+    return {};
+  }
+
+private:
+  template <typename Visit>
+  Expected<void> forEachOf(const ScenePart &part, const Progress &progress, Visit visit) const {
+    for (const VoxInstance &instance : part.scene.instances) {
       if (progress.stopped())
         return Error::interrupted();
       const VoxModel &model = *instance.model;
@@ -58,13 +92,13 @@ public:
         }
         if (!isInside)
           return outside(cell, model);
-        visit(turned(instance.placement.moveCell(cell)), std::to_integer<unsigned>(model.voxels[at + 3]));
+        visit(turned(instance.placement.moveCell(cell)), std::to_integer<unsigned>(model.voxels[at + 3]),
+              part.file);
       }
     }
     return {};
   }
 
-private:
   static Error outside(const Long3 &cell, const VoxModel &model) {
     const auto text = [](const Long3 &v, const char *between) {
       return std::to_string(v[0]) + between + std::to_string(v[1]) + between + std::to_string(v[2]);
@@ -74,11 +108,13 @@ private:
   }
 
   Int3 turned(const Long3 &cell) const {
-    return {static_cast<int>(cell[0] - scene_.low[0]), static_cast<int>(cell[2] - scene_.low[2]),
-            static_cast<int>(scene_.size[1] - 1 - (cell[1] - scene_.low[1]))};
+    return {static_cast<int>(cell[0] - low_[0]), static_cast<int>(cell[2] - low_[2]),
+            static_cast<int>(size_[1] - 1 - (cell[1] - low_[1]))};
   }
 
-  const VoxScene &scene_;
+  const SceneParts &parts_;
+  Long3 low_; ///< The box around all files' boxes.
+  Long3 size_;
 };
 
 /// Voxels that are none, and why.
@@ -98,14 +134,20 @@ struct Dropped {
   }
 };
 
-Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &options) {
-  const auto file = readVoxFile(bytes);
+Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> bytes) {
+  auto file = readVoxFile(bytes->bytes());
   if (!file)
     return file.error();
-  auto scene = makeVoxScene(*file);
+  ScenePart &part = parts.emplace_back(ScenePart{std::move(bytes), std::move(*file), {}});
+  auto scene = makeVoxScene(part.file);
   if (!scene)
     return scene.error();
-  const PlacedVoxels placed(*scene);
+  part.scene = std::move(*scene);
+  return {};
+}
+
+Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) {
+  const PlacedVoxels placed(parts);
   const Int3 extent = placed.extent();
   const Int3 holds = options.mostExtent();
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
@@ -118,10 +160,12 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
   if (!voxels)
     return voxels.error();
   const bool isLabels = options.colourMap == kLabels;
-  const auto wordOf = [&](unsigned colour) { return isLabels ? colour : file->colours[colour]; };
+  const auto wordOf = [&](unsigned colour, const VoxFile &file) {
+    return isLabels ? colour : file.colours[colour];
+  };
   Dropped dropped;
-  auto counted = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour) {
-    const std::uint32_t word = wordOf(colour);
+  auto counted = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour, const VoxFile &file) {
+    const std::uint32_t word = wordOf(colour, file);
     dropped.noColour += colour == 0;
     dropped.wordZero += colour != 0 && word == 0;
     dropped.clear += !isLabels && word != 0 && word >> 24 == 0;
@@ -132,14 +176,15 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
     return counted.error();
   if (auto allocated = voxels->allocate(); !allocated)
     return allocated.error();
-  auto all = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour) {
-    if (const std::uint32_t word = wordOf(colour); word != 0)
+  auto all = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour, const VoxFile &file) {
+    if (const std::uint32_t word = wordOf(colour, file); word != 0)
       voxels->place(voxel, word);
   });
   if (!all)
     return all.error();
   Input input;
-  input.warnings = std::move(scene->warnings);
+  for (const ScenePart &part : parts)
+    input.warnings.insert(input.warnings.end(), part.scene.warnings.begin(), part.scene.warnings.end());
   dropped.warn(input.warnings);
   input.source = std::move(*voxels).finish(placed.voxelToModel());
   input.provenance = "coverage=models";
@@ -152,16 +197,29 @@ Expected<Input> openScene(std::span<const std::byte> bytes, const InputOptions &
 
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
-  auto input = openScene((*file)->bytes(), options);
+  constexpr std::size_t kMostFiles = 4096;
+  const auto paths = numberedPaths(path, kMostFiles);
+  if (!paths)
+    return paths.error();
+  const auto broken = [](const std::string &name, const Error &error) {
+    return error.kind == ErrorKind::Input
+               ? Error::input("'" + name + "' is not a usable MagicaVoxel file: " + error.message)
+               : error;
+  };
+  SceneParts parts;
+  for (const std::string &name : *paths) {
+    auto file = WatchedFile::open(name, options.memory);
+    if (!file)
+      return file.error();
+    if (auto added = addPart(parts, std::move(*file)); !added)
+      return broken(name, added.error());
+  }
+  auto input = openScene(parts, options);
   if (!input && input.error().kind == ErrorKind::Usage)
     return Error::input("'" + path + "' " + input.error().message);
-  if (!input && input.error().kind == ErrorKind::Input)
-    return Error::input("'" + path + "' is not a usable MagicaVoxel file: " + input.error().message);
-  if (input)
-    input->loadSeconds = loading.seconds();
+  if (!input)
+    return broken(path, input.error());
+  input->loadSeconds = loading.seconds();
   return input;
 }
 

@@ -5,11 +5,9 @@
 #include "Input/Openers/Openers.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
-#include "Support/NumberedPath.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <cstring>
-#include <filesystem>
 #include <utility>
 
 namespace voxc {
@@ -30,27 +28,6 @@ private:
   Int3 extent_;
   std::shared_ptr<const Cells> cells_;
 };
-
-/// The paths of a pattern, from number 0 or 1 on to the last before one that is not there; of another path
-/// that itself.
-Expected<std::vector<std::string>> pathsOf(const std::string &path, std::int32_t most) {
-  const auto pattern = NumberedPath::parse(path);
-  if (!pattern)
-    return std::vector<std::string>{path};
-  std::vector<std::string> paths;
-  std::error_code ignored;
-  std::uint64_t number = std::filesystem::exists((*pattern)(0), ignored) ? 0 : 1;
-  for (; std::filesystem::exists((*pattern)(number), ignored); ++number) {
-    if (paths.size() == static_cast<std::size_t>(most))
-      return Error::input("'" + path + "' names more than the " + std::to_string(most) +
-                          " slices that the format holds");
-    paths.push_back((*pattern)(number));
-  }
-  if (paths.empty())
-    return Error::input("'" + path + "' names no file: there is neither " + (*pattern)(0) + " nor " +
-                        (*pattern)(1));
-  return paths;
-}
 
 struct Stack {
   PngSlice slice;
@@ -132,7 +109,7 @@ Expected<Input> openSamples(const Stack &stack, const InputOptions &options) {
 
 Expected<Input> openSlices(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  const auto paths = pathsOf(path, options.mostExtent().z);
+  const auto paths = numberedPaths(path, static_cast<std::size_t>(options.mostExtent().z));
   if (!paths)
     return paths.error();
   const auto stack = readStack(*paths, options);

@@ -34,7 +34,11 @@ constexpr std::array<ExportKind, 8> kKinds{
     {{{".hvx", "the volume itself, stored again"}, "", 1, unknownSize, nullptr},
      {{".raw", "a dense grid of uint32 RGBA"}, "cells", 4, gridSize, writeGrid},
      {{".ply", "a point for each voxel"}, "points", 16, voxelCount, writePoints},
-     {{".vox", "MagicaVoxel models, at most 255 colours"}, "voxels", 4, voxelCount, writeMagicaVoxel},
+     {{".vox", "MagicaVoxel models, at most 255 colours a file, of which scene%d.vox makes several"},
+      "voxels",
+      4,
+      voxelCount,
+      writeMagicaVoxel},
      {{".nvdb", "a NanoVDB grid of RGBA8 values"}, "", 1, unknownSize, writeNanoVdb},
      {{".vdb", "OpenVDB grids of density and colour, where voxc was built with it"},
       "",
@@ -77,6 +81,8 @@ Expected<void> writeFile(const ExportKind &kind, const Volume &volume, const std
 
 Expected<void> write(const ExportKind &kind, const Volume &volume, const std::string &path,
                      const ExportOptions &options, Exported &exported) {
+  if (const auto pattern = NumberedPath::parse(path); pattern && kind.write == writeMagicaVoxel)
+    return writeMagicaVoxelParts(volume, *pattern, options, exported);
   if (kind.write)
     return writeFile(kind, volume, path, options, exported);
   if (kind.format.ending == ".png")

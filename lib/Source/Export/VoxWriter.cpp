@@ -47,8 +47,11 @@ struct Model {
 
 class Scene {
 public:
-  /// The models in the first and the last corner are always there, so that the scene keeps its extent.
-  explicit Scene(Int3 extent) : extent_(extent) {
+  /// With corners, the models in the first and the last corner are always there, so that the scene keeps its
+  /// extent.
+  explicit Scene(Int3 extent, bool hasCorners = true) : extent_(extent) {
+    if (!hasCorners)
+      return;
     modelAt({});
     modelAt(Int3{extent.x - 1, extent.z - 1, extent.y - 1} >> 8);
   }
@@ -153,41 +156,126 @@ Expected<Rounding> reduceToPalette(const Volume &volume, const Progress &progres
   return reduceColours(*source, kMaxColours, progress);
 }
 
+// Sizes of chunks are 32-bit; a voxel takes a word.
+constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
+
+Error tooManyColours() {
+  return Error::input("a .vox file holds at most 255 colours, but the volume has more; --lossy takes those "
+                      "that stand best for them");
+}
+
+/// The colours that are written: those of the volume, or of a palette that stands for them.
+class Colours {
+public:
+  /// Errors: as `reduceColours`.
+  static Expected<Colours> of(const Volume &volume, const ExportOptions &options) {
+    Colours colours;
+    if (!options.lossy)
+      return colours;
+    auto rounding = reduceToPalette(volume, options.save.progress);
+    if (!rounding)
+      return rounding.error();
+    colours.rounding_ = std::move(*rounding);
+    return colours;
+  }
+
+  std::uint32_t operator()(std::uint32_t word) {
+    if (!rounding_)
+      return word;
+    const std::uint32_t rounded = rounding_(word);
+    loss_.add(word, rounded);
+    return rounded;
+  }
+
+  void tell(Exported &exported) const {
+    if (rounding_)
+      exported.loss = loss_.error();
+  }
+
+private:
+  Rounding rounding_;
+  ColourErrorSum loss_;
+};
+
+/// Writes a part after the other.
+class SceneFiles {
+public:
+  SceneFiles(Int3 extent, const NumberedPath &path) : extent_(extent), path_(path), scene_(extent) {}
+
+  /// False if it goes no further: see `result`.
+  bool add(Int3 voxel, std::uint32_t word) {
+    const std::uint64_t cube = mortonCode(voxel >> kLog2Part);
+    if (voxels_ != 0 && cube != cube_ && !finish())
+      return false;
+    cube_ = cube;
+    ++voxels_;
+    if (!scene_.add(voxel, word))
+      result_ = tooManyColours();
+    else if (voxels_ > kMaxVoxels)
+      result_ = Error::input("a .vox file cannot hold more than 536870912 voxels");
+    return bool(result_);
+  }
+
+  /// Writes what has been added. False: see `result`.
+  bool finish() {
+    const std::string bytes = scene_.file();
+    result_ = writeFile(path_(files_++), bytes);
+    scene_ = Scene(extent_, false);
+    voxels_ = 0;
+    return bool(result_);
+  }
+
+  const Expected<void> &result() const { return result_; }
+  std::uint64_t voxels() const { return voxels_; }
+  std::uint64_t files() const { return files_; }
+
+private:
+  static constexpr int kLog2Part = 10;
+
+  Int3 extent_;
+  NumberedPath path_;
+  Scene scene_;
+  std::uint64_t cube_ = 0;
+  std::uint64_t voxels_ = 0; ///< Of the part.
+  std::uint64_t files_ = 0;
+  Expected<void> result_;
+};
+
 } // namespace
 
 Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const ExportOptions &options,
                                 Exported &exported) {
-  // Sizes of chunks are 32-bit; a voxel takes a word.
-  constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
-  const Progress &progress = options.save.progress;
   if (volume.info().voxels > kMaxVoxels)
     return Error::input("a .vox file cannot hold " + std::to_string(volume.info().voxels) +
                         " voxels; at most 536870912 fit");
-  Rounding rounding;
-  if (options.lossy) {
-    auto found = reduceToPalette(volume, progress);
-    if (!found)
-      return found.error();
-    rounding = std::move(*found);
-  }
+  auto colours = Colours::of(volume, options);
+  if (!colours)
+    return colours.error();
   Scene scene(volume.info().extent);
-  ColourErrorSum loss;
-  const auto add = [&](Int3 voxel, std::uint32_t word) {
-    if (!rounding)
-      return scene.add(voxel, word);
-    const std::uint32_t rounded = rounding(word);
-    loss.add(word, rounded);
-    return scene.add(voxel, rounded);
-  };
-  if (auto visited = forEachVoxel(volume, progress, add); !visited)
+  const auto add = [&](Int3 voxel, std::uint32_t word) { return scene.add(voxel, (*colours)(word)); };
+  if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
     return visited;
   if (scene.hasTooManyColours())
-    return Error::input("a .vox file holds at most 255 colours, but the volume has more; --lossy takes those "
-                        "that stand best for them");
-  if (rounding)
-    exported.loss = loss.error();
+    return tooManyColours();
+  colours->tell(exported);
   const std::string bytes = scene.file();
   return file.write(bytes.data(), bytes.size());
+}
+
+Expected<void> writeMagicaVoxelParts(const Volume &volume, const NumberedPath &path,
+                                     const ExportOptions &options, Exported &exported) {
+  auto colours = Colours::of(volume, options);
+  if (!colours)
+    return colours.error();
+  SceneFiles files(volume.info().extent, path);
+  const auto add = [&](Int3 voxel, std::uint32_t word) { return files.add(voxel, (*colours)(word)); };
+  if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
+    return visited;
+  if (files.result() && (files.voxels() != 0 || files.files() == 0))
+    files.finish();
+  colours->tell(exported);
+  exported.files = files.files();
+  return files.result();
 }
 
 } // namespace voxc

@@ -1,6 +1,7 @@
 // What writes each kind of export; the table in Export.cpp says which takes what.
 #pragma once
 
+#include "Support/NumberedPath.h"
 #include "voxc/Source/Export.h"
 #include "voxc/Support/File.h"
 
@@ -17,6 +18,12 @@ WriteExport writePoints;
 /// Models of at most 256 cells a side, placed by a scene graph, with a palette. MagicaVoxel's up is +z, so +y
 /// is turned to it. Errors: more than 255 colours, unless the options are lossy; more than 2^29 voxels.
 WriteExport writeMagicaVoxel;
+
+/// The same in several files, one for each cube of 1024 cells a side that holds voxels, each with a palette
+/// of its own. Errors: more than 255 colours in one of them, unless the options are lossy; more than 2^29
+/// voxels in one.
+Expected<void> writeMagicaVoxelParts(const Volume &volume, const NumberedPath &path,
+                                     const ExportOptions &options, Exported &exported);
 
 /// A binary glTF 2.0 file of the volume's faces. Errors: more than 4 GiB; a pipe.
 WriteExport writeSurface;
