@@ -183,14 +183,19 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
   if (const Placed *known = placed_.find(block))
     return inLayer(*known, layer, stratum.log2Shape.x);
   Placed placed;
-  std::uint64_t children = 0;
+  std::uint64_t children = 0, leaves = 0;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
     ++children;
-    placed.voxels += child.leaf ? cell(index, cellValue(words_, stratum, child)).voxels *
-                                      cubed(stratum.log2Shape.x * (layer - 1))
-                                : node(index, child.at, layer - 1).voxels;
+    if (!child.leaf) {
+      placed.voxels += node(index, child.at, layer - 1).voxels;
+      return;
+    }
+    ++leaves;
+    const std::uint64_t voxels =
+        layout_.holdsVoxels(index) ? 1 : cell(index, cellValue(words_, stratum, child)).voxels;
+    placed.voxels += voxels * cubed(stratum.log2Shape.x * (layer - 1));
   });
-  if (stratum.cells == Cells::Word && !stratum.implied)
+  if (leaves > 0 && stratum.cells == Cells::Word && !stratum.implied)
     leafWords(index, at);
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);

@@ -1,6 +1,8 @@
 // Where the blocks of a volume went.
 #include "PlacedBlocks.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace voxc {
@@ -12,8 +14,9 @@ constexpr int kBits = 64;
 } // namespace
 
 void PlacedBlocks::clear() {
-  entries_ = std::vector<Entry>(std::size_t{1} << kLog2Least);
-  shift_ = kBits - kLog2Least;
+  const int log2 = std::max(kLog2Least, static_cast<int>(std::bit_width(count_)));
+  entries_ = std::vector<Entry>(std::size_t{1} << log2);
+  shift_ = kBits - log2;
   count_ = 0;
 }
 

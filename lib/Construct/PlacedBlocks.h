@@ -21,7 +21,7 @@ public:
 
   PlacedBlocks() { clear(); }
 
-  /// Forgets all, and gives back what was large.
+  /// Forgets all; what comes next may be about as much, and has room for it.
   void clear();
   /// That of the block at a word other than 0; null if it was not placed. Valid until the next `place`.
   const Placed *find(std::uint64_t word) const {

@@ -155,6 +155,7 @@ Expected<void> VolumeWords::makeRoom(Transfer &transfer, Part &part, std::uint64
 
 Expected<void> VolumeWords::uploadTable(Transfer &transfer) {
   std::vector<VkDeviceAddress> addresses;
+  addresses.reserve(parts_.size());
   for (const Part &part : parts_)
     addresses.push_back(part->address(*device_));
   const auto bytes = std::as_bytes(std::span<const VkDeviceAddress>(addresses));
