@@ -5,8 +5,7 @@
 
 namespace voxc::tool {
 
-void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceReport &report,
-                   bool counted) {
+void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceReport &report, bool counted) {
   const RayCounts counts = countsOf(hits);
   counts_.rays += counts.rays;
   counts_.hits += counts.hits;

@@ -107,7 +107,7 @@ protected:
     EXPECT_TRUE(tracer) << tracer.error().message;
     const Ray ray{{1.5f, 1.5f, -2}, {0, 0, 1}};
     Hit hit{};
-    EXPECT_TRUE((*tracer)->trace({&ray, 1}, {&hit, 1}, {.countSteps = countSteps}));
+    EXPECT_TRUE((*tracer)->trace(std::span(&ray, 1), {&hit, 1}, {.countSteps = countSteps}));
     EXPECT_EQ(hit.t, 2);
     EXPECT_EQ(driver.given.size(), 1u);
     return driver.given.empty() ? "none" : driver.given.front();

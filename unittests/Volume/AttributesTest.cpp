@@ -5,6 +5,7 @@
 #include "voxc/Volume/Attributes.h"
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
