@@ -151,7 +151,7 @@ class Tracing(unittest.TestCase):
     def test_attributes(self):
         words = ball()
         words[words != 0] += np.arange((words != 0).sum(), dtype=np.uint32)
-        volume = voxc.build("R(2, 2, 2) M(3, 3, 3)", voxels=words, passes=["values-apart"])
+        volume = voxc.build("R(3, 3, 3) M(2, 2, 2)", voxels=words, passes=["values-apart"])
         with self.assertRaises(KeyError):
             volume.attribute("colour")
         numbers = np.arange(volume.voxels, dtype="<u4")

@@ -89,7 +89,7 @@ VOXC_API uint64_t voxc_volume_voxels(const voxc_volume *volume);
 VOXC_API uint64_t voxc_volume_bytes(const voxc_volume *volume);
 /* The words that kernels read. They live as long as the volume. */
 VOXC_API const uint32_t *voxc_volume_words(const voxc_volume *volume, uint64_t *count);
-/* The elements of an attribute (docs/attributes.md), one for each voxel in Morton order, and how many bytes
+/* The elements of an attribute (docs/attributes.md), one for each voxel by its number, and how many bytes
  * one has; null if there is no such attribute. They live as long as the volume. */
 VOXC_API const void *voxc_volume_attribute(const voxc_volume *volume, const char *name,
                                            uint32_t *element_bytes);

@@ -71,7 +71,7 @@ const AttributeKind kColourAttribute = {"colour", AttributeEffect::Walk, kYesVal
 const AttributeKind kIndexAttribute = {
     "index", AttributeEffect::Walk, kNoValues,
     "whether the kernel stores, in place of the colour, the number of a closest hit's voxel among all of the "
-    "volume, in Morton order",
+    "volume",
     &kOutputs};
 
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,

@@ -45,6 +45,10 @@ std::string_view problemOfQuestion(const Format &format) {
   const Question question = questionOf(format);
   if (question.bounds && format.attributes.value(kDetailAttribute) != "full")
     return "stops above voxels, whose bounds cannot be told there; leave out bounds=yes, or detail=cone";
+  if (question.outputs.index && (format.attributes.value(kValuesAttribute) != "apart" ||
+                                 format.attributes.value(kDetailAttribute) != "full"))
+    return "asks for the numbers of voxels, which levels count with values=apart, and whose cubes have none; "
+           "build with --values-apart, and leave out detail=cone";
   return problemOf(question);
 }
 

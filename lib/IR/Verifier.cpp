@@ -126,12 +126,6 @@ void verifyQuestion(const Format &format, Diagnostics &diagnostics) {
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     diagnostics.error({format.levels.front().range.begin, format.levels.back().range.end},
                       "the format " + std::string(problem));
-  if (questionOf(format).outputs.index && (format.attributes.value(kValuesAttribute) != "apart" ||
-                                           format.attributes.value(kDetailAttribute) != "full"))
-    diagnostics.error(
-        {format.levels.front().range.begin, format.levels.back().range.end},
-        "index=yes asks for the numbers of voxels, which levels count with values=apart, and whose "
-        "cubes have none: leave out detail=cone, and build with --values-apart");
 }
 
 /// A grid whose slots alone need more words than references reach cannot hold even one voxel.

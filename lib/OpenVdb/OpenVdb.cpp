@@ -190,12 +190,8 @@ Expected<Input> makeInput(const Grid::ConstPtr &grid, const InputOptions &option
   input.provenance = provenanceOf(*look, options);
   auto rows = std::make_shared<VdbRows>(grid, box.min(), *look);
   const Transform map = mapOf(*grid, box.min());
-  if (!options.zUp) {
-    input.source = makeDenseSource(*stored, std::move(rows), std::move(occupancy), map, options.memory);
-    return input;
-  }
-  auto source = makeDenseSource({stored->x, stored->z, stored->y}, turnUpright(std::move(rows), stored->y),
-                                turnUpright(map, stored->y), options.memory, options.progress);
+  auto source = makeUprightSource(*stored, std::move(rows), std::move(occupancy), map, options.zUp,
+                                  options.memory, options.progress);
   if (!source)
     return source.error();
   input.source = std::move(*source);

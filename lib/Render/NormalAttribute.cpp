@@ -33,17 +33,17 @@ glm::vec3 outwards(const SurfaceNormal &normal) {
 class NormalWriter {
 public:
   NormalWriter(const Volume &volume, unsigned threads, const Progress &progress)
-      : normals_(volume, threads), progress_(progress) {
-    elements_.reserve(volume.info().voxels * sizeof(std::uint32_t));
-  }
+      : normals_(volume, threads), progress_(progress),
+        elements_(volume.info().voxels * sizeof(std::uint32_t)) {}
 
-  void add(Int3 voxel) {
+  void add(Int3 voxel, std::uint64_t number) {
     Hit hit{};
     hit.voxel[0] = voxel.x;
     hit.voxel[1] = voxel.y;
     hit.voxel[2] = voxel.z;
     hit.t = 0;
     hits_.push_back(hit);
+    numbers_.push_back(number);
     if (hits_.size() == kBatch)
       write();
   }
@@ -57,17 +57,18 @@ private:
   void write() {
     if (!normals_.learn(hits_, progress_))
       return; // Stopped; so is the visit of the voxels.
-    for (const Hit &hit : hits_) {
-      const std::uint32_t packed = packNormal(outwards(normals_.at(hit)));
-      const auto *bytes = reinterpret_cast<const std::byte *>(&packed);
-      elements_.insert(elements_.end(), bytes, bytes + sizeof packed);
+    for (std::size_t i = 0; i < hits_.size(); ++i) {
+      const std::uint32_t packed = packNormal(outwards(normals_.at(hits_[i])));
+      std::memcpy(&elements_[numbers_[i] * sizeof packed], &packed, sizeof packed);
     }
     hits_.clear();
+    numbers_.clear();
   }
 
   SurfaceNormals normals_;
   const Progress &progress_;
   std::vector<Hit> hits_;
+  std::vector<std::uint64_t> numbers_; ///< Of their voxels.
   std::vector<std::byte> elements_;
 };
 
@@ -94,8 +95,8 @@ Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, cons
   NormalWriter writer(volume, threads, progress);
   const auto visited = visitVoxels(
       volume,
-      [&](Int3 voxel) {
-        writer.add(voxel);
+      [&](Int3 voxel, std::uint64_t number) {
+        writer.add(voxel, number);
         return !progress.stopped();
       },
       progress);

@@ -154,4 +154,15 @@ Transform turnUpright(const Transform &voxelToModel, std::int32_t height) {
   return {x, z, -y, origin + y * static_cast<double>(height)};
 }
 
+Expected<std::unique_ptr<VoxelSource>> makeUprightSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
+                                                         OccupancyPyramid occupancy,
+                                                         const Transform &voxelToModel, bool zUp,
+                                                         std::shared_ptr<WorkingMemory> memory,
+                                                         const Progress &progress) {
+  if (!zUp)
+    return makeDenseSource(extent, std::move(rows), std::move(occupancy), voxelToModel, std::move(memory));
+  return makeDenseSource({extent.x, extent.z, extent.y}, turnUpright(std::move(rows), extent.y),
+                         turnUpright(voxelToModel, extent.y), std::move(memory), progress);
+}
+
 } // namespace voxc

@@ -1,6 +1,7 @@
 // Volumes with streams of a voxel each.
 #include "voxc/Volume/Attributes.h"
 
+#include "Decode.h"
 #include "StreamTable.h"
 
 #include <algorithm>
@@ -42,13 +43,13 @@ std::string describeProblem(const Volume &volume, const Attribute &attribute) {
 } // namespace
 
 Expected<void> visitVoxels(const Volume &volume, const VoxelVisit &visit, const Progress &progress) {
-  const auto visitCube = [&](const Cube &cube, std::uint32_t) {
+  const auto visitCube = [&](const Cube &cube, std::uint32_t, std::uint64_t number) {
     for (std::uint64_t i = 0; i < std::uint64_t{1} << (3 * cube.log2Side); ++i)
-      if (!visit(cube.low + mortonCell(i)))
+      if (!visit(cube.low + mortonCell(i), number + i))
         return false;
     return true;
   };
-  return decode(volume, visitCube, progress);
+  return decodeNumbered(volume, visitCube, progress);
 }
 
 Expected<Volume> withAttribute(std::shared_ptr<const Volume> volume, Attribute attribute) {

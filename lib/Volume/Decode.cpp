@@ -1,7 +1,8 @@
 // Reading a volume's voxels back: one at a time, or all of them as uniform cubes.
+#include "Decode.h"
+
 #include "voxc/Layout/SubVolume.h"
 #include "voxc/Layout/Values.h"
-#include "voxc/Volume/Volume.h"
 
 #include <algorithm>
 #include <optional>
@@ -13,7 +14,7 @@ namespace {
 /// Passes the cells of each level on to the next, and those of the last to the caller.
 class Decoder final : public SubVolumeVisitor {
 public:
-  Decoder(const Volume &volume, const DecodeVisit &visit, const Progress &progress)
+  Decoder(const Volume &volume, const NumberedVisit &visit, const Progress &progress)
       : layout_(volume.layout()), words_(volume.words(), layout_.log2Granule), visit_(visit),
         progress_(progress), stated_(volume.info().voxels), mostCubes_(volume.mostCubes()) {}
 
@@ -36,7 +37,7 @@ public:
     else if (layout_.values == Values::Apart)
       valuesApart({low, cube.log2Side}, rank);
     else
-      voxels({low, cube.log2Side}, layout_.payload == Payload::Constant ? words_[1] : value);
+      voxels({low, cube.log2Side}, layout_.payload == Payload::Constant ? words_[1] : value, decoded_);
   }
 
 private:
@@ -66,14 +67,16 @@ private:
   void valuesApart(const Cube &cube, std::uint64_t rank) {
     const std::uint64_t count = std::uint64_t{1} << (3 * cube.log2Side);
     for (std::uint64_t code = 0; code < count && !ended_; ++code)
-      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, layout_.payload, rank + code));
+      voxels({cube.low + mortonCell(code), 0}, valueOfRank(words_, layout_.payload, rank + code),
+             rank + code);
   }
 
-  void voxels(const Cube &cube, std::uint32_t word) {
+  void voxels(const Cube &cube, std::uint32_t word, std::uint64_t number) {
     if (ended_)
       return;
-    decoded_ += std::uint64_t{1} << (3 * cube.log2Side);
-    if (decoded_ > stated_)
+    const std::uint64_t count = std::uint64_t{1} << (3 * cube.log2Side);
+    decoded_ += count;
+    if (decoded_ > stated_ || number > stated_ - count)
       fail(Error::input("the volume holds more voxels than the " + std::to_string(stated_) +
                         " that its header says"));
     else if (cubes_ == mostCubes_)
@@ -81,7 +84,7 @@ private:
                         " cubes of voxels, the limit (--max-cubes N sets another)"));
     else if (++cubes_ % kCubesBetweenLooks == 0 && progress_.stopped())
       fail(Error::interrupted());
-    else if (!visit_(cube, word))
+    else if (!visit_(cube, word, number))
       ended_ = true;
   }
 
@@ -94,7 +97,7 @@ private:
 
   const Layout &layout_;
   WordReader words_;
-  const DecodeVisit &visit_;
+  const NumberedVisit &visit_;
   const Progress &progress_;
   std::uint64_t stated_;
   std::uint64_t mostCubes_;
@@ -107,10 +110,16 @@ private:
 
 } // namespace
 
-Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Progress &progress) {
+Expected<void> decodeNumbered(const Volume &volume, const NumberedVisit &visit, const Progress &progress) {
   if (volume.words()[0] == 0)
     return {};
   return Decoder(volume, visit, progress).run();
+}
+
+Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Progress &progress) {
+  return decodeNumbered(
+      volume, [&](const Cube &cube, std::uint32_t word, std::uint64_t) { return visit(cube, word); },
+      progress);
 }
 
 Lookup Volume::lookup(Int3 voxel) const {

@@ -81,7 +81,8 @@ class Volume:
         return elements
 
     def with_attribute(self, name, elements):
-        """The same volume with an attribute more: an array whose first axis is that of the voxels, in Morton order."""
+        """The same volume with an attribute more: an array whose first axis is that of the voxels, by
+        their numbers."""
         elements = np.ascontiguousarray(elements)
         if len(elements) != self.voxels:
             raise ValueError(f"there are {len(elements)} elements, but {self.voxels} voxels")

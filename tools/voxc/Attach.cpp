@@ -38,7 +38,7 @@ public:
           "What another input has at each voxel, 4 bytes: the samples of a dense volume, the numbers of a "
           "palette, or colours; 0 where it has none");
       several("--data", data_, "NAME:BYTES=FILE",
-              "The elements of a file, so many bytes each, one for each voxel in Morton order");
+              "The elements of a file, so many bytes each, one for each voxel by its number");
       several("--drop", drop_, "NAME", "Leave an attribute out that the volume has");
     }
     app.add_option("-o,--output", output_, "Volume to write; may be the one that is read")
@@ -85,7 +85,7 @@ private:
           !added)
         return added.error();
     for (const std::string &text : words_)
-      if (Expected<void> added = add(wordsOfInput(text, volume, progress), volume); !added)
+      if (Expected<void> added = add(wordsOfInput(text, *volume, progress), volume); !added)
         return added.error();
     for (const std::string &text : data_)
       if (Expected<void> added = add(dataOfFile(text, *volume), volume); !added)

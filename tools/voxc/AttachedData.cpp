@@ -3,13 +3,13 @@
 
 #include "InputArguments.h"
 
-#include "voxc/Source/Sources.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
+#include <cstring>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,52 +28,34 @@ std::optional<std::pair<std::string, std::string>> named(const std::string &text
   return std::pair(text.substr(0, at), text.substr(at + 1));
 }
 
-/// Goes through the voxels of one source and takes the words that another has there.
+/// The words of an input at the voxels of a volume, a block at a time.
 class WordReading {
 public:
-  WordReading(VoxelSource &voxels, VoxelSource &input, const Progress &progress)
-      : voxels_(voxels), input_(input), progress_(progress) {}
+  WordReading(VoxelSource &input, std::uint64_t voxels)
+      : input_(input), elements_(voxels * sizeof(std::uint32_t)) {}
 
-  Expected<std::vector<std::byte>> run() {
-    const Int3 extent = voxels_.extent();
-    const auto longest =
-        static_cast<std::uint32_t>(std::max({extent.x, extent.y, extent.z, 1 << kLog2Block}));
-    descend({{}, int(std::bit_width(longest - 1))});
-    if (progress_.stopped())
-      return Error::interrupted();
-    for (const VoxelSource *source : {&voxels_, &input_})
-      if (const std::optional<Error> failure = source->failure())
-        return *failure;
-    return std::move(elements_);
+  void read(Int3 voxel, std::uint64_t number) {
+    const std::uint64_t code = mortonCode(voxel);
+    if (code >> (3 * kLog2Block) != block_)
+      readBlock(code >> (3 * kLog2Block));
+    std::memcpy(&elements_[number * sizeof(std::uint32_t)], &words_[code % kBlockVoxels],
+                sizeof(std::uint32_t));
   }
+
+  std::vector<std::byte> take() { return std::move(elements_); }
 
 private:
-  void descend(const Cube &cube) {
-    if (progress_.stopped() || voxels_.empty(cube))
-      return;
-    if (cube.log2Side == kLog2Block)
-      return readBlock(cube);
-    for (std::uint64_t child = 0; child < 8; ++child)
-      descend({cube.low + mortonCell(child) * (1 << (cube.log2Side - 1)), cube.log2Side - 1});
-  }
-
-  void readBlock(const Cube &cube) {
-    voxels_.read(cube, there_.data());
+  void readBlock(std::uint64_t block) {
+    block_ = block;
+    const Cube cube{mortonCell(block << (3 * kLog2Block)), kLog2Block};
     if (input_.empty(cube))
       words_.fill(0);
     else
       input_.read(cube, words_.data());
-    for (std::size_t i = 0; i < kBlockVoxels; ++i)
-      if (there_[i] != 0) {
-        const auto *bytes = reinterpret_cast<const std::byte *>(&words_[i]);
-        elements_.insert(elements_.end(), bytes, bytes + sizeof words_[i]);
-      }
   }
 
-  VoxelSource &voxels_;
   VoxelSource &input_;
-  const Progress &progress_;
-  std::array<std::uint32_t, kBlockVoxels> there_{};
+  std::uint64_t block_ = std::numeric_limits<std::uint64_t>::max();
   std::array<std::uint32_t, kBlockVoxels> words_{};
   std::vector<std::byte> elements_;
 };
@@ -97,12 +79,11 @@ std::string textOf(Int3 extent) {
 
 } // namespace
 
-Expected<Attribute> wordsOfInput(const std::string &text, const std::shared_ptr<const Volume> &volume,
-                                 const Progress &progress) {
+Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, const Progress &progress) {
   const auto parts = named(text);
   if (!parts)
     return Error::usage("--words is written NAME=INPUT, such as density=scan.nii.gz, not '" + text + "'");
-  const Int3 extent = volume->info().extent;
+  const Int3 extent = volume.info().extent;
   InputOptions options = optionsFor(parts->second, extent);
   options.progress = progress;
   const Expected<Input> input = openInput(parts->second, options);
@@ -111,11 +92,21 @@ Expected<Attribute> wordsOfInput(const std::string &text, const std::shared_ptr<
   if (input->source->extent() != extent)
     return Error::input("'" + parts->second + "' has " + textOf(input->source->extent()) +
                         " voxels, but the volume has " + textOf(extent));
-  Expected<std::vector<std::byte>> elements =
-      WordReading(*makeVolumeSource(volume), *input->source, progress).run();
-  if (!elements)
-    return elements.error();
-  return Attribute{parts->first, sizeof(std::uint32_t), std::move(*elements)};
+  WordReading reading(*input->source, volume.info().voxels);
+  const auto visited = visitVoxels(
+      volume,
+      [&](Int3 voxel, std::uint64_t number) {
+        reading.read(voxel, number);
+        return !progress.stopped();
+      },
+      progress);
+  if (!visited)
+    return visited.error();
+  if (progress.stopped())
+    return Error::interrupted();
+  if (const std::optional<Error> failure = input->source->failure())
+    return *failure;
+  return Attribute{parts->first, sizeof(std::uint32_t), reading.take()};
 }
 
 Expected<Attribute> dataOfFile(const std::string &text, const Volume &volume) {

@@ -5,7 +5,6 @@
 #include "voxc/Support/Progress.h"
 #include "voxc/Volume/Attributes.h"
 
-#include <memory>
 #include <string>
 
 namespace voxc::tool {
@@ -13,8 +12,7 @@ namespace voxc::tool {
 /// "NAME=INPUT": the words that an input has at the voxels of a volume, 0 where it has none. Samples of dense
 /// volumes and numbers of palettes are taken as they are. Errors: another spelling, those of `openInput`, an
 /// input of another extent, interrupted.
-Expected<Attribute> wordsOfInput(const std::string &text, const std::shared_ptr<const Volume> &volume,
-                                 const Progress &progress);
+Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, const Progress &progress);
 
 /// "NAME:BYTES=FILE": the bytes of a file. Errors: another spelling, a file that cannot be read, or has other
 /// than BYTES a voxel.

@@ -221,26 +221,6 @@ TEST_F(MagicaVoxel, NestingIsAsDeepAsTheFileLikes) {
   EXPECT_EQ(voxels(chunks + shapeChunk(kDepth, 0)), (Voxels{{0, kWhite}}));
 }
 
-/// A volume of voxels of few colours; `extent` may need several models.
-Volume volumeOf(const Voxels &voxels, Int3 extent) {
-  VolumeInfo info;
-  std::string format = "R(";
-  for (int axis = 0; axis < 3; ++axis)
-    format +=
-        std::to_string(std::bit_width(static_cast<unsigned>(extent[axis] - 1))) + (axis < 2 ? "," : ")");
-  info.format = *parseFormat(format);
-  info.extent = extent;
-  info.voxels = voxels.size();
-  const Int3 size = info.format.extent();
-  std::vector<std::uint32_t> words(1 + static_cast<std::size_t>(size.x * size.y * size.z));
-  words[0] = voxels.empty() ? 0 : 1;
-  for (const auto &[code, word] : voxels) {
-    const Int3 cell = mortonCell(code);
-    words[1 + static_cast<std::size_t>(cell.x + size.x * (cell.y + size.y * cell.z))] = word;
-  }
-  return Volume(info, words);
-}
-
 TEST_F(MagicaVoxel, ExportsComeBackAsTheyWere) {
   std::mt19937 random(8);
   options_.formatExtent = {1024, 1024, 1024};
@@ -256,7 +236,7 @@ TEST_F(MagicaVoxel, ExportsComeBackAsTheyWere) {
             (random() % 100) << 24 | 5;
       }
       const std::string path = folder_.path("out.vox");
-      ASSERT_TRUE(exportVoxels(volumeOf(voxels, extent), path));
+      ASSERT_TRUE(exportVoxels(denseVolume(voxels, extent), path));
       auto input = openInput(path, options_);
       ASSERT_TRUE(input) << input.error().message;
       EXPECT_EQ(voxelsOf(*input->source), voxels);
@@ -272,8 +252,8 @@ TEST_F(MagicaVoxel, AFileForEachCubeHasColoursOfItsOwn) {
     voxels[mortonCode({1030 + i, 3, 1})] = 0xffff0001 + static_cast<std::uint32_t>(i);
   }
   const Int3 extent{1400, 5, 2};
-  EXPECT_FALSE(exportVoxels(volumeOf(voxels, extent), folder_.path("one.vox")));
-  const auto exported = exportVoxels(volumeOf(voxels, extent), folder_.path("part%d.vox"));
+  EXPECT_FALSE(exportVoxels(denseVolume(voxels, extent), folder_.path("one.vox")));
+  const auto exported = exportVoxels(denseVolume(voxels, extent), folder_.path("part%d.vox"));
   ASSERT_TRUE(exported) << exported.error().message;
   EXPECT_EQ(exported->files, 2u);
   auto input = openInput(folder_.path("part%d.vox"), options_);
@@ -281,7 +261,7 @@ TEST_F(MagicaVoxel, AFileForEachCubeHasColoursOfItsOwn) {
   EXPECT_EQ(voxelsOf(*input->source), voxels);
   EXPECT_EQ(input->source->extent(), extent);
   // Of nothing there is one file, which keeps the extent.
-  ASSERT_EQ(exportVoxels(volumeOf({}, extent), folder_.path("none%d.vox"))->files, 1u);
+  ASSERT_EQ(exportVoxels(denseVolume({}, extent), folder_.path("none%d.vox"))->files, 1u);
   input = openInput(folder_.path("none%d.vox"), options_);
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(input->source->extent(), extent);
@@ -292,13 +272,14 @@ TEST_F(MagicaVoxel, LossyColoursAreNearTheirOwn) {
   for (int i = 0; i < 400; ++i)
     voxels[mortonCode({i % 20, i / 20, 0})] = rgba(static_cast<std::uint32_t>(i) / 2, 9, 9);
   voxels[mortonCode({0, 0, 1})] = rgba(250, 250, 250);
-  const Volume volume = volumeOf(voxels, {20, 20, 2});
+  const Volume volume = denseVolume(voxels, {20, 20, 2});
   EXPECT_TRUE(exportVoxels(volume, folder_.path("few.vox"), {.lossy = true}));
   Voxels many = voxels;
   for (int i = 0; i < 400; ++i)
     many[mortonCode({i % 20, i / 20, 1})] = rgba(9, static_cast<std::uint32_t>(i) / 2, 77);
-  EXPECT_FALSE(exportVoxels(volumeOf(many, {20, 20, 2}), folder_.path("many.vox")));
-  const auto exported = exportVoxels(volumeOf(many, {20, 20, 2}), folder_.path("many.vox"), {.lossy = true});
+  EXPECT_FALSE(exportVoxels(denseVolume(many, {20, 20, 2}), folder_.path("many.vox")));
+  const auto exported =
+      exportVoxels(denseVolume(many, {20, 20, 2}), folder_.path("many.vox"), {.lossy = true});
   ASSERT_TRUE(exported) << exported.error().message;
   ASSERT_TRUE(exported->loss);
   auto input = openInput(folder_.path("many.vox"), options_);

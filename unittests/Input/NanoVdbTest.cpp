@@ -25,26 +25,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Volume denseVolume(const Voxels &voxels, Int3 extent, const Transform &voxelToModel = {}) {
-  VolumeInfo info;
-  std::string format = "R(";
-  for (int axis = 0; axis < 3; ++axis)
-    format +=
-        std::to_string(std::bit_width(static_cast<unsigned>(extent[axis] - 1))) + (axis < 2 ? "," : ")");
-  info.format = *parseFormat(format);
-  info.extent = extent;
-  info.voxels = voxels.size();
-  info.voxelToModel = voxelToModel;
-  const Int3 size = info.format.extent();
-  std::vector<std::uint32_t> words(1 + static_cast<std::size_t>(size.x * size.y * size.z));
-  words[0] = voxels.empty() ? 0 : 1;
-  for (const auto &[code, word] : voxels) {
-    const Int3 cell = mortonCell(code);
-    words[1 + static_cast<std::size_t>(cell.x + size.x * (cell.y + size.y * cell.z))] = word;
-  }
-  return Volume(info, words);
-}
-
 /// Some voxels, and some bricks of one colour, which become tiles.
 Voxels someVoxels(Int3 extent, unsigned seed) {
   std::mt19937 random(seed);

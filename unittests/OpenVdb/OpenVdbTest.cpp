@@ -98,22 +98,6 @@ TEST(OpenVdb, LevelSetsAreFilled) {
   EXPECT_EQ(voxelsOf(*turned->source).size(), count);
 }
 
-/// A dense volume of R(4, 3, 3), of which the input took 13 x 8 x 5.
-Volume smallVolume(const Voxels &voxels) {
-  VolumeInfo info;
-  info.format = *parseFormat("R(4, 3, 3)");
-  info.extent = {13, 8, 5};
-  info.voxels = voxels.size();
-  info.voxelToModel = transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7});
-  std::vector<std::uint32_t> words(1 + 16 * 8 * 8);
-  words[0] = 1;
-  for (const auto &[code, word] : voxels) {
-    const Int3 cell = mortonCell(code);
-    words[1 + static_cast<std::size_t>(cell.x + 16 * (cell.y + 8 * cell.z))] = word;
-  }
-  return Volume(info, words);
-}
-
 TEST(OpenVdb, WhatIsWrittenComesBackAsFog) {
   const TemporaryFolder folder;
   Voxels voxels;
@@ -121,9 +105,12 @@ TEST(OpenVdb, WhatIsWrittenComesBackAsFog) {
     voxels[mortonCode({i, i % 8, i % 5})] = rgba(static_cast<std::uint32_t>(i), 255, 0);
   const std::string path = folder.path("v.vdb");
   ExportOptions options;
-  EXPECT_FALSE(exportVoxels(smallVolume(voxels), path, options));
+  EXPECT_FALSE(
+      exportVoxels(denseVolume(voxels, {13, 8, 5}, transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7})),
+                   path, options));
   options.otherKinds = {openVdbExport()};
-  const auto written = exportVoxels(smallVolume(voxels), path, options);
+  const auto written = exportVoxels(
+      denseVolume(voxels, {13, 8, 5}, transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7})), path, options);
   ASSERT_TRUE(written) << written.error().message;
   EXPECT_EQ(folder.count(), 1);
   const auto fog = openInput(path, withOpenVdb());

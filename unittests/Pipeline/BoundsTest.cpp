@@ -1,4 +1,5 @@
 // Rays with bounds: what kernels find between two moments, on every device, to the bit.
+#include "DeviceTesting.h"
 #include "TestLength.h"
 
 #include "testing/HardBounds.h"
@@ -23,6 +24,8 @@
 
 namespace voxc {
 namespace {
+
+using test::textOf;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -65,13 +68,6 @@ std::string textOf(const BoundedRay &ray) {
   return text;
 }
 
-std::string textOf(const Hit &hit) {
-  std::string text;
-  for (const int coordinate : hit.voxel)
-    text += std::to_string(coordinate) + " ";
-  return text + std::to_string(hit.rgba) + " " + std::to_string(hit.t) + " " + std::to_string(hit.steps);
-}
-
 Volume build(const Format &format, const test::HardScene &scene) {
   auto built = Constructor::compile(format)->build(*scene.source());
   EXPECT_TRUE(built) << built.error().message;
@@ -90,24 +86,8 @@ std::vector<BoundedRay> raysThrough(const Oracle &oracle, Int3 extent, std::size
   return test::withHardBounds(oracle, rays, seed);
 }
 
-class Bounds : public ::testing::TestWithParam<const char *> {
+class Bounds : public test::OnDevice {
 protected:
-  void SetUp() override {
-    if (std::string(GetParam()) == "cpu")
-      return;
-    auto device = Device::open(GetParam());
-    if (!device)
-      GTEST_SKIP() << "there is no such device";
-    device_.emplace(std::move(*device));
-  }
-
-  Expected<std::unique_ptr<Tracer>> tracerOf(const Volume &volume, const Format &format) {
-    TracerChoice choice{.device = "cpu", .threads = 2, .format = format};
-    if (device_)
-      choice.openDevice = &*device_;
-    return openTracer(volume, choice);
-  }
-
   /// As the oracle answers, to the bit.
   void expectAnswers(const Volume &volume, const Format &format, const Oracle &oracle, RaySpan rays,
                      const Question &question) {
@@ -127,8 +107,6 @@ protected:
     }
     RecordProperty("found", static_cast<int>(found));
   }
-
-  std::optional<Device> device_;
 };
 
 TEST_P(Bounds, AreKeptExactlyInEveryKindOfLevel) {
@@ -234,9 +212,7 @@ TEST_P(Bounds, GoOnInVolumesOfWhichPagesAreThere) {
   std::filesystem::remove(path);
 }
 
-std::string deviceName(const ::testing::TestParamInfo<const char *> &info) { return info.param; }
-
-INSTANTIATE_TEST_SUITE_P(On, Bounds, ::testing::Values("cpu", "llvmpipe"), deviceName);
+INSTANTIATE_TEST_SUITE_P(On, Bounds, ::testing::Values("cpu", "llvmpipe"), test::deviceName);
 
 TEST(BoundedRay, GoesAlone) {
   const Format format = asking(*parseFormat("G(3)"), kQuestions[1]);

@@ -1,4 +1,5 @@
 // The functions of headers, as C++ and as GLSL: what they find of a ray between two moments, to the bit.
+#include "HeaderDefinition.h"
 #include "TestLength.h"
 
 #include "Emit/Names.h"
@@ -43,115 +44,6 @@ constexpr const char *kKindsOfSlots[] = {
     "format payload=palette(16) values=apart { level 1: raw(1, 1, 1) level 2: svdag(3) }",
     "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }"};
 
-/// What is asked: a ray, and the moments between which it is looked at. Two records of a kernel's rays.
-struct Query {
-  Ray ray;
-  float tmin, tmax;
-  float unused[4] = {};
-};
-
-/// A hit as headers have it.
-struct HeaderHit {
-  std::int32_t voxel[3] = {-1, -1, -1};
-  float t = 0;
-  std::uint32_t colour = 0;
-  std::int32_t axis = -1, side = 0;
-
-  bool operator==(const HeaderHit &other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
-};
-
-std::ostream &operator<<(std::ostream &stream, const HeaderHit &hit) {
-  return stream << '(' << hit.voxel[0] << ", " << hit.voxel[1] << ", " << hit.voxel[2]
-                << ") t=" << std::hexfloat << hit.t << std::hex << " colour=" << hit.colour << std::dec
-                << " axis=" << hit.axis << " side=" << hit.side;
-}
-
-/// A voxel on a ray, and when that enters it.
-struct Entry {
-  test::End moment;
-  HeaderHit hit;
-};
-
-/// The cells on a ray, axis by axis, so that few are looked at.
-std::vector<std::pair<test::End, Int3>> cellsOf(Int3 extent, const Ray &ray) {
-  std::vector<std::pair<test::End, Int3>> cells;
-  const auto within = [&](const test::Interval &times, int axis, int cell) {
-    const auto own = test::timesIn(ray.origin[axis], ray.direction[axis], cell);
-    return own ? test::intersection(times, *own) : test::Interval{{test::Rational(1)}, {test::Rational(0)}};
-  };
-  for (int x = 0; x < extent.x; ++x)
-    if (const auto inX = within({}, 0, x); !isEmpty(inX))
-      for (int y = 0; y < extent.y; ++y)
-        if (const auto inY = within(inX, 1, y); !isEmpty(inY))
-          for (int z = 0; z < extent.z; ++z)
-            if (const auto times = within(inY, 2, z); !isEmpty(times))
-              cells.emplace_back(times.low, Int3{x, y, z});
-  std::ranges::sort(cells, test::startsSooner, &std::pair<test::End, Int3>::first);
-  return cells;
-}
-
-/// All voxels on a ray, in order.
-std::vector<Entry> entriesOf(const Oracle &oracle, Int3 extent, const Ray &ray) {
-  std::vector<Entry> entries;
-  for (int axis = 0; axis < 3; ++axis)
-    if (!std::isfinite(ray.origin[axis]) || !std::isfinite(ray.direction[axis]))
-      return entries;
-  for (const auto &[moment, cell] : cellsOf(extent, ray)) {
-    const std::uint32_t word = oracle.voxel(cell);
-    const Face face = word != 0 ? test::bruteForceFace(ray, cell) : Face{};
-    if (word != 0)
-      entries.push_back(
-          {moment, {{cell.x, cell.y, cell.z}, test::roundToFloat(*moment.t), word, face.axis, face.side}});
-  }
-  return entries;
-}
-
-/// Those between the moments, by the definition.
-std::vector<HeaderHit> expectedHits(const std::vector<Entry> &entries, const Query &query) {
-  std::vector<HeaderHit> hits;
-  if (std::isnan(query.tmin) || std::isnan(query.tmax))
-    return hits;
-  const auto isBefore = [](const Entry &entry, float t) {
-    return t == std::numeric_limits<float>::infinity() ||
-           (std::isfinite(t) && *entry.moment.t < test::Rational(t));
-  };
-  const auto isAfter = [](const Entry &entry, float t) {
-    return t == -std::numeric_limits<float>::infinity() ||
-           (std::isfinite(t) && *entry.moment.t > test::Rational(t));
-  };
-  for (const Entry &entry : entries)
-    if (!isBefore(entry, query.tmin) && !isAfter(entry, query.tmax))
-      hits.push_back(entry.hit);
-  return hits;
-}
-
-/// Moments that hurt: those of entries and their neighbours, and what is no moment.
-float randomMoment(std::mt19937 &random, const std::vector<Entry> &entries) {
-  constexpr float kOdd[] = {0.0f,
-                            -0.0f,
-                            -1.0f,
-                            1e-40f,
-                            1e-30f,
-                            3e38f,
-                            std::numeric_limits<float>::infinity(),
-                            -std::numeric_limits<float>::infinity(),
-                            std::numeric_limits<float>::quiet_NaN()};
-  const int kind = test::pick(random, 0, 7);
-  if (kind == 0)
-    return kOdd[test::pick(random, 0, 8)];
-  if (kind == 1 || entries.empty())
-    return static_cast<float>(test::pick(random, 0, 4000)) / 100.0f;
-  const float t = entries[test::pick(random, 0, static_cast<int>(entries.size()) - 1)].hit.t;
-  return kind < 5 ? t : std::nextafter(t, kind < 7 ? 1e38f : 0.0f);
-}
-
-Query randomQuery(std::mt19937 &random, const Ray &ray, const std::vector<Entry> &entries) {
-  const int kind = test::pick(random, 0, 3);
-  const float infinity = std::numeric_limits<float>::infinity();
-  return {ray, kind < 2 ? 0.0f : randomMoment(random, entries),
-          kind % 2 == 0 ? infinity : randomMoment(random, entries)};
-}
-
 Volume build(const Format &format, const test::HardScene &scene) {
   const auto constructor = Constructor::compile(format);
   EXPECT_TRUE(constructor) << constructor.error().message;
@@ -175,31 +67,33 @@ public:
     outside_ = reinterpret_cast<Outside>(*code_.find("outside"));
   }
 
-  std::vector<HeaderHit> hits(const Volume &volume, const Query &query) const {
+  std::vector<HeaderHit> hits(const Volume &volume, const HeaderQuery &query) const {
     std::vector<HeaderHit> hits(64);
     hits.resize(all_(volume.words().data(), &query, hits.data()));
     return hits;
   }
   /// The cell of the point from which rays go on.
-  Int3 cellOutside(const Query &query, const HeaderHit &hit) const {
+  Int3 cellOutside(const HeaderQuery &query, const HeaderHit &hit) const {
     float point[3];
     outside_(&query, &hit, point);
     return {static_cast<int>(std::floor(point[0])), static_cast<int>(std::floor(point[1])),
             static_cast<int>(std::floor(point[2]))};
   }
-  bool any(const Volume &volume, const Query &query) const { return any_(volume.words().data(), &query); }
+  bool any(const Volume &volume, const HeaderQuery &query) const {
+    return any_(volume.words().data(), &query);
+  }
 
 private:
-  using All = unsigned (*)(const std::uint32_t *, const Query *, HeaderHit *);
-  using Any = bool (*)(const std::uint32_t *, const Query *);
-  using Outside = void (*)(const Query *, const HeaderHit *, float *);
+  using All = unsigned (*)(const std::uint32_t *, const HeaderQuery *, HeaderHit *);
+  using Any = bool (*)(const std::uint32_t *, const HeaderQuery *);
+  using Outside = void (*)(const HeaderQuery *, const HeaderHit *, float *);
 
   static JitCode compiled(const Format &format) {
     const std::string header = headerOf(format);
     constexpr const char *kText = R"(
 #include "header.h"
-struct Query { float o[3], d[3], tmin, tmax; };
-extern "C" unsigned all(const unsigned *words, const Query *q, voxc_test_Hit *hits) {
+struct HeaderQuery { float o[3], d[3], tmin, tmax; };
+extern "C" unsigned all(const unsigned *words, const HeaderQuery *q, voxc_test_Hit *hits) {
   unsigned count = 0;
   voxc_test_Hit hit;
   bool found = voxc_test_closest(words, {q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, q->tmin, q->tmax, hit);
@@ -207,13 +101,13 @@ extern "C" unsigned all(const unsigned *words, const Query *q, voxc_test_Hit *hi
     hits[count++] = hit;
   return count;
 }
-extern "C" void outside(const Query *q, const voxc_test_Hit *hit, float *p) {
+extern "C" void outside(const HeaderQuery *q, const voxc_test_Hit *hit, float *p) {
   const auto point = voxc_test_outside({q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, *hit);
   p[0] = point.x;
   p[1] = point.y;
   p[2] = point.z;
 }
-extern "C" bool any(const unsigned *words, const Query *q) {
+extern "C" bool any(const unsigned *words, const HeaderQuery *q) {
   return voxc_test_any(words, {q->o[0], q->o[1], q->o[2]}, {q->d[0], q->d[1], q->d[2]}, q->tmin, q->tmax);
 }
 )";
@@ -259,7 +153,7 @@ void expectDefinedHits(const Format &format, std::uint32_t seed) {
     if (testing::Test::HasFailure())
       return; // One is enough to look at.
     const std::vector<Entry> entries = entriesOf(oracle, format.extent(), ray);
-    const Query query = randomQuery(random, ray, entries);
+    const HeaderQuery query = randomQuery(random, ray, entries);
     const std::vector<HeaderHit> expected = expectedHits(entries, query);
     EXPECT_EQ(functions.hits(volume, query), expected)
         << scene.name << std::hexfloat << " o " << ray.origin[0] << ' ' << ray.origin[1] << ' '
@@ -355,7 +249,7 @@ void expectTheHitsOfCpp(Device &device, const Format &format, std::uint32_t seed
   const Volume volume = build(format, test::hardScenes(format.extent())[7]);
   const Oracle oracle = *Oracle::of(volume);
   const Functions functions(format);
-  std::vector<Query> queries;
+  std::vector<HeaderQuery> queries;
   std::vector<Hit> expected;
   for (const Ray &ray : raysThrough(format.extent(), oracle, 1000, seed)) {
     const auto all = functions.hits(volume, {ray, 0, std::numeric_limits<float>::infinity()});

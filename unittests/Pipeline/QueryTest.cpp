@@ -1,4 +1,5 @@
 // Kernels that are asked for less, or for faces: what they store of each ray, to the bit.
+#include "DeviceTesting.h"
 #include "TestLength.h"
 
 #include "testing/HardRays.h"
@@ -6,8 +7,6 @@
 #include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/IR/Query.h"
-#include "voxc/Kernel/Compile.h"
-#include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Attributes.h"
@@ -17,11 +16,12 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <optional>
 #include <string>
 
 namespace voxc {
 namespace {
+
+using test::textOf;
 
 constexpr Question kPoint = {Query::Occupancy, outputsOf(Query::Occupancy)};
 constexpr Question kQuestions[] = {
@@ -66,36 +66,9 @@ Format asking(Format format, const Question &question) {
   return format;
 }
 
-std::string textOf(const Hit &hit) {
-  std::string text;
-  for (const int coordinate : hit.voxel)
-    text += std::to_string(coordinate) + " ";
-  return text + std::to_string(hit.rgba) + " " + std::to_string(hit.t) + " " + std::to_string(hit.steps);
-}
-
 /// A device and what it needs; without one, this processor.
-class Queries : public ::testing::TestWithParam<const char *> {
+class Queries : public test::OnDevice {
 protected:
-  void SetUp() override {
-    if (std::string(GetParam()) == "cpu")
-      return;
-    auto device = Device::open(GetParam());
-    if (!device)
-      GTEST_SKIP() << "there is no such device";
-    device_.emplace(std::move(*device));
-  }
-
-  Expected<std::unique_ptr<Tracer>> tracerOf(const Volume &volume, const Format &format) {
-    if (device_) {
-      const auto kernel = compileKernel(format, {});
-      EXPECT_TRUE(kernel) << kernel.error().message;
-      return createTracer(*device_, *kernel, volume);
-    }
-    const auto kernel = compileCpuKernel(format);
-    EXPECT_TRUE(kernel) << kernel.error().message;
-    return createCpuTracer(*kernel, volume, 2);
-  }
-
   std::vector<Hit> hitsOf(const Volume &volume, const Format &format, std::span<const Ray> rays,
                           const TraceOptions &options = {}) {
     const auto tracer = tracerOf(volume, format);
@@ -122,8 +95,6 @@ protected:
       EXPECT_TRUE(compare(*oracle, rays, hits, question).clean()) << printIr(asked);
     }
   }
-
-  std::optional<Device> device_;
 };
 
 /// Rays of every hard class, `count` of each.
@@ -200,8 +171,8 @@ TEST_P(Queries, FindTheHitsOfKernelsThatAreAskedForAll) {
 /// The numbers of all voxels, by Morton code.
 std::map<std::uint64_t, std::uint32_t> numbersOf(const Volume &volume) {
   std::map<std::uint64_t, std::uint32_t> numbers;
-  EXPECT_TRUE(visitVoxels(volume, [&](Int3 voxel) {
-    return numbers.emplace(mortonCode(voxel), static_cast<std::uint32_t>(numbers.size())).second;
+  EXPECT_TRUE(visitVoxels(volume, [&](Int3 voxel, std::uint64_t number) {
+    return numbers.emplace(mortonCode(voxel), static_cast<std::uint32_t>(number)).second;
   }));
   return numbers;
 }
@@ -217,6 +188,12 @@ TEST_P(Queries, TellTheNumbersOfVoxels) {
     ASSERT_TRUE(built) << built.error().message;
     const auto numbers = numbersOf(built->volume);
     ASSERT_EQ(numbers.size(), built->volume.info().voxels);
+    std::vector<bool> isTaken(numbers.size());
+    for (const auto &[code, number] : numbers) {
+      ASSERT_LT(number, numbers.size());
+      ASSERT_FALSE(isTaken[number]);
+      isTaken[number] = true;
+    }
     const auto rays = hardRaysOf(format.extent(), 60, 11);
     const auto all = hitsOf(built->volume, format, rays);
     const auto hits =
@@ -262,9 +239,7 @@ TEST_P(Queries, LookUpPointsWhereverTheirRaysGo) {
   }
 }
 
-std::string deviceName(const ::testing::TestParamInfo<const char *> &info) { return info.param; }
-
-INSTANTIATE_TEST_SUITE_P(On, Queries, ::testing::Values("cpu", "llvmpipe"), deviceName);
+INSTANTIATE_TEST_SUITE_P(On, Queries, ::testing::Values("cpu", "llvmpipe"), test::deviceName);
 
 } // namespace
 } // namespace voxc

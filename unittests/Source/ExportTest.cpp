@@ -9,20 +9,8 @@
 namespace voxc {
 namespace {
 
-/// A dense volume of R(4, 3, 3): 16 x 8 x 8 cells, of which the input took 13 x 8 x 5.
-Volume makeVolume(const Voxels &voxels) {
-  VolumeInfo info;
-  info.format = *parseFormat("R(4, 3, 3)");
-  info.extent = {13, 8, 5};
-  info.voxels = voxels.size();
-  std::vector<std::uint32_t> words(1 + 16 * 8 * 8);
-  words[0] = 1;
-  for (const auto &[code, word] : voxels) {
-    const Int3 cell = mortonCell(code);
-    words[1 + static_cast<std::size_t>(cell.x + 16 * (cell.y + 8 * cell.z))] = word;
-  }
-  return Volume(info, words);
-}
+/// Of an input that takes less than its format holds.
+Volume makeVolume(const Voxels &voxels) { return denseVolume(voxels, {13, 8, 5}); }
 
 Voxels randomVoxels(unsigned colours) {
   std::mt19937 random(5);

@@ -1,17 +1,21 @@
-// What tests of sources share: reading a whole source in the way a builder does, and files that disappear.
+// What tests of sources share: reading a whole source in the way a builder does, small volumes, and files
+// that disappear.
 #pragma once
 
 #include "voxc/Source/VoxelSource.h"
+#include "voxc/Volume/Volume.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace voxc {
 
@@ -41,6 +45,27 @@ private:
 
 /// Voxels by their Morton code.
 using Voxels = std::map<std::uint64_t, std::uint32_t>;
+
+/// A volume of one raw grid, no larger than it must be to hold the extent.
+inline Volume denseVolume(const Voxels &voxels, Int3 extent, const Transform &voxelToModel = {}) {
+  VolumeInfo info;
+  std::string format = "R(";
+  for (int axis = 0; axis < 3; ++axis)
+    format +=
+        std::to_string(std::bit_width(static_cast<unsigned>(extent[axis] - 1))) + (axis < 2 ? "," : ")");
+  info.format = *parseFormat(format);
+  info.extent = extent;
+  info.voxels = voxels.size();
+  info.voxelToModel = voxelToModel;
+  const Int3 size = info.format.extent();
+  std::vector<std::uint32_t> words(1 + static_cast<std::size_t>(size.x * size.y * size.z));
+  words[0] = voxels.empty() ? 0 : 1;
+  for (const auto &[code, word] : voxels) {
+    const Int3 cell = mortonCell(code);
+    words[1 + static_cast<std::size_t>(cell.x + size.x * (cell.y + size.y * cell.z))] = word;
+  }
+  return Volume(info, words);
+}
 
 inline void collect(VoxelSource &source, const Cube &cube, Voxels &voxels) {
   if (source.empty(cube))

@@ -21,24 +21,9 @@ struct Face {
 };
 using Faces = std::map<Face, std::uint32_t>;
 
-Volume denseVolume(const Voxels &voxels, Int3 extent) {
-  VolumeInfo info;
-  std::string format = "R(";
-  for (int axis = 0; axis < 3; ++axis)
-    format +=
-        std::to_string(std::bit_width(static_cast<unsigned>(extent[axis] - 1))) + (axis < 2 ? "," : ")");
-  info.format = *parseFormat(format);
-  info.extent = extent;
-  info.voxels = voxels.size();
-  info.voxelToModel = transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7});
-  const Int3 size = info.format.extent();
-  std::vector<std::uint32_t> words(1 + static_cast<std::size_t>(size.x * size.y * size.z));
-  words[0] = 1;
-  for (const auto &[code, word] : voxels) {
-    const Int3 cell = mortonCell(code);
-    words[1 + static_cast<std::size_t>(cell.x + size.x * (cell.y + size.y * cell.z))] = word;
-  }
-  return Volume(info, words);
+/// Its map to the model turns it.
+Volume mappedVolume(const Voxels &voxels, Int3 extent) {
+  return denseVolume(voxels, extent, transformOfRows({0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7}));
 }
 
 Faces visibleFaces(const Voxels &voxels) {
@@ -109,7 +94,7 @@ TEST(SurfaceExport, HasEveryVisibleFaceOnce) {
           for (cell.x = 0; cell.x < extent.x; ++cell.x)
             if (random() % sparse == 0)
               voxels[mortonCode(cell)] = rgba(random() % 2 * 255, 7, 9, 1 + random() % 2);
-      const auto exported = exportVoxels(denseVolume(voxels, extent), path);
+      const auto exported = exportVoxels(mappedVolume(voxels, extent), path);
       ASSERT_TRUE(exported) << exported.error().message;
       if (voxels.empty())
         continue;
@@ -130,11 +115,11 @@ TEST(SurfaceExport, MergesWhatIsFlatAndOfOneColour) {
   for (int x = 0; x < 60; ++x)
     for (int z = 0; z < 60; ++z)
       voxels[mortonCode({x, 0, z})] = rgba(9, 9, 9);
-  const auto plate = exportVoxels(denseVolume(voxels, {60, 1, 60}), folder.path("v.glb"));
+  const auto plate = exportVoxels(mappedVolume(voxels, {60, 1, 60}), folder.path("v.glb"));
   ASSERT_TRUE(plate);
   EXPECT_EQ(plate->rectangles, 6u);
   voxels[mortonCode({30, 0, 30})] = rgba(1, 1, 1);
-  const auto spotted = exportVoxels(denseVolume(voxels, {60, 1, 60}), folder.path("v.glb"));
+  const auto spotted = exportVoxels(mappedVolume(voxels, {60, 1, 60}), folder.path("v.glb"));
   ASSERT_TRUE(spotted);
   // Above and below the spot, what is before it, beside it on both sides, and behind it.
   EXPECT_EQ(spotted->rectangles, 4u + 2 * 5);
@@ -142,7 +127,7 @@ TEST(SurfaceExport, MergesWhatIsFlatAndOfOneColour) {
 
 TEST(SurfaceExport, OfNothingIsAModelWithoutAMesh) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(exportVoxels(denseVolume({}, {4, 4, 4}), folder.path("v.glb")));
+  ASSERT_TRUE(exportVoxels(mappedVolume({}, {4, 4, 4}), folder.path("v.glb")));
   std::ifstream file(folder.path("v.glb"), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(bytes.substr(0, 4), "glTF");

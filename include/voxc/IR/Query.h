@@ -24,7 +24,7 @@ struct Outputs {
   bool t = true;
   bool face = false; ///< By which the ray enters the voxel: `Hit::steps`.
   bool colour = true;
-  /// The number of the voxel among all of the volume, in Morton order, in place of the colour: `Hit::rgba`.
+  /// The number of the voxel (docs/attributes.md), in place of the colour: `Hit::rgba`.
   bool index = false;
 
   bool operator==(const Outputs &) const = default;

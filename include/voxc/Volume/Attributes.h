@@ -1,7 +1,8 @@
 // Named attributes: what is known of each voxel beside its value, such as a normal, a density or a label. An
 // attribute is a stream with one element for each voxel, by the voxel's number: how many voxels of the volume
-// come before it in Morton order. A kernel with `index=yes` tells the number of a hit's voxel
-// (`Outputs::index`).
+// come before it. They are counted in Morton order, but inside of a last level's masked grid that is not
+// M(2, 2, 2) along x first, then y, then z, as its bits are. Where values stand apart, a kernel with
+// `index=yes` tells the number of a hit's voxel (`Outputs::index`).
 #pragma once
 
 #include "voxc/Support/Error.h"
@@ -25,10 +26,11 @@ struct Attribute {
   std::vector<std::byte> elements;
 };
 
-/// Receives a voxel; false ends the visit.
-using VoxelVisit = std::function<bool(Int3 voxel)>;
+/// Receives a voxel and its number; false ends the visit.
+using VoxelVisit = std::function<bool(Int3 voxel, std::uint64_t number)>;
 
-/// Calls `visit` for each voxel that is not empty, by their numbers: 0, 1, 2, ... Errors: as `decode`.
+/// Calls `visit` for each voxel that is not empty, in Morton order. All numbers are below `info().voxels`.
+/// Errors: as `decode`.
 Expected<void> visitVoxels(const Volume &volume, const VoxelVisit &visit, const Progress &progress = {});
 
 /// A volume of the same words with one attribute more, or another in place of one of that name. It keeps

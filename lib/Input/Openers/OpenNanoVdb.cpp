@@ -199,12 +199,8 @@ Expected<Input> makeInput(std::shared_ptr<const OpenGrid> open, const InputOptio
   OccupancyPyramid occupancy = occupancyOf(grid, *look, *stored);
   const Transform map = voxelToModelOf(grid);
   std::shared_ptr<const DenseRows> rows = std::make_shared<GridRows>(std::move(open), *look);
-  if (!options.zUp) {
-    input.source = makeDenseSource(*stored, std::move(rows), std::move(occupancy), map, options.memory);
-    return input;
-  }
-  auto source = makeDenseSource({stored->x, stored->z, stored->y}, turnUpright(std::move(rows), stored->y),
-                                turnUpright(map, stored->y), options.memory, options.progress);
+  auto source = makeUprightSource(*stored, std::move(rows), std::move(occupancy), map, options.zUp,
+                                  options.memory, options.progress);
   if (!source)
     return source.error();
   input.source = std::move(*source);

@@ -1,0 +1,18 @@
+// Reading a volume's voxels back with their numbers.
+#pragma once
+
+#include "voxc/Volume/Volume.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace voxc {
+
+/// Receives a uniform cube of voxels, numbered in Morton order from `number` on: by rank where levels count
+/// voxels, else as they are found. False ends the decoding.
+using NumberedVisit = std::function<bool(const Cube &cube, std::uint32_t word, std::uint64_t number)>;
+
+/// As `decode`, with numbers; all of them are below `info().voxels`.
+Expected<void> decodeNumbered(const Volume &volume, const NumberedVisit &visit, const Progress &progress);
+
+} // namespace voxc
