@@ -178,11 +178,10 @@ std::map<std::uint64_t, std::uint32_t> numbersOf(const Volume &volume) {
 }
 
 TEST_P(Queries, TellTheNumbersOfVoxels) {
-  for (const char *text :
-       {"format values=apart { level 1: raw(2, 2, 2) level 2: svdag(2) }",
-        "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }",
-        "format values=apart payload=palette(4) { level 1: raw(3, 1, 2) level 2: masked(1, "
-        "1, 1) level 3: masked(2, 2, 2) }"}) {
+  for (const char *text : {"format values=apart { level 1: raw(2, 2, 2) level 2: svdag(2) }",
+                           "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }",
+                           "format values=apart { level 1: raw(3, 1, 2) level 2: masked(1, "
+                           "1, 1) level 3: masked(2, 2, 2) }"}) {
     const Format format = *parseFormat(text);
     const auto built = Constructor::compile(format)->build(*test::hardScenes(format.extent())[7].source());
     ASSERT_TRUE(built) << built.error().message;
