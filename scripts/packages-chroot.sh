@@ -17,7 +17,12 @@ inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOM
 install() { inside apt-get -qq install --no-install-recommends --yes "$@" > "$root/log" 2>&1 || { tail -20 "$root/log"; exit 1; }; }
 
 # What an example is given, to end soon.
-arguments() { case $1 in path-tracer) echo picture.png 64 36 4 ;; esac; }
+arguments() {
+  case $1 in
+  path-tracer) echo picture.png 64 36 4 ;;
+  host-device) echo picture.png 64 36 ;;
+  esac
+}
 
 say "Packages"
 rm -f "$build"/*.deb
