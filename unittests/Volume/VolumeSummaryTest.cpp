@@ -56,9 +56,9 @@ TEST_F(VolumeFile, KeepsTheRecordOfWords) {
 
 /// Who writes such a line on his own gets it back.
 TEST_F(VolumeFile, TakesNothingElseForTheRecord) {
-  for (const char *text : {"\nwords=", "\nwords=12,34", "\nwords=000000000000000g,0000000000000000",
-                           "\nwords=0000000000000001", "\nwords=0000000000000001,0000000000000002,",
-                           "words=0000000000000001,0000000000000002"}) {
+  for (const char *text :
+       {"\nwords=", "\nwords=12,34", "\nwords=000000000000000g,0000000000000000", "\nwords=0000000000000001",
+        "\nwords=0000000000000001,0000000000000002,", "words=0000000000000001,0000000000000002"}) {
     VolumeInfo info = small().info();
     info.provenance = text;
     const Volume made = small();
