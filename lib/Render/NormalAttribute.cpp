@@ -32,9 +32,9 @@ glm::vec3 outwards(const SurfaceNormal &normal) {
 /// Finds those of a batch of voxels and puts them behind the others.
 class NormalWriter {
 public:
-  NormalWriter(const Volume &volume, unsigned threads, const Progress &progress)
-      : normals_(volume, threads), progress_(progress),
-        elements_(volume.info().voxels * sizeof(std::uint32_t)) {}
+  NormalWriter(const Volume &volume, unsigned threads, const Progress &progress,
+               std::vector<std::byte> elements)
+      : normals_(volume, threads), progress_(progress), elements_(std::move(elements)) {}
 
   void add(Int3 voxel, std::uint64_t number) {
     Hit hit{};
@@ -91,8 +91,12 @@ glm::vec3 unpackNormal(std::uint32_t packed) {
   return glm::normalize(glm::vec3(level, z));
 }
 
-Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, const Progress &progress) {
-  NormalWriter writer(volume, threads, progress);
+Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, const Progress &progress,
+                                    std::uint64_t mostBytes) {
+  auto elements = zeroElements(volume, sizeof(std::uint32_t), mostBytes);
+  if (!elements)
+    return elements.error();
+  NormalWriter writer(volume, threads, progress, std::move(*elements));
   const auto visited = visitVoxels(
       volume,
       [&](Int3 voxel, std::uint64_t number) {

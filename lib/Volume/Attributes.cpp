@@ -42,6 +42,16 @@ std::string describeProblem(const Volume &volume, const Attribute &attribute) {
 
 } // namespace
 
+Expected<std::vector<std::byte>> zeroElements(const Volume &volume, std::uint32_t elementBytes,
+                                              std::uint64_t mostBytes) {
+  const std::uint64_t voxels = volume.info().voxels;
+  if (voxels > mostBytes / elementBytes)
+    return Error::input("an attribute of " + std::to_string(elementBytes) + " bytes for each of the " +
+                        std::to_string(voxels) + " voxels would take more than the " +
+                        std::to_string(mostBytes) + " bytes that it may; a larger --memory would do");
+  return std::vector<std::byte>(voxels * elementBytes);
+}
+
 Expected<void> visitVoxels(const Volume &volume, const VoxelVisit &visit, const Progress &progress) {
   const auto visitCube = [&](const Cube &cube, std::uint32_t, std::uint64_t number) {
     for (std::uint64_t i = 0; i < std::uint64_t{1} << (3 * cube.log2Side); ++i)

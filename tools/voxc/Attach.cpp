@@ -77,15 +77,17 @@ public:
 private:
   /// Applies all options to the volume; returns how many there were.
   Expected<std::size_t> change(std::shared_ptr<const Volume> &volume, const Progress &progress) const {
+    const std::uint64_t mostBytes = makeWorkingMemory(arguments_)->bound();
     for (const std::string &name : drop_)
       if (Expected<void> dropped = take(withoutAttribute(volume, name), volume); !dropped)
         return dropped.error();
     if (normals_)
-      if (Expected<void> added = add(normalAttribute(*volume, threadsOf(arguments_), progress), volume);
+      if (Expected<void> added =
+              add(normalAttribute(*volume, threadsOf(arguments_), progress, mostBytes), volume);
           !added)
         return added.error();
     for (const std::string &text : words_)
-      if (Expected<void> added = add(wordsOfInput(text, *volume, progress), volume); !added)
+      if (Expected<void> added = add(wordsOfInput(text, *volume, mostBytes, progress), volume); !added)
         return added.error();
     for (const std::string &text : data_)
       if (Expected<void> added = add(dataOfFile(text, *volume), volume); !added)

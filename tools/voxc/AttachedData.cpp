@@ -31,8 +31,8 @@ std::optional<std::pair<std::string, std::string>> named(const std::string &text
 /// The words of an input at the voxels of a volume, a block at a time.
 class WordReading {
 public:
-  WordReading(VoxelSource &input, std::uint64_t voxels)
-      : input_(input), elements_(voxels * sizeof(std::uint32_t)) {}
+  WordReading(VoxelSource &input, std::vector<std::byte> elements)
+      : input_(input), elements_(std::move(elements)) {}
 
   void read(Int3 voxel, std::uint64_t number) {
     const std::uint64_t code = mortonCode(voxel);
@@ -79,7 +79,8 @@ std::string textOf(Int3 extent) {
 
 } // namespace
 
-Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, const Progress &progress) {
+Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
+                                 const Progress &progress) {
   const auto parts = named(text);
   if (!parts)
     return Error::usage("--words is written NAME=INPUT, such as density=scan.nii.gz, not '" + text + "'");
@@ -92,7 +93,10 @@ Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, 
   if (input->source->extent() != extent)
     return Error::input("'" + parts->second + "' has " + textOf(input->source->extent()) +
                         " voxels, but the volume has " + textOf(extent));
-  WordReading reading(*input->source, volume.info().voxels);
+  auto elements = zeroElements(volume, sizeof(std::uint32_t), mostBytes);
+  if (!elements)
+    return elements.error();
+  WordReading reading(*input->source, std::move(*elements));
   const auto visited = visitVoxels(
       volume,
       [&](Int3 voxel, std::uint64_t number) {

@@ -121,6 +121,8 @@ public:
     if (!loaded)
       return loaded.error();
     const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+    if (volume->streams().size() > 1 && !common_.quiet)
+      printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
     Expected<std::vector<VoxelEdit>> edits = readEdits();
     if (!edits)
       return edits.error();

@@ -87,6 +87,18 @@ TEST_F(VolumeFile, FindsNoAttributeOfAnotherSize) {
   EXPECT_FALSE(findAttribute(*loaded, "weight"));
 }
 
+/// A file of a few bytes may stand for more voxels than there is memory, or than bytes can be counted.
+TEST(Attributes, AreNotMadeOfWhatTakesTooMuch) {
+  for (const std::uint64_t voxels : {std::uint64_t{1} << 33, std::uint64_t{1} << 62}) {
+    VolumeInfo info;
+    info.format = *parseFormat("G(1)");
+    info.voxels = voxels;
+    const Volume volume(info, {2, 9, 0x0202, 1});
+    EXPECT_THAT(normalAttribute(volume, 1).error().message, HasSubstr("would take more than"));
+    EXPECT_FALSE(zeroElements(volume, 256));
+  }
+}
+
 TEST(PackedNormal, KeepsDirections) {
   std::mt19937 random(5);
   std::normal_distribution<float> number;

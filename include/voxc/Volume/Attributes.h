@@ -26,6 +26,14 @@ struct Attribute {
   std::vector<std::byte> elements;
 };
 
+/// What elements may take by default: a small file may stand for very many voxels.
+inline constexpr std::uint64_t kMostAttributeBytes = std::uint64_t{1} << 34;
+
+/// Zeros, one element of so many bytes for each voxel. Error (`Input`): they would take more than
+/// `mostBytes`.
+Expected<std::vector<std::byte>> zeroElements(const Volume &volume, std::uint32_t elementBytes,
+                                              std::uint64_t mostBytes = kMostAttributeBytes);
+
 /// Receives a voxel and its number; false ends the visit.
 using VoxelVisit = std::function<bool(Int3 voxel, std::uint64_t number)>;
 
