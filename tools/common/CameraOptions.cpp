@@ -2,9 +2,6 @@
 #include "CameraOptions.h"
 
 #include "CameraFile.h"
-#include "Help.h"
-
-#include <CLI/CLI.hpp>
 
 #include <glm/matrix.hpp>
 
@@ -115,24 +112,20 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Tr
 
 bool isInModelUnits(const CameraOptions &options) { return options.camera.starts_with(kModelUnits); }
 
-void addCameraPlace(CLI::App &command, CameraOptions &options) {
+void addCameraPlace(const CommandLine &command, CameraOptions &options) {
   const OptionGroup group(command, "Picture");
   command
-      .add_option(
-          "--camera", options.camera,
-          "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
-          "units of the model; or a camera of a camera file; the default sees the whole volume")
-      ->type_name("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
-  command.add_option("--fov", options.fov, "Vertical field of view; the default is the camera's")
-      ->type_name("DEGREES");
+      .add("--camera", options.camera,
+           "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
+           "units of the model; or a camera of a camera file; the default sees the whole volume")
+      .takes("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
+  command.add("--fov", options.fov, "Vertical field of view; the default is the camera's").takes("DEGREES");
 }
 
-void addCameraOptions(CLI::App &command, CameraOptions &options) {
+void addCameraOptions(const CommandLine &command, CameraOptions &options) {
   addCameraPlace(command, options);
-  command
-      .add_option("--size", options.size,
-                  "Pixels of the picture; the default is the camera file's, or 1280x720")
-      ->type_name("WxH");
+  command.add("--size", options.size, "Pixels of the picture; the default is the camera file's, or 1280x720")
+      .takes("WxH");
 }
 
 Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {

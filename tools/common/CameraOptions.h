@@ -1,7 +1,7 @@
 // The options that say where a picture is taken from.
 #pragma once
 
-#include "CliNames.h"
+#include "CommandLine.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Support/Transform.h"
@@ -28,10 +28,10 @@ inline constexpr const char *kModelUnits = "model:";
 bool isInModelUnits(const CameraOptions &options);
 
 /// Adds --camera and --fov to a command.
-void addCameraPlace(CLI::App &command, CameraOptions &options);
+void addCameraPlace(const CommandLine &command, CameraOptions &options);
 
 /// The same, and --size.
-void addCameraOptions(CLI::App &command, CameraOptions &options);
+void addCameraOptions(const CommandLine &command, CameraOptions &options);
 
 /// The camera for a volume of `extent` voxels whose units are the model's by `voxelToModel`. Errors: `Usage`
 /// for a malformed option, `Input` for a camera file that is missing or broken, naming the cameras there are.

@@ -1,7 +1,6 @@
 // How every command is run.
 #include "Command.h"
 
-#include "Help.h"
 #include "Interrupt.h"
 #include "Misspelling.h"
 #include "Process.h"
@@ -46,38 +45,38 @@ std::string inOurWords(const CLI::ParseError &failure) {
 }
 
 /// CLI11 tells of wrong arguments, but also of --help and --version, by throwing.
-int parseFailure(CLI::App &app, const CLI::ParseError &failure) {
+int parseFailure(const CommandLine &program, const CLI::ParseError &failure) {
   if (failure.get_exit_code() == 0)
-    return app.exit(failure, std::cout, std::cerr);
-  const std::vector<CLI::App *> commands = app.get_subcommands();
-  const CLI::App &command = commands.empty() ? app : *commands.front();
-  const std::vector<std::string> words = app.remaining(true);
+    return program.app().exit(failure, std::cout, std::cerr);
+  const std::vector<CommandLine> commands = program.commands();
+  const auto given = std::ranges::find_if(commands, &CommandLine::isGiven);
+  const CommandLine &command = given == commands.end() ? program : *given;
+  const std::vector<std::string> words = program.app().remaining(true);
   printError(Error::usage(!words.empty() && dynamic_cast<const CLI::ExtrasError *>(&failure)
-                              ? explainUnknown(app, command, firstOption(words))
-                              : inOurWords(failure) + "; see '" + helpOf(app, command) + "'"));
+                              ? explainUnknown(program, command, firstOption(words))
+                              : inOurWords(failure) + "; see '" + helpOf(program, command) + "'"));
   return kUsageExit;
 }
 
 } // namespace
 
-void addCommonOptions(CLI::App &command, CommonOptions &options) {
+void addCommonOptions(const CommandLine &command, CommonOptions &options) {
   const OptionGroup group(command, "Common options");
-  command.add_option("--stats", options.stats, "Write figures as JSON; - for standard output")
-      ->type_name("FILE");
-  command.add_flag("--quiet", options.quiet, "No progress and no notes");
-  command.set_version_flag("--version", versionText(), "Tell the version and exit");
+  command.add("--stats", options.stats, "Write figures as JSON; - for standard output").takes("FILE");
+  command.addFlag("--quiet", options.quiet, "No progress and no notes");
+  command.addVersion(versionText());
 }
 
-int runTool(CLI::App &app, int argc, char **argv, const std::function<Expected<void>()> &body) {
+int runTool(const CommandLine &program, int argc, char **argv, const std::function<Expected<void>()> &body) {
   catchInterrupts();
   if (Expected<void> prepared = prepareProcess(); !prepared) {
     printError(prepared.error());
     return exitCode(prepared.error().kind);
   }
   try {
-    app.parse(argc, argv);
+    program.app().parse(argc, argv);
   } catch (const CLI::ParseError &failure) {
-    return parseFailure(app, failure);
+    return parseFailure(program, failure);
   }
   try {
     Expected<void> outcome = body();

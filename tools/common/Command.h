@@ -1,7 +1,7 @@
 // What every command shares: its common options, how it is run, and which exit code its errors become.
 #pragma once
 
-#include "CliNames.h"
+#include "CommandLine.h"
 #include "voxc/Support/Error.h"
 
 #include <functional>
@@ -17,11 +17,11 @@ struct CommonOptions {
 };
 
 /// Adds --stats, --quiet and --version to a command; --help is there already.
-void addCommonOptions(CLI::App &command, CommonOptions &options);
+void addCommonOptions(const CommandLine &command, CommonOptions &options);
 
 /// Parses the arguments, runs `body` and returns the exit code. Errors are printed to standard error:
 /// 0 done, 1 bad input or a failed check, 2 usage, 3 the environment, 130 interrupted.
-int runTool(CLI::App &app, int argc, char **argv, const std::function<Expected<void>()> &body);
+int runTool(const CommandLine &program, int argc, char **argv, const std::function<Expected<void>()> &body);
 
 /// The exit code that an error becomes.
 int exitCode(ErrorKind kind);

@@ -1,29 +1,16 @@
-// How commands describe themselves: help that is wrapped to the terminal, and options in groups.
+// How commands describe themselves: help that is wrapped to the terminal.
 #pragma once
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
 namespace voxc::tool {
-
-/// Options that are added to a command while this lives stand in the group `name` of its help.
-class OptionGroup {
-public:
-  OptionGroup(CLI::App &command, const std::string &name)
-      : command_(command), before_(command.option_defaults()->get_group()) {
-    command.option_defaults()->group(name);
-  }
-  ~OptionGroup() { command_.option_defaults()->group(before_); }
-  OptionGroup(const OptionGroup &) = delete;
-  OptionGroup &operator=(const OptionGroup &) = delete;
-
-private:
-  CLI::App &command_;
-  std::string before_;
-};
 
 /// Columns of the terminal behind a file descriptor; `usual` where it is none, or does not say.
 int terminalColumns(int file, int usual);

@@ -1,8 +1,6 @@
 // What someone may have meant.
 #include "Misspelling.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <vector>
 
@@ -11,11 +9,12 @@ namespace voxc::tool {
 namespace {
 
 /// The options of a command as they are written: "--size".
-std::vector<std::string> optionsOf(const CLI::App &command) {
+std::vector<std::string> optionsOf(const CommandLine &command) {
   std::vector<std::string> names;
-  for (const CLI::Option *option : command.get_options())
-    for (const std::string &name : option->get_lnames())
-      names.push_back("--" + name);
+  for (const Option &option : command.options())
+    for (const std::string &name : option.names())
+      if (name.starts_with("--"))
+        names.push_back(name);
   return names;
 }
 
@@ -31,12 +30,12 @@ std::string nearest(const std::vector<std::string> &names, std::string_view word
   return best;
 }
 
-/// The commands of `app` that have an option: "build, run".
-std::string commandsWith(const CLI::App &app, const std::string &option) {
+/// The commands of `program` that have an option: "build, run".
+std::string commandsWith(const CommandLine &program, const std::string &option) {
   std::string names;
-  for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
-    if (std::ranges::count(optionsOf(*command), option) > 0)
-      names += (names.empty() ? "" : ", ") + command->get_name();
+  for (const CommandLine &command : program.commands())
+    if (std::ranges::count(optionsOf(command), option) > 0)
+      names += (names.empty() ? "" : ", ") + command.name();
   return names;
 }
 
@@ -57,21 +56,21 @@ std::size_t wordDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-std::string helpOf(const CLI::App &app, const CLI::App &command) {
-  return app.get_name() + (&app == &command ? "" : " " + command.get_name()) + " --help";
+std::string helpOf(const CommandLine &program, const CommandLine &command) {
+  return program.name() + (command.parent() ? " " + command.name() : "") + " --help";
 }
 
-std::string explainUnknown(const CLI::App &app, const CLI::App &command, const std::string &word) {
-  const std::string name = command.get_name();
+std::string explainUnknown(const CommandLine &program, const CommandLine &command, const std::string &word) {
+  const std::string name = command.name();
   if (!word.starts_with('-'))
-    return "'" + word + "' is one argument too many for " + name + "; see '" + helpOf(app, command) + "'";
+    return "'" + word + "' is one argument too many for " + name + "; see '" + helpOf(program, command) + "'";
   const std::string option = word.substr(0, word.find('='));
   std::string text = name + " has no option " + option;
   if (const std::string like = nearest(optionsOf(command), option); !like.empty())
     return text + "; did you mean " + like + "?";
-  if (const std::string others = commandsWith(app, option); !others.empty())
+  if (const std::string others = commandsWith(program, option); !others.empty())
     return text + "; these commands have it: " + others;
-  return text + "; see '" + helpOf(app, command) + "'";
+  return text + "; see '" + helpOf(program, command) + "'";
 }
 
 } // namespace voxc::tool

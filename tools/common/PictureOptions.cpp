@@ -1,12 +1,9 @@
 // The options of a picture.
 #include "PictureOptions.h"
 
-#include "Help.h"
 #include "PictureFile.h"
 
 #include "voxc/Render/View.h"
-
-#include <CLI/CLI.hpp>
 
 #include <glm/trigonometric.hpp>
 
@@ -40,41 +37,38 @@ std::string pointText(const glm::dvec3 &point) {
 
 } // namespace
 
-void addViewOptions(CLI::App &command, PictureOptions &options) {
+void addViewOptions(const CommandLine &command, PictureOptions &options) {
   command
-      .add_option("--sun", options.sun,
-                  "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and "
-                  "elevation; default: -40,49")
-      ->type_name("AZ,EL")
-      ->delimiter(',')
-      ->expected(2);
+      .add("--sun", options.sun,
+           "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and "
+           "elevation; default: -40,49")
+      .takes("AZ,EL")
+      .list()
+      .values(2);
   command
-      .add_option(
-          "--view", options.view,
-          "A camera by a word: iso, from above a corner; front; top; inside, from where most of the inside "
-          "is seen; auto (default): inside of a building or a yard, else iso")
-      ->type_name("WORD")
-      ->check(CLI::IsMember(namesOf<View>()).description(""));
+      .add("--view", options.view,
+           "A camera by a word: iso, from above a corner; front; top; inside, from where most of the inside "
+           "is seen; auto (default): inside of a building or a yard, else iso")
+      .takes("WORD")
+      .oneOf(namesOf<View>());
 }
 
-void addPictureOptions(CLI::App &command, PictureOptions &options) {
+void addPictureOptions(const CommandLine &command, PictureOptions &options) {
   const OptionGroup group(command, "Picture");
-  command.add_option("--style", options.style, styleHelp())
-      ->type_name("STYLE")
-      ->check(CLI::IsMember(namesOf<Style>()).description(""));
-  command.add_flag("--heatmap", options.heatmap, "The same as --style heatmap");
+  command.add("--style", options.style, styleHelp()).takes("STYLE").oneOf(namesOf<Style>());
+  command.addFlag("--heatmap", options.heatmap, "The same as --style heatmap");
   command
-      .add_option("--samples", options.samples,
-                  "Rays through each pixel; the default is 4 for lit and ao, which suits a look, and 1 for "
-                  "others; 64 leaves no noise")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 65536u).description(""));
+      .add("--samples", options.samples,
+           "Rays through each pixel; the default is 4 for lit and ao, which suits a look, and 1 for "
+           "others; 64 leaves no noise")
+      .takes("N")
+      .between(1u, 65536u);
   command
-      .add_option("--normals", options.normals,
-                  "Directions of surfaces: smooth, from the voxels around, flat, those of faces, or auto "
-                  "(default): flat for .vox files and built-in scenes")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "smooth", "flat"}).description(""));
+      .add("--normals", options.normals,
+           "Directions of surfaces: smooth, from the voxels around, flat, those of faces, or auto "
+           "(default): flat for .vox files and built-in scenes")
+      .takes("KIND")
+      .oneOf({"auto", "smooth", "flat"});
   addViewOptions(command, options);
   addCameraOptions(command, options.camera);
 }

@@ -24,10 +24,10 @@ struct PictureOptions {
 };
 
 /// Adds --style, --heatmap, --samples, --normals, --sun, --view and the camera's options to a command.
-void addPictureOptions(CLI::App &command, PictureOptions &options);
+void addPictureOptions(const CommandLine &command, PictureOptions &options);
 
 /// Adds --sun and --view alone.
-void addViewOptions(CLI::App &command, PictureOptions &options);
+void addViewOptions(const CommandLine &command, PictureOptions &options);
 
 /// Looks at the options before any work: whatever the volume will be, they are right or wrong for any.
 /// Errors: `Usage`; `Input`, a camera file that is missing or broken.

@@ -1,10 +1,7 @@
 // Attribute options, generated from the table of attributes.
 #include "frontend/AttributeOptions.h"
 
-#include "common/Help.h"
 #include "voxc/IR/Query.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 
@@ -30,8 +27,8 @@ std::vector<std::string> namesOf(const AttributeList &list, bool isUsual) {
 
 } // namespace
 
-void AttributeOptions::declare(CLI::App &app) {
-  const OptionGroup group(app, "Kernel");
+void AttributeOptions::declare(const CommandLine &command) {
+  const OptionGroup group(command, "Kernel");
   for (const AttributeKind *kind : formatAttributes()) {
     if (kind->effect == AttributeEffect::Storage) // Passes set those.
       continue;
@@ -39,31 +36,31 @@ void AttributeOptions::declare(CLI::App &app) {
       continue;
     if (kind->list) {
       if (!listed_.contains(kind->list))
-        declareList(app, *kind->list);
+        declareList(command, *kind->list);
       continue;
     }
     const std::vector<std::string> values(kind->values.begin(), kind->values.end());
-    app.add_option("--" + std::string(kind->name), values_[kind], std::string(kind->summary))
-        ->type_name(joined(values, "|") + "=" + values.front())
-        ->check(CLI::IsMember(values).description(""));
+    command.add("--" + std::string(kind->name), values_[kind], std::string(kind->summary))
+        .takes(joined(values, "|") + "=" + values.front())
+        .oneOf(values);
   }
 }
 
-void AttributeOptions::declareList(CLI::App &app, const AttributeList &list) {
+void AttributeOptions::declareList(const CommandLine &command, const AttributeList &list) {
   const std::vector<std::string> names = namesOf(list, false);
-  app.add_option("--" + std::string(list.name), listed_[&list],
-                 std::string(list.summary) + "; of " + joined(names, ", "))
-      ->type_name("A,B=" + joined(namesOf(list, true), ","))
-      ->delimiter(',')
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(CLI::IsMember(names).description(""));
+  command
+      .add("--" + std::string(list.name), listed_[&list],
+           std::string(list.summary) + "; of " + joined(names, ", "))
+      .takes("A,B=" + joined(namesOf(list, true), ","))
+      .list()
+      .repeated()
+      .oneOf(names);
 }
 
-void AttributeOptions::declareBounds(CLI::App &app) {
-  const OptionGroup group(app, "Kernel");
-  app.add_flag("--ray-bounds", bounds_,
-               "Each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels");
+void AttributeOptions::declareBounds(const CommandLine &command) {
+  const OptionGroup group(command, "Kernel");
+  command.addFlag("--ray-bounds", bounds_,
+                  "Each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels");
 }
 
 Expected<void> AttributeOptions::apply(Format &format) const {

@@ -1,8 +1,6 @@
 // Pass flags, generated from the registry.
 #include "frontend/PassOptions.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
@@ -24,37 +22,34 @@ std::string helpOf(const Pass &pass) {
 }
 
 /// A flag as it was written: one that was given a number, or several, has the last.
-std::string writtenName(const CLI::Option &flag) {
-  const std::string name = flag.get_name().substr(2);
+std::string writtenName(const Option &flag) {
+  const std::string name = flag.name().substr(2);
   const Pass *const pass = findPass(name);
-  const std::string value = flag.results().empty() ? "" : flag.results().back();
+  const std::vector<std::string> written = flag.written();
+  const std::string value = written.empty() ? "" : written.back();
   return pass && pass->number && value != "true" ? name + "=" + value : name;
 }
 
 } // namespace
 
-void PassOptions::declare(CLI::App &app, PassChoice choice) {
-  app_ = &app;
+void PassOptions::declare(const CommandLine &command, PassChoice choice) {
+  command_ = command;
+  const OptionGroup group(command, kGroup);
   choice_ = choice;
   for (const Pass &pass : passes())
     if (offered(pass, choice))
-      app.add_flag(flagOf(pass))->description(helpOf(pass))->group(kGroup);
-  app.add_option(kPipelineOption, "The same as their flags, in this order")
-      ->delimiter(',')
-      ->type_name("A,B")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(kGroup);
+      command.addFlag(flagOf(pass), helpOf(pass));
+  command.add(kPipelineOption, "The same as their flags, in this order").list().takes("A,B").repeated();
 }
 
 std::vector<std::string> PassOptions::names() const {
   std::vector<std::string> names;
-  for (const CLI::Option *option : app_->parse_order()) {
-    const std::string name = option->get_name();
-    if (name == kPipelineOption)
-      names.insert(names.end(), option->results().begin(), option->results().end());
-    else if (option->get_group() == kGroup)
-      names.push_back(writtenName(*option));
+  for (const Option &option : command_->given()) {
+    const std::vector<std::string> written = option.written();
+    if (option.name() == kPipelineOption)
+      names.insert(names.end(), written.begin(), written.end());
+    else if (option.group() == kGroup)
+      names.push_back(writtenName(option));
   }
   return names;
 }

@@ -2,7 +2,7 @@
 // written.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "voxc/Passes/Pass.h"
 
 #include <string>
@@ -16,17 +16,17 @@ enum class PassChoice { All, WalkOnly };
 /// The passes named on a command line, in the order of the command line.
 class PassOptions {
 public:
-  /// Adds the options to `app`, which must outlive this.
-  void declare(CLI::App &app, PassChoice choice);
+  /// Adds the options to `command`, which must outlive this.
+  void declare(const CommandLine &command, PassChoice choice);
 
-  /// The names as written; only after `app` has parsed. Unknown ones are left for `runPasses` to name.
+  /// The names as written; only after `command` has parsed. Unknown ones are left for `runPasses` to name.
   std::vector<std::string> names() const;
 
   /// Runs the chosen passes on `format`. Error `Usage`: a storage pass where only walk passes apply.
   Expected<void> apply(Format &format, const PipelineOptions &options = {}) const;
 
 private:
-  const CLI::App *app_ = nullptr;
+  std::optional<CommandLine> command_;
   PassChoice choice_ = PassChoice::All;
 };
 

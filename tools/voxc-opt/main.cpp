@@ -3,13 +3,11 @@
 #include "PlanPipeline.h"
 
 #include "common/Command.h"
-#include "common/Help.h"
+#include "common/CommandLine.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Support/File.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -46,23 +44,24 @@ constexpr DescriptionRow kDescriptions[] = {
     {"--help-attributes", "Describe the attributes, as a table in Markdown, and exit", describeAttributes},
 };
 
-void declare(CLI::App &app, Options &options) {
-  app.set_version_flag("--version", versionText());
-  app.add_option("INPUT", options.input,
-                 "A format string, or a file with one, with IR or with a plan; - for standard input")
-      ->type_name("")
-      ->capture_default_str();
-  app.add_flag("--print-after-all", options.plan.printAfterAll,
-               "Print the IR to standard error after each pass");
-  app.add_flag("--time-passes", options.timePasses, "Print each pass's time to standard error");
-  app.add_flag("--verify-each,!--no-verify-each", options.plan.verifyEach,
-               "Verify the IR after each pass (the default)");
-  app.add_flag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
-  app.add_option("--until", options.plan.until, "Stop after this pass, of either IR, or after lower")
-      ->type_name("PASS");
+void declare(const CommandLine &command, Options &options) {
+  command.addVersion(versionText());
+  command
+      .add("INPUT", options.input,
+           "A format string, or a file with one, with IR or with a plan; - for standard input")
+      .takes("")
+      .showsDefault();
+  command.addFlag("--print-after-all", options.plan.printAfterAll,
+                  "Print the IR to standard error after each pass");
+  command.addFlag("--time-passes", options.timePasses, "Print each pass's time to standard error");
+  command.addFlag("--verify-each,!--no-verify-each", options.plan.verifyEach,
+                  "Verify the IR after each pass (the default)");
+  command.addFlag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
+  command.add("--until", options.plan.until, "Stop after this pass, of either IR, or after lower")
+      .takes("PASS");
   for (const DescriptionRow &row : kDescriptions)
-    app.add_flag_callback(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
-  options.passes.declare(app, PassChoice::All);
+    command.addFlag(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
+  options.passes.declare(command, PassChoice::All);
 }
 
 void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
@@ -152,9 +151,8 @@ Expected<void> optimise(const Options &options) {
 } // namespace
 
 int main(int argc, char **argv) {
-  CLI::App app{"Runs passes over the level IR or the plan of a format", "voxc-opt"};
-  useWrappedHelp(app);
+  const CommandLine command("voxc-opt", "Runs passes over the level IR or the plan of a format");
   Options options;
-  declare(app, options);
-  return runTool(app, argc, argv, [&] { return optimise(options); });
+  declare(command, options);
+  return runTool(command, argc, argv, [&] { return optimise(options); });
 }

@@ -1,7 +1,7 @@
 // voxc-trace: traces rays or takes a picture with a kernel that was compiled elsewhere.
 #include "common/Command.h"
+#include "common/CommandLine.h"
 #include "common/Files.h"
-#include "common/Help.h"
 #include "common/PictureFile.h"
 #include "common/PictureOptions.h"
 #include "common/RayTally.h"
@@ -9,8 +9,6 @@
 #include "common/Terminal.h"
 
 #include "voxc/Trace/Tracer.h"
-
-#include <CLI/CLI.hpp>
 
 namespace {
 
@@ -30,48 +28,50 @@ struct Options {
   bool trusted = false;
 };
 
-void addOptions(CLI::App &app, Options &options) {
-  app.add_option("volume", options.volume, "Volume to trace")->required()->type_name("VOLUME.hvx");
-  app.add_option("--kernel", options.kernel, "Its kernel, from voxc compile")
-      ->required()
-      ->type_name("KERNEL.spv");
-  app.add_option("--rays", options.rays,
-                 "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
-                 "bounds, for a "
-                 "kernel for such; without them a picture is taken")
-      ->type_name("RAYS.bin");
-  app.add_option("-o,--output", options.output,
-                 "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps; or the picture, as " +
-                     pictureEndings())
-      ->required()
-      ->type_name("HITS.bin|PICTURE");
-  addPictureOptions(app, options.picture);
-  app.add_flag("--count", options.count, "Count each ray's lookups; of a picture as with --repeat");
-  app.add_option("--repeat", options.repeat,
-                 "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless "
-                 "--style says")
-      ->check(CLI::Range(1u, 1000000u));
-  app.add_option("--device", options.device,
-                 "Trace on the device whose name contains this, or with this number or UUID")
-      ->type_name("NAME");
-  app.add_flag("--trusted", options.trusted, "Skip the check of every offset in the volume");
-  addCommonOptions(app, options.common);
+void addOptions(const CommandLine &command, Options &options) {
+  command.add("volume", options.volume, "Volume to trace").required().takes("VOLUME.hvx");
+  command.add("--kernel", options.kernel, "Its kernel, from voxc compile").required().takes("KERNEL.spv");
+  command
+      .add("--rays", options.rays,
+           "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
+           "bounds, for a "
+           "kernel for such; without them a picture is taken")
+      .takes("RAYS.bin");
+  command
+      .add("-o,--output", options.output,
+           "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps; or the picture, as " +
+               pictureEndings())
+      .required()
+      .takes("HITS.bin|PICTURE");
+  addPictureOptions(command, options.picture);
+  command.addFlag("--count", options.count, "Count each ray's lookups; of a picture as with --repeat");
+  command
+      .add("--repeat", options.repeat,
+           "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless "
+           "--style says")
+      .between(1u, 1000000u);
+  command
+      .add("--device", options.device,
+           "Trace on the device whose name contains this, or with this number or UUID")
+      .takes("NAME");
+  command.addFlag("--trusted", options.trusted, "Skip the check of every offset in the volume");
+  addCommonOptions(command, options.common);
 }
 
-Expected<void> checkUsage(const CLI::App &app, const Options &options) {
+Expected<void> checkUsage(const CommandLine &command, const Options &options) {
   if (options.output == "-" && options.common.stats == "-")
     return Error::usage("-o and --stats cannot both write to standard output");
   if (options.rays.empty()) {
     Expected<void> named = checkPictureName(options.output);
     return named ? checkPictureOptions(options.picture) : named;
   }
-  CLI::App forPictures;
+  const CommandLine forPictures;
   PictureOptions unused;
   addPictureOptions(forPictures, unused);
-  for (const CLI::Option *option : forPictures.get_options())
-    if (const CLI::Option *given = app.get_option_no_throw(option->get_name());
-        given && given->count() > 0 && option->get_name() != "--help")
-      return Error::usage("--rays writes hits: " + option->get_name() + " is for pictures");
+  for (const Option &option : forPictures.options())
+    if (const std::optional<Option> given = command.find(option.name());
+        given && given->count() > 0 && option.name() != "--help")
+      return Error::usage("--rays writes hits: " + option.name() + " is for pictures");
   return {};
 }
 
@@ -131,8 +131,8 @@ void addRounds(Json &figures, const std::vector<TraceTime> &times) {
   figures["rounds"] = {{"seconds", seconds}, {"cpu_seconds", cpuSeconds}, {"device_seconds", deviceSeconds}};
 }
 
-Expected<void> run(const CLI::App &app, const Options &options) {
-  if (auto usage = checkUsage(app, options); !usage)
+Expected<void> run(const CommandLine &command, const Options &options) {
+  if (auto usage = checkUsage(command, options); !usage)
     return usage;
   Stopwatch loading;
   auto volume = Volume::load(options.volume, {.trusted = options.trusted});
@@ -168,15 +168,14 @@ Expected<void> run(const CLI::App &app, const Options &options) {
 } // namespace
 
 int main(int argc, char **argv) {
-  CLI::App app("Traces rays through a volume, or takes a picture of it, with a compiled kernel.",
-               "voxc-trace");
-  useWrappedHelp(app);
+  const CommandLine command(
+      "voxc-trace", "Traces rays through a volume, or takes a picture of it, with a compiled kernel.");
   Options options;
-  addOptions(app, options);
-  return runTool(app, argc, argv, [&] {
+  addOptions(command, options);
+  return runTool(command, argc, argv, [&] {
     // What is timed or counted is a picture's own rays, one a pixel.
-    if ((options.repeat > 1 || options.count) && app.get_option("--style")->count() == 0)
+    if ((options.repeat > 1 || options.count) && command.option("--style").count() == 0)
       options.picture.style = "flat";
-    return run(app, options);
+    return run(command, options);
   });
 }

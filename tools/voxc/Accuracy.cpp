@@ -10,8 +10,6 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 
 namespace voxc::tool {
@@ -31,11 +29,11 @@ std::vector<std::string> valuesOf(const AttributeKind &kind) {
 
 class AccuracyCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override;
+  void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
-  void declareChoice(CLI::App &app);
+  void declareChoice(const CommandLine &command);
   Expected<void> checkUsage() const;
   Expected<Rays> loadRays(Int3 extent) const;
   Expected<Findings> compete(const Volume &volume, const Rays &rays, const Progress &progress);
@@ -60,67 +58,67 @@ private:
   CommonOptions common_;
 };
 
-/// Lets an option be given several times, a value each time (or several between its delimiters), so that it
-/// never takes the argument behind it.
-void takeSeveral(CLI::Option *option) {
-  option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void declareValues(CLI::App &app, const char *name, std::vector<std::string> &values, const char *summary,
-                   const AttributeKind &kind) {
+void declareValues(const CommandLine &command, const char *name, std::vector<std::string> &values,
+                   const char *summary, const AttributeKind &kind) {
   std::string defaults;
   for (const std::string &value : values)
     defaults += (defaults.empty() ? "" : ",") + value;
-  takeSeveral(app.add_option(name, values, summary)
-                  ->delimiter(',')
-                  ->type_name("A,B")
-                  ->check(CLI::IsMember(valuesOf(kind)).description(""))
-                  ->default_str(defaults));
+  command.add(name, values, summary)
+      .list()
+      .takes("A,B")
+      .oneOf(valuesOf(kind))
+      .showsDefault(defaults)
+      .repeated();
 }
 
-void AccuracyCommand::declareChoice(CLI::App &app) {
-  takeSeveral(app.add_option("--device", choice_.devices,
-                             "Trace on the device whose name contains this; may be given several times")
-                  ->type_name("NAME")
-                  ->default_str(""));
-  app.add_option("--threads", choice_.threads, "Threads of a device that is this processor; default: all")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 1024u).description(""));
-  declareValues(app, "--precisions", choice_.precisions, "Precisions to compare, separated by commas",
+void AccuracyCommand::declareChoice(const CommandLine &command) {
+  command
+      .add("--device", choice_.devices,
+           "Trace on the device whose name contains this; may be given several times")
+      .takes("NAME")
+      .showsDefault("")
+      .repeated();
+  command.add("--threads", choice_.threads, "Threads of a device that is this processor; default: all")
+      .takes("N")
+      .between(1u, 1024u);
+  declareValues(command, "--precisions", choice_.precisions, "Precisions to compare, separated by commas",
                 kPrecisionAttribute);
-  declareValues(app, "--walks", choice_.walks, "Walks of trees to compare, separated by commas",
+  declareValues(command, "--walks", choice_.walks, "Walks of trees to compare, separated by commas",
                 kWalkAttribute);
-  takeSeveral(app.add_option("--lods", lods_,
-                             "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
-                             "first of the others")
-                  ->delimiter(',')
-                  ->type_name("A,B")
-                  ->check(CLI::Range(0.0, 1e6).description("")));
+  command
+      .add("--lods", lods_,
+           "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
+           "first of the others")
+      .list()
+      .takes("A,B")
+      .between(0.0, 1e6)
+      .repeated();
 }
 
-void AccuracyCommand::declare(CLI::App &app) {
-  volume_.declare(app);
-  app.add_option("--rays", raysPath_, "Rays to trace, in place of a camera's; - for standard input")
-      ->type_name("R.bin");
-  addCameraOptions(app, camera_);
-  declareChoice(app);
-  app.add_option("--repeat", rounds_, "Rounds in which all are timed in turn")
-      ->type_name("N")
-      ->check(CLI::Range(3u, 1000u).description(""))
-      ->capture_default_str();
-  app.add_option("--check", check_, "Rays, evenly spread, whose hits are compared with the exact oracle's")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""))
-      ->capture_default_str();
-  app.add_flag("--series", series_,
-               "Also trace from origins up to 10^9 voxels away, and volumes of 2^4 to 2^16 voxels an axis");
-  app.add_option("--series-rays", seriesRays_, "Rays at each place of a series")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""))
-      ->capture_default_str();
-  app.add_option("-o,--output", folder_, "Folder for accuracy.json and the plots, accuracy.svg and others")
-      ->type_name("DIR");
-  addCommonOptions(app, common_);
+void AccuracyCommand::declare(const CommandLine &command) {
+  volume_.declare(command);
+  command.add("--rays", raysPath_, "Rays to trace, in place of a camera's; - for standard input")
+      .takes("R.bin");
+  addCameraOptions(command, camera_);
+  declareChoice(command);
+  command.add("--repeat", rounds_, "Rounds in which all are timed in turn")
+      .takes("N")
+      .between(3u, 1000u)
+      .showsDefault();
+  command.add("--check", check_, "Rays, evenly spread, whose hits are compared with the exact oracle's")
+      .takes("N")
+      .positive()
+      .showsDefault();
+  command.addFlag(
+      "--series", series_,
+      "Also trace from origins up to 10^9 voxels away, and volumes of 2^4 to 2^16 voxels an axis");
+  command.add("--series-rays", seriesRays_, "Rays at each place of a series")
+      .takes("N")
+      .positive()
+      .showsDefault();
+  command.add("-o,--output", folder_, "Folder for accuracy.json and the plots, accuracy.svg and others")
+      .takes("DIR");
+  addCommonOptions(command, common_);
 }
 
 Expected<void> AccuracyCommand::checkUsage() const {

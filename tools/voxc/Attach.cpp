@@ -7,12 +7,9 @@
 #include "VolumeArgument.h"
 
 #include "common/Files.h"
-#include "common/Help.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "voxc/Render/NormalAttribute.h"
-
-#include <CLI/CLI.hpp>
 
 namespace voxc::tool {
 
@@ -20,19 +17,16 @@ namespace {
 
 class AttachCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    volume_.declare(app);
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
     const auto several = [&](const char *name, std::vector<std::string> &values, const char *type,
                              const std::string &summary) {
-      app.add_option(name, values, summary + "; may be given several times")
-          ->type_name(type)
-          ->expected(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      command.add(name, values, summary + "; may be given several times").takes(type).repeated();
     };
     {
-      const OptionGroup group(app, "Attributes");
-      app.add_flag("--normals", normals_,
-                   "The direction of the surface at each voxel, as 'normal', packed into 4 bytes");
+      const OptionGroup group(command, "Attributes");
+      command.addFlag("--normals", normals_,
+                      "The direction of the surface at each voxel, as 'normal', packed into 4 bytes");
       several(
           "--words", words_, "NAME=INPUT",
           "What another input has at each voxel, 4 bytes: the samples of a dense volume, the numbers of a "
@@ -41,12 +35,12 @@ public:
               "The elements of a file, so many bytes each, one for each voxel by its number");
       several("--drop", drop_, "NAME", "Leave an attribute out that the volume has");
     }
-    app.add_option("-o,--output", output_, "Volume to write; may be the one that is read")
-        ->type_name("V.hvx")
-        ->required();
-    addMemoryArguments(app, arguments_);
-    addCompressArgument(app, arguments_.compress);
-    addCommonOptions(app, common_);
+    command.add("-o,--output", output_, "Volume to write; may be the one that is read")
+        .takes("V.hvx")
+        .required();
+    addMemoryArguments(command, arguments_);
+    addCompressArgument(command, arguments_.compress);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -12,8 +12,6 @@
 #include "sweep/Summary.h"
 #include "sweep/Sweep.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <set>
 
@@ -36,11 +34,6 @@ constexpr Action kActions[] = {
     {"report", "Make a page of the records of sweeps, and their figures as CSV", makeBenchReportCommand},
 };
 
-/// Lets an option be given several times, a value each time.
-CLI::Option *several(CLI::Option *option) {
-  return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
 std::vector<std::string> split(const std::string &text, char separator) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -54,13 +47,13 @@ std::vector<std::string> split(const std::string &text, char separator) {
 
 class BenchCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override;
+  void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
-  void declareAxes(CLI::App &app);
-  void declareMeasuring(CLI::App &app);
-  void declareActions(CLI::App &app);
+  void declareAxes(const CommandLine &command);
+  void declareMeasuring(const CommandLine &command);
+  void declareActions(const CommandLine &command);
 
   Expected<void> checkUsage() const;
   Expected<SweepAxes> readAxes() const;
@@ -81,93 +74,99 @@ private:
   std::string folder_;
   bool retry_ = false, again_ = false;
   CommonOptions common_;
-  std::vector<std::pair<CLI::App *, std::unique_ptr<Subcommand>>> actions_;
-  const CLI::App *app_ = nullptr;
+  std::vector<std::pair<CommandLine, std::unique_ptr<Subcommand>>> actions_;
+  std::optional<CommandLine> command_;
 };
 
-void BenchCommand::declareAxes(CLI::App &app) {
-  app.add_option(
-         "INPUT", inputs_,
-         "Models: an INPUT of voxc build, with NAME= before it and options of inputs behind it if you "
-         "like, all in one argument")
-      ->type_name("");
-  several(app.add_option(
-              "--formats", formats_,
-              "Formats: \"F;F;F\", or a file with one a line, a label and a tab before it if you like; "
-              "may be given several times"))
-      ->type_name("LIST");
-  several(app.add_option(
-              "--passes", passes_,
-              "Passes to run on every format, in this order, or none; given several times, formats are "
-              "measured with each"))
-      ->type_name("A,B");
-  several(app.add_option("--precisions", precisions_, "Precisions, separated by commas"))
-      ->delimiter(',')
-      ->type_name("A,B")
-      ->check(CLI::IsMember(std::vector<std::string>(kPrecisionAttribute.values.begin(),
-                                                     kPrecisionAttribute.values.end()))
-                  .description(""))
-      ->default_str("exact");
-  several(app.add_option("--devices", devices_,
-                         "Devices whose names contain these, or cpu, separated by commas; default: the best"))
-      ->delimiter(',')
-      ->type_name("A,B");
-  app.add_option(
-         "--cameras", rays_.cameraFile,
-         "A camera file: its camera of a model's name, or all if there is none; default: one that sees "
-         "the whole volume")
-      ->type_name("FILE");
-  app.add_option("--size", rays_.size,
-                 "Pixels of the cameras' pictures; default: the camera file's, or 1280x720")
-      ->type_name("WxH");
-  several(app.add_option("--rays", rays_.rayFiles, "A file of rays; may be given several times"))
-      ->type_name("R.bin");
+void BenchCommand::declareAxes(const CommandLine &command) {
+  command
+      .add("INPUT", inputs_,
+           "Models: an INPUT of voxc build, with NAME= before it and options of inputs behind it if you "
+           "like, all in one argument")
+      .takes("");
+  command
+      .add("--formats", formats_,
+           "Formats: \"F;F;F\", or a file with one a line, a label and a tab before it if you like; "
+           "may be given several times")
+      .repeated()
+      .takes("LIST");
+  command
+      .add("--passes", passes_,
+           "Passes to run on every format, in this order, or none; given several times, formats are "
+           "measured with each")
+      .repeated()
+      .takes("A,B");
+  command.add("--precisions", precisions_, "Precisions, separated by commas")
+      .repeated()
+      .list()
+      .takes("A,B")
+      .oneOf(std::vector<std::string>(kPrecisionAttribute.values.begin(), kPrecisionAttribute.values.end()))
+      .showsDefault("exact");
+  command
+      .add("--devices", devices_,
+           "Devices whose names contain these, or cpu, separated by commas; default: the best")
+      .repeated()
+      .list()
+      .takes("A,B");
+  command
+      .add("--cameras", rays_.cameraFile,
+           "A camera file: its camera of a model's name, or all if there is none; default: one that sees "
+           "the whole volume")
+      .takes("FILE");
+  command
+      .add("--size", rays_.size, "Pixels of the cameras' pictures; default: the camera file's, or 1280x720")
+      .takes("WxH");
+  command.add("--rays", rays_.rayFiles, "A file of rays; may be given several times")
+      .repeated()
+      .takes("R.bin");
 }
 
-void BenchCommand::declareMeasuring(CLI::App &app) {
-  app.add_option("--repeat", measure_.rounds, "Rounds in which formats are timed in turn")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 1000u).description(""))
-      ->capture_default_str();
-  app.add_option("--check", measure_.check,
-                 "Rays, evenly spread, on which errors, steps and words read are found; 0: none")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--steady", steadyPercent_, "Spread of the rounds in percent up to which a speed is steady")
-      ->type_name("PERCENT")
-      ->check(CLI::Range(0.0, 1000.0).description(""))
-      ->capture_default_str();
-  addMaxBytesArgument(app, building_);
-  app.get_option("--max-bytes")
-      ->description("Give up a volume whose words take more; default: half of the memory");
-  addMemoryArguments(app, building_);
-  app.add_option("--threads", building_.threads,
-                 "Threads that build, and of devices that are this processor; default: all")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 1024u).description(""));
-  app.add_flag("--retry", retry_, "Try cells again that failed in an earlier run");
-  app.add_flag("--again", again_, "Measure cells again that an earlier run measured");
+void BenchCommand::declareMeasuring(const CommandLine &command) {
+  command.add("--repeat", measure_.rounds, "Rounds in which formats are timed in turn")
+      .takes("N")
+      .between(1u, 1000u)
+      .showsDefault();
+  command
+      .add("--check", measure_.check,
+           "Rays, evenly spread, on which errors, steps and words read are found; 0: none")
+      .takes("N")
+      .showsDefault();
+  command.add("--steady", steadyPercent_, "Spread of the rounds in percent up to which a speed is steady")
+      .takes("PERCENT")
+      .between(0.0, 1000.0)
+      .showsDefault();
+  addMaxBytesArgument(command, building_);
+  command.option("--max-bytes").text("Give up a volume whose words take more; default: half of the memory");
+  addMemoryArguments(command, building_);
+  command
+      .add("--threads", building_.threads,
+           "Threads that build, and of devices that are this processor; default: all")
+      .takes("N")
+      .between(1u, 1024u);
+  command.addFlag("--retry", retry_, "Try cells again that failed in an earlier run");
+  command.addFlag("--again", again_, "Measure cells again that an earlier run measured");
 }
 
-void BenchCommand::declareActions(CLI::App &app) {
+void BenchCommand::declareActions(const CommandLine &command) {
   for (const Action &action : kActions) {
-    CLI::App *subcommand = app.add_subcommand(action.name, action.summary);
-    actions_.emplace_back(subcommand, action.make()).second->declare(*subcommand);
+    const CommandLine subcommand = command.addCommand(action.name, action.summary);
+    actions_.emplace_back(subcommand, action.make()).second->declare(subcommand);
   }
-  app.require_subcommand(0, 1);
+  command.requireCommands(0, 1);
 }
 
-void BenchCommand::declare(CLI::App &app) {
-  app_ = &app;
-  declareAxes(app);
-  declareMeasuring(app);
-  addInputArguments(app, inputArguments_);
-  app.add_option("-o,--output", folder_,
-                 "Folder of results, cached volumes and pictures; an earlier run's is "
-                 "continued")
-      ->type_name("DIR");
-  addCommonOptions(app, common_);
-  declareActions(app);
+void BenchCommand::declare(const CommandLine &command) {
+  command_ = command;
+  declareAxes(command);
+  declareMeasuring(command);
+  addInputArguments(command, inputArguments_);
+  command
+      .add("-o,--output", folder_,
+           "Folder of results, cached volumes and pictures; an earlier run's is "
+           "continued")
+      .takes("DIR");
+  addCommonOptions(command, common_);
+  declareActions(command);
 }
 
 Expected<void> BenchCommand::checkUsage() const {
@@ -259,11 +258,10 @@ std::string BenchCommand::commandText() const {
   std::string text = "voxc bench";
   for (const std::string &input : inputs_)
     text += " " + shellWord(input);
-  for (const CLI::Option *option : app_->get_options())
-    if (option->count() > 0 && !option->get_lnames().empty())
-      for (const std::string &value : option->results())
-        text +=
-            " " + option->get_name() + (option->get_items_expected_max() > 0 ? " " + shellWord(value) : "");
+  for (const Option &option : command_->options())
+    if (!option.isWord())
+      for (const std::string &value : option.written())
+        text += " " + option.name() + (option.takesValue() ? " " + shellWord(value) : "");
   return text;
 }
 
@@ -290,7 +288,7 @@ Expected<void> BenchCommand::tell(const Sweep &sweep) const {
 
 Expected<void> BenchCommand::run() {
   for (auto &[subcommand, action] : actions_)
-    if (subcommand->parsed())
+    if (subcommand.isGiven())
       return action->run();
   if (Expected<void> usable = checkUsage(); !usable)
     return usable;

@@ -7,8 +7,6 @@
 #include "common/Statistics.h"
 #include "sweep/Pack.h"
 
-#include <CLI/CLI.hpp>
-
 #include <set>
 
 namespace voxc::tool {
@@ -22,16 +20,16 @@ constexpr std::uint64_t kDefaultPackMegabytes = 58;
 
 class BenchExportCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("DIR", folder_, "Folder of a sweep, with its cache")->required()->type_name("");
-    app.add_option("-o,--output", output_, "Folder for the packs, pack-001 and so on")
-        ->type_name("PACKDIR")
-        ->required();
-    app.add_option("--pack-megabytes", packMegabytes_, "Size of a pack at most, in 10^6 bytes")
-        ->type_name("N")
-        ->check(CLI::Range(1u, 1000000u).description(""))
-        ->capture_default_str();
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("DIR", folder_, "Folder of a sweep, with its cache").required().takes("");
+    command.add("-o,--output", output_, "Folder for the packs, pack-001 and so on")
+        .takes("PACKDIR")
+        .required();
+    command.add("--pack-megabytes", packMegabytes_, "Size of a pack at most, in 10^6 bytes")
+        .takes("N")
+        .between(1u, 1000000u)
+        .showsDefault();
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -8,8 +8,6 @@
 #include "sweep/SampleCheck.h"
 #include "voxc/Support/File.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -53,17 +51,16 @@ bool isResult(const Json &figures) {
 
 class BenchImportCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("DIR", folder_, "Folder of the sweep that was exported")->required()->type_name("");
-    app.add_option("RESULTS", results_, "Folders of results, as the packs' script leaves them")
-        ->required()
-        ->type_name("");
-    app.add_option("--steady", steadyPercent_,
-                   "Spread of the repeats in percent up to which a speed is steady")
-        ->type_name("PERCENT")
-        ->check(CLI::Range(0.0, 1000.0).description(""))
-        ->capture_default_str();
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("DIR", folder_, "Folder of the sweep that was exported").required().takes("");
+    command.add("RESULTS", results_, "Folders of results, as the packs' script leaves them")
+        .required()
+        .takes("");
+    command.add("--steady", steadyPercent_, "Spread of the repeats in percent up to which a speed is steady")
+        .takes("PERCENT")
+        .between(0.0, 1000.0)
+        .showsDefault();
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override;

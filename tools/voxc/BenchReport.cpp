@@ -4,8 +4,6 @@
 #include "common/Files.h"
 #include "report/Report.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -24,7 +22,7 @@ void tellNotes(const std::vector<std::string> &notes) {
 
 class BenchReportCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override;
+  void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
@@ -41,19 +39,18 @@ private:
   bool quiet_ = false;
 };
 
-void BenchReportCommand::declare(CLI::App &app) {
-  app.add_option("DIR", folders_, "Folders of records, as voxc bench writes them")->required()->type_name("");
-  app.add_option(
-         "-o,--output", output_,
-         "The page, with its figures as CSV beside it; the default is report.html in the first folder, "
-         "- standard output, without CSV")
-      ->type_name("FILE");
-  app.add_option("--note", modelNotes_, "A sentence on a model; may be given several times")
-      ->type_name("MODEL=TEXT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_flag("--quiet", quiet_, "No notes");
-  app.set_version_flag("--version", versionText());
+void BenchReportCommand::declare(const CommandLine &command) {
+  command.add("DIR", folders_, "Folders of records, as voxc bench writes them").required().takes("");
+  command
+      .add("-o,--output", output_,
+           "The page, with its figures as CSV beside it; the default is report.html in the first folder, "
+           "- standard output, without CSV")
+      .takes("FILE");
+  command.add("--note", modelNotes_, "A sentence on a model; may be given several times")
+      .takes("MODEL=TEXT")
+      .repeated();
+  command.addFlag("--quiet", quiet_, "No notes");
+  command.addVersion(versionText());
 }
 
 Expected<report::ModelNotes>

@@ -10,23 +10,21 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
 
 class BuildCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    building_.declare(app);
-    building_.declareThreads(app);
-    building_.declareMaxBytes(app);
-    building_.declareCompress(app);
-    fragment_.declare(app, "Build one of N fragments only, for voxc merge");
-    app.add_option("-o,--output", output_, "Volume to write, or fragment")->type_name("FILE")->required();
-    addCommonOptions(app, common_);
-    plan_.declare(app, "--task", "Parts of the plan to build, such as 0,3,5-9; those that stand are left",
+  void declare(const CommandLine &command) override {
+    building_.declare(command);
+    building_.declareThreads(command);
+    building_.declareMaxBytes(command);
+    building_.declareCompress(command);
+    fragment_.declare(command, "Build one of N fragments only, for voxc merge");
+    command.add("-o,--output", output_, "Volume to write, or fragment").takes("FILE").required();
+    addCommonOptions(command, common_);
+    plan_.declare(command, "--task", "Parts of the plan to build, such as 0,3,5-9; those that stand are left",
                   {"FORMAT", "INPUT", "--output"},
                   {"--memory", "--scratch", "--threads", "--stats", "--quiet"});
   }

@@ -1,10 +1,6 @@
 // Options of building, and sizes as people write them.
 #include "BuildArguments.h"
 
-#include "common/Help.h"
-
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -41,52 +37,52 @@ std::optional<std::uint64_t> parseSize(std::string_view text) {
   return number * unit->bytes;
 }
 
-std::string checkSize(const std::string &text) {
+std::string checkMemory(const std::string &text) {
+  constexpr std::uint64_t kSmallest = std::uint64_t{16} << 20;
+  const auto size = parseSize(text);
+  return size && *size < kSmallest ? "'" + text + "' is too little memory; give 16MiB or more"
+                                   : sizeProblem(text);
+}
+
+} // namespace
+
+std::string sizeProblem(const std::string &text) {
   return parseSize(text)
              ? std::string()
              : "'" + text + "' is no size; write a number of bytes, or one with K, M, G or KiB, MiB, GiB";
 }
 
-std::string checkMemory(const std::string &text) {
-  constexpr std::uint64_t kSmallest = std::uint64_t{16} << 20;
-  const auto size = parseSize(text);
-  return size && *size < kSmallest ? "'" + text + "' is too little memory; give 16MiB or more"
-                                   : checkSize(text);
+void addMemoryArguments(const CommandLine &command, BuildArguments &arguments) {
+  const OptionGroup group(command, "Memory and threads");
+  command
+      .add("--memory", arguments.memory,
+           "Bound on the memory of building, such as 512MiB; default: a quarter of the machine's")
+      .takes("SIZE")
+      .check(checkMemory);
+  command.add("--scratch", arguments.scratch, "Folder for what does not fit; default: $TMPDIR or /var/tmp")
+      .takes("DIR");
 }
 
-} // namespace
-
-void addMemoryArguments(CLI::App &app, BuildArguments &arguments) {
-  const OptionGroup group(app, "Memory and threads");
-  app.add_option("--memory", arguments.memory,
-                 "Bound on the memory of building, such as 512MiB; default: a quarter of the machine's")
-      ->type_name("SIZE")
-      ->check(CLI::Validator(checkMemory, "", ""));
-  app.add_option("--scratch", arguments.scratch, "Folder for what does not fit; default: $TMPDIR or /var/tmp")
-      ->type_name("DIR");
+void addCompressArgument(const CommandLine &command, bool &compress) {
+  command.addFlag("--compress", compress,
+                  "Store the volume in compressed pages: half the bytes, decoded when it is loaded");
 }
 
-void addCompressArgument(CLI::App &app, bool &compress) {
-  app.add_flag("--compress", compress,
-               "Store the volume in compressed pages: half the bytes, decoded when it is loaded");
+void addThreadsArgument(const CommandLine &command, BuildArguments &arguments) {
+  const OptionGroup group(command, "Memory and threads");
+  command.add("--threads", arguments.threads, "Threads that build; default: as many as the machine has")
+      .takes("N")
+      .between(1u, 1024u);
 }
 
-void addThreadsArgument(CLI::App &app, BuildArguments &arguments) {
-  const OptionGroup group(app, "Memory and threads");
-  app.add_option("--threads", arguments.threads, "Threads that build; default: as many as the machine has")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 1024u).description(""));
+void addMaxBytesArgument(const CommandLine &command, BuildArguments &arguments) {
+  command
+      .add("--max-bytes", arguments.maxBytes,
+           "Fail as soon as the volume's words take more; default: what references can reach, 16GiB "
+           "without granules")
+      .takes("SIZE")
+      .check(sizeProblem);
 }
-
-void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments) {
-  app.add_option("--max-bytes", arguments.maxBytes,
-                 "Fail as soon as the volume's words take more; default: what references can reach, 16GiB "
-                 "without granules")
-      ->type_name("SIZE")
-      ->check(CLI::Validator(checkSize, "", ""));
-}
-
-CLI::Validator sizeCheck() { return CLI::Validator(checkSize, "", ""); }
 
 std::uint64_t bytesOf(const std::string &size) { return *parseSize(size); }
 

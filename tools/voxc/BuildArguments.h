@@ -2,7 +2,7 @@
 // there is one.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "voxc/Construct/Constructor.h"
 
 #include <memory>
@@ -20,17 +20,17 @@ struct BuildArguments {
 };
 
 /// Adds --memory and --scratch to a command.
-void addMemoryArguments(CLI::App &app, BuildArguments &arguments);
+void addMemoryArguments(const CommandLine &command, BuildArguments &arguments);
 /// Adds --compress, which every command has that writes a volume.
-void addCompressArgument(CLI::App &app, bool &compress);
+void addCompressArgument(const CommandLine &command, bool &compress);
 /// Adds --threads.
-void addThreadsArgument(CLI::App &app, BuildArguments &arguments);
+void addThreadsArgument(const CommandLine &command, BuildArguments &arguments);
 
 /// Adds --max-bytes.
-void addMaxBytesArgument(CLI::App &app, BuildArguments &arguments);
+void addMaxBytesArgument(const CommandLine &command, BuildArguments &arguments);
 
-/// Checks that an option is a size as people write it.
-CLI::Validator sizeCheck();
+/// What is wrong with a size as people write it, or "", for Option::check.
+std::string sizeProblem(const std::string &text);
 
 /// A size as people write it, "512MiB", in bytes. Trusts that a validator of these options took it.
 std::uint64_t bytesOf(const std::string &size);

@@ -10,8 +10,6 @@
 #include "search/Suggestion.h"
 #include "voxc/Layout/Layout.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -24,38 +22,41 @@ constexpr const char *kAutoFormat = "auto";
 
 } // namespace
 
-void Building::declare(CLI::App &app) {
-  app_ = &app;
-  app.add_option("FORMAT", format_,
-                 "Format string, .vir file, or - for standard input; auto: as voxc suggest chooses")
-      ->required()
-      ->type_name("");
-  app.add_option("INPUT", input_, kInputHelp)->required()->type_name("");
-  addInputArguments(app, inputArguments_);
-  addMemoryArguments(app, buildArguments_);
-  payload_.declare(app);
-  app.add_flag(
+void Building::declare(const CommandLine &command) {
+  command_ = command;
+  command
+      .add("FORMAT", format_,
+           "Format string, .vir file, or - for standard input; auto: as voxc suggest chooses")
+      .required()
+      .takes("");
+  command.add("INPUT", input_, kInputHelp).required().takes("");
+  addInputArguments(command, inputArguments_);
+  addMemoryArguments(command, buildArguments_);
+  payload_.declare(command);
+  command.addFlag(
       "--lossy", lossy_,
       "With --palette, takes the 2^N colours that stand best for those of the input, and tells the error");
-  passes_.declare(app, PassChoice::All);
+  passes_.declare(command, PassChoice::All);
 }
 
-void Building::declareThreads(CLI::App &app) { addThreadsArgument(app, buildArguments_); }
+void Building::declareThreads(const CommandLine &command) { addThreadsArgument(command, buildArguments_); }
 
-void Building::declareCompress(CLI::App &app) { addCompressArgument(app, buildArguments_.compress); }
+void Building::declareCompress(const CommandLine &command) {
+  addCompressArgument(command, buildArguments_.compress);
+}
 
-void Building::declareMaxBytes(CLI::App &app) { addMaxBytesArgument(app, buildArguments_); }
+void Building::declareMaxBytes(const CommandLine &command) { addMaxBytesArgument(command, buildArguments_); }
 
-void Building::defaultInput(CLI::App &app, const std::string &input) {
+void Building::defaultInput(const CommandLine &command, const std::string &input) {
   input_ = usualInput_ = input;
-  app.get_option("INPUT")->required(false)->capture_default_str();
+  command.option("INPUT").required(false).showsDefault();
   format_ = kAutoFormat;
-  app.get_option("FORMAT")->required(false)->capture_default_str();
+  command.option("FORMAT").required(false).showsDefault();
 }
 
 /// True if the one argument is a file that holds no format, or a kind of input with its colon.
 bool Building::hasInputAlone() const {
-  if (usualInput_.empty() || app_->get_option("INPUT")->count() > 0 || format_ == kAutoFormat)
+  if (usualInput_.empty() || command_->option("INPUT").count() > 0 || format_ == kAutoFormat)
     return false;
   const bool isFormat = format_ == "-" || format_.ends_with(".vir") || tool::readFormat(format_);
   std::error_code ignored;

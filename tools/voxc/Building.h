@@ -22,19 +22,19 @@ namespace voxc::tool {
 class Building {
 public:
   /// Adds FORMAT, INPUT, the passes and the input's options to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
   /// Adds --threads, unless another part of the command has it: then `useThreads` passes it on.
-  void declareThreads(CLI::App &app);
+  void declareThreads(const CommandLine &command);
   void useThreads(unsigned threads) { buildArguments_.threads = threads; }
   /// The memory and threads to build with.
   const BuildArguments &means() const { return buildArguments_; }
   /// Adds --compress.
-  void declareCompress(CLI::App &app);
+  void declareCompress(const CommandLine &command);
   /// Adds --max-bytes.
-  void declareMaxBytes(CLI::App &app);
+  void declareMaxBytes(const CommandLine &command);
   /// Lets INPUT be left out in favour of `input`, and FORMAT in favour of `auto`: one argument alone is the
   /// format, unless it names an input.
-  void defaultInput(CLI::App &app, const std::string &input);
+  void defaultInput(const CommandLine &command, const std::string &input);
 
   /// An opened input, and the options by which it was opened.
   struct Opened {
@@ -87,7 +87,7 @@ private:
 
   bool hasInputAlone() const;
 
-  const CLI::App *app_ = nullptr;
+  std::optional<CommandLine> command_;
   std::string format_;
   std::string usualInput_;        ///< "": an input has to be named.
   std::optional<Format> written_; ///< What FORMAT says, without passes.

@@ -6,8 +6,6 @@
 #include "common/Statistics.h"
 #include "common/UserCache.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
 namespace voxc::tool {
@@ -16,9 +14,9 @@ namespace {
 
 class CacheCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_flag("--clear", clear_, "Removes all that is kept");
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.addFlag("--clear", clear_, "Removes all that is kept");
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

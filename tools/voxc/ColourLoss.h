@@ -1,8 +1,8 @@
 // Colours that are not kept as they were: --lossy, and telling by how much.
 #pragma once
 
-#include "common/CliNames.h"
 #include "common/Command.h"
+#include "common/CommandLine.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Source/Rounding.h"

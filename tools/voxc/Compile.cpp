@@ -10,8 +10,6 @@
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <filesystem>
 
@@ -25,7 +23,7 @@ std::vector<std::string> addressingNames() {
 
 class CompileCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override;
+  void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
@@ -44,43 +42,41 @@ private:
   std::string name_;
 };
 
-void CompileCommand::declare(CLI::App &app) {
-  app.add_option("FORMAT", format_, "Format string, .vir file, or - for standard input")
-      ->required()
-      ->type_name("");
-  app.add_option("-o,--output", folder_, "Folder to write to, or - to print one kind")
-      ->type_name("DIR")
-      ->capture_default_str();
-  app.add_option("--emit", kinds_,
-                 "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, hlsl, msl, cpp, "
-                 "cpu, header, c, "
-                 "webgl, rint, separated by commas")
-      ->delimiter(',')
-      ->type_name("KINDS")
-      ->check(CLI::IsMember(artefactNames()).description(""))
-      ->default_str("construct,glsl");
-  app.add_option("--addressing", addressing_,
-                 "How the kernel reaches the words: in one buffer, or in segments")
-      ->type_name("buffer|segments")
-      ->check(CLI::IsMember(addressingNames()).description(""))
-      ->capture_default_str();
-  app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
-  app.add_option("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app.add_option(
-         "--processor", cpu_.processor,
-         "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
-         "architecture, as fast as each can")
-      ->type_name("NAME");
-  app.add_option(
-         "--name", name_,
-         "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
-      ->type_name("NAME");
-  attributes_.declare(app);
-  attributes_.declareBounds(app);
-  passes_.declare(app, PassChoice::All);
-  addCommonOptions(app, common_);
+void CompileCommand::declare(const CommandLine &command) {
+  command.add("FORMAT", format_, "Format string, .vir file, or - for standard input").required().takes("");
+  command.add("-o,--output", folder_, "Folder to write to, or - to print one kind")
+      .takes("DIR")
+      .showsDefault();
+  command
+      .add("--emit", kinds_,
+           "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, hlsl, msl, cpp, "
+           "cpu, header, c, "
+           "webgl, rint, separated by commas")
+      .list()
+      .takes("KINDS")
+      .oneOf(artefactNames())
+      .showsDefault("construct,glsl");
+  command.add("--addressing", addressing_, "How the kernel reaches the words: in one buffer, or in segments")
+      .takes("buffer|segments")
+      .oneOf(addressingNames())
+      .showsDefault();
+  command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+  command.add("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
+      .takes("NAME")
+      .showsDefault();
+  command
+      .add("--processor", cpu_.processor,
+           "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
+           "architecture, as fast as each can")
+      .takes("NAME");
+  command
+      .add("--name", name_,
+           "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
+      .takes("NAME");
+  attributes_.declare(command);
+  attributes_.declareBounds(command);
+  passes_.declare(command, PassChoice::All);
+  addCommonOptions(command, common_);
 }
 
 Expected<std::vector<Artefact>> CompileCommand::generate(const Format &format) const {

@@ -5,8 +5,6 @@
 
 #include "voxc/Support/EmbeddedFile.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <span>
 #include <vector>
@@ -129,27 +127,24 @@ constexpr Shell kShells[] = {{"bash", bashText}, {"zsh", zshText}, {"fish", fish
 
 class CompletionCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    root_ = app.get_parent();
+  void declare(const CommandLine &command) override {
+    program_ = command.parent();
     std::vector<std::string> names;
     for (const Shell &shell : kShells)
       names.emplace_back(shell.name);
-    app.add_option("SHELL", shell_, "The shell: bash, zsh or fish")
-        ->required()
-        ->type_name("")
-        ->check(CLI::IsMember(names).description(""));
-    addCommonOptions(app, common_);
+    command.add("SHELL", shell_, "The shell: bash, zsh or fish").required().takes("").oneOf(names);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {
     for (const Shell &shell : kShells)
       if (shell_ == shell.name)
-        std::fputs(shell.text(completionTable(*root_)).c_str(), stdout);
+        std::fputs(shell.text(completionTable(*program_)).c_str(), stdout);
     return {};
   }
 
 private:
-  const CLI::App *root_ = nullptr;
+  std::optional<CommandLine> program_;
   std::string shell_;
   CommonOptions common_;
 };

@@ -3,22 +3,19 @@
 
 #include "BuildArguments.h"
 
-#include "common/Help.h"
 #include "common/Statistics.h"
-
-#include <CLI/CLI.hpp>
 
 namespace voxc::tool {
 
-void DeviceMemory::declare(CLI::App &app) {
-  const OptionGroup group(app, "Device");
-  app.add_option(
-         "--device-memory", budget_,
-         "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
-         "read when rays need them, and hits are the same")
-      ->type_name("SIZE")
-      ->check(sizeCheck())
-      ->excludes(app.get_option("--check"));
+void DeviceMemory::declare(const CommandLine &command) {
+  const OptionGroup group(command, "Device");
+  command
+      .add("--device-memory", budget_,
+           "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
+           "read when rays need them, and hits are the same")
+      .takes("SIZE")
+      .check(sizeProblem)
+      .excludes(command.option("--check"));
 }
 
 Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Tracing.h"
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include "voxc/Volume/PagedVolume.h"
 
@@ -14,7 +14,7 @@ namespace voxc::tool {
 class DeviceMemory {
 public:
   /// Adds --device-memory to a command that has --check: no oracle has a volume in parts.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   bool isGiven() const { return !budget_.empty(); }
 

@@ -5,8 +5,6 @@
 #include "common/Statistics.h"
 #include "voxc/Trace/CpuKernel.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
 namespace voxc::tool {
@@ -46,7 +44,7 @@ void print(const DeviceInfo &device, const std::string &number) {
 
 class DevicesCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override { addCommonOptions(app, common_); }
+  void declare(const CommandLine &command) override { addCommonOptions(command, common_); }
 
   Expected<void> run() override {
     std::vector<DeviceInfo> devices = listDevices();

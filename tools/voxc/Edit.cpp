@@ -12,8 +12,6 @@
 #include "voxc/Source/Edit.h"
 #include "voxc/Support/Stopwatch.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <charconv>
 #include <map>
@@ -97,21 +95,20 @@ constexpr EditKind kKinds[] = {
 
 class EditCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app_ = &app;
-    volume_.declare(app);
+  void declare(const CommandLine &command) override {
+    command_ = command;
+    volume_.declare(command);
     for (const EditKind &kind : kKinds)
-      app.add_option(kind.option, written_[kind.option],
-                     std::string(kind.summary) + "; may be given several times")
-          ->type_name(kind.type)
-          ->expected(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("-o,--output", output_, "Volume to write; may be the one that is read")
-        ->type_name("V.hvx")
-        ->required();
-    addMemoryArguments(app, arguments_);
-    addCompressArgument(app, arguments_.compress);
-    addCommonOptions(app, common_);
+      command
+          .add(kind.option, written_[kind.option], std::string(kind.summary) + "; may be given several times")
+          .takes(kind.type)
+          .repeated();
+    command.add("-o,--output", output_, "Volume to write; may be the one that is read")
+        .takes("V.hvx")
+        .required();
+    addMemoryArguments(command, arguments_);
+    addCompressArgument(command, arguments_.compress);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {
@@ -139,9 +136,9 @@ private:
   Expected<std::vector<VoxelEdit>> readEdits() const {
     std::vector<VoxelEdit> edits;
     std::map<std::string, std::size_t> used; // Of each option, how many of its values.
-    for (const CLI::Option *option : app_->parse_order())
+    for (const Option &option : command_->given())
       for (const EditKind &kind : kKinds)
-        if (option->get_name() == kind.option) {
+        if (option.name() == kind.option) {
           Expected<VoxelEdit> edit = kind.parse(written_.at(kind.option)[used[kind.option]++]);
           if (!edit)
             return edit.error();
@@ -180,7 +177,7 @@ private:
     return before + (before.empty() ? "" : " ") + "edits=" + std::to_string(edits);
   }
 
-  const CLI::App *app_ = nullptr;
+  std::optional<CommandLine> command_;
   std::map<std::string, std::vector<std::string>> written_; ///< What each option was given.
   VolumeArgument volume_;
   std::string output_;

@@ -1,8 +1,6 @@
 // Checking a sample of traced rays.
 #include "ErrorCheck.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <vector>
 
@@ -14,10 +12,10 @@ Json errorJson(const ErrorFigures &error) {
           {"max_dt", error.maxDt}, {"rms_dt", error.rmsDt},  {"max_ulp_dt", error.maxUlpDt}};
 }
 
-void ErrorCheck::declare(CLI::App &app) {
-  app.add_option("--check", sample_, "Rays, evenly spread, whose hits are compared with the exact oracle's")
-      ->type_name("N")
-      ->capture_default_str();
+void ErrorCheck::declare(const CommandLine &command) {
+  command.add("--check", sample_, "Rays, evenly spread, whose hits are compared with the exact oracle's")
+      .takes("N")
+      .showsDefault();
 }
 
 Expected<void> ErrorCheck::run(const Volume &volume, const RaySpan &rays, std::span<const Hit> hits,

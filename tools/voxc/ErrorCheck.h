@@ -1,7 +1,7 @@
 // A speed beside its error: some of the rays that were traced, checked against the exact oracle.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "common/Json.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Trace/BoundedRay.h"
@@ -21,7 +21,7 @@ public:
   explicit ErrorCheck(std::size_t sample) : sample_(sample) {}
 
   /// Adds --check to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   /// How many rays are checked.
   std::size_t rays() const { return sample_; }

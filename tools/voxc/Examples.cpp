@@ -3,8 +3,6 @@
 
 #include "voxc/IR/LevelKind.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cctype>
 
 namespace voxc::tool {
@@ -64,7 +62,7 @@ constexpr Example kExamples[] = {
     {"devices", "voxc devices", "numbers and names for --device"},
 };
 
-bool takesFormat(const CLI::App &command) { return command.get_option_no_throw("FORMAT") != nullptr; }
+bool takesFormat(const CommandLine &command) { return command.find("FORMAT").has_value(); }
 
 } // namespace
 
@@ -84,17 +82,17 @@ std::string formatHelp() {
                 "512 in all. docs/formats.md has the rules; 'auto', where it is taken, lets voxc choose.\n";
 }
 
-void addExamples(CLI::App &command) {
+void addExamples(const CommandLine &command) {
   std::string text;
   for (const Example &example : kExamples)
-    if (example.command == command.get_name())
+    if (example.command == command.name())
       text += (text.empty() ? "Examples:\n" : "") + std::string("  ") + std::string(example.line) +
               "\n      " + std::string(example.does) + "\n";
   if (takesFormat(command))
     text += (text.empty() ? "" : "\n") + formatHelp();
   if (!text.empty())
     text.pop_back();
-  if (const std::string before = command.get_footer(); !before.empty())
+  if (const std::string before = command.footer(); !before.empty())
     text = before + (text.empty() ? "" : "\n\n" + text);
   command.footer(text);
 }

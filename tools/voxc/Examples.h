@@ -1,7 +1,7 @@
 // What stands at the end of a command's help: examples, and what a FORMAT is.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include <span>
 #include <string>
@@ -22,6 +22,6 @@ std::span<const Example> examples();
 std::string formatHelp();
 
 /// Ends the help of a command with its examples, and with what a FORMAT is where it takes one.
-void addExamples(CLI::App &command);
+void addExamples(const CommandLine &command);
 
 } // namespace voxc::tool

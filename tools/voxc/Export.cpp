@@ -17,8 +17,6 @@
 #include "voxc/OpenVdb/OpenVdb.h"
 #endif
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 
 namespace voxc::tool {
@@ -27,25 +25,26 @@ namespace {
 
 class ExportCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    volume_.declare(app);
-    app.add_option("-o,--output", output_, "File to write; its ending says what: " + kinds())
-        ->type_name("FILE")
-        ->required();
-    app.add_flag("--lossy", options_.lossy,
-                 "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
-                 "to fail; the errors are told");
-    addCompressArgument(app, options_.save.compress);
-    page_.declare(app);
-    app.add_option(
-           "--page-bytes", pageBytes_,
-           "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
-           "for less, large ones take fewer bytes")
-        ->type_name("SIZE")
-        ->check(sizeCheck())
-        ->needs(app.get_option("--compress"))
-        ->capture_default_str();
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
+    command.add("-o,--output", output_, "File to write; its ending says what: " + kinds())
+        .takes("FILE")
+        .required();
+    command.addFlag(
+        "--lossy", options_.lossy,
+        "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
+        "to fail; the errors are told");
+    addCompressArgument(command, options_.save.compress);
+    page_.declare(command);
+    command
+        .add("--page-bytes", pageBytes_,
+             "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
+             "for less, large ones take fewer bytes")
+        .takes("SIZE")
+        .check(sizeProblem)
+        .needs(command.option("--compress"))
+        .showsDefault();
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

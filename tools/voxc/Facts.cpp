@@ -9,8 +9,6 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
 namespace voxc::tool {
@@ -19,15 +17,15 @@ namespace {
 
 class FactsCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("INPUT", input_, kInputHelp)->required()->type_name("");
-    addInputArguments(app, inputArguments_);
-    app.get_option("--resolution")
-        ->description("Voxels on the longest axis; default: " + std::to_string(kDefaultResolution));
-    addMemoryArguments(app, buildArguments_);
-    app.get_option("--memory")
-        ->description("Bound on the memory, such as 512MiB; default: a quarter of the machine's");
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("INPUT", input_, kInputHelp).required().takes("");
+    addInputArguments(command, inputArguments_);
+    command.option("--resolution")
+        .text("Voxels on the longest axis; default: " + std::to_string(kDefaultResolution));
+    addMemoryArguments(command, buildArguments_);
+    command.option("--memory")
+        .text("Bound on the memory, such as 512MiB; default: a quarter of the machine's");
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -1,8 +1,6 @@
 // Reading "I/N".
 #include "FragmentOption.h"
 
-#include <CLI/CLI.hpp>
-
 #include <charconv>
 #include <string_view>
 
@@ -30,10 +28,8 @@ std::string checkFragment(const std::string &text) {
 
 } // namespace
 
-void FragmentOption::declare(CLI::App &app, const std::string &summary) {
-  app.add_option("--fragment", text_, summary)
-      ->type_name("I/N")
-      ->check(CLI::Validator(checkFragment, "", ""));
+void FragmentOption::declare(const CommandLine &command, const std::string &summary) {
+  command.add("--fragment", text_, summary).takes("I/N").check(checkFragment);
 }
 
 std::optional<FragmentChoice> FragmentOption::choice() const { return parseFragment(text_); }

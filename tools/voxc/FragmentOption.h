@@ -1,7 +1,7 @@
 // The option --fragment I/N of the commands that write one fragment of a volume.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@ struct FragmentChoice {
 class FragmentOption {
 public:
   /// Adds --fragment to a command.
-  void declare(CLI::App &app, const std::string &summary);
+  void declare(const CommandLine &command, const std::string &summary);
   /// What was chosen, if anything was.
   std::optional<FragmentChoice> choice() const;
 

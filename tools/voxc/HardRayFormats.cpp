@@ -5,8 +5,6 @@
 #include "testing/RandomFormat.h"
 #include "voxc/Support/File.h"
 
-#include <CLI/CLI.hpp>
-
 #include <sstream>
 
 namespace voxc::tool {
@@ -21,18 +19,17 @@ std::string withoutLabel(const std::string &line) { return line.substr(line.find
 
 } // namespace
 
-void HardRayFormats::declare(CLI::App &app) {
-  app.add_option("--format", formats_, "A format, as FORMAT of other commands; may be given several times")
-      ->type_name("FORMAT")
-      ->allow_extra_args(false);
-  app.add_option("--formats", file_, "A file of formats: one a line, a label and a tab before it if you like")
-      ->type_name("FILE");
-  app.add_option("--random", random_,
-                 "So many random formats of 2^3 to 2^7 voxels an axis, with random passes")
-      ->type_name("N")
-      ->check(CLI::Range(0u, 1000000u).description(""));
-  attributes_.declare(app);
-  passes_.declare(app, PassChoice::All);
+void HardRayFormats::declare(const CommandLine &command) {
+  command.add("--format", formats_, "A format, as FORMAT of other commands; may be given several times")
+      .takes("FORMAT")
+      .repeated();
+  command.add("--formats", file_, "A file of formats: one a line, a label and a tab before it if you like")
+      .takes("FILE");
+  command.add("--random", random_, "So many random formats of 2^3 to 2^7 voxels an axis, with random passes")
+      .takes("N")
+      .between(0u, 1000000u);
+  attributes_.declare(command);
+  passes_.declare(command, PassChoice::All);
 }
 
 Expected<std::vector<std::string>> HardRayFormats::texts() const {

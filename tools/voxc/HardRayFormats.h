@@ -1,7 +1,7 @@
 // The formats that hard rays are traced in: given, listed in a file, or random.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/IR/Format.h"
@@ -16,7 +16,7 @@ namespace voxc::tool {
 class HardRayFormats {
 public:
   /// Adds --format, --formats, --random, --precision and the passes to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   /// All of them at the precision asked for, the passes run on those that are not random. Without any, two
   /// that hold every kind of level. Errors: an unreadable file, a bad format, a pass that does not apply.

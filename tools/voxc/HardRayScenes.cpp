@@ -3,8 +3,6 @@
 
 #include "HardRayScenes.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 
 namespace voxc::tool {
@@ -23,12 +21,12 @@ Error unknownScene(const std::string &name) {
 
 } // namespace
 
-void HardRayScenes::declare(CLI::App &app) {
-  app.add_option("INPUT", input_, "One more scene, such as a scan: as INPUT of voxc build")->type_name("");
-  addInputArguments(app, inputArguments_);
-  app.add_option("--scene", chosen_, "This scene alone; may be given several times; input is INPUT")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
+void HardRayScenes::declare(const CommandLine &command) {
+  command.add("INPUT", input_, "One more scene, such as a scan: as INPUT of voxc build").takes("");
+  addInputArguments(command, inputArguments_);
+  command.add("--scene", chosen_, "This scene alone; may be given several times; input is INPUT")
+      .takes("NAME")
+      .repeated();
 }
 
 Expected<std::vector<std::string>> HardRayScenes::names() const {

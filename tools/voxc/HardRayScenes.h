@@ -2,7 +2,7 @@
 #pragma once
 
 #include "InputArguments.h"
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Error.h"
@@ -17,7 +17,7 @@ namespace voxc::tool {
 class HardRayScenes {
 public:
   /// Adds INPUT with its options, and --scene, to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   /// The names of all scenes that are asked for, the input last as "input". Error: an unknown name.
   Expected<std::vector<std::string>> names() const;

@@ -10,8 +10,6 @@
 #include "testing/HardRays.h"
 #include "voxc/Support/File.h"
 
-#include <CLI/CLI.hpp>
-
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -23,7 +21,7 @@ namespace {
 
 class HardRaysCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override;
+  void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
@@ -44,41 +42,41 @@ private:
   CommonOptions common_;
 };
 
-void HardRaysCommand::declare(CLI::App &app) {
-  scenes_.declare(app);
-  formats_.declare(app);
-  app.add_option("--scenes", size_.scenes, "Scenes for each format, which takes them in turn; 0: all")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 20).description(""))
-      ->capture_default_str();
-  app.add_option("--rays", size_.rays, "Rays in all, over all formats, scenes and devices")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 50).description(""))
-      ->capture_default_str();
-  app.add_option("--seconds", size_.seconds,
-                 "Do it again and again, each time with other rays, until so much time has passed")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber.description(""));
-  app.add_option("--seed", seed_,
-                 "Another number makes other rays and other random formats; default: $VOXC_SEED, or 1")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 62).description(""));
-  app.add_flag("--ray-bounds", size_.bounds,
-               "Give each ray a tmin and a tmax, at and beside the moments at which it enters voxels");
-  app.add_option("--budget", budget_, "Weights of classes and scenes; default: those of docs/hard-rays.md")
-      ->type_name("FILE");
-  app.add_option("--corpus", corpus_,
-                 "Trace the rays of this file, whose exact hits stand beside them, instead")
-      ->type_name("FILE");
-  app.add_flag("--list", list_, "Print the classes, and do nothing else");
-  app.add_flag("--allow-boundary", rules_.allowBoundary,
-               "Accept, but still count, differences that float rounding at a cell's boundary explains");
-  app.add_option("--max-ulp", rules_.maxUlp,
-                 "Fail on a t that is further from the exact one, in float32 units")
-      ->type_name("U")
-      ->check(CLI::NonNegativeNumber.description(""));
-  devices_.declare(app);
-  addCommonOptions(app, common_);
+void HardRaysCommand::declare(const CommandLine &command) {
+  scenes_.declare(command);
+  formats_.declare(command);
+  command.add("--scenes", size_.scenes, "Scenes for each format, which takes them in turn; 0: all")
+      .takes("N")
+      .between(std::uint64_t{0}, std::uint64_t{1} << 20)
+      .showsDefault();
+  command.add("--rays", size_.rays, "Rays in all, over all formats, scenes and devices")
+      .takes("N")
+      .between(std::uint64_t{1}, std::uint64_t{1} << 50)
+      .showsDefault();
+  command
+      .add("--seconds", size_.seconds,
+           "Do it again and again, each time with other rays, until so much time has passed")
+      .takes("S")
+      .positive();
+  command
+      .add("--seed", seed_,
+           "Another number makes other rays and other random formats; default: $VOXC_SEED, or 1")
+      .takes("N")
+      .between(std::uint64_t{0}, std::uint64_t{1} << 62);
+  command.addFlag("--ray-bounds", size_.bounds,
+                  "Give each ray a tmin and a tmax, at and beside the moments at which it enters voxels");
+  command.add("--budget", budget_, "Weights of classes and scenes; default: those of docs/hard-rays.md")
+      .takes("FILE");
+  command.add("--corpus", corpus_, "Trace the rays of this file, whose exact hits stand beside them, instead")
+      .takes("FILE");
+  command.addFlag("--list", list_, "Print the classes, and do nothing else");
+  command.addFlag("--allow-boundary", rules_.allowBoundary,
+                  "Accept, but still count, differences that float rounding at a cell's boundary explains");
+  command.add("--max-ulp", rules_.maxUlp, "Fail on a t that is further from the exact one, in float32 units")
+      .takes("U")
+      .notNegative();
+  devices_.declare(command);
+  addCommonOptions(command, common_);
 }
 
 /// The environment is asked here: CLI11 would take what it says for an argument of every command.

@@ -2,13 +2,10 @@
 #include "Figures.h"
 #include "Subcommand.h"
 
-#include "common/Help.h"
 #include "common/Interrupt.h"
 #include "common/Statistics.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Volume/VolumeSummary.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cinttypes>
 #include <cstdio>
@@ -125,10 +122,10 @@ Json figuresOf(const VolumeSummary &summary) {
 
 class InfoCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("VOLUME", path_, "A .hvx file")->required()->type_name("");
-    app.add_flag("--prove", prove_, "Read the whole file too, and follow every pointer in it");
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("VOLUME", path_, "A .hvx file").required().takes("");
+    command.addFlag("--prove", prove_, "Read the whole file too, and follow every pointer in it");
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

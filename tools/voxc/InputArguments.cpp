@@ -1,13 +1,9 @@
 // Options of inputs.
 #include "InputArguments.h"
 
-#include "common/Help.h"
-
 #ifdef VOXC_HAS_OPENVDB
 #include "voxc/OpenVdb/OpenVdb.h"
 #endif
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -104,49 +100,55 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
   return {};
 }
 
-void addInputArguments(CLI::App &app, InputArguments &arguments) {
-  const OptionGroup group(app, "Input");
-  app.add_option("--resolution", arguments.resolution,
-                 "Voxels on the longest axis; default: what the format holds")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1 << kMaxLog2Extent).description(""));
-  app.add_option("--bounds", arguments.bounds, "Crops a mesh to this box of model space")
-      ->type_name("X0,Y0,Z0,X1,Y1,Z1")
-      ->delimiter(',')
-      ->expected(6);
-  app.add_option(
-         "--up", arguments.up,
-         "The axis of a mesh or dense volume that points up: y (default) or z, the default of NIfTI files")
-      ->type_name("AXIS")
-      ->check(CLI::IsMember({"y", "z"}).description(""));
-  app.add_option("--coverage", arguments.coverage,
-                 "Voxels that a triangle takes: conservative (default), all that it touches, or thin")
-      ->type_name("RULE")
-      ->check(CLI::IsMember({"conservative", "thin"}).description(""));
-  app.add_option("--threshold", arguments.threshold,
-                 "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are "
-                 "more than "
-                 "30 %, those above the threshold that parts them best")
-      ->type_name("T");
-  app.add_option("--colour-map", arguments.colourMap,
-                 "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the "
-                 "numbers of .vox colours, as they are")
-      ->type_name("NAME");
-  app.add_option("--window", arguments.window,
-                 "Samples that have the first and last colour; default: the threshold, or the least, and the "
-                 "greatest")
-      ->type_name("LO,HI")
-      ->delimiter(',')
-      ->expected(2);
-  app.add_option("--interior", arguments.interior,
-                 "The inside of things: keep (default), drop what no ray from outside reaches, or fill")
-      ->type_name("WHAT")
-      ->check(CLI::IsMember({"keep", "drop", "fill"}).description(""));
-  app.add_option("--fill-colour", arguments.fillColour,
-                 "Colour of voxels that fill the inside; default: ffffff, white")
-      ->type_name("RRGGBB")
-      ->check(CLI::Validator(checkColour, "", ""));
-  app.add_flag("--crop", arguments.crop, "Moves the smallest box around all voxels to the origin");
+void addInputArguments(const CommandLine &command, InputArguments &arguments) {
+  const OptionGroup group(command, "Input");
+  command
+      .add("--resolution", arguments.resolution, "Voxels on the longest axis; default: what the format holds")
+      .takes("N")
+      .between(1, 1 << kMaxLog2Extent);
+  command.add("--bounds", arguments.bounds, "Crops a mesh to this box of model space")
+      .takes("X0,Y0,Z0,X1,Y1,Z1")
+      .list()
+      .values(6);
+  command
+      .add("--up", arguments.up,
+           "The axis of a mesh or dense volume that points up: y (default) or z, the default of NIfTI files")
+      .takes("AXIS")
+      .oneOf({"y", "z"});
+  command
+      .add("--coverage", arguments.coverage,
+           "Voxels that a triangle takes: conservative (default), all that it touches, or thin")
+      .takes("RULE")
+      .oneOf({"conservative", "thin"});
+  command
+      .add("--threshold", arguments.threshold,
+           "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are "
+           "more than "
+           "30 %, those above the threshold that parts them best")
+      .takes("T");
+  command
+      .add("--colour-map", arguments.colourMap,
+           "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the "
+           "numbers of .vox colours, as they are")
+      .takes("NAME");
+  command
+      .add("--window", arguments.window,
+           "Samples that have the first and last colour; default: the threshold, or the least, and the "
+           "greatest")
+      .takes("LO,HI")
+      .list()
+      .values(2);
+  command
+      .add("--interior", arguments.interior,
+           "The inside of things: keep (default), drop what no ray from outside reaches, or fill")
+      .takes("WHAT")
+      .oneOf({"keep", "drop", "fill"});
+  command
+      .add("--fill-colour", arguments.fillColour,
+           "Colour of voxels that fill the inside; default: ffffff, white")
+      .takes("RRGGBB")
+      .check(checkColour);
+  command.addFlag("--crop", arguments.crop, "Moves the smallest box around all voxels to the origin");
 }
 
 namespace {

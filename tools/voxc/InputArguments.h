@@ -1,7 +1,7 @@
 // The options that say how an input becomes voxels.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "voxc/Input/Input.h"
 
 #include <optional>
@@ -42,7 +42,7 @@ std::optional<std::uint32_t> parseColour(std::string_view text);
 
 /// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map, --window, --interior,
 /// --fill-colour and --crop to a command.
-void addInputArguments(CLI::App &app, InputArguments &arguments);
+void addInputArguments(const CommandLine &command, InputArguments &arguments);
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance);

@@ -6,8 +6,7 @@
 #include "common/Help.h"
 #include "voxc/Support/File.h"
 
-#include <CLI/CLI.hpp>
-
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <vector>
@@ -45,58 +44,55 @@ std::string tagged(std::string_view tag, std::string_view text) {
   return ".TP\n.B " + escape(tag) + "\n" + escape(text) + "\n";
 }
 
-std::string pageName(const CLI::App &command) {
-  return command.get_parent() ? pageName(*command.get_parent()) + "-" + command.get_name()
-                              : command.get_name();
+std::string pageName(const CommandLine &command) {
+  const std::optional<CommandLine> program = command.parent();
+  return (program ? pageName(*program) + "-" : "") + command.name();
 }
 
-std::string spokenName(const CLI::App &command) {
-  return command.get_parent() ? spokenName(*command.get_parent()) + " " + command.get_name()
-                              : command.get_name();
+std::string spokenName(const CommandLine &command) {
+  const std::optional<CommandLine> program = command.parent();
+  return (program ? spokenName(*program) + " " : "") + command.name();
 }
 
-std::string synopsis(const CLI::App &command) {
+std::string synopsis(const CommandLine &command) {
   std::string text = section("synopsis") + ".B " + escape(spokenName(command)) + "\n[options]\n";
-  for (const CLI::Option *option : command.get_options())
-    if (option->get_positional())
-      text +=
-          ".I " + escape(option->get_required() ? option->get_name() : "[" + option->get_name() + "]") + "\n";
-  if (!command.get_subcommands({}).empty())
+  for (const Option &option : command.options())
+    if (option.isWord())
+      text += ".I " + escape(option.isRequired() ? option.name() : "[" + option.name() + "]") + "\n";
+  if (!command.commands().empty())
     text += ".I command\n";
   return text;
 }
 
 /// The options of a command by their groups, as its help has them.
-std::string optionSections(const CLI::App &command) {
+std::string optionSections(const CommandLine &command) {
   std::string text;
-  if (command.get_options([](const CLI::Option *option) { return option->get_positional(); }).size() > 0)
-    text += section("arguments");
-  for (const CLI::Option *option : command.get_options())
-    if (option->get_positional())
-      text += tagged(option->get_name(), option->get_description());
-  for (const std::string &group : command.get_groups()) {
+  for (const Option &option : command.options())
+    if (option.isWord())
+      text += (text.empty() ? section("arguments") : "") + tagged(option.name(), option.text());
+  for (const std::string &group : command.groups()) {
     std::string rows;
-    for (const CLI::Option *option : command.get_options())
-      if (option->get_group() == group && option->nonpositional())
-        rows += tagged(optionUsage(*option), option->get_description());
+    for (const Option &option : command.options())
+      if (option.group() == group && !option.isWord())
+        rows += tagged(option.usage(), option.text());
     if (!rows.empty() && !group.empty())
       text += section(group) + rows;
   }
   return text;
 }
 
-std::string commandSection(const CLI::App &command) {
+std::string commandSection(const CommandLine &command) {
   std::string text;
-  for (const CLI::App *sub : command.get_subcommands({}))
-    if (!sub->get_group().empty())
-      text += tagged(sub->get_name(), sub->get_description() + "; " + pageName(*sub) + "(1)");
+  for (const CommandLine &sub : command.commands())
+    if (!sub.group().empty())
+      text += tagged(sub.name(), sub.text() + "; " + pageName(sub) + "(1)");
   return text.empty() ? "" : section("commands") + text;
 }
 
-std::string exampleSection(const CLI::App &command) {
+std::string exampleSection(const CommandLine &command) {
   std::string text;
   for (const Example &example : examples())
-    if (example.command == command.get_name())
+    if (example.command == command.name())
       text += ".PP\n" + escape(example.does) + ":\n.PP\n.nf\n.RS\n" + escape(example.line) + "\n.RE\n.fi\n";
   return text.empty() ? "" : section("examples") + text;
 }
@@ -110,54 +106,53 @@ constexpr const char *kExitSection =
     ".TP\n130\ninterrupted\n";
 
 /// A whole page.
-std::string pageOf(const CLI::App &command) {
+std::string pageOf(const CommandLine &command) {
   const std::string name = pageName(command);
   std::string text = ".TH " + upper(escape(name)) + " 1 \"\" \"" + versionText() + "\" \"User commands\"\n";
-  text +=
-      section("name") + escape(name) + " \\- " + escape(command.get_description()) + "\n" + synopsis(command);
-  if (command.get_option_no_throw("FORMAT"))
+  text += section("name") + escape(name) + " \\- " + escape(command.text()) + "\n" + synopsis(command);
+  if (command.find("FORMAT"))
     text += section("formats") + ".nf\n" + escape(wrap(formatHelp(), 64)) + ".fi\n";
   text += commandSection(command) + optionSections(command) + exampleSection(command) + kExitSection;
-  return command.get_parent()
-             ? text + section("see also") + ".BR " + pageName(*command.get_parent()) + " (1)\n"
-             : text;
+  const std::optional<CommandLine> program = command.parent();
+  return program ? text + section("see also") + ".BR " + pageName(*program) + " (1)\n" : text;
 }
 
-Expected<void> writePages(const CLI::App &command, const std::filesystem::path &folder) {
+Expected<void> writePages(const CommandLine &command, const std::filesystem::path &folder) {
   if (Expected<void> written = writeFile(folder / (pageName(command) + ".1"), pageOf(command)); !written)
     return written;
-  for (const CLI::App *sub : command.get_subcommands({}))
-    if (!sub->get_group().empty())
-      if (Expected<void> written = writePages(*sub, folder); !written)
+  for (const CommandLine &sub : command.commands())
+    if (!sub.group().empty())
+      if (Expected<void> written = writePages(sub, folder); !written)
         return written;
   return {};
 }
 
 class ManualCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    root_ = app.get_parent();
-    app.add_option("COMMAND", names_,
-                   "The command whose page is written to standard output, as 'man -l -' reads it")
-        ->type_name("");
-    app.add_option("-o,--output", folder_, "Writes the pages of all commands to files in this folder")
-        ->type_name("DIR");
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    program_ = command.parent();
+    command
+        .add("COMMAND", names_,
+             "The command whose page is written to standard output, as 'man -l -' reads it")
+        .takes("");
+    command.add("-o,--output", folder_, "Writes the pages of all commands to files in this folder")
+        .takes("DIR");
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {
     if (!folder_.empty())
       return writeAll();
-    const CLI::App *command = root_;
+    CommandLine command = *program_;
     for (const std::string &name : names_) {
-      const auto subs = command->get_subcommands({});
-      const auto found = std::ranges::find(subs, name, [](const CLI::App *sub) { return sub->get_name(); });
+      const std::vector<CommandLine> subs = command.commands();
+      const auto found = std::ranges::find(subs, name, &CommandLine::name);
       if (found == subs.end())
-        return Error::usage("there is no command '" + spokenName(*command) + " " + name +
+        return Error::usage("there is no command '" + spokenName(command) + " " + name +
                             "'; 'voxc --help' lists them");
       command = *found;
     }
-    const std::string page = pageOf(*command);
+    const std::string page = pageOf(command);
     std::fwrite(page.data(), 1, page.size(), stdout);
     return {};
   }
@@ -170,10 +165,10 @@ private:
     std::filesystem::create_directories(folder_, failure);
     if (failure)
       return Error::environment("cannot make the folder '" + folder_ + "': " + failure.message());
-    return writePages(*root_, folder_);
+    return writePages(*program_, folder_);
   }
 
-  const CLI::App *root_ = nullptr;
+  std::optional<CommandLine> program_;
   std::vector<std::string> names_;
   std::string folder_;
   CommonOptions common_;

@@ -11,23 +11,19 @@
 #include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
 
 class MergeCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("FRAGMENT", fragments_, "All fragments of one volume, in any order")
-        ->required()
-        ->type_name("");
-    app.add_option("-o,--output", output_, "Volume to write")->type_name("V.hvx")->required();
-    addMemoryArguments(app, arguments_);
-    addCompressArgument(app, arguments_.compress);
-    addCommonOptions(app, common_);
-    plan_.declare(app, "--node", "Merges of the plan to do, such as 0,3,5-9; those that stand are left",
+  void declare(const CommandLine &command) override {
+    command.add("FRAGMENT", fragments_, "All fragments of one volume, in any order").required().takes("");
+    command.add("-o,--output", output_, "Volume to write").takes("V.hvx").required();
+    addMemoryArguments(command, arguments_);
+    addCompressArgument(command, arguments_.compress);
+    addCommonOptions(command, common_);
+    plan_.declare(command, "--node", "Merges of the plan to do, such as 0,3,5-9; those that stand are left",
                   {"FRAGMENT", "--output"}, {"--memory", "--scratch", "--stats", "--quiet"});
   }
 

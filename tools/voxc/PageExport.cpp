@@ -9,8 +9,6 @@
 #include "voxc/IR/Attribute.h"
 #include "voxc/Oracle/Oracle.h"
 
-#include <CLI/CLI.hpp>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -75,11 +73,11 @@ bool isPage(const std::string &path) {
   return ending == ".html" || ending == ".htm";
 }
 
-void PageExport::declare(CLI::App &app) {
-  app.add_option("--title", title_, "What a page is called; the default is the name of the volume's file")
-      ->type_name("TEXT");
-  addViewOptions(app, picture_);
-  addCameraPlace(app, picture_.camera);
+void PageExport::declare(const CommandLine &command) {
+  command.add("--title", title_, "What a page is called; the default is the name of the volume's file")
+      .takes("TEXT");
+  addViewOptions(command, picture_);
+  addCameraPlace(command, picture_.camera);
 }
 
 bool PageExport::isGiven() const {

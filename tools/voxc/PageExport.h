@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Tracing.h"
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include "common/PictureOptions.h"
 #include "voxc/Volume/Volume.h"
@@ -17,7 +17,7 @@ bool isPage(const std::string &path);
 class PageExport {
 public:
   /// Adds --title, --view, --camera, --fov and --sun to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   /// Looks at the options before any work. Errors: `Usage`, as of pictures, or options of a page for what is
   /// none.

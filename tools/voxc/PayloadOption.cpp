@@ -1,8 +1,6 @@
 // Measuring the colours of an input, and the first payload that a format takes.
 #include "PayloadOption.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
@@ -16,11 +14,12 @@ void keepWalk(const Format &from, Format &format) {
 
 } // namespace
 
-void PayloadOption::declare(CLI::App &app) {
-  app.add_option("--payload", payload_,
-                 "What voxels keep: auto, the smallest payload that keeps all colours of the input")
-      ->type_name("auto")
-      ->check(CLI::IsMember({"auto"}).description(""));
+void PayloadOption::declare(const CommandLine &command) {
+  command
+      .add("--payload", payload_,
+           "What voxels keep: auto, the smallest payload that keeps all colours of the input")
+      .takes("auto")
+      .oneOf({"auto"});
 }
 
 Expected<void> PayloadOption::apply(Format &format, const Form &form, VoxelSource &source,

@@ -1,7 +1,7 @@
 // --payload auto: the payload by what the input's voxels are like.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Source/VoxelSource.h"
@@ -21,7 +21,7 @@ public:
   /// Makes the format that the command line says, of a payload; an error if it has none of this kind.
   using Form = std::function<Expected<Format>(const PayloadChoice &)>;
 
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
   bool isAuto() const { return !payload_.empty(); }
 
   /// Measures the voxels and gives the format the smallest payload that keeps all of their colours; adds to

@@ -11,8 +11,6 @@
 #include "common/Terminal.h"
 #include "sweep/Model.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <numeric>
 
@@ -34,18 +32,17 @@ std::string absoluteInput(const std::string &input) {
 
 class PlanCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    building_.declare(app);
-    building_.declareCompress(app);
-    app.add_option("--parts", parts_, "Parts to build, each by one task")
-        ->type_name("N")
-        ->check(CLI::Range(1u, 1u << 20).description(""))
-        ->capture_default_str();
-    app.add_option("--volume", volume_,
-                   "Volume that is written in the end; default: the plan's name with .hvx")
-        ->type_name("V.hvx");
-    app.add_option("-o,--output", output_, "Build plan to write")->type_name("P.plan")->required();
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    building_.declare(command);
+    building_.declareCompress(command);
+    command.add("--parts", parts_, "Parts to build, each by one task")
+        .takes("N")
+        .between(1u, 1u << 20)
+        .showsDefault();
+    command.add("--volume", volume_, "Volume that is written in the end; default: the plan's name with .hvx")
+        .takes("V.hvx");
+    command.add("-o,--output", output_, "Build plan to write").takes("P.plan").required();
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

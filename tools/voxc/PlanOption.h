@@ -1,7 +1,7 @@
 // The options --plan of the commands that are tasks of a build plan: all that they need stands in the plan.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ public:
   /// Adds --plan and `option`, which says what of the plan is asked for, to a command that has all other
   /// options. Those of `required` are needed without a plan; with one, none is allowed but those of
   /// `allowed`.
-  void declare(CLI::App &app, const std::string &option, const std::string &summary,
+  void declare(const CommandLine &command, const std::string &option, const std::string &summary,
                const std::vector<std::string> &required, const std::vector<std::string> &allowed);
 
   bool isGiven() const { return !path_.empty(); }

@@ -8,21 +8,19 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
 
 class RenderCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    volume_.declare(app);
-    rendering_.declare(app);
-    tracing_.declare(app);
-    memory_.declare(app);
-    volume_.declareKernelOptions(app);
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
+    rendering_.declare(command);
+    tracing_.declare(command);
+    memory_.declare(command);
+    volume_.declareKernelOptions(command);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

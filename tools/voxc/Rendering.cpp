@@ -9,25 +9,24 @@
 #include "common/Statistics.h"
 #include "voxc/IR/Query.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 
 namespace voxc::tool {
 
-void Rendering::declare(CLI::App &app) {
-  app.add_option("-o,--output", output_,
-                 "Picture to write, as " + pictureEndings() +
-                     "; the default is named after the input and the style")
-      ->type_name("PICTURE");
-  addPictureOptions(app, picture_);
-  app.add_option(
-         "--lod", picture_.lod,
-         "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: "
-         "at voxels alone")
-      ->type_name("PIXELS")
-      ->check(CLI::Range(0.0, 1e6).description(""));
-  check_.declare(app);
+void Rendering::declare(const CommandLine &command) {
+  command
+      .add("-o,--output", output_,
+           "Picture to write, as " + pictureEndings() +
+               "; the default is named after the input and the style")
+      .takes("PICTURE");
+  addPictureOptions(command, picture_);
+  command
+      .add("--lod", picture_.lod,
+           "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: "
+           "at voxels alone")
+      .takes("PIXELS")
+      .between(0.0, 1e6);
+  check_.declare(command);
 }
 
 Expected<void> Rendering::check(const std::string &source, const CommonOptions &common) {

@@ -15,7 +15,7 @@ namespace voxc::tool {
 class Rendering {
 public:
   /// Adds --output, --check and the options of pictures to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   /// Looks at the options before any work. The picture of `source`, a file's name or another word, is named
   /// after that where no name was given.

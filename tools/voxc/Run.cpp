@@ -8,23 +8,21 @@
 #include "common/Terminal.h"
 #include "frontend/AttributeOptions.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
 
 class RunCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    building_.declare(app);
-    building_.defaultInput(app, "builtin:terrain");
-    rendering_.declare(app);
-    app.add_option("--volume", volumePath_, "Keeps the volume too")->type_name("V.hvx");
-    building_.declareCompress(app);
-    tracing_.declare(app);
-    attributes_.declare(app);
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    building_.declare(command);
+    building_.defaultInput(command, "builtin:terrain");
+    rendering_.declare(command);
+    command.add("--volume", volumePath_, "Keeps the volume too").takes("V.hvx");
+    building_.declareCompress(command);
+    tracing_.declare(command);
+    attributes_.declare(command);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -13,8 +13,6 @@
 #include "search/SearchReport.h"
 #include "sweep/Machine.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -31,7 +29,7 @@ constexpr double kExploringShare = 0.25;
 
 class SearchCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override { options_.declare(app); }
+  void declare(const CommandLine &command) override { options_.declare(command); }
   Expected<void> run() override;
 
 private:

@@ -10,19 +10,17 @@
 #include "common/Terminal.h"
 #include "voxc/Construct/Split.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
 
 class SplitCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    volume_.declare(app);
-    fragment_.declare(app, "Write one of N fragments only; all of the volume is fragment 0/1");
-    app.add_option("-o,--output", output_, "Fragment to write")->type_name("F.hvf")->required();
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
+    fragment_.declare(command, "Write one of N fragments only; all of the volume is fragment 0/1");
+    command.add("-o,--output", output_, "Fragment to write").takes("F.hvf").required();
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -7,8 +7,6 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <filesystem>
 
@@ -20,10 +18,10 @@ namespace {
 
 class StatusCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("PLAN", path_, "Build plan of voxc plan")->required()->type_name("");
-    app.add_flag("--slurm", bySlurm_, "Ask Slurm what waits and runs");
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("PLAN", path_, "Build plan of voxc plan").required().takes("");
+    command.addFlag("--slurm", bySlurm_, "Ask Slurm what waits and runs");
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

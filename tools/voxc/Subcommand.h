@@ -12,8 +12,8 @@ namespace voxc::tool {
 class Subcommand {
 public:
   virtual ~Subcommand() = default;
-  /// Adds the command's options to `app`.
-  virtual void declare(CLI::App &app) = 0;
+  /// Adds the command's options to `command`.
+  virtual void declare(const CommandLine &command) = 0;
   /// Does the command's work, once the options are parsed.
   virtual Expected<void> run() = 0;
 };

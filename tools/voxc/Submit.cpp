@@ -5,8 +5,6 @@
 
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 
 namespace voxc::tool {
@@ -15,28 +13,28 @@ namespace {
 
 class SubmitCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("PLAN", path_, "Build plan of voxc plan")->required()->type_name("");
-    CLI::Option *local = app.add_option("--local", processes_, "Processes of this machine; without an engine")
-                             ->type_name("N")
-                             ->check(CLI::Range(1u, 1024u).description(""));
-    CLI::Option *slurm = app.add_flag("--slurm", bySlurm_, "Hand the tasks to Slurm, as arrays of jobs");
-    slurm->excludes(local);
-    app.add_option("--partition", partition_, "Slurm's partition")->type_name("NAME")->needs(slurm);
-    app.add_option("--sbatch", sbatch_, "An option for sbatch, such as --sbatch=--time=30; may be repeated")
-        ->type_name("OPTION")
-        ->needs(slurm);
-    app.add_option("--poll", slurm_.pollSeconds, "Seconds between two questions to Slurm")
-        ->type_name("S")
-        ->check(CLI::Range(0.0, 3600.0).description(""))
-        ->capture_default_str()
-        ->needs(slurm);
-    app.add_flag("!--no-wait", slurm_.wait, "Hand over and do not wait")->needs(slurm);
-    addMemoryArguments(app, means_);
-    app.add_option("--threads", means_.threads, "Threads of each task; default: one")
-        ->type_name("N")
-        ->check(CLI::Range(1u, 1024u).description(""));
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("PLAN", path_, "Build plan of voxc plan").required().takes("");
+    const Option local = command.add("--local", processes_, "Processes of this machine; without an engine")
+                             .takes("N")
+                             .between(1u, 1024u);
+    const Option slurm = command.addFlag("--slurm", bySlurm_, "Hand the tasks to Slurm, as arrays of jobs");
+    slurm.excludes(local);
+    command.add("--partition", partition_, "Slurm's partition").takes("NAME").needs(slurm);
+    command.add("--sbatch", sbatch_, "An option for sbatch, such as --sbatch=--time=30; may be repeated")
+        .takes("OPTION")
+        .needs(slurm);
+    command.add("--poll", slurm_.pollSeconds, "Seconds between two questions to Slurm")
+        .takes("S")
+        .between(0.0, 3600.0)
+        .showsDefault()
+        .needs(slurm);
+    command.addFlag("!--no-wait", slurm_.wait, "Hand over and do not wait").needs(slurm);
+    addMemoryArguments(command, means_);
+    command.add("--threads", means_.threads, "Threads of each task; default: one")
+        .takes("N")
+        .between(1u, 1024u);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -7,8 +7,6 @@
 #include "common/Terminal.h"
 #include "search/ObjectiveOption.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
 namespace voxc::tool {
@@ -17,27 +15,29 @@ namespace {
 
 class SuggestCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    app.add_option("INPUT", request_.input, kInputHelp)->required()->type_name("");
-    addInputArguments(app, request_.arguments);
-    app.get_option("--resolution")
-        ->description("Voxels on the longest axis; default: " + std::to_string(kDefaultResolution));
-    addObjectiveArgument(app, objective_, "What is wanted");
-    addMaxBytesArgument(app, buildArguments_);
-    app.get_option("--max-bytes")
-        ->description("The most bytes that the volume's words may take, such as 64MiB");
-    app.add_option("--device", request_.device,
-                   "Device that will trace: cpu (default), or one of Vulkan's that is a processor")
-        ->type_name("NAME");
-    app.add_option("--rays", request_.rayFiles,
-                   "A file of rays in place of sampled ones; may be given several times")
-        ->type_name("R.bin");
-    app.add_option("--formats", request_.formatsPath,
-                   "A file of formats, one a line, in place of those that voxc knows")
-        ->type_name("FILE");
-    app.add_flag("--all", all_, "List all formats that no other beats in both size and speed");
-    addMemoryArguments(app, buildArguments_);
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    command.add("INPUT", request_.input, kInputHelp).required().takes("");
+    addInputArguments(command, request_.arguments);
+    command.option("--resolution")
+        .text("Voxels on the longest axis; default: " + std::to_string(kDefaultResolution));
+    addObjectiveArgument(command, objective_, "What is wanted");
+    addMaxBytesArgument(command, buildArguments_);
+    command.option("--max-bytes").text("The most bytes that the volume's words may take, such as 64MiB");
+    command
+        .add("--device", request_.device,
+             "Device that will trace: cpu (default), or one of Vulkan's that is a processor")
+        .takes("NAME");
+    command
+        .add("--rays", request_.rayFiles,
+             "A file of rays in place of sampled ones; may be given several times")
+        .takes("R.bin");
+    command
+        .add("--formats", request_.formatsPath,
+             "A file of formats, one a line, in place of those that voxc knows")
+        .takes("FILE");
+    command.addFlag("--all", all_, "List all formats that no other beats in both size and speed");
+    addMemoryArguments(command, buildArguments_);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

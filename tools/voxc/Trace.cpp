@@ -11,8 +11,6 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <vector>
 
@@ -22,41 +20,43 @@ namespace {
 
 class TraceCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    volume_.declare(app);
-    app.add_option("--rays", rays_,
-                   "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
-                   "bounds; - for standard input")
-        ->type_name("R.bin")
-        ->required();
-    app.add_option("-o,--output", output_,
-                   "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a "
-                   "file of version 2; - for standard output")
-        ->type_name("H.bin")
-        ->required();
-    app.add_option("--tmin", tmin_, "Look for voxels that rays enter at this t or later")->type_name("T");
-    app.add_option("--tmax", tmax_, "Look for voxels that rays enter at this t or before")->type_name("T");
-    app.add_option(
-           "--hit-version", hitVersion_,
-           "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, "
-           "or 1 where the query is not of the closest hit")
-        ->type_name("1|2")
-        ->check(CLI::IsMember({1, 2}).description(""));
-    app.add_option("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")
-        ->type_name("N")
-        ->check(CLI::Range(1u, 1000000u).description(""))
-        ->capture_default_str();
-    app.add_option(
-           "--lod-spread", options_.spread,
-           "Stop at nodes and cells narrower than this times their distance, with a colour from inside")
-        ->type_name("S")
-        ->check(CLI::Range(0.0f, 1e6f).description(""));
-    app.add_flag("--count", options_.countSteps, "Count each ray's lookups");
-    check_.declare(app);
-    tracing_.declare(app);
-    memory_.declare(app);
-    volume_.declareKernelOptions(app);
-    addCommonOptions(app, common_);
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
+    command
+        .add("--rays", rays_,
+             "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
+             "bounds; - for standard input")
+        .takes("R.bin")
+        .required();
+    command
+        .add("-o,--output", output_,
+             "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a "
+             "file of version 2; - for standard output")
+        .takes("H.bin")
+        .required();
+    command.add("--tmin", tmin_, "Look for voxels that rays enter at this t or later").takes("T");
+    command.add("--tmax", tmax_, "Look for voxels that rays enter at this t or before").takes("T");
+    command
+        .add("--hit-version", hitVersion_,
+             "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, "
+             "or 1 where the query is not of the closest hit")
+        .takes("1|2")
+        .between(1u, 2u);
+    command.add("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")
+        .takes("N")
+        .between(1u, 1000000u)
+        .showsDefault();
+    command
+        .add("--lod-spread", options_.spread,
+             "Stop at nodes and cells narrower than this times their distance, with a colour from inside")
+        .takes("S")
+        .between(0.0f, 1e6f);
+    command.addFlag("--count", options_.countSteps, "Count each ray's lookups");
+    check_.declare(command);
+    tracing_.declare(command);
+    memory_.declare(command);
+    volume_.declareKernelOptions(command);
+    addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {

@@ -1,35 +1,34 @@
 // Devices, kernels and tracers for the driver.
 #include "Tracing.h"
 
-#include "common/Help.h"
 #include "common/Statistics.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 
 namespace voxc::tool {
 
-void Tracing::declare(CLI::App &app) {
-  const OptionGroup group(app, "Device");
-  app.add_option(
-         "--device", deviceName_,
-         "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
-         "or on cpu: this processor, without Vulkan")
-      ->type_name("NAME");
-  app.add_option(
-         "--threads", threads_,
-         "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 1024u).description(""));
-  app.add_option("--order", order_,
-                 "Take rays as given, or binned by octant, origin and direction; auto (default) bins those "
-                 "that are many and scattered, where a processor traces them")
-      ->type_name("ORDER")
-      ->check(CLI::IsMember({"auto", "given", "binned"}).description(""));
-  app.add_flag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+void Tracing::declare(const CommandLine &command) {
+  const OptionGroup group(command, "Device");
+  command
+      .add(
+          "--device", deviceName_,
+          "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
+          "or on cpu: this processor, without Vulkan")
+      .takes("NAME");
+  command
+      .add("--threads", threads_,
+           "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")
+      .takes("N")
+      .between(1u, 1024u);
+  command
+      .add("--order", order_,
+           "Take rays as given, or binned by octant, origin and direction; auto (default) bins those "
+           "that are many and scattered, where a processor traces them")
+      .takes("ORDER")
+      .oneOf({"auto", "given", "binned"});
+  command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
 void Tracing::choose(const std::string &device, unsigned threads) {

@@ -1,8 +1,8 @@
 // From a volume to hits: what every command that traces shares.
 #pragma once
 
-#include "common/CliNames.h"
 #include "common/Command.h"
+#include "common/CommandLine.h"
 #include "common/Json.h"
 #include "common/UserCache.h"
 #include "voxc/IR/Format.h"
@@ -19,7 +19,7 @@ namespace voxc::tool {
 class Tracing {
 public:
   /// Adds --device, --threads, --order and --spirv-opt to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
 
   /// Chooses as --device and --threads do, in a command that has several of these.
   void choose(const std::string &device, unsigned threads);

@@ -1,8 +1,6 @@
 // A tracing for each device, with the options that the command line gives to all of them.
 #include "TracingDevices.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
 namespace {
@@ -10,40 +8,41 @@ namespace {
 constexpr const char *kDevice = "--device";
 
 /// The options among those of `tracing` that `command` was given, as it was given them, but for the device.
-std::vector<std::string> givenOptions(const CLI::App &command, const CLI::App &tracing) {
+std::vector<std::string> givenOptions(const CommandLine &command, const CommandLine &tracing) {
   std::vector<std::string> arguments;
-  for (const CLI::Option *option : tracing.get_options()) {
-    const std::string name = option->get_name();
-    const CLI::Option *given = command.get_option_no_throw(name);
+  for (const Option &option : tracing.options()) {
+    const std::string name = option.name();
+    const std::optional<Option> given = command.find(name);
     if (given && given->count() > 0 && name != kDevice)
-      arguments.push_back(name + "=" + given->results().back());
+      arguments.push_back(name + "=" + given->written().back());
   }
   return arguments;
 }
 
 } // namespace
 
-void TracingDevices::declare(CLI::App &app) {
-  app_ = &app;
-  declared_.declare(app);
-  CLI::Option *device = app.get_option(kDevice);
-  device->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  device->description(device->get_description() + "; may be given several times");
+void TracingDevices::declare(const CommandLine &command) {
+  command_ = command;
+  declared_.declare(command);
+  const Option device = command.option(kDevice);
+  device.lastCounts();
+  device.text(device.text() + "; may be given several times");
 }
 
 Expected<void> TracingDevices::open(const CommonOptions &common) {
-  std::vector<std::string> names = app_->get_option(kDevice)->results();
+  std::vector<std::string> names = command_->option(kDevice).written();
   if (names.empty())
     names.emplace_back();
   for (const std::string &name : names) {
     devices_.push_back({name, std::make_unique<Tracing>()});
     Tracing &tracing = *devices_.back().tracing;
-    CLI::App options;
+    const CommandLine options;
     tracing.declare(options);
-    std::vector<std::string> arguments = givenOptions(*app_, options);
+    std::vector<std::string> arguments = givenOptions(*command_, options);
     if (!name.empty())
       arguments.push_back(std::string(kDevice) + "=" + name);
-    options.parse(std::move(arguments));
+    if (Expected<void> parsed = options.parse(arguments); !parsed)
+      return parsed;
     if (Expected<void> opened = tracing.openDevice(common); !opened)
       return opened;
   }

@@ -17,7 +17,7 @@ public:
   };
 
   /// Adds the options of `Tracing` to a command, of which --device may be given several times.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
   /// Opens every device that was asked for. Errors: as `Tracing::openDevice`.
   Expected<void> open(const CommonOptions &common);
 
@@ -26,7 +26,7 @@ public:
   unsigned threads() const { return declared_.threads(); }
 
 private:
-  const CLI::App *app_ = nullptr;
+  std::optional<CommandLine> command_;
   Tracing declared_; // Holds the options; each device has a tracing of its own.
   std::vector<Device> devices_;
 };

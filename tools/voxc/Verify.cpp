@@ -16,8 +16,6 @@
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Source/Sources.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cinttypes>
 #include <cstdio>
 #include <string>
@@ -64,7 +62,7 @@ Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSourc
 
 class VerifyCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override;
+  void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
@@ -86,22 +84,21 @@ private:
   std::vector<std::string> failures_;
 };
 
-void VerifyCommand::declare(CLI::App &app) {
-  volume_.declare(app);
-  app.add_option("--against", against_, "Compare with this input, voxel by voxel, both ways")
-      ->type_name("INPUT");
-  addInputArguments(app, inputArguments_);
-  app.add_option("--rays", rays_, "Rays to trace by the kernel and by the oracle; 0 needs no device")
-      ->type_name("N")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 30).description(""))
-      ->capture_default_str();
-  app.add_option("--seed", seed_, "Another number makes other rays")->type_name("N")->capture_default_str();
-  app.add_flag("--allow-boundary", allowBoundary_,
-               "Accept, but still count, differences that float rounding at a cell's boundary explains");
-  tracing_.declare(app);
-  volume_.declareKernelOptions(app);
-  volume_.declareBounds(app);
-  addCommonOptions(app, common_);
+void VerifyCommand::declare(const CommandLine &command) {
+  volume_.declare(command);
+  command.add("--against", against_, "Compare with this input, voxel by voxel, both ways").takes("INPUT");
+  addInputArguments(command, inputArguments_);
+  command.add("--rays", rays_, "Rays to trace by the kernel and by the oracle; 0 needs no device")
+      .takes("N")
+      .between(std::size_t{0}, std::size_t{1} << 30)
+      .showsDefault();
+  command.add("--seed", seed_, "Another number makes other rays").takes("N").showsDefault();
+  command.addFlag("--allow-boundary", allowBoundary_,
+                  "Accept, but still count, differences that float rounding at a cell's boundary explains");
+  tracing_.declare(command);
+  volume_.declareKernelOptions(command);
+  volume_.declareBounds(command);
+  addCommonOptions(command, common_);
 }
 
 Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &volume,

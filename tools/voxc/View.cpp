@@ -6,8 +6,6 @@
 #include "view/Viewer.h"
 #include "window/Window.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -18,22 +16,20 @@ namespace {
 
 class ViewCommand final : public Subcommand {
 public:
-  void declare(CLI::App &app) override {
-    source_.declare(app);
-    addPictureOptions(app, picture_);
-    app.get_option("--samples")->description("Rays through each pixel of the finest picture; default: 16");
-    app.get_option("--size")->description(
-        "Pixels of the window; the default is the camera file's, or 1280x720");
-    app.add_option("--search", search_,
-                   "Shows what voxc search measured as a chart, whose points load formats")
-        ->type_name("DIR");
-    app.add_option("--screenshots", screenshots_, "Folder that pictures are written to")
-        ->type_name("DIR")
-        ->capture_default_str();
-    app.add_option("--log", log_, "Writes all that happens, with its time, to a file")->type_name("FILE");
-    addCommonOptions(app, common_);
-    app.remove_option(app.get_option("--stats")); // There is no end of which figures would tell.
-    app.footer("Keys and the mouse:\n" + view::keysHelp());
+  void declare(const CommandLine &command) override {
+    source_.declare(command);
+    addPictureOptions(command, picture_);
+    command.option("--samples").text("Rays through each pixel of the finest picture; default: 16");
+    command.option("--size").text("Pixels of the window; the default is the camera file's, or 1280x720");
+    command.add("--search", search_, "Shows what voxc search measured as a chart, whose points load formats")
+        .takes("DIR");
+    command.add("--screenshots", screenshots_, "Folder that pictures are written to")
+        .takes("DIR")
+        .showsDefault();
+    command.add("--log", log_, "Writes all that happens, with its time, to a file").takes("FILE");
+    addCommonOptions(command, common_);
+    command.remove(command.option("--stats")); // There is no end of which figures would tell.
+    command.footer("Keys and the mouse:\n" + view::keysHelp());
   }
 
   Expected<void> run() override {

@@ -3,24 +3,23 @@
 
 #include "common/Interrupt.h"
 
-#include <CLI/CLI.hpp>
-
 namespace voxc::tool {
 
-void VolumeArgument::declare(CLI::App &app) {
-  app.add_option("VOLUME", path_, "A .hvx file")->required()->type_name("");
-  app.add_flag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
-  app.add_option(
-         "--max-cubes", mostCubes_,
-         "Most uniform cubes of voxels that checks and exports decode; a small file may stand for very many")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62).description(""))
-      ->capture_default_str();
+void VolumeArgument::declare(const CommandLine &command) {
+  command.add("VOLUME", path_, "A .hvx file").required().takes("");
+  command.addFlag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
+  command
+      .add(
+          "--max-cubes", mostCubes_,
+          "Most uniform cubes of voxels that checks and exports decode; a small file may stand for very many")
+      .takes("N")
+      .between(std::uint64_t{1}, std::uint64_t{1} << 62)
+      .showsDefault();
 }
 
-void VolumeArgument::declareKernelOptions(CLI::App &app) {
-  attributes_.declare(app);
-  walkPasses_.declare(app, PassChoice::WalkOnly);
+void VolumeArgument::declareKernelOptions(const CommandLine &command) {
+  attributes_.declare(command);
+  walkPasses_.declare(command, PassChoice::WalkOnly);
 }
 
 Expected<Volume> VolumeArgument::load() const {

@@ -1,7 +1,7 @@
 // The V.hvx argument of the commands that take a finished volume.
 #pragma once
 
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Volume/Volume.h"
@@ -13,11 +13,11 @@ namespace voxc::tool {
 class VolumeArgument {
 public:
   /// Adds VOLUME and --trusted to a command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
   /// Adds --precision and the walk passes, for a command that traces the volume.
-  void declareKernelOptions(CLI::App &app);
+  void declareKernelOptions(const CommandLine &command);
   /// Adds --ray-bounds, for a command that gives its rays bounds.
-  void declareBounds(CLI::App &app) { attributes_.declareBounds(app); }
+  void declareBounds(const CommandLine &command) { attributes_.declareBounds(command); }
 
   Expected<Volume> load() const;
   const std::string &path() const { return path_; }

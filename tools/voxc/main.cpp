@@ -2,10 +2,8 @@
 #include "Examples.h"
 #include "Subcommand.h"
 
-#include "common/Help.h"
+#include "common/CommandLine.h"
 #include "common/Misspelling.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -75,8 +73,8 @@ bool isUnknownCommand(std::string_view word) {
 }
 
 /// An option before any command that voxc itself does not have.
-bool isStrayOption(const CLI::App &app, std::string_view word) {
-  return word.starts_with('-') && !app.get_option_no_throw(std::string(word));
+bool isStrayOption(const CommandLine &program, std::string_view word) {
+  return word.starts_with('-') && !program.find(word);
 }
 
 Error unknownCommand(std::string_view word) {
@@ -93,21 +91,20 @@ Error unknownCommand(std::string_view word) {
 } // namespace
 
 int main(int argc, char **argv) {
-  CLI::App app{"A compiler for hybrid voxel formats", "voxc"};
-  useWrappedHelp(app);
-  app.set_version_flag("--version", versionText(), "Tell the version and exit");
-  app.require_subcommand(1);
+  const CommandLine program("voxc", "A compiler for hybrid voxel formats");
+  program.addVersion(versionText());
+  program.requireCommands(1, 1);
 
-  std::vector<std::pair<CLI::App *, std::unique_ptr<Subcommand>>> commands;
+  std::vector<std::pair<CommandLine, std::unique_ptr<Subcommand>>> commands;
   for (const CommandKind &kind : kCommands) {
-    CLI::App *subcommand = app.add_subcommand(kind.name, kind.summary)->group(kind.group);
-    commands.emplace_back(subcommand, kind.make()).second->declare(*subcommand);
-    addExamples(*subcommand);
+    const CommandLine command = program.addCommand(kind.name, kind.summary, kind.group);
+    commands.emplace_back(command, kind.make()).second->declare(command);
+    addExamples(command);
   }
   // Last, for commands take over what there is when they are added.
-  app.footer("'voxc COMMAND --help' says more. To begin with: voxc run builtin:terrain -o terrain.png");
+  program.footer("'voxc COMMAND --help' says more. To begin with: voxc run builtin:terrain -o terrain.png");
 
-  if (argc > 1 && isStrayOption(app, argv[1])) {
+  if (argc > 1 && isStrayOption(program, argv[1])) {
     printError(
         Error::usage("'" + std::string(argv[1]) +
                      "' is no option of voxc itself; a command comes first, such as 'voxc run', and 'voxc "
@@ -118,10 +115,10 @@ int main(int argc, char **argv) {
     printError(unknownCommand(argv[1]));
     return exitCode(ErrorKind::Usage);
   }
-  return runTool(app, argc, argv, [&]() -> Expected<void> {
-    for (auto &[subcommand, command] : commands)
-      if (subcommand->parsed())
-        return command->run();
+  return runTool(program, argc, argv, [&]() -> Expected<void> {
+    for (auto &[command, action] : commands)
+      if (command.isGiven())
+        return action->run();
     return {};
   });
 }

@@ -6,8 +6,8 @@ namespace voxc::tool {
 namespace {
 
 /// The names of an option's check "{a,b}" or of its type "a|b=a".
-std::string valuesOf(const CLI::Option &option) {
-  const std::string type = option.get_type_name();
+std::string valuesOf(const Option &option) {
+  const std::string type = option.value();
   std::string values = type.substr(0, type.find('='));
   if (values.find('|') == values.npos || values.find_first_of("[:,. ") != values.npos)
     return "";
@@ -17,48 +17,38 @@ std::string valuesOf(const CLI::Option &option) {
   return values;
 }
 
-/// All names of an option, with its dashes.
-std::vector<std::string> namesOf(const CLI::Option &option) {
-  std::vector<std::string> names;
-  for (const std::string &name : option.get_lnames())
-    names.push_back("--" + name);
-  for (const std::string &name : option.get_snames())
-    names.push_back("-" + name);
-  return names;
-}
+bool isShown(const CommandLine &command) { return !command.group().empty(); }
 
-bool isShown(const CLI::App &command) { return !command.get_group().empty(); }
-
-void addOption(const CLI::Option &option, CompletionRow &row, CompletionTable &table) {
+void addOption(const Option &option, CompletionRow &row, CompletionTable &table) {
   const std::string values = valuesOf(option);
-  for (const std::string &name : namesOf(option)) {
-    row.words.push_back({name, option.get_description(), option.get_type_size() > 0});
+  for (const std::string &name : option.names()) {
+    row.words.push_back({name, option.text(), option.takesValue()});
     if (!values.empty())
       table.values[name] = values;
   }
 }
 
 /// `all` has what was collected by path.
-void collect(const CLI::App &command, const std::string &path, CompletionTable &table,
+void collect(const CommandLine &command, const std::string &path, CompletionTable &table,
              std::map<std::string, CompletionRow> &all) {
   CompletionRow &row = all[path];
   row.path = path;
-  for (const CLI::App *sub : command.get_subcommands({}))
-    if (isShown(*sub)) {
-      row.words.push_back({sub->get_name(), sub->get_description()});
-      collect(*sub, path.empty() ? sub->get_name() : path + " " + sub->get_name(), table, all);
+  for (const CommandLine &sub : command.commands())
+    if (isShown(sub)) {
+      row.words.push_back({sub.name(), sub.text()});
+      collect(sub, path.empty() ? sub.name() : path + " " + sub.name(), table, all);
     }
-  for (const CLI::Option *option : command.get_options())
-    if (option->nonpositional())
-      addOption(*option, row, table);
+  for (const Option &option : command.options())
+    if (!option.isWord())
+      addOption(option, row, table);
 }
 
 } // namespace
 
-CompletionTable completionTable(const CLI::App &root) {
+CompletionTable completionTable(const CommandLine &program) {
   CompletionTable table;
   std::map<std::string, CompletionRow> rows;
-  collect(root, "", table, rows);
+  collect(program, "", table, rows);
   for (auto &[path, row] : rows)
     table.rows.push_back(std::move(row));
   return table;

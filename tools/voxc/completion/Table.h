@@ -1,7 +1,7 @@
 // What can stand where on a command line of voxc, for shells: drawn from the commands themselves.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "common/CommandLine.h"
 
 #include <map>
 #include <string>
@@ -29,6 +29,6 @@ struct CompletionTable {
   std::map<std::string, std::string> values;
 };
 
-CompletionTable completionTable(const CLI::App &root);
+CompletionTable completionTable(const CommandLine &program);
 
 } // namespace voxc::tool

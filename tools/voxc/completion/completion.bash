@@ -1,9 +1,10 @@
-# Completion of voxc's command line in bash, written by `voxc completion bash`.
+#Completion of voxc's command line in bash, written by `voxc completion bash`.
 _voxc() {
   local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} path= words= word next
 
-  # The command, of one word or two.
-  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+#The command, of one word or two.
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}";
+  do
     next="${path:+$path }$word"
     case $next in
     @COMMANDS@) path=$next ;;
@@ -11,7 +12,7 @@ _voxc() {
     esac
   done
 
-  # The values of an option that has but a few; or else what the command takes, or files.
+#The values of an option that has but a few; or else what the command takes, or files.
   case $before in
 @VALUES@
   *) case $path in

@@ -1,6 +1,6 @@
-# Completion of voxc's command line in fish, written by `voxc completion fish`.
+#Completion of voxc's command line in fish, written by `voxc completion fish`.
 
-# Whether the command so far, of one word or two, is this one.
+#Whether the command so far, of one word or two, is this one.
 function __voxc_at --argument-names wanted
   set -l at
   for word in (commandline -opc)[2..-1]

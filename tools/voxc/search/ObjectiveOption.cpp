@@ -1,8 +1,6 @@
 // The objectives by their names.
 #include "search/ObjectiveOption.h"
 
-#include <CLI/CLI.hpp>
-
 #include <map>
 
 namespace voxc::tool {
@@ -15,13 +13,16 @@ const std::map<std::string, Wish::Objective> kObjectives = {{"balanced", Wish::O
 
 } // namespace
 
-void addObjectiveArgument(CLI::App &app, std::string &objective, const std::string &what) {
+void addObjectiveArgument(const CommandLine &command, std::string &objective, const std::string &what) {
   objective = "balanced";
-  app.add_option(
-         "--objective", objective,
-         what + ": balanced (default; twice the speed is worth four times the bytes), fastest or smallest")
-      ->type_name("WISH")
-      ->check(CLI::IsMember(kObjectives).description(""));
+  std::vector<std::string> names;
+  for (const auto &[name, meaning] : kObjectives)
+    names.push_back(name);
+  command
+      .add("--objective", objective,
+           what + ": balanced (default; twice the speed is worth four times the bytes), fastest or smallest")
+      .takes("WISH")
+      .oneOf(names);
 }
 
 Wish::Objective objectiveOf(const std::string &name) { return kObjectives.at(name); }

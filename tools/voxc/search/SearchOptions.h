@@ -30,7 +30,7 @@ struct SearchOptions {
   BuildArguments building;
   CommonOptions common;
 
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
   /// Reads what is written in words. Error: `Usage`.
   Expected<void> read();
   /// What was typed, as far as it matters to who reads the records.

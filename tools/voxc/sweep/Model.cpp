@@ -3,8 +3,6 @@
 
 #include "bench/Digest.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -26,17 +24,14 @@ bool isName(std::string_view name) {
 }
 
 Expected<void> parseOptions(const std::string &text, InputArguments &arguments) {
-  CLI::App app;
-  addInputArguments(app, arguments);
+  const CommandLine command;
+  addInputArguments(command, arguments);
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;)
-    words.insert(words.begin(), word); // CLI11 takes them from the back.
-  try {
-    app.parse(std::move(words));
-  } catch (const CLI::ParseError &failure) {
-    return Error::usage("options '" + text + "' of an input are not understood: " + failure.what());
-  }
+    words.push_back(word);
+  if (const Expected<void> parsed = command.parse(words); !parsed)
+    return Error::usage("options '" + text + "' of an input are not understood: " + parsed.error().message);
   return {};
 }
 

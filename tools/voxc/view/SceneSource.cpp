@@ -8,8 +8,6 @@
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 
 namespace voxc::tool {
@@ -32,24 +30,25 @@ private:
 
 } // namespace
 
-void SceneSource::declare(CLI::App &app) {
-  app.add_option("INPUT", input_, std::string(kInputHelp))->required()->type_name("");
-  app.add_option("--format", format_,
-                 "Format string or .vir file to begin with; the default is a volume's own, and else as voxc "
-                 "suggest chooses")
-      ->type_name("FORMAT");
-  app.add_flag("--trusted", trusted_,
-               "Skip the walk that proves every offset of a volume, for a file of one's own");
-  app.add_option("--device", device_,
-                 "Trace on the device whose name contains this, or which has this number or UUID in 'voxc "
-                 "devices', or on cpu")
-      ->type_name("NAME");
-  addThreadsArgument(app, building_);
-  app.get_option("--threads")
-      ->description("Threads that build and trace; default: as many as the machine has");
-  addInputArguments(app, inputArguments_);
-  addMemoryArguments(app, building_);
-  passes_.declare(app, PassChoice::All);
+void SceneSource::declare(const CommandLine &command) {
+  command.add("INPUT", input_, std::string(kInputHelp)).required().takes("");
+  command
+      .add("--format", format_,
+           "Format string or .vir file to begin with; the default is a volume's own, and else as voxc "
+           "suggest chooses")
+      .takes("FORMAT");
+  command.addFlag("--trusted", trusted_,
+                  "Skip the walk that proves every offset of a volume, for a file of one's own");
+  command
+      .add("--device", device_,
+           "Trace on the device whose name contains this, or which has this number or UUID in 'voxc "
+           "devices', or on cpu")
+      .takes("NAME");
+  addThreadsArgument(command, building_);
+  command.option("--threads").text("Threads that build and trace; default: as many as the machine has");
+  addInputArguments(command, inputArguments_);
+  addMemoryArguments(command, building_);
+  passes_.declare(command, PassChoice::All);
 }
 
 bool SceneSource::isVolume() const { return input_.ends_with(".hvx"); }

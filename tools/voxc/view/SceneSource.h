@@ -3,7 +3,7 @@
 
 #include "BuildArguments.h"
 #include "InputArguments.h"
-#include "common/CliNames.h"
+#include "common/CommandLine.h"
 
 #include "common/Command.h"
 #include "frontend/PassOptions.h"
@@ -18,7 +18,7 @@ class SceneSource {
 public:
   /// Adds INPUT, --format, the passes, --device, --threads and the options of inputs and volumes to a
   /// command.
-  void declare(CLI::App &app);
+  void declare(const CommandLine &command);
   /// Looks at the options before any work. Error: `Usage`.
   Expected<void> check() const;
 
