@@ -11,11 +11,15 @@ set(VOXC_STANDARD_HEADERS
     <algorithm> <array> <bit> <charconv> <cmath> <cstdint> <cstring> <filesystem> <functional> <map> <memory> <optional>
     <span> <string> <string_view> <utility> <vector>)
 
-# voxc_precompile(TARGET [HEADER...]): the standard headers, and these.
+# voxc_precompile(TARGET [HEADER...]): the standard headers, and these; or, as REUSE_FROM OTHER, what another target has.
 function(voxc_precompile target)
   if(VOXC_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE ${VOXC_STANDARD_HEADERS} ${ARGN})
+    if("${ARGV1}" STREQUAL "REUSE_FROM")
+      target_precompile_headers(${target} ${ARGN})
+    else()
+      target_precompile_headers(${target} PRIVATE ${VOXC_STANDARD_HEADERS} ${ARGN})
+    endif()
     # GCC forgets which of them are the system's, and warns of more of its bug 105651 there.
-    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endfunction()

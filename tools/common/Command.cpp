@@ -5,6 +5,8 @@
 #include "Misspelling.h"
 #include "Process.h"
 
+#include "voxc/Support/Version.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -109,6 +111,12 @@ void printError(const Error &error) {
 
 void printNote(std::string_view text) { std::cerr << "voxc: " << text << '\n'; }
 
-std::string versionText() { return "voxc " VOXC_VERSION; }
+std::string versionText() {
+  const int numbers[] = {VOXC_VERSION_MAJOR, VOXC_VERSION_MINOR, VOXC_VERSION_PATCH};
+  std::string text = "voxc ";
+  for (const int number : numbers)
+    text += (text.ends_with(' ') ? "" : ".") + std::to_string(number);
+  return text;
+}
 
 } // namespace voxc::tool
