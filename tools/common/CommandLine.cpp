@@ -73,7 +73,7 @@ Option Option::values(int count) const {
 }
 
 Option Option::repeated() const {
-  option_->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  option_->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   return *this;
 }
 
