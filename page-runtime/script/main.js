@@ -1,10 +1,9 @@
 // What the page does.
 
-const MOST_SAMPLES = 256, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150, PATIENCE_MILLISECONDS = 15000;
+const MOST_SAMPLES = 256, FEW_SAMPLES = 8, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150, PATIENCE_MILLISECONDS = 15000;
 const element = id => document.getElementById(id);
 const english = number => number.toLocaleString("en");
 
-const wordsOnDevice = wordTexture(words);
 const kept = {};
 
 // The functions of the exact kernel or of the fast one: what one of them has alone is marked.
@@ -16,10 +15,11 @@ function functionsOf(precision) {
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const before = shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
+    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
     const develop = programOf(shaders["develop.frag"]);
     const picture = programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
-    const programs = { words: wordsOnDevice, picture: await picture, develop: await develop };
+    const collect = volume.isStreamed && programOf(shaders["collect.frag"]);
+    const programs = { picture: await picture, develop: await develop, collect: await collect };
     await warmUp(programs);
     let answer;
     return { ...programs, answering: () => answer ??= programOf(before + shaders["answer.frag"]) };
@@ -65,17 +65,20 @@ function fitCanvas() {
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
 }
 
+// What puts a film on the canvas, as far as it is exposed.
+const showing = (programs, film) => () => {
+  film.develop(programs, null, canvas.width, canvas.height);
+  if (volume.isStreamed) tellPages(film);
+};
+
 // A picture of as many pixels as the device does quickly. Tells which part that is.
 async function takeQuickPicture(programs, films) {
   const wanted = Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (canvas.width * canvas.height));
   const part = Math.min(Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 1 / 8), 1);
-  const film = filmOf(films, "quick", part);
-  while (!film.samples) {
-    film.expose(programs, 0, film.height);
-    learnSpeed(film.width * film.height, await finished());
-    film.wind();
-  }
-  film.develop(programs, null, canvas.width, canvas.height);
+  const film = filmOf(films, "quick", part), show = showing(programs, film);
+  if (volume.isStreamed) await exposePass(programs, film, () => film.isAgain && moved, show);
+  else await exposeSample(programs, film, () => false);
+  show();
   return part;
 }
 
@@ -101,10 +104,11 @@ async function show() {
       restsSince = performance.now();
     } else if (performance.now() - restsSince < REST_MILLISECONDS) {
       await sleep(10);
-    } else if (!film || film.samples < MOST_SAMPLES) {
+    } else if (!film || film.samples < mostSamples()) {
       if (!film || part < 1) film = filmOf(films, "still", part = film ? Math.min(2 * part, 1) : part < 0.5 ? 2 * part : 1);
-      if (!await exposeSample(programs, film, () => moved)) continue;
-      film.develop(programs, null, canvas.width, canvas.height);
+      const show = showing(programs, film);
+      if (!await exposeSample(programs, film, () => moved, show)) continue;
+      show();
       if (part === 1) tellSamples(film.samples);
       if (part === 1 && isChecked !== precision) {
         isChecked = precision;
@@ -116,8 +120,11 @@ async function show() {
   }
 }
 
+// Where pages have to make room for others, each sample has some read again.
+const mostSamples = () => volume.isStreamed && volume.figures.gone ? FEW_SAMPLES : MOST_SAMPLES;
+
 function tellSamples(samples) {
-  element("status").textContent = `${english(samples)} of ${MOST_SAMPLES} samples a pixel`;
+  element("status").textContent = `${english(samples)} of ${mostSamples()} samples a pixel`;
   document.documentElement.dataset.samples = samples;
 }
 
