@@ -7,7 +7,8 @@ function makePool({ bytes, pageBytes, budget }) {
   const room = Math.min(budget - 4 * pages, PLACES_A_ROW * most * 4), slots = Math.min(Math.floor(room / pageBytes), pages);
   const tableRows = Math.ceil(pages / PLACES_A_ROW), rows = Math.ceil(slots * pageWords / PLACES_A_ROW);
   const words = integers(PLACES_A_ROW, rows, 1);
-  const table = integers(PLACES_A_ROW, tableRows, 1, new Uint32Array(PLACES_A_ROW * tableRows).fill(ABSENT));
+  const entries = new Uint32Array(PLACES_A_ROW * tableRows).fill(ABSENT), changed = new Set(); // Rows that the device does not have yet.
+  const table = integers(PLACES_A_ROW, tableRows, 1, entries);
   const slotOf = new Map(), pageOf = new Int32Array(slots).fill(-1), lastUse = new Float64Array(slots);
   const figures = { pages, slots, slotBytes: slots * pageBytes, tableBytes: 4 * PLACES_A_ROW * tableRows, read: 0, bytes: 0, gone: 0, rounds: 0 };
 
@@ -16,7 +17,10 @@ function makePool({ bytes, pageBytes, budget }) {
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RED_INTEGER, gl.UNSIGNED_INT, contents);
   }
-  const enter = (page, slot) => upload(table, page % PLACES_A_ROW, Math.floor(page / PLACES_A_ROW), 1, 1, Uint32Array.of(slot));
+  const enter = (page, slot) => {
+    entries[page] = slot;
+    changed.add(Math.floor(page / PLACES_A_ROW));
+  };
 
   // The slot that was used least recently goes.
   function leastUsed() {
@@ -46,8 +50,9 @@ function makePool({ bytes, pageBytes, budget }) {
         enter(pageOf[slot], ABSENT);
         figures.gone++;
       }
-      const whole = new Uint32Array(pageWords), first = slot * pageWords, width = Math.min(pageWords, PLACES_A_ROW);
-      whole.set(contents);
+      const first = slot * pageWords, width = Math.min(pageWords, PLACES_A_ROW);
+      let whole = contents;
+      if (contents.length < pageWords) (whole = new Uint32Array(pageWords)).set(contents);
       upload(words, first % PLACES_A_ROW, Math.floor(first / PLACES_A_ROW), width, pageWords / width, whole);
       slotOf.set(page, slot);
       pageOf[slot] = page;
@@ -55,6 +60,10 @@ function makePool({ bytes, pageBytes, budget }) {
       enter(page, slot);
       figures.read++;
     },
-    bind: program => program.texture("words", words, 0).texture("page_table", table, 3),
+    bind(program) {
+      for (const row of changed) upload(table, 0, row, PLACES_A_ROW, 1, entries.subarray(PLACES_A_ROW * row, PLACES_A_ROW * (row + 1)));
+      changed.clear();
+      return program.texture("words", words, 0).texture("page_table", table, 3);
+    },
   };
 }

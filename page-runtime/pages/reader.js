@@ -1,11 +1,11 @@
 // Reads a volume by ranges of bytes, and hands its pages on: in a worker, which is told what is wanted.
 function readPages(volume, digest, unzstd) {
   const { url, name, headBytes, fileBytes, checksum, pageBytes, bytes } = volume;
-  const REQUESTS = 6, MOST_BYTES = 1 << 18, GAP_BYTES = 1 << 13, TRIES = 3;
+  const REQUESTS = 6, MOST_BYTES = 1 << 18, GAP_BYTES = 1 << 14, TRIES = 3;
   const sleep = milliseconds => new Promise(done => setTimeout(done, milliseconds));
   const pages = Math.ceil(bytes / pageBytes), ends = new Float64Array(pages + 1), sums = new BigUint64Array(pages);
   const onTheirWay = new Set();
-  let queue = [], requests = 0, isOpen = false;
+  let queue = [], requests = 0, mostGap = GAP_BYTES, isOpen = false;
 
   async function answer(from, to) {
     for (let left = TRIES; ; left--)
@@ -69,7 +69,7 @@ function readPages(volume, digest, unzstd) {
     let last = first;
     for (let page = first + 1; page < pages && !onTheirWay.has(page) && ends[page + 1] - ends[first] <= MOST_BYTES; page++)
       if (wanted.has(page)) last = page;
-      else if (ends[page + 1] - ends[last + 1] > GAP_BYTES) break;
+      else if (ends[page + 1] - ends[last + 1] > mostGap) break;
     queue = queue.filter(page => page < first || page > last);
     return [first, last];
   }
@@ -77,11 +77,12 @@ function readPages(volume, digest, unzstd) {
   async function readRun([first, last]) {
     for (let page = first; page <= last; page++) onTheirWay.add(page);
     const stored = await range(ends[first], ends[last + 1]);
+    const run = [];
     for (let page = first; page <= last; page++) {
-      const words = wordsOf(stored.slice(ends[page] - ends[first], ends[page + 1] - ends[first]), page);
+      run.push({ page, words: wordsOf(stored.slice(ends[page] - ends[first], ends[page + 1] - ends[first]), page) });
       onTheirWay.delete(page);
-      postMessage({ page, words, bytes: ends[page + 1] - ends[page] }, [words.buffer]);
     }
+    postMessage({ run, bytes: stored.length }, run.map(({ words }) => words.buffer));
   }
 
   const fail = problem => postMessage({ problem: problem.message || String(problem) });
@@ -91,8 +92,9 @@ function readPages(volume, digest, unzstd) {
   }
 
   open().then(goOn, fail);
-  // From now on these pages are wanted, the first ones most.
-  return wanted => {
+  // From now on these pages are wanted, the first ones most; there is room for others, or not.
+  return (wanted, hasRoom) => {
+    mostGap = hasRoom ? GAP_BYTES : 0;
     queue = wanted.filter(page => !onTheirWay.has(page));
     goOn();
   };

@@ -3,25 +3,20 @@
 const WAITS = 0x80000000, NO_PAGE = 0x7fffffff, PATIENCE_ROUNDS = 64, LATENCY_MILLISECONDS = 120;
 
 const volume = (() => {
-  const told = scene.volume, url = new URL(told.name, document.baseURI), pageWords = told.pageBytes / 4;
-  if (url.protocol === "file:")
-    throw new Error(`browsers let no page read files beside it: have a server that answers HTTP range requests serve this folder, ` +
-      `such as busybox httpd -f -p 8000, and open http://localhost:8000/${location.pathname.split("/").pop()}`);
+  const { volume: told } = scene, pageWords = told.pageBytes / 4;
   const pool = makePool(told), { figures } = pool;
   if (figures.slots < 2) throw new Error(`this device has no room for pages of ${told.pageBytes} bytes`);
-  let page = 0, lonely = 0, problem = "", arrived = () => {};
-  const likely = told.first.map(step => page += step); // What the first picture looks at, most important first.
+  let lonely = 0, problem = "", arrived = () => {};
   const wanted = new Set();
 
-  const code = `${makeXxh3}\n${makeZstd}\n${readPages}\nlet want; onmessage = ({ data }) =>
-    data.wanted ? want(data.wanted) : want = readPages(data, makeXxh3(), makeZstd());`;
-  const reader = new Worker(URL.createObjectURL(new Blob([code], { type: "text/javascript" })));
   reader.onmessage = ({ data }) => {
     if (data.problem) problem ||= data.problem;
     else {
-      figures.bytes += data.bytes;
-      if (!pool.has(data.page) && (wanted.has(data.page) || pool.hasRoom())) pool.place(data.page, data.words);
-      wanted.delete(data.page);
+      figures.bytes += data.bytes || 0;
+      for (const { page, words } of data.run || []) {
+        if (!pool.has(page) && (wanted.has(page) || pool.hasRoom())) pool.place(page, words);
+        wanted.delete(page);
+      }
     }
     arrived();
   };
@@ -29,12 +24,9 @@ const volume = (() => {
   const ask = pages => {
     wanted.clear();
     for (const page of pages) wanted.add(page);
-    const others = likely.filter(page => !pool.has(page) && !wanted.has(page));
-    reader.postMessage({ wanted: [...wanted].sort((a, b) => a - b).concat(pool.hasRoom() ? others : []) });
+    const hasRoom = pool.hasRoom(), others = hasRoom ? likely.filter(page => !pool.has(page) && !wanted.has(page)) : [];
+    reader.postMessage({ wanted: [...wanted].sort((a, b) => a - b).concat(others), hasRoom });
   };
-  reader.postMessage({ ...told, url: url.href, first: [] });
-  ask([]);
-
   const check = () => { if (problem) throw new Error(problem); };
   // Until all that is wanted has come, or some of it and a while has gone by.
   async function some(isStale) {

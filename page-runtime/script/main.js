@@ -16,19 +16,28 @@ function functionsOf(precision) {
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
     const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
-    const develop = programOf(shaders["develop.frag"]);
-    const picture = programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
-    const collect = volume.isStreamed && programOf(shaders["collect.frag"]);
-    const programs = { picture: await picture, develop: await develop, collect: await collect };
+    const pictures = () => programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
+    const programs = { develop: programOf(shaders["develop.frag"]) };
+    if (volume.isStreamed) { // First what shows something.
+      programs.sketch = programOf(before + shaders["light.glsl"] + shaders["sketch.frag"]);
+      programs.collect = programOf(shaders["collect.frag"]);
+    } else {
+      programs.picture = pictures();
+    }
+    for (const name in programs) programs[name] = await programs[name];
     await warmUp(programs);
+    if (volume.isStreamed) noteMoment("ready");
+    const lit = async () => programs.picture ??= await pictures();
+    let lighting;
+    programs.lit = () => programs.picture || (lighting ??= lit());
     let answer;
-    return { ...programs, answering: () => answer ??= programOf(before + shaders["answer.frag"]) };
+    return Object.assign(programs, { answering: () => answer ??= programOf(before + shaders["answer.frag"]) });
   })();
 }
 
 async function answers(precision) {
   const programs = await programsOf(precision);
-  return { ...programs, answer: await programs.answering() };
+  return Object.assign(programs, { answer: await programs.answering() });
 }
 
 let precision = "exact", moved = true, wake = () => {}, why = "";
@@ -140,7 +149,7 @@ async function pick(x, y) {
 
 // For tests and the curious.
 window.voxc = {
-  scene, camera, checkRays, changed,
+  scene, camera, checkRays, changed, pages: volume.figures,
   trace: async (rays, kernel = precision) => trace(await answers(kernel), rays),
   picture: async (width, height, samples) => takePicture(await programsOf(precision), width, height, samples),
 };
@@ -154,8 +163,8 @@ function choose(chosen, because = "") {
 
 // Exact where the browser can: its arithmetic is sound, and its compiler takes the kernel, within some patience.
 async function choosePrecision() {
-  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
   const exact = programsOf("exact").then(() => "", problem => `; the exact kernel is not taken here: ${problem.message}`);
+  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
   const because = await Promise.race([exact, sleep(PATIENCE_MILLISECONDS).then(() => "; the exact kernel is still being compiled here")]);
   if (!because) return;
   choose("fast", because);

@@ -20,12 +20,12 @@ function makeFilm(width, height) {
     // Rows of the next pass.
     expose(programs, first, rows) {
       const { eye, front, right, up } = this.view, { sun, sky, told } = latest(this);
-      const { picture } = programs;
-      volume.bind(picture.use());
+      const program = this.isSketch() && programs.sketch || programs.picture;
+      volume.bind(program.use());
       if (told)
-        picture.texture("before_told", told, 4).set("1i", "is_again", this.isAgain).set("2ui", "turn", ...this.turn)
+        program.texture("before_told", told, 4).set("1i", "is_again", this.isAgain).set("2ui", "turn", ...this.turn)
           .set("1i", "number", volume.figures.rounds);
-      picture.texture("before_sun", sun, 1).texture("before_sky", sky, 2).set("1i", "is_after_sketch", this.samples === 0)
+      program.texture("before_sun", sun, 1).texture("before_sky", sky, 2).set("1i", "is_after_sketch", this.samples === 0)
         .set("1i", "is_sketch", this.isSketch()).set("1i", "is_further", this.passes > 0).set("1i", "is_smooth", scene.smooth)
         .set("2i", "size", width, height)
         .set("3f", "eye", ...eye).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up)
@@ -62,6 +62,7 @@ function makeFilm(width, height) {
 // early where `isStale` says so. `show` is called before they are asked.
 let pixelsAMillisecond = 200;
 async function exposePass(programs, film, isStale, show = () => {}) {
+  if (!film.isSketch()) await programs.lit();
   do {
     for (let first = 0; first < film.height;) {
       const rows = Math.min(Math.max(Math.round(pixelsAMillisecond * 50 / film.width), 4), film.height - first);

@@ -33,5 +33,18 @@ bool find_word(uint index, out uint word) {
   page_told = !is_here ? page | WAITS : (loads++ & told_of) == 0u ? page : page_told;
   return is_here;
 }
+
+// Whether a pixel stays as it is while others that wait are traced: it does not wait, or its turn has not come.
+bool stays(ivec2 at, int width, highp usampler2D before_told, uvec2 turn) {
+  uint place = uint(at.y * width + at.x);
+  return texelFetch(before_told, at, 0).x < WAITS || place < turn.x || place >= turn.y;
+}
+
+// What it tells then: that it waits still.
+uint told_again(ivec2 at, highp usampler2D before_told) {
+  uint before = texelFetch(before_told, at, 0).x;
+  return before < WAITS ? NO_PAGE : before;
+}
+
 #define VOXC_VOLUME int
 #define VOXC_FIND(volume, index, word) find_word(index, word)

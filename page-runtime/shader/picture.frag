@@ -1,7 +1,7 @@
 // One more sample of each pixel: a ray from the eye, and from what it meets one to the sun and one to the sky; or a sketch, the first
-// of these alone. A pixel that lacks a page of the volume is left as it was, and waits; in a sketch it shows the cell that its ray has come to.
+// of these alone. A pixel that lacks a page of the volume is left as it was, and waits.
 uniform highp usampler2D before_sky;
-uniform bool is_sketch;  // No light yet: only where surfaces are, shaded by their faces.
+uniform bool is_sketch;  // No light yet: only where surfaces are.
 uniform bool is_further; // There are samples, or a sketch, before this one.
 uniform bool is_after_sketch; // Whose light does not count.
 uniform bool is_smooth;  // Surfaces have the direction of their neighbourhood.
@@ -16,21 +16,11 @@ layout(location = 1) out uvec4 after_sky;
 
 #ifdef PAGED
 uniform highp usampler2D before_told;
-uniform bool is_again; // Only pixels that wait are traced, from the first whose turn it is to the one before the last.
+uniform bool is_again; // As in sketch.frag.
 uniform uvec2 turn;
 uniform int number;
 layout(location = 2) out uint told;
-
-// Whether a pixel stays as it is.
-bool stays(ivec2 at) {
-  uint place = uint(at.y * size.x + at.x);
-  return is_again && (texelFetch(before_told, at, 0).x < WAITS || place < turn.x || place >= turn.y);
-}
 #endif
-
-const vec3 UNKNOWN = vec3(0.3);
-
-vec3 sketched(vec3 colour, vec3 face) { return colour * (0.75 + 0.15 * face.y + 0.1 * face.x); }
 
 const int SUN = 1, SKY = 2, DONE = 3;
 
@@ -45,11 +35,10 @@ void main() {
   bool lacks = false;
 #ifdef PAGED
   ivec2 here = ivec2(gl_FragCoord.xy);
-  if (stays(here)) {
+  if (is_again && stays(here, size.x, before_told, turn)) {
     after_sun = texelFetch(before_sun, here, 0);
     after_sky = texelFetch(before_sky, here, 0);
-    told = texelFetch(before_told, here, 0).x;
-    told = told < WAITS ? NO_PAGE : told;
+    told = told_again(here, before_told);
     return;
   }
   begin_loads(uvec2(here), uint(number));
@@ -70,8 +59,8 @@ void main() {
 #ifdef PAGED
     lacks = voxc_scene_lacks_page;
     if (lacks) {
-      first = is_sketch ? floatBitsToUint(hit.t) >> 12 << 12 | 1u << 9 : 0u;
-      by_sun = is_sketch ? sketched(UNKNOWN, voxc_scene_normal(hit)) : vec3(0.0);
+      first = 0u;
+      by_sun = vec3(0.0);
       break;
     }
 #endif
@@ -91,7 +80,6 @@ void main() {
           room = 2.0;
           start = point + room * normal;
         }
-        by_sun = is_sketch ? sketched(colour, face) : vec3(0.0);
         task = is_sketch ? DONE : dot(normal, sun) > 0.0 ? SUN : SKY;
       }
     } else if (found && hit.axis < 0 && room > 0.0) {

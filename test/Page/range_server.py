@@ -2,11 +2,12 @@
 import contextlib
 import http.server
 import re
+import socket
 import threading
 import time
 from pathlib import Path
 
-PIECE = 1 << 14
+PIECE = 1 << 16
 
 
 class Line:
@@ -28,6 +29,11 @@ class Line:
 class Handler(http.server.BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     disable_nagle_algorithm = True
+
+    def setup(self):
+        super().setup()
+        with self.server.lock:
+            self.server.connections.add(self.connection)
 
     def log_message(self, *_):
         pass
@@ -68,13 +74,22 @@ def serving(folder, bits_a_second=0, knows_ranges=True):
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
     server.daemon_threads = True
     server.folder, server.line, server.knows_ranges = Path(folder), Line(bits_a_second), knows_ranges
-    server.requests, server.lock = [], threading.Lock()
+    server.requests, server.connections, server.lock = [], set(), threading.Lock()
     server.url = f"http://127.0.0.1:{server.server_address[1]}/"
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()
-    try:
-        yield server
-    finally:
+
+    def close():
         server.shutdown()
         server.server_close()
         thread.join()
+        with server.lock:
+            for connection in server.connections:
+                with contextlib.suppress(OSError):
+                    connection.shutdown(socket.SHUT_RDWR)
+
+    server.close = close
+    try:
+        yield server
+    finally:
+        close()

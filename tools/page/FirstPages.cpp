@@ -4,6 +4,8 @@
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Trace/CpuKernel.h"
 
+#include <glm/geometric.hpp>
+
 #include <bit>
 #include <numeric>
 
@@ -15,15 +17,17 @@ constexpr std::uint32_t kTouched = 0x80000000u;
 
 /// Pixels of a picture's height, step by step.
 constexpr int kSteps[] = {12, 25, 50, 100};
-constexpr double kAspect = 16.0 / 9;
+constexpr double kAspect = 16.0 / 9; ///< As wide as windows are.
 
-/// Rays through the middles of pixels.
+/// Rays through the middles of pixels, which are square: a narrower picture of that height has some of them.
 std::vector<Ray> raysOf(const PictureView &view, int height) {
-  const int width = static_cast<int>(height * kAspect);
+  const double aspect = glm::length(view.right) / glm::length(view.up);
+  const int width = 2 * static_cast<int>(height * kAspect / 2);
   std::vector<Ray> rays;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const double across = (column + 0.5) / width * 2 - 1, above = 1 - (row + 0.5) / height * 2;
+      const double across = (2 * column + 1 - width) / (height * aspect),
+                   above = 1 - (row + 0.5) / height * 2;
       Ray &ray = rays.emplace_back();
       for (int axis = 0; axis < 3; ++axis) {
         ray.origin[axis] = static_cast<float>(view.eye[axis]);

@@ -28,13 +28,13 @@ constexpr const char *kScripts[] = {"script/device",   "script/arithmetic", "scr
                                     "script/controls", "script/resident",   "script/picture",
                                     "script/rays",     "script/main"};
 constexpr const char *kStreamedScripts[] = {
-    "script/device", "script/arithmetic", "script/camera", "script/controls", "pages/xxh3",
-    "pages/zstd",    "pages/reader",      "pages/pool",    "pages/volume",    "pages/waiting",
-    "pages/telling", "script/picture",    "script/rays",   "script/main"};
+    "pages/xxh3",        "pages/zstd",    "pages/reader",    "pages/start", "script/device",
+    "script/arithmetic", "script/camera", "script/controls", "pages/pool",  "pages/volume",
+    "pages/waiting",     "pages/telling", "script/picture",  "script/rays", "script/main"};
 constexpr const char *kShaders[] = {"light.glsl",   "surface.glsl", "all.vert",       "picture.frag",
                                     "develop.frag", "answer.frag",  "arithmetic.frag"};
 constexpr const char *kResidentShaders[] = {"words.glsl"};
-constexpr const char *kStreamedShaders[] = {"pages.glsl", "collect.frag"};
+constexpr const char *kStreamedShaders[] = {"pages.glsl", "sketch.frag", "collect.frag"};
 
 constexpr std::string_view kName = "scene"; ///< Of the functions, which shaders know.
 
