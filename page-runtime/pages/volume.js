@@ -6,7 +6,7 @@ const volume = (() => {
   const { volume: told } = scene, pageWords = told.pageBytes / 4;
   const pool = makePool(told), { figures } = pool;
   if (figures.slots < 2) throw new Error(`this device has no room for pages of ${told.pageBytes} bytes`);
-  let lonely = 0, problem = "", arrived = () => {};
+  let lonely = 0, brought = 0, problem = "", arrived = () => {};
   const wanted = new Set();
 
   reader.onmessage = ({ data }) => {
@@ -47,11 +47,16 @@ const volume = (() => {
   }
 
   return {
-    isStreamed: true, figures, bind: pool.bind, sorted, room: pool.room,
+    isStreamed: true, figures, bind: pool.bind, sorted,
     prelude: shaders["pages.glsl"].replace("PAGES_HERE", `const uint PAGES = ${figures.pages}u, LOG2_PAGE_WORDS = ${Math.log2(pageWords)}u;`),
+    // Pixels or rays that go on together; fewer of them do where they would take each other's pages away: where more were read than there is
+    // room for.
+    beginGroup() { brought = 0; },
+    areTooMany: pages => pages.size > pool.room() || brought + pages.size > figures.slots,
     // Has pages read that are lacking; `isAlone`: a single pixel or ray lacks them.
     async bring(pages, isAlone, isStale = () => false) {
       lonely = isAlone ? lonely + 1 : 0;
+      brought += pages.size;
       if (lonely > PATIENCE_ROUNDS + 2 * figures.slots)
         throw new Error(`a pixel needs more pages at once than the ${figures.slots} that have room: export the page with more --device-memory`);
       check();

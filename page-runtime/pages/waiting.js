@@ -15,12 +15,13 @@ async function feedbackOf(programs, film) {
 async function hasToGoOn(programs, film, isStale) {
   const asked = volume.sorted(await feedbackOf(programs, film)), { turn } = film, count = turn[1] - turn[0], all = film.width * film.height;
   film.isAgain = true;
-  if (!asked.size && turn[1] === all) {
-    film.turn = [0, all];
-    return film.isAgain = false;
+  if (asked.size && (count === 1 || !volume.areTooMany(asked))) {
+    await volume.bring(asked, count === 1, isStale);
+    return true;
   }
-  if (!asked.size) film.turn = [turn[1], Math.min(turn[1] + 2 * count, all)];
-  else if (asked.size > volume.room() && count > 1) film.turn = [turn[0], turn[0] + Math.ceil(count / 2)];
-  else await volume.bring(asked, count === 1, isStale);
-  return true;
+  volume.beginGroup();
+  if (asked.size) film.turn = [turn[0], turn[0] + Math.ceil(count / 2)];
+  else if (turn[1] < all) film.turn = [turn[1], Math.min(turn[1] + 2 * count, all)];
+  else film.turn = [0, all];
+  return film.isAgain = asked.size > 0 || turn[1] < all;
 }

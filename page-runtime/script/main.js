@@ -74,6 +74,16 @@ function fitCanvas() {
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
 }
 
+// What is asked for beside the pictures goes before them, one after the other: rays of both would take each other's pages away.
+let asking = null;
+function answered(task) {
+  const before = asking, answer = (async () => { await before; return task(); })();
+  const settled = answer.catch(() => {}).then(() => { if (asking === settled) asking = null; });
+  asking = settled;
+  return answer;
+}
+const isLate = () => moved || asking;
+
 // What puts a film on the canvas, as far as it is exposed.
 const showing = (programs, film) => () => {
   film.develop(programs, null, canvas.width, canvas.height);
@@ -85,7 +95,7 @@ async function takeQuickPicture(programs, films) {
   const wanted = Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (canvas.width * canvas.height));
   const part = Math.min(Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 1 / 8), 1);
   const film = filmOf(films, "quick", part), show = showing(programs, film);
-  if (volume.isStreamed) await exposePass(programs, film, () => film.isAgain && moved, show);
+  if (volume.isStreamed) await exposePass(programs, film, () => film.isAgain && isLate(), show);
   else await exposeSample(programs, film, () => false);
   show();
   return part;
@@ -105,6 +115,7 @@ async function show() {
   for (;;) {
     const programs = await programsOf(precision);
     await nextFrame();
+    while (asking) await asking;
     if (moved) {
       moved = false;
       fitCanvas();
@@ -116,7 +127,7 @@ async function show() {
     } else if (!film || film.samples < mostSamples()) {
       if (!film || part < 1) film = filmOf(films, "still", part = film ? Math.min(2 * part, 1) : part < 0.5 ? 2 * part : 1);
       const show = showing(programs, film);
-      if (!await exposeSample(programs, film, () => moved, show)) continue;
+      if (!await exposeSample(programs, film, isLate, show)) continue;
       show();
       if (part === 1) tellSamples(film.samples);
       if (part === 1 && isChecked !== precision) {
@@ -142,7 +153,7 @@ async function pick(x, y) {
   const { eye, front, right, up } = camera.view(canvas.clientWidth, canvas.clientHeight);
   const [across, down] = [2 * x / canvas.clientWidth - 1, 2 * y / canvas.clientHeight - 1];
   const ray = new Float32Array([...eye, ...add(add(front, right, across), up, -down)]);
-  const hits = await trace(await answers(precision), ray);
+  const hits = await answered(async () => trace(await answers(precision), ray));
   const t = new Float32Array(hits.buffer)[4];
   return hits[0] >> 31 ? null : [0, 1, 2].map(axis => ray[axis] + t * ray[3 + axis]);
 }
@@ -150,8 +161,8 @@ async function pick(x, y) {
 // For tests and the curious.
 window.voxc = {
   scene, camera, checkRays, changed, pages: volume.figures,
-  trace: async (rays, kernel = precision) => trace(await answers(kernel), rays),
-  picture: async (width, height, samples) => takePicture(await programsOf(precision), width, height, samples),
+  trace: (rays, kernel = precision) => answered(async () => trace(await answers(kernel), rays)),
+  picture: (width, height, samples) => answered(async () => takePicture(await programsOf(precision), width, height, samples)),
 };
 
 function choose(chosen, because = "") {

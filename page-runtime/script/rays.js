@@ -20,12 +20,13 @@ async function traceSome(programs, bits, hits, first, count) {
   const textures = [integers(2 * RAYS_A_ROW, rows, 4, given), integers(RAYS_A_ROW, rows, 4), integers(RAYS_A_ROW, rows, 4)];
   const target = framebuffer(textures[1], textures[2]);
   let place, rest, asked;
+  if (volume.isStreamed) volume.beginGroup();
   do {
     volume.bind(programs.answer.use().texture("rays", textures[0], 1));
     draw(target, RAYS_A_ROW, rows);
     [place, rest] = [await contentsOf(target, RAYS_A_ROW, rows, 0), await contentsOf(target, RAYS_A_ROW, rows, 1)];
     asked = volume.isStreamed ? volume.sorted(rest.subarray(0, 4 * count), 4, 3) : new Set();
-    if (asked.size > 0 && asked.size > volume.room() && count > 1) break;
+    if (asked.size && count > 1 && volume.areTooMany(asked)) break;
     if (asked.size) await volume.bring(asked, count === 1);
   } while (asked.size);
   for (let i = 0; i < count; i++)

@@ -33,7 +33,7 @@ void main() {
   bool found = voxc_scene_first(0, eye, direction, hit);
   bool lacks = voxc_scene_lacks_page;
   vec3 face = hit.axis < 0 ? -direction : voxc_scene_normal(hit);
-  vec3 colour = (lacks ? UNKNOWN : colour_of_word(hit.colour)) * (0.75 + 0.15 * face.y + 0.1 * face.x);
+  vec3 colour = (lacks ? UNKNOWN : colour_of_word(hit.colour)) * (0.9 + 0.2 * face.y - 0.1 * abs(face.x));
   uint first = floatBitsToUint(hit.t) >> 12 << 12 | (hit.axis < 0 ? 6u : uint(2 * hit.axis + max(hit.side, 0))) << 9;
   after_sun = found || lacks ? uvec4(floatBitsToUint(colour), first) : uvec4(0u);
   told = lacks ? page_told : page_told < WAITS ? page_told : NO_PAGE;
