@@ -5,7 +5,7 @@ const WAITS = 0x80000000, NO_PAGE = 0x7fffffff, PATIENCE_ROUNDS = 64, LATENCY_MI
 const volume = (() => {
   const { volume: told } = scene, pageWords = told.pageBytes / 4;
   const pool = makePool(told), { figures } = pool;
-  if (figures.slots < 2) throw new Error(`this device has no room for pages of ${told.pageBytes} bytes`);
+  if (figures.slots < Math.min(2, figures.pages)) throw new Error(`this device has no room for pages of ${told.pageBytes} bytes`);
   let lonely = 0, brought = 0, problem = "", arrived = () => {};
   const wanted = new Set();
 

@@ -80,6 +80,8 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
                  {"STYLE", tersely("style.css")},
                  {"FACTS", factsOf(volume) + (streamed ? factsOf(*streamed) : "")},
                  {"WAIT", std::string(kWait)},
+                 // Whoever is on a server is asked for an icon.
+                 {"ICON", streamed ? "<link rel=\"icon\" href=\"data:,\">\n" : ""},
                  {"PACKED", sevenBitText(packed)}};
   const Expected<std::string> unpack = fillTemplate(tersely("unpack.js"), names);
   if (!unpack)
