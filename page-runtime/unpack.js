@@ -32,7 +32,8 @@
       from += 4 * count;
     }
     const checks = whole.subarray(from);
-    await new Function("words", "checks", "status", script + "\n//# sourceURL=voxc.js")(words, checks, status);
+    const Asynchronous = (async () => {}).constructor;
+    await new Asynchronous("words", "checks", "status", script + "\n//# sourceURL=voxc.js")(words, checks, status);
   } catch (problem) {
     status.textContent = "This page cannot be shown here: " + (problem.message || problem);
     document.documentElement.dataset.problem = problem.message || problem;

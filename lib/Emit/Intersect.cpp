@@ -30,8 +30,8 @@ std::string emitIntersect(const Plan &plan) {
   };
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
          (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
-         file("memory/" + std::string(toString(plan.addressing)) + ".glsl") + kernelFunctions(plan) +
-         around();
+         file("memory/" + std::string(toString(plan.addressing)) + ".glsl") +
+         (plan.addressing == Addressing::Paged ? file("paging.glsl") : "") + kernelFunctions(plan) + around();
 }
 
 } // namespace voxc

@@ -46,8 +46,9 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   const auto file = [&](const char *path) { return "\n" + fillFile(shaderFiles(), path, names); };
   const std::string bounds = plan.bounded ? file("walk_on.glsl") + file("bounds.glsl") : "";
   const std::string buffers = file(isPoint ? "point/answer.glsl" : "buffers.glsl");
+  const std::string paging = plan.addressing == Addressing::Paged ? file("paging.glsl") : "";
   const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
-                              glslToCpp(volumeSize(plan) + kernelFunctions(plan) + bounds + buffers);
+                              glslToCpp(volumeSize(plan) + paging + kernelFunctions(plan) + bounds + buffers);
   std::string text = fillFile(cpuFiles(), "begin.inc", names) + indented(members);
   for (const char *path : isPoint ? std::span<const char *const>(kPointFiles) : kRayFiles)
     text += fillFile(cpuFiles(), path, names);

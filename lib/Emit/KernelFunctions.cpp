@@ -20,8 +20,6 @@ public:
   explicit FunctionEmitter(const Plan &plan) : plan_(plan), names_(planNames(plan)) {}
 
   std::string emit() {
-    if (plan_.addressing == Addressing::Paged)
-      file("paging.glsl");
     if (plan_.query == Query::Occupancy)
       pointFunctions();
     else

@@ -16,6 +16,8 @@ struct PagedVolume::State {
   std::span<const std::byte> file;
   std::shared_ptr<const void> owner;
   VolumeInfo info;
+  std::uint64_t headChecksum = 0;
+  std::uint64_t headBytes = 0;
   std::vector<PagedStream> streams;
   std::vector<StreamPages> pages; ///< One a stream.
 
@@ -52,6 +54,8 @@ Expected<void> PagedVolume::State::readHead() {
   if (!told)
     return told.error();
   info = std::move(*told);
+  headChecksum = header->checksum;
+  headBytes = header->headBytes;
   pages = std::move(*read);
   for (const StreamPages &stream : pages) {
     streams.push_back(stream.stream);
@@ -86,6 +90,9 @@ Expected<PagedVolume> PagedVolume::read(std::span<const std::byte> file, std::sh
 
 const VolumeInfo &PagedVolume::info() const { return state_->info; }
 std::span<const PagedStream> PagedVolume::streams() const { return state_->streams; }
+std::uint64_t PagedVolume::headChecksum() const { return state_->headChecksum; }
+std::uint64_t PagedVolume::headBytes() const { return state_->headBytes; }
+std::uint64_t PagedVolume::fileBytes() const { return state_->file.size(); }
 
 Expected<void> PagedVolume::decode(std::size_t stream, std::uint64_t page, std::span<std::byte> room) const {
   if (stream >= state_->pages.size() || page >= state_->pages[stream].rows.size())

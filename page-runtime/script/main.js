@@ -1,10 +1,9 @@
 // What the page does.
 
-const MOST_SAMPLES = 256, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150, PATIENCE_MILLISECONDS = 15000;
+const MOST_SAMPLES = 256, FEW_SAMPLES = 8, MOVING_MILLISECONDS = 45, REST_MILLISECONDS = 150, PATIENCE_MILLISECONDS = 15000;
 const element = id => document.getElementById(id);
 const english = number => number.toLocaleString("en");
 
-const wordsOnDevice = wordTexture(words);
 const kept = {};
 
 // The functions of the exact kernel or of the fast one: what one of them has alone is marked.
@@ -16,19 +15,29 @@ function functionsOf(precision) {
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const before = shaders["words.glsl"] + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
-    const develop = programOf(shaders["develop.frag"]);
-    const picture = programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
-    const programs = { words: wordsOnDevice, picture: await picture, develop: await develop };
+    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
+    const pictures = () => programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
+    const programs = { develop: programOf(shaders["develop.frag"]) };
+    if (volume.isStreamed) { // First what shows something.
+      programs.sketch = programOf(before + shaders["light.glsl"] + shaders["sketch.frag"]);
+      programs.collect = programOf(shaders["collect.frag"]);
+    } else {
+      programs.picture = pictures();
+    }
+    for (const name in programs) programs[name] = await programs[name];
     await warmUp(programs);
+    if (volume.isStreamed) noteMoment("ready");
+    const lit = async () => programs.picture ??= await pictures();
+    let lighting;
+    programs.lit = () => programs.picture || (lighting ??= lit());
     let answer;
-    return { ...programs, answering: () => answer ??= programOf(before + shaders["answer.frag"]) };
+    return Object.assign(programs, { answering: () => answer ??= programOf(before + shaders["answer.frag"]) });
   })();
 }
 
 async function answers(precision) {
   const programs = await programsOf(precision);
-  return { ...programs, answer: await programs.answering() };
+  return Object.assign(programs, { answer: await programs.answering() });
 }
 
 let precision = "exact", moved = true, wake = () => {}, why = "";
@@ -65,17 +74,30 @@ function fitCanvas() {
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
 }
 
+// What is asked for beside the pictures goes before them, one after the other: rays of both would take each other's pages away.
+let asking = null;
+function answered(task) {
+  const before = asking, answer = (async () => { await before; return task(); })();
+  const settled = answer.catch(() => {}).then(() => { if (asking === settled) asking = null; });
+  asking = settled;
+  return answer;
+}
+const isLate = () => moved || asking;
+
+// What puts a film on the canvas, as far as it is exposed.
+const showing = (programs, film) => () => {
+  film.develop(programs, null, canvas.width, canvas.height);
+  if (volume.isStreamed) tellPages(film);
+};
+
 // A picture of as many pixels as the device does quickly. Tells which part that is.
 async function takeQuickPicture(programs, films) {
   const wanted = Math.sqrt(pixelsAMillisecond * MOVING_MILLISECONDS / (canvas.width * canvas.height));
   const part = Math.min(Math.max(2 ** (Math.floor(Math.log2(wanted) * 2) / 2), 1 / 8), 1);
-  const film = filmOf(films, "quick", part);
-  while (!film.samples) {
-    film.expose(programs, 0, film.height);
-    learnSpeed(film.width * film.height, await finished());
-    film.wind();
-  }
-  film.develop(programs, null, canvas.width, canvas.height);
+  const film = filmOf(films, "quick", part), show = showing(programs, film);
+  if (volume.isStreamed) await exposePass(programs, film, () => film.isAgain && isLate(), show);
+  else await exposeSample(programs, film, () => false);
+  show();
   return part;
 }
 
@@ -93,6 +115,7 @@ async function show() {
   for (;;) {
     const programs = await programsOf(precision);
     await nextFrame();
+    while (asking) await asking;
     if (moved) {
       moved = false;
       fitCanvas();
@@ -101,10 +124,11 @@ async function show() {
       restsSince = performance.now();
     } else if (performance.now() - restsSince < REST_MILLISECONDS) {
       await sleep(10);
-    } else if (!film || film.samples < MOST_SAMPLES) {
+    } else if (!film || film.samples < mostSamples()) {
       if (!film || part < 1) film = filmOf(films, "still", part = film ? Math.min(2 * part, 1) : part < 0.5 ? 2 * part : 1);
-      if (!await exposeSample(programs, film, () => moved)) continue;
-      film.develop(programs, null, canvas.width, canvas.height);
+      const show = showing(programs, film);
+      if (!await exposeSample(programs, film, isLate, show)) continue;
+      show();
       if (part === 1) tellSamples(film.samples);
       if (part === 1 && isChecked !== precision) {
         isChecked = precision;
@@ -116,8 +140,11 @@ async function show() {
   }
 }
 
+// Where pages have to make room for others, each sample has some read again.
+const mostSamples = () => volume.isStreamed && volume.figures.gone ? FEW_SAMPLES : MOST_SAMPLES;
+
 function tellSamples(samples) {
-  element("status").textContent = `${english(samples)} of ${MOST_SAMPLES} samples a pixel`;
+  element("status").textContent = `${english(samples)} of ${mostSamples()} samples a pixel`;
   document.documentElement.dataset.samples = samples;
 }
 
@@ -126,16 +153,16 @@ async function pick(x, y) {
   const { eye, front, right, up } = camera.view(canvas.clientWidth, canvas.clientHeight);
   const [across, down] = [2 * x / canvas.clientWidth - 1, 2 * y / canvas.clientHeight - 1];
   const ray = new Float32Array([...eye, ...add(add(front, right, across), up, -down)]);
-  const hits = await trace(await answers(precision), ray);
+  const hits = await answered(async () => trace(await answers(precision), ray));
   const t = new Float32Array(hits.buffer)[4];
   return hits[0] >> 31 ? null : [0, 1, 2].map(axis => ray[axis] + t * ray[3 + axis]);
 }
 
 // For tests and the curious.
 window.voxc = {
-  scene, camera, checkRays, changed,
-  trace: async (rays, kernel = precision) => trace(await answers(kernel), rays),
-  picture: async (width, height, samples) => takePicture(await programsOf(precision), width, height, samples),
+  scene, camera, checkRays, changed, pages: volume.figures,
+  trace: (rays, kernel = precision) => answered(async () => trace(await answers(kernel), rays)),
+  picture: (width, height, samples) => answered(async () => takePicture(await programsOf(precision), width, height, samples)),
 };
 
 function choose(chosen, because = "") {
@@ -147,8 +174,8 @@ function choose(chosen, because = "") {
 
 // Exact where the browser can: its arithmetic is sound, and its compiler takes the kernel, within some patience.
 async function choosePrecision() {
-  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
   const exact = programsOf("exact").then(() => "", problem => `; the exact kernel is not taken here: ${problem.message}`);
+  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
   const because = await Promise.race([exact, sleep(PATIENCE_MILLISECONDS).then(() => "; the exact kernel is still being compiled here")]);
   if (!because) return;
   choose("fast", because);

@@ -5,55 +5,84 @@ const evenNumbers = i => [0.5 + i / 1.324717957244746, 0.5 + i / 1.7548776662466
 const DIRECTIONS = 16; // Of a square of pixels, to the sky.
 
 function makeFilm(width, height) {
-  const lights = [0, 1].map(() => ({ sun: integers(width, height, 4), sky: integers(width, height, 4) }));
-  const targets = lights.map(({ sun, sky }) => framebuffer(sun, sky));
-  const latest = film => lights[film.passes % 2];
+  const channels = volume.isStreamed ? { sun: 4, sky: 4, told: 1 } : { sun: 4, sky: 4 };
+  const lights = [0, 1].map(() => Object.fromEntries(Object.entries(channels).map(([name, count]) => [name, integers(width, height, count)])));
+  const targets = lights.map(light => framebuffer(...Object.values(light)));
+  const latest = film => lights[film.draws % 2];
   return {
-    // Of smooth surfaces the first pass is a sketch: where they are, without light.
-    width, height, passes: 0, samples: 0, view: null,
-    begin(view) { this.passes = 0; this.samples = 0; this.view = view; },
-    isSketch() { return scene.smooth && this.passes === 0; },
+    // The first pass may be a sketch: where surfaces are, in a light that needs no further rays.
+    width, height, draws: 0, passes: 0, samples: 0, view: null,
+    isWhole: true, isAgain: false, turn: [0, width * height], // Where pixels wait for pages: only these are traced, and of these some.
+    begin(view) { Object.assign(this, { passes: 0, samples: 0, view, isWhole: true, isAgain: false, turn: [0, width * height] }); },
+    isSketch() { return (scene.smooth || volume.isStreamed) && this.passes === 0; },
+    // Of which pages pixels have told.
+    told() { return latest(this).told; },
     // Rows of the next pass.
     expose(programs, first, rows) {
-      const { eye, front, right, up } = this.view, { sun, sky } = latest(this);
-      programs.picture.use().texture("words", programs.words, 0).texture("before_sun", sun, 1).texture("before_sky", sky, 2)
+      const { eye, front, right, up } = this.view, { sun, sky, told } = latest(this);
+      const program = this.isSketch() && programs.sketch || programs.picture;
+      volume.bind(program.use());
+      if (told)
+        program.texture("before_told", told, 4).set("1i", "is_again", this.isAgain).set("2ui", "turn", ...this.turn)
+          .set("1i", "number", volume.figures.rounds);
+      program.texture("before_sun", sun, 1).texture("before_sky", sky, 2).set("1i", "is_after_sketch", this.samples === 0)
         .set("1i", "is_sketch", this.isSketch()).set("1i", "is_further", this.passes > 0).set("1i", "is_smooth", scene.smooth)
         .set("2i", "size", width, height)
         .set("3f", "eye", ...eye).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up)
         .set("2f", "place", ...evenNumbers(this.samples)).set("2f", "numbers", ...evenNumbers(this.samples * DIRECTIONS))
         .set("3f", "sun", ...scene.sun).set("1f", "open_scale", 0.06 * size);
-      draw(targets[1 - this.passes % 2], width, height, first, rows);
+      draw(targets[1 - this.draws % 2], width, height, first, rows);
     },
+    // All rows are there.
+    drawn() { this.draws++; this.isWhole = false; },
     // The pass is whole.
     wind() {
       if (!this.isSketch()) this.samples++;
       this.passes++;
+      this.isWhole = true;
     },
     develop(programs, target, pixelsWide, pixelsHigh) {
-      const { front, right, up } = this.view, { sun, sky } = latest(this);
-      programs.develop.use().texture("sun_light", sun, 0).texture("sky_light", sky, 1)
+      const { front, right, up } = this.view, { sun, sky, told } = latest(this);
+      programs.develop.use().texture("told", told || sun, 2).set("1i", "is_partial", !this.isWhole && !this.isSketch())
+        .texture("sun_light", sun, 0).texture("sky_light", sky, 1)
         .set("1f", "samples", this.samples).set("1i", "is_smooth", scene.smooth).set("1f", "exposure", scene.exposure)
         .set("2f", "canvas", pixelsWide, pixelsHigh).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up);
       draw(target, pixelsWide, pixelsHigh);
     },
     free() {
-      for (const { sun, sky } of lights) [sun, sky].forEach(texture => gl.deleteTexture(texture));
+      for (const light of lights) Object.values(light).forEach(texture => gl.deleteTexture(texture));
       targets.forEach(target => gl.deleteFramebuffer(target));
+      gl.deleteTexture(this.squares || null);
+      gl.deleteFramebuffer(this.feedback || null);
     },
   };
 }
 
-// Exposes one sample in strips that take the device a twentieth of a second or so; ends early where `isStale` says so.
+// Exposes one pass in strips that take the device a twentieth of a second or so, and pixels that wait for pages until they have them; ends
+// early where `isStale` says so. `show` is called before they are asked.
 let pixelsAMillisecond = 200;
-async function exposeSample(programs, film, isStale) {
-  for (const samples = film.samples; film.samples === samples; film.wind())
+async function exposePass(programs, film, isStale, show = () => {}) {
+  if (!film.isSketch()) await programs.lit();
+  do {
     for (let first = 0; first < film.height;) {
       const rows = Math.min(Math.max(Math.round(pixelsAMillisecond * 50 / film.width), 4), film.height - first);
       film.expose(programs, first, rows);
-      learnSpeed(rows * film.width, await finished());
+      const time = await finished();
+      if (!film.isAgain) learnSpeed(rows * film.width, time);
       if (isStale()) return false;
       first += rows;
     }
+    film.drawn();
+    if (!volume.isStreamed) break;
+    show();
+  } while (await hasToGoOn(programs, film, isStale));
+  film.wind();
+  return true;
+}
+
+async function exposeSample(programs, film, isStale, show) {
+  for (const samples = film.samples; film.samples === samples;)
+    if (!await exposePass(programs, film, isStale, show)) return false;
   return true;
 }
 

@@ -10,6 +10,7 @@ async function trace(programs, rays) {
   return hits;
 }
 
+// Also of a volume of which some pages are here; rays for which they have no room at once are traced by halves.
 async function traceSome(programs, bits, hits, first, count) {
   const rows = Math.ceil(count / RAYS_A_ROW), given = new Uint32Array(8 * RAYS_A_ROW * rows);
   for (let i = 0; i < count; i++) {
@@ -18,13 +19,24 @@ async function traceSome(programs, bits, hits, first, count) {
   }
   const textures = [integers(2 * RAYS_A_ROW, rows, 4, given), integers(RAYS_A_ROW, rows, 4), integers(RAYS_A_ROW, rows, 4)];
   const target = framebuffer(textures[1], textures[2]);
-  programs.answer.use().texture("words", programs.words, 0).texture("rays", textures[0], 1);
-  draw(target, RAYS_A_ROW, rows);
-  const place = await contentsOf(target, RAYS_A_ROW, rows, 0), rest = await contentsOf(target, RAYS_A_ROW, rows, 1);
+  let place, rest, asked;
+  if (volume.isStreamed) volume.beginGroup();
+  do {
+    volume.bind(programs.answer.use().texture("rays", textures[0], 1));
+    draw(target, RAYS_A_ROW, rows);
+    [place, rest] = [await contentsOf(target, RAYS_A_ROW, rows, 0), await contentsOf(target, RAYS_A_ROW, rows, 1)];
+    asked = volume.isStreamed ? volume.sorted(rest.subarray(0, 4 * count), 4, 3) : new Set();
+    if (asked.size && count > 1 && volume.areTooMany(asked)) break;
+    if (asked.size) await volume.bring(asked, count === 1);
+  } while (asked.size);
   for (let i = 0; i < count; i++)
     hits.set([place[4 * i], place[4 * i + 1], place[4 * i + 2], rest[4 * i], place[4 * i + 3], rest[4 * i + 1]], 6 * (first + i));
   gl.deleteFramebuffer(target);
   textures.forEach(texture => gl.deleteTexture(texture));
+  if (!asked.size) return;
+  const half = Math.ceil(count / 2);
+  await traceSome(programs, bits, hits, first, half);
+  await traceSome(programs, bits, hits, first + half, count - half);
 }
 
 // Rays from in and around the volume to places in it: the same here and where the page was made.
@@ -39,6 +51,21 @@ function checkRays(count) {
     }
   return rays;
 }
+
+// Rays of the picture of the page's maker, where `checkRays` would have too many pages read.
+function pictureRays({ eye, front, right, up }, count) {
+  const rays = new Float32Array(6 * count);
+  for (let i = 0; i < count; i++) {
+    const [across, above] = [noise(2 * i), noise(2 * i + 1)].map(number => (number >>> 20) / 2048 - 1);
+    for (let axis = 0; axis < 3; axis++) {
+      rays[6 * i + axis] = eye[axis];
+      rays[6 * i + 3 + axis] = front[axis] + right[axis] * across + up[axis] * above;
+    }
+  }
+  return rays;
+}
+
+const raysOfCheck = count => scene.volume ? pictureRays(scene.volume.view, count) : checkRays(count);
 
 // A byte of a hit's voxel and colour.
 function digestOf(hits, i) {
@@ -59,7 +86,7 @@ function entryOf(rays, hits, i) {
 
 // Of the rays whose hits the page's maker knew: how many have another voxel here, and how wrong a t is at most, in voxels.
 async function errorsHere(programs, checks) {
-  const rays = checkRays(checks.length), hits = await trace(programs, rays), times = new Float32Array(hits.buffer);
+  const rays = raysOfCheck(checks.length), hits = await trace(programs, rays), times = new Float32Array(hits.buffer);
   let others = 0, worst = 0;
   checks.forEach((digest, i) => {
     if (digest !== digestOf(hits, i)) others++;

@@ -4,7 +4,9 @@ precision highp float;
 precision highp int;
 uniform highp usampler2D sun_light; // As picture.frag leaves them.
 uniform highp usampler2D sky_light;
+uniform highp usampler2D told;
 uniform float samples;
+uniform bool is_partial; // Pixels that do not wait have one sample more.
 uniform bool is_smooth;
 uniform float exposure;
 uniform vec2 canvas;
@@ -59,15 +61,17 @@ float seen_of_sky(ivec2 at, uint first, float seen) {
   return sum / count;
 }
 
+float samples_of(ivec2 at) { return samples + float(is_partial && texelFetch(told, at, 0).x < 0x80000000u); }
+
 vec3 pixel(ivec2 place, vec3 behind) {
   ivec2 at = clamp(place, ivec2(0), textureSize(sun_light, 0) - 1);
   uvec4 sun = texelFetch(sun_light, at, 0);
   float hits = float(sun.w & 511u);
   if (hits == 0.0)
-    return behind;
+    return sun.w == 0u ? behind : uintBitsToFloat(sun.xyz); // A sketch.
   vec4 sky = uintBitsToFloat(texelFetch(sky_light, at, 0));
   vec3 light = (uintBitsToFloat(sun.xyz) + sky.xyz * seen_of_sky(at, sun.w, sky.w)) / hits;
-  return mix(behind, compressed(light * exposure), hits / samples);
+  return mix(behind, compressed(light * exposure), hits / samples_of(at));
 }
 
 void main() {

@@ -1,8 +1,9 @@
 // One more sample of each pixel: a ray from the eye, and from what it meets one to the sun and one to the sky; or a sketch, the first
-// of these alone.
+// of these alone. A pixel that lacks a page of the volume is left as it was, and waits.
 uniform highp usampler2D before_sky;
 uniform bool is_sketch;  // No light yet: only where surfaces are.
 uniform bool is_further; // There are samples, or a sketch, before this one.
+uniform bool is_after_sketch; // Whose light does not count.
 uniform bool is_smooth;  // Surfaces have the direction of their neighbourhood.
 uniform vec2 place;      // Where in a pixel.
 uniform vec2 numbers;    // For directions to the sky.
@@ -12,6 +13,14 @@ uniform float open_scale;
 layout(location = 0) out uvec4 after_sun;
 // The bits of the light of a sky that nothing hides, and of how much of it is seen.
 layout(location = 1) out uvec4 after_sky;
+
+#ifdef PAGED
+uniform highp usampler2D before_told;
+uniform bool is_again; // As in sketch.frag.
+uniform uvec2 turn;
+uniform int number;
+layout(location = 2) out uint told;
+#endif
 
 const int SUN = 1, SKY = 2, DONE = 3;
 
@@ -23,6 +32,17 @@ vec2 numbers_of(ivec2 pixel) {
 }
 
 void main() {
+  bool lacks = false;
+#ifdef PAGED
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  if (is_again && stays(here, size.x, before_told, turn)) {
+    after_sun = texelFetch(before_sun, here, 0);
+    after_sky = texelFetch(before_sky, here, 0);
+    told = told_again(here, before_told);
+    return;
+  }
+  begin_loads(uvec2(here), uint(number));
+#endif
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   pixel.y = size.y - 1 - pixel.y;
   vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
@@ -36,6 +56,14 @@ void main() {
   for (int task = 0; task < DONE;) {
     voxc_scene_Hit hit;
     bool found = voxc_scene_first(0, origin, direction, hit);
+#ifdef PAGED
+    lacks = voxc_scene_lacks_page;
+    if (lacks) {
+      first = 0u;
+      by_sun = vec3(0.0);
+      break;
+    }
+#endif
     if (task == 0) {
       task = DONE;
       if (found) {
@@ -73,10 +101,15 @@ void main() {
   }
   if (is_further) {
     uvec4 sun_before = texelFetch(before_sun, ivec2(gl_FragCoord.xy), 0);
-    by_sun += uintBitsToFloat(sun_before.xyz);
-    by_sky += uintBitsToFloat(texelFetch(before_sky, ivec2(gl_FragCoord.xy), 0));
+    if (lacks || !is_after_sketch) {
+      by_sun += uintBitsToFloat(sun_before.xyz);
+      by_sky += uintBitsToFloat(texelFetch(before_sky, ivec2(gl_FragCoord.xy), 0));
+    }
     first = sun_before.w == 0u ? first : sun_before.w + (first & 1u);
   }
   after_sun = uvec4(floatBitsToUint(by_sun), first);
   after_sky = floatBitsToUint(by_sky);
+#ifdef PAGED
+  told = lacks ? page_told : page_told < WAITS ? page_told : NO_PAGE;
+#endif
 }

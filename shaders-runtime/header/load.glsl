@@ -3,6 +3,27 @@ const bool COUNT_LOOKUPS = false;
 // Exact arithmetic is at hand, and settles what float32 leaves open.
 const bool SETTLES = true;
 
+%if paged
+// A word was looked for that is not here. From then on all words are 0: what would be asked for next might follow from it.
+bool lacks_page = false;
+
+%if granules
+// A word of what begins at a granule, of ${granule-words} words.
+uint load_word(uint granule, uint offset) {
+  uint word = 0u;
+  lacks_page = lacks_page || !VOXC_FIND(volume, (VOXC_INDEX(granule) << ${log2-granule}) + offset, word);
+  return lacks_page ? 0u : word;
+}
+
+uint load_word(uint granule) { return load_word(granule, 0u); }
+%else
+uint load_word(uint offset) {
+  uint word = 0u;
+  lacks_page = lacks_page || !VOXC_FIND(volume, offset, word);
+  return lacks_page ? 0u : word;
+}
+%end
+%else
 %if granules
 // A word of what begins at a granule, of ${granule-words} words.
 uint load_word(uint granule, uint offset) { return VOXC_LOAD(volume, (VOXC_INDEX(granule) << ${log2-granule}) + offset); }
@@ -10,4 +31,5 @@ uint load_word(uint granule, uint offset) { return VOXC_LOAD(volume, (VOXC_INDEX
 uint load_word(uint granule) { return load_word(granule, 0u); }
 %else
 uint load_word(uint offset) { return VOXC_LOAD(volume, offset); }
+%end
 %end

@@ -10,17 +10,31 @@
 //     vec3 ${prefix}normal(const ${prefix}Hit hit)
 //     vec3 ${prefix}outside(vec3 origin, vec3 direction, const ${prefix}Hit hit)
 //
+%if paged
+// A volume is what you take for one, and some of its words are here: before this text, say its type, and how a word is found.
+//
+//     #define VOXC_VOLUME int
+//     #define VOXC_FIND(volume, index, word) find(index, word) // bool find(uint index, out uint word)
+//
+%else
 // A volume is what you take for one: before this text, say its type, and how a word of it is loaded. Words in an integer texture:
 //
 //     uniform highp usampler2D words; // R32UI, 4096 words a row.
 //     #define VOXC_VOLUME int
 //     #define VOXC_LOAD(volume, index) texelFetch(words, ivec2(int((index) & 4095u), int((index) >> 12)), 0).x
 //
+%end
 // Rays are in voxels; a direction may have any length, and t counts in it. All that this text leaves behind has a name that begins
 // with ${prefix}.
+%if paged
+#if !defined(VOXC_VOLUME) || !defined(VOXC_FIND)
+#error define VOXC_VOLUME as the type of a volume and VOXC_FIND(volume, index, word) as whether a word of one is here
+#endif
+%else
 #if !defined(VOXC_VOLUME) || !defined(VOXC_LOAD)
 #error define VOXC_VOLUME as the type of a volume and VOXC_LOAD(volume, index) as a word of one
 #endif
+%end
 #define VOXC_IN(type) const type
 #define VOXC_INOUT(type) inout type
 #define VOXC_OUT(type) out type

@@ -4,24 +4,18 @@
 Every hit that a page finds is compared with `voxc trace`'s, which the exact oracle has looked at, and pictures with those of
 `voxc render`. Of volumes that are named, pictures of 1280 and 390 pixels are left beside them, and their figures are printed.
 """
-import base64
 import contextlib
 import json
 import math
-import subprocess
 import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE.parent / "Bench"))
-import browser
-from browser import Browser
+import volume_page
+from volume_page import STATE, Browser, Page, differences, exact_hits, hard_rays, other_voxels, page_of, render, voxc
 
-browser.TIMEOUT_SECONDS = 600  # A processor that stands for a graphics device takes its time, above all to compile.
-STATE = "document.documentElement.dataset"
 RAYS = 20000
 # One of each kind of level, walk and payload.
 FORMATS = """
@@ -41,89 +35,6 @@ G(5) --rgb565
 """.strip().splitlines()
 
 
-def voxc(*arguments):
-    subprocess.run([VOXC, *map(str, arguments), "--quiet"], check=True)
-
-
-def figures(path, *arguments):
-    voxc(*arguments, "--stats", path)
-    return json.loads(Path(path).read_text())
-
-
-def page_of(volume, folder, *options):
-    """The page of a volume, and the figures of its making."""
-    page = folder / (Path(volume).stem + "".join(options) + ".html")
-    return page, figures(folder / "figures.json", "export", volume, "-o", page, *options)
-
-
-def hard_rays(extent):
-    """Rays of all kinds, as those of the tests of headers are, for a volume of 32 voxels a side."""
-    assert max(extent) <= 32
-    script = HERE.parent / "Emit" / "Inputs" / "header" / "queries.py"
-    return subprocess.run([sys.executable, script, "rays"], check=True, capture_output=True).stdout
-
-
-class Page(Browser):
-    """The page of a volume."""
-
-    def __init__(self, path, width=320, height=240):
-        super().__init__(width, height, draws=True)
-        self.path = path
-
-    def __enter__(self):
-        super().__enter__()
-        self.open(self.path)
-        self.wait(f"{STATE}.ready")
-        return self
-
-    def wait(self, expression):
-        end = time.monotonic() + browser.TIMEOUT_SECONDS
-        while not (value := self.evaluate(f"{STATE}.problem ? 'problem' : {expression}")):
-            if time.monotonic() > end:
-                raise TimeoutError(f"{expression} does not come true")
-            time.sleep(0.1)
-        if value == "problem":
-            raise RuntimeError(self.evaluate(f"{STATE}.problem"))
-        return value
-
-    def bytes_of(self, expression):
-        """The bytes of a typed array that a promise brings."""
-        return base64.b64decode(self.evaluate(f"""{expression}.then(array => {{
-            const bytes = new Uint8Array(array.buffer);
-            let text = "";
-            for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
-            return btoa(text);
-        }})"""))
-
-    def check_rays(self, count):
-        return self.bytes_of(f"Promise.resolve(voxc.checkRays({count}))")
-
-    def trace(self, rays, precision):
-        return self.bytes_of(f"""voxc.trace(new Float32Array(
-            Uint8Array.from(atob("{base64.b64encode(rays).decode()}"), c => c.charCodeAt(0)).buffer), "{precision}")""")
-
-    def difference(self, picture, size, samples, exposure):
-        """How far the page's picture is from a file's of that exposure: the mean over all channels, and the share of pixels that are off
-        by more than 8."""
-        width, height = size
-        return self.evaluate(f"""(async () => {{
-            voxc.scene.exposure = {exposure};
-            const mine = await voxc.picture({width}, {height}, {samples}), image = new Image();
-            image.src = "data:image/png;base64,{base64.b64encode(Path(picture).read_bytes()).decode()}";
-            await image.decode();
-            const context = Object.assign(document.createElement("canvas"), {{ width: {width}, height: {height} }}).getContext("2d");
-            context.drawImage(image, 0, 0);
-            const other = context.getImageData(0, 0, {width}, {height}).data;
-            let sum = 0, far = 0;
-            for (let i = 0; i < other.length; i += 4) {{
-              const off = [0, 1, 2].map(k => Math.abs(other[i + k] - mine[i + k]));
-              sum += off[0] + off[1] + off[2];
-              far += Math.max(...off) > 8;
-            }}
-            return [sum / (3 * {width * height}), far / {width * height}];
-        }})()""")
-
-
 def ball_mesh():
     """A sphere of triangles, as .obj."""
     turns, rings = 48, 24
@@ -137,31 +48,6 @@ def ball_mesh():
             a, b = ring * turns + turn + 1, ring * turns + (turn + 1) % turns + 1
             lines.append(f"f {a} {b} {b + turns} {a + turns}")
     return "\n".join(lines) + "\n"
-
-
-def exact_hits(volume, rays, folder):
-    """What `voxc trace` answers, once the oracle has agreed."""
-    (folder / "rays.bin").write_bytes(rays)
-    told = figures(folder / "trace.json", "trace", volume, "--rays", folder / "rays.bin", "--device", "cpu", "--check", len(rays) // 24,
-                   "-o", folder / "hits.bin", "--outputs", "voxel,t,face,colour")
-    error = told["error"]
-    assert error["rays"] == len(rays) // 24 and error["missed"] + error["ghost"] + error["wrong"] + error["colour"] == 0, error
-    return (folder / "hits.bin").read_bytes()
-
-
-def render(volume, picture, size, samples, camera):
-    """Takes a picture as pages do, and tells its exposure."""
-    told = figures(Path(picture).with_suffix(".json"), "render", volume, "--device", "cpu", "--size", "{}x{}".format(*size),
-                   "--samples", samples, "-o", picture, *camera.split())
-    return told["exposure"]
-
-
-def differences(hits, exact):
-    return sum(hits[i:i + 24] != exact[i:i + 24] for i in range(0, len(exact), 24))
-
-
-def other_voxels(hits, exact):
-    return sum(hits[i:i + 12] != exact[i:i + 12] for i in range(0, len(exact), 24))
 
 
 class Pages(unittest.TestCase):
@@ -313,7 +199,7 @@ def look_at(volume):
 
 
 if __name__ == "__main__":
-    VOXC = sys.argv.pop(1)
+    volume_page.VOXC = sys.argv.pop(1)
     if len(sys.argv) > 1 and sys.argv[1].endswith(".hvx"):
         for path in sys.argv[1:]:
             look_at(path)

@@ -1,6 +1,9 @@
 // Rays whose hits a page knows.
 #include "page/CheckRays.h"
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
 namespace voxc::page {
 namespace {
 
@@ -26,6 +29,30 @@ std::vector<Ray> checkRays(Int3 extent, std::size_t count) {
       rays[i].origin[axis] = static_cast<float>(from);
       rays[i].direction[axis] = static_cast<float>(to - from);
     }
+  return rays;
+}
+
+PictureView viewOf(const Camera &camera) {
+  const auto rounded = [](const glm::dvec3 &v) { return glm::dvec3(glm::vec3(v)); };
+  const double high = std::tan(glm::radians(camera.verticalFov) / 2);
+  const glm::dvec3 front = glm::normalize(camera.look - camera.eye);
+  const glm::dvec3 right = glm::normalize(glm::cross(front, camera.up));
+  const glm::dvec3 up = glm::cross(right, front);
+  return {rounded(camera.eye), rounded(front), rounded(right * (high * camera.width / camera.height)),
+          rounded(up * high)};
+}
+
+std::vector<Ray> pictureRays(const PictureView &view, std::size_t count) {
+  const auto place = [](std::uint32_t number) { return (noise(number) >> 20) / 2048.0 - 1; };
+  std::vector<Ray> rays(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double across = place(2 * i), above = place(2 * i + 1);
+    for (int axis = 0; axis < 3; ++axis) {
+      rays[i].origin[axis] = static_cast<float>(view.eye[axis]);
+      rays[i].direction[axis] =
+          static_cast<float>(view.front[axis] + view.right[axis] * across + view.up[axis] * above);
+    }
+  }
   return rays;
 }
 

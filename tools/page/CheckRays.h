@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Support/Geometry.h"
+#include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Ray.h"
 
 #include <cstddef>
@@ -15,6 +16,17 @@ namespace voxc::page {
 /// The first so many rays of a sequence, from in and around a box of this extent to places in it: those that
 /// page-runtime/script/rays.js makes too, to the bit.
 std::vector<Ray> checkRays(Int3 extent, std::size_t count);
+
+/// What a picture is of, in numbers of float32: from its middle, `front` far off, to its edges.
+struct PictureView {
+  glm::dvec3 eye, front, right, up;
+};
+
+PictureView viewOf(const Camera &camera);
+
+/// The first so many rays of a sequence through a picture, as page-runtime/script/rays.js makes them too, to
+/// the bit.
+std::vector<Ray> pictureRays(const PictureView &view, std::size_t count);
 
 /// A byte for each hit, of its voxel and colour; as page-runtime/script/rays.js has it.
 std::string digestsOf(std::span<const Hit> hits);

@@ -51,26 +51,37 @@ std::string factsOf(const Volume &volume) {
          fact("Made by", tool::versionText());
 }
 
+/// Those of what a page reads.
+std::string factsOf(const StreamedVolume &streamed) {
+  return fact("Read from", escaped(streamed.url) + ", " + bytesText(streamed.fileBytes)) +
+         "<dt>Pages</dt><dd id=\"pages\">–</dd>\n";
+}
+
 } // namespace
 
 Expected<std::string> makePage(const Volume &volume, const PageContents &contents) {
-  if (volume.words().size() > kMostWords)
-    return Error::input("the volume has " + grouped(volume.words().size()) +
-                        " words, and browsers keep no more than " + grouped(kMostWords) +
-                        " in a texture; a smaller format or resolution fits");
+  const std::optional<StreamedVolume> &streamed = contents.streamed;
+  const auto words = streamed ? std::span<const std::uint32_t>() : volume.words();
+  if (words.size() > kMostWords)
+    return Error::input(
+        "the volume has " + grouped(words.size()) + " words, and browsers keep no more than " +
+        grouped(kMostWords) +
+        " in a texture; a smaller format or resolution fits, or a page that reads what it needs (--url)");
   const Expected<std::string> script = makeScript(volume, contents);
   if (!script)
     return script.error();
-  const std::string packed = deflated(*script + planesOf(volume.words()) + contents.checks);
+  const std::string packed = deflated(*script + planesOf(words) + contents.checks);
   TemplateNames names;
   names.holes = {{"BYTES", std::to_string(packed.size())},
                  {"SCRIPT_BYTES", std::to_string(script->size())},
-                 {"WORDS", std::to_string(volume.words().size())},
+                 {"WORDS", std::to_string(words.size())},
                  {"BLOCK_WORDS", std::to_string(kBlockWords)},
                  {"TITLE", escaped(contents.title)},
                  {"STYLE", tersely("style.css")},
-                 {"FACTS", factsOf(volume)},
+                 {"FACTS", factsOf(volume) + (streamed ? factsOf(*streamed) : "")},
                  {"WAIT", std::string(kWait)},
+                 // Whoever is on a server is asked for an icon.
+                 {"ICON", streamed ? "<link rel=\"icon\" href=\"data:,\">\n" : ""},
                  {"PACKED", sevenBitText(packed)}};
   const Expected<std::string> unpack = fillTemplate(tersely("unpack.js"), names);
   if (!unpack)

@@ -6,11 +6,28 @@
 #include "voxc/Trace/Camera.h"
 #include "voxc/Volume/Volume.h"
 
+#include "page/CheckRays.h"
+
 #include <glm/vec3.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace voxc::page {
+
+/// A compressed volume that a page does not hold, but reads page by page.
+struct StreamedVolume {
+  std::string url;         ///< Where from, as seen from the page.
+  std::uint64_t headBytes; ///< As `PagedVolume` has them.
+  std::uint64_t fileBytes;
+  std::uint64_t checksum; ///< Of the head.
+  std::uint32_t pageBytes;
+  std::uint64_t memoryBytes;        ///< For pages and their table, at most.
+  PictureView view;                 ///< Whose rays the page checks.
+  std::vector<std::uint32_t> first; ///< Pages to ask for before any ray does.
+};
 
 /// What a page says and shows beside the volume.
 struct PageContents {
@@ -20,13 +37,15 @@ struct PageContents {
   bool smooth = false; ///< Surfaces have the direction of their neighbourhood, as `RenderOptions::isSmooth`.
   float exposure;      ///< That makes a picture of the light.
   ErrorFigures fast;   ///< Of fast arithmetic.
-  std::string checks;  ///< `digestsOf` the exact hits of the first of `checkRays`.
+  std::string
+      checks; ///< `digestsOf` the exact hits of the first of `checkRays`, or of `pictureRays` if streamed.
+  std::optional<StreamedVolume> streamed; ///< Else the page holds the words.
 };
 
 /// More words than this are more than browsers keep in a texture: 4096 places a row, 16384 rows.
 inline constexpr std::size_t kMostWords = std::size_t{4096} * 16384;
 
-/// The page. Errors: `Input`, more than `kMostWords`.
+/// The page. Errors: `Input`, more than `kMostWords` in a page that holds them.
 Expected<std::string> makePage(const Volume &volume, const PageContents &contents);
 
 } // namespace voxc::page

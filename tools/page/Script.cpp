@@ -11,7 +11,7 @@
 
 #include <glm/geometric.hpp>
 
-#include <array>
+#include <span>
 
 namespace voxc {
 
@@ -24,9 +24,17 @@ namespace {
 using tool::Json;
 
 /// In the order in which they build on each other.
-constexpr std::array kScripts = {"device", "arithmetic", "camera", "controls", "picture", "rays", "main"};
-constexpr std::array kShaders = {"words.glsl",   "light.glsl",   "surface.glsl", "all.vert",
-                                 "picture.frag", "develop.frag", "answer.frag",  "arithmetic.frag"};
+constexpr const char *kScripts[] = {"script/device",   "script/arithmetic", "script/camera",
+                                    "script/controls", "script/resident",   "script/picture",
+                                    "script/rays",     "script/main"};
+constexpr const char *kStreamedScripts[] = {
+    "pages/xxh3",        "pages/zstd",    "pages/reader",    "pages/start", "script/device",
+    "script/arithmetic", "script/camera", "script/controls", "pages/pool",  "pages/volume",
+    "pages/waiting",     "pages/telling", "script/picture",  "script/rays", "script/main"};
+constexpr const char *kShaders[] = {"light.glsl",   "surface.glsl", "all.vert",       "picture.frag",
+                                    "develop.frag", "answer.frag",  "arithmetic.frag"};
+constexpr const char *kResidentShaders[] = {"words.glsl"};
+constexpr const char *kStreamedShaders[] = {"pages.glsl", "sketch.frag", "collect.frag"};
 
 constexpr std::string_view kName = "scene"; ///< Of the functions, which shaders know.
 
@@ -51,15 +59,45 @@ std::string terse(std::string_view text) {
 }
 
 /// The functions that trace rays of a format, by one of the values of `precision`.
-Expected<std::string> functionsOf(Format format, std::string_view precision) {
+Expected<std::string> functionsOf(Format format, Addressing addressing, std::string_view precision) {
   format.setAttribute(kPrecisionAttribute, precision);
-  const Expected<Plan> plan = makePlan(format, kFirstHitPlan);
+  PlanOptions options = kFirstHitPlan;
+  options.addressing = addressing;
+  const Expected<Plan> plan = makePlan(format, options);
   if (!plan)
     return plan.error();
   return terse(emitWebGl(*plan, kName));
 }
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
+
+/// Each number as what it is more than the one before.
+Json stepsOf(const std::vector<std::uint32_t> &numbers) {
+  Json steps = Json::array();
+  std::int64_t before = 0;
+  for (const std::uint32_t number : numbers) {
+    steps.push_back(number - before);
+    before = number;
+  }
+  return steps;
+}
+
+/// What a page knows of a volume that it reads.
+Json streamedOf(const Volume &volume, const StreamedVolume &streamed) {
+  return {{"name", streamed.url},
+          {"headBytes", streamed.headBytes},
+          {"fileBytes", streamed.fileBytes},
+          {"checksum", std::to_string(streamed.checksum)}, // A number of JavaScript has 53 bits.
+          {"pageBytes", streamed.pageBytes},
+          {"bytes", volume.words().size_bytes()},
+          {"budget", streamed.memoryBytes},
+          {"view",
+           {{"eye", numbers(streamed.view.eye)},
+            {"front", numbers(streamed.view.front)},
+            {"right", numbers(streamed.view.right)},
+            {"up", numbers(streamed.view.up)}}},
+          {"first", stepsOf(streamed.first)}};
+}
 
 Json sceneOf(const Volume &volume, const PageContents &contents) {
   const Int3 extent = volume.info().extent;
@@ -76,7 +114,8 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
           {"exposure", contents.exposure},
           {"labels", volume.layout().payload == Payload::Material},
           {"fast", {{"rays", contents.fast.rays}, {"others", contents.fast.differences()}}},
-          {"wait", kWait}};
+          {"wait", kWait},
+          {"volume", contents.streamed ? streamedOf(volume, *contents.streamed) : Json()}};
 }
 
 } // namespace
@@ -84,17 +123,23 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
 std::string tersely(std::string_view path) { return terse(fileText(path)); }
 
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents) {
-  const Expected<std::string> exact = functionsOf(volume.format(), "exact");
-  const Expected<std::string> fast = functionsOf(volume.format(), "fast");
+  const bool isStreamed = contents.streamed.has_value();
+  const Addressing addressing = isStreamed ? Addressing::Paged : Addressing::Buffer;
+  const Expected<std::string> exact = functionsOf(volume.format(), addressing, "exact");
+  const Expected<std::string> fast = functionsOf(volume.format(), addressing, "fast");
   if (!exact || !fast)
     return exact ? fast.error() : exact.error();
   Json shaders{{"functions", merged(*exact, *fast)}};
-  for (const std::string name : kShaders)
-    shaders[name] = tersely("shader/" + name);
+  const auto addShaders = [&](std::span<const char *const> names) {
+    for (const std::string name : names)
+      shaders[name] = tersely("shader/" + name);
+  };
+  addShaders(kShaders);
+  addShaders(isStreamed ? std::span<const char *const>(kStreamedShaders) : kResidentShaders);
   std::string script =
       "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders.dump() + ";\n";
-  for (const std::string name : kScripts)
-    script += tersely("script/" + name + ".js");
+  for (const std::string name : isStreamed ? std::span<const char *const>(kStreamedScripts) : kScripts)
+    script += tersely(name + ".js");
   return script;
 }
 

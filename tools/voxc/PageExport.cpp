@@ -1,13 +1,16 @@
 // A volume as a page for browsers.
 #include "PageExport.h"
 
+#include "BuildArguments.h"
 #include "ErrorCheck.h"
 
 #include "common/Files.h"
 #include "page/CheckRays.h"
-#include "page/Page.h"
+#include "page/FirstPages.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Trace/PagedTracer.h"
+#include "voxc/Volume/PagedVolume.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,6 +21,9 @@
 
 namespace voxc::tool {
 namespace {
+
+/// Room for pages, where none is given: what browsers of any device have.
+constexpr const char *kDefaultBudget = "128MiB";
 
 /// Rays whose hits every browser is asked for; and those that tell the error of fast arithmetic.
 constexpr std::size_t kChecked = 1024;
@@ -61,7 +67,15 @@ Expected<void> measure(const Volume &volume, const Progress &progress, page::Pag
   if (!fast)
     return fast.error();
   contents.fast = compare(*oracle, rays, *exact, *fast);
-  contents.checks = page::digestsOf(std::span(*exact).first(kChecked));
+  if (!contents.streamed) {
+    contents.checks = page::digestsOf(std::span(*exact).first(kChecked));
+    return {};
+  }
+  const std::vector<Ray> checked = page::pictureRays(contents.streamed->view, kChecked);
+  const Expected<std::vector<Hit>> seen = oracle->trace(checked, 0, progress);
+  if (!seen)
+    return seen.error();
+  contents.checks = page::digestsOf(*seen);
   return {};
 }
 
@@ -76,22 +90,60 @@ bool isPage(const std::string &path) {
 void PageExport::declare(const CommandLine &command) {
   command.add("--title", title_, "What a page is called; the default is the name of the volume's file")
       .takes("TEXT");
+  const Option url = command
+                         .add("--url", url_,
+                              "The page holds no words, but reads pages of the volume, which was stored with "
+                              "--compress, when "
+                              "rays need them: from this file beside it, or this address, by HTTP ranges")
+                         .takes("URL");
+  command
+      .add("--device-memory", budget_,
+           "What a page with --url keeps on the device at most: pages and their table")
+      .takes("SIZE")
+      .check(sizeProblem)
+      .needs(url)
+      .showsDefault(kDefaultBudget);
   addViewOptions(command, picture_);
   addCameraPlace(command, picture_.camera);
 }
 
 bool PageExport::isGiven() const {
   const CameraOptions &camera = picture_.camera;
-  return !title_.empty() || !picture_.view.empty() || !picture_.sun.empty() || !camera.camera.empty() ||
-         camera.fov != 0;
+  return !title_.empty() || !url_.empty() || !picture_.view.empty() || !picture_.sun.empty() ||
+         !camera.camera.empty() || camera.fov != 0;
 }
 
 Expected<void> PageExport::check(const std::string &path) const {
   if (!isPage(path) && isGiven())
-    return Error::usage(
-        "'" + path +
-        "' is no page; --title, --view, --camera, --fov and --sun are for one, whose name ends in .html");
+    return Error::usage("'" + path +
+                        "' is no page; --title, --url, --view, --camera, --fov and --sun are for one, whose "
+                        "name ends in .html");
   return checkPictureOptions(picture_);
+}
+
+Expected<void> PageExport::stream(const Volume &volume, const std::string &source,
+                                  page::PageContents &contents) const {
+  const Expected<PagedVolume> file = PagedVolume::open(source);
+  if (!file)
+    return file.error();
+  page::StreamedVolume streamed;
+  streamed.url = url_;
+  streamed.headBytes = file->headBytes();
+  streamed.fileBytes = file->fileBytes();
+  streamed.checksum = file->headChecksum();
+  streamed.pageBytes = file->streams().front().pageBytes;
+  streamed.memoryBytes = bytesOf(budget_.empty() ? kDefaultBudget : budget_);
+  if (const std::uint64_t least = leastPagingBytes(*file); streamed.memoryBytes < least)
+    return Error::usage("--device-memory is too small for this volume: a ray needs up to " +
+                        std::to_string(least) +
+                        " bytes at once; give more, or store it with smaller pages (--page-bytes)");
+  streamed.view = page::viewOf(contents.camera);
+  Expected<std::vector<std::uint32_t>> first = page::firstPages(volume, streamed.view, streamed.pageBytes);
+  if (!first)
+    return first.error();
+  streamed.first = std::move(*first);
+  contents.streamed = std::move(streamed);
+  return {};
 }
 
 Expected<void> PageExport::write(const Volume &volume, const std::string &source, const std::string &path,
@@ -119,6 +171,9 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   contents.sun = sunOf(options);
   contents.smooth = isSmoothSurface(volume.info());
   contents.exposure = taken->rendering.exposure;
+  if (!url_.empty())
+    if (Expected<void> streamed = stream(volume, source, contents); !streamed)
+      return streamed;
   if (Expected<void> measured = measure(volume, progress, contents); !measured)
     return measured;
   const Expected<std::string> page = page::makePage(volume, contents);

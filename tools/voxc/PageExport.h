@@ -5,6 +5,7 @@
 #include "common/CommandLine.h"
 
 #include "common/PictureOptions.h"
+#include "page/Page.h"
 #include "voxc/Volume/Volume.h"
 
 #include <string>
@@ -16,7 +17,7 @@ bool isPage(const std::string &path);
 
 class PageExport {
 public:
-  /// Adds --title, --view, --camera, --fov and --sun to a command.
+  /// Adds --title, --url, --device-memory, --view, --camera, --fov and --sun to a command.
   void declare(const CommandLine &command);
 
   /// Looks at the options before any work. Errors: `Usage`, as of pictures, or options of a page for what is
@@ -30,8 +31,11 @@ public:
 
 private:
   bool isGiven() const;
+  Expected<void> stream(const Volume &volume, const std::string &source, page::PageContents &contents) const;
 
   std::string title_;
+  std::string url_;
+  std::string budget_;
   PictureOptions picture_;
 };
 

@@ -44,6 +44,10 @@ public:
   const VolumeInfo &info() const;
   /// In the order of the file; the first is `words`.
   std::span<const PagedStream> streams() const;
+  /// Of the head, which has the checksums of all pages: files with the same one hold the same bytes.
+  std::uint64_t headChecksum() const;
+  std::uint64_t headBytes() const;
+  std::uint64_t fileBytes() const;
 
   /// Decodes a page of the stream with this index into `room`, which has `bytesOf(page)` bytes. May be called
   /// by several threads. Errors: `Usage`, no such page or room of another size; `Input`, the page is damaged.
