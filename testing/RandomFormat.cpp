@@ -101,6 +101,8 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
     paletteOf(format, 3 * kLog2FewCells, diagnostics);
   }
   run(*findPass("short-pointers"));
+  if (random() % 2 != 0)
+    run(*findPass("octant-counts"));
   if (const Pass *walk = randomWalk(random))
     run(*walk);
   return format;

@@ -61,7 +61,11 @@ uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
 
 %if indexed
 // Shortens the slots of a packed grid of so many words: first the numbers of all sub-volumes, ${index-bits} bits each, then
+%if octant-counts
+// what stood behind the first of each octant of cells, which has the least. Returns how many words that takes.
+%else
 // what stood behind them. Returns how many words that takes.
+%end
 uint64_t shorten_level_${N}(const uint32_t *grid, uint64_t words, uint32_t *shortened) {
   constexpr uint64_t kHead = ${head-words};
   const uint64_t slots = (words - kHead) / ${slot-words};
@@ -72,10 +76,32 @@ uint64_t shorten_level_${N}(const uint32_t *grid, uint64_t words, uint32_t *shor
     const uint32_t *const slot = grid + kHead + ${slot-words-times}i;
     put_field(shortened + kHead, i, ${index-bits}, slot[0]);
 %if ranked
+%if octant-counts
+%else
     put_field(shortened + kHead + numbers, i, ${count-bits}, slot[1]);
 %end
+%end
   }
+%if octant-counts
+  // Bits and slots have one order, in which the first cell of an octant need not come first.
+  constexpr uint32_t kNone = 0xffffffff;
+  uint32_t least[8] = {kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+  const uint32_t *slot = grid + kHead;
+  for (unsigned cell = 0; cell < 64; ++cell) {
+    if ((grid[cell / 32] >> cell % 32 & 1) == 0)
+      continue;
+    uint32_t &before = least[(cell >> 1 & 1) | (cell >> 2 & 2) | (cell >> 3 & 4)];
+    before = slot[1] < before ? slot[1] : before;
+    slot += ${slot-words};
+  }
+  uint64_t octants = 0;
+  for (const uint32_t before : least)
+    if (before != kNone)
+      put_field(shortened + kHead + numbers, octants++, ${count-bits}, before);
+  return kHead + numbers + words_of_fields(octants, ${count-bits});
+%else
   return kHead + numbers + words_of_fields(slots, ${count-bits});
+%end
 }
 
 %end

@@ -19,6 +19,9 @@ constexpr int kLargestIndex = 16;         // Bits of an index into a palette of 
 constexpr std::uint64_t kFewBlocks = 64;  // Too few to say how often blocks repeat.
 constexpr std::size_t kRepeatHeight = 3;  // Of the blocks that are compared.
 constexpr std::size_t kUniformHeight = 2; // Of the cubes whose merging is looked at.
+constexpr std::size_t kGridHeight = 2;    // Of the sub-volumes that short pointers lead to,
+constexpr int kLeastPointer = 8;          // and the bits that these have.
+constexpr int kMostPointer = 24;
 
 std::string percent(double share) {
   char text[32];
@@ -109,17 +112,31 @@ std::string ruleOfRepetition(const Facts &facts) {
   return percent(coloured) + " of the blocks of 8^3 repeat another with its colours: a DAG (G) shares them.";
 }
 
+/// How many bits number the sub-volumes of a last M(2^3).
+std::string ruleOfPointers(const Facts &facts) {
+  if (facts.repetition.size() < kGridHeight || facts.repetition[kGridHeight - 1].blocks < kFewBlocks)
+    return "";
+  const DistinctCount &shapes = facts.repetition[kGridHeight - 1].shapes;
+  const int bits = std::max(static_cast<int>(std::bit_width(shapes.count)), kLeastPointer);
+  if (!shapes.exact || bits > kMostPointer)
+    return "";
+  return "The blocks of 4^3 have " + std::to_string(shapes.count) +
+         " shapes: --short-pointers=" + std::to_string(bits) +
+         " numbers them, where M(2^3) is the last level.";
+}
+
 struct Rule {
   std::string_view name;
   std::string (*apply)(const Facts &); ///< A sentence, or "".
 };
 
-constexpr std::array<Rule, 6> kRules{{{"voxels", ruleOfVoxels},
+constexpr std::array<Rule, 7> kRules{{{"voxels", ruleOfVoxels},
                                       {"box", ruleOfBox},
                                       {"alpha", ruleOfAlpha},
                                       {"colours", ruleOfColours},
                                       {"interior", ruleOfInterior},
-                                      {"repetition", ruleOfRepetition}}};
+                                      {"repetition", ruleOfRepetition},
+                                      {"pointers", ruleOfPointers}}};
 
 } // namespace
 

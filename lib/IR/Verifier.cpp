@@ -121,6 +121,21 @@ void verifyPointers(const Format &format, Diagnostics &diagnostics) {
   }
 }
 
+/// Counts of voxels for octants alone: of which numbers.
+void verifyCounts(const Format &format, Diagnostics &diagnostics) {
+  for (std::size_t i = 0; i < format.levels.size(); ++i) {
+    const Level &level = format.levels[i];
+    if (level.attribute(kCountsAttribute) == "each")
+      continue;
+    if (level.attribute(kPointersAttribute) == "word" ||
+        format.attributes.value(kValuesAttribute) != "apart" || i == 0 ||
+        format.levels[i - 1].log2Size() != Int3{2, 2, 2})
+      diagnostics.error(level.range, "level " + std::to_string(i + 1) +
+                                         " has counts of octants, which stand behind short pointers in a "
+                                         "masked(2, 2, 2), with values=apart");
+  }
+}
+
 /// What is stored is chosen for the closest hit alone.
 void verifyQuestion(const Format &format, Diagnostics &diagnostics) {
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
@@ -176,6 +191,7 @@ void verify(const Format &format, Diagnostics &diagnostics) {
   verifyDistances(format, diagnostics);
   verifyValues(format, diagnostics);
   verifyPointers(format, diagnostics);
+  verifyCounts(format, diagnostics);
   verifyQuestion(format, diagnostics);
   verifyExtent(format, diagnostics);
 }

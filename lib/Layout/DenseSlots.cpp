@@ -22,7 +22,7 @@ std::uint64_t leastWords(const Stratum &stratum) {
   return static_cast<std::uint64_t>(stratum.slotWords()) << std::min(stratum.log2Children(), 62);
 }
 
-std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
+std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t, std::uint64_t) { return leastWords(stratum); }
 
 std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { return leastWords(stratum); }
 

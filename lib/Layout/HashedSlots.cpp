@@ -54,7 +54,7 @@ struct Table {
 std::uint64_t leastWords(const Stratum &) { return kHeadWords + 4; }
 
 /// Half of the entries are free at least.
-std::uint64_t wordsWith(const Stratum &, std::uint64_t slots) {
+std::uint64_t wordsWith(const Stratum &, std::uint64_t slots, std::uint64_t) {
   return kHeadWords + 2 * std::max<std::uint64_t>(std::bit_ceil(2 * slots), 2);
 }
 

@@ -2,10 +2,12 @@
 // the reference of a slot is followed by how many voxels all slots up to this one have; in grids, which are
 // not filled in the order of their slots, by how many voxels come before the cell's. In indexed strata there
 // are two runs of fields in place of slots: the numbers of the children's sub-volumes, then the counts of
-// voxels.
+// voxels, each of its own or, by octants, those of the first child of each.
 #include "Fields.h"
 #include "Masks.h"
 #include "Places.h"
+
+#include <bit>
 
 namespace voxc {
 namespace {
@@ -27,15 +29,31 @@ std::uint64_t leastWords(const Stratum &stratum) {
   return MaskShape(stratum).words() + (stratum.implied ? 0 : static_cast<std::uint64_t>(stratum.slotWords()));
 }
 
-std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots) {
+std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots, std::uint64_t octants) {
   const std::uint64_t head = MaskShape(stratum).words();
-  if (stratum.isIndexed())
-    return head + wordsOfFields(slots, stratum.indexBits) + wordsOfFields(slots, stratum.countBits());
-  return head + slots * static_cast<std::uint64_t>(stratum.slotWords());
+  if (!stratum.isIndexed())
+    return head + slots * static_cast<std::uint64_t>(stratum.slotWords());
+  const std::uint64_t counts = stratum.counts == Counts::Octant ? octants : slots;
+  return head + wordsOfFields(slots, stratum.indexBits) + wordsOfFields(counts, stratum.countBits());
+}
+
+/// Bits of the octants of a grid of two masks that are not empty, of which bit 2x + 8y + 32z stands for
+/// octant (x, y, z): that of its first cell.
+std::uint64_t octantsOf(const WordReader &words, std::uint64_t grid) {
+  std::uint64_t bits = words[grid] | std::uint64_t{words[grid + 1]} << 32;
+  for (const int side : {16, 4, 1})
+    bits |= bits >> side;
+  return bits & 0x0000'0505'0000'0505;
+}
+
+/// How many octants of a node are not empty; 0 where that is not asked for.
+std::uint64_t octants(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  return stratum.counts == Counts::Octant ? static_cast<std::uint64_t>(std::popcount(octantsOf(words, node)))
+                                          : 0;
 }
 
 std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
-  return wordsWith(stratum, Masks(words, MaskShape(stratum), node).slots());
+  return wordsWith(stratum, Masks(words, MaskShape(stratum), node).slots(), octants(words, stratum, node));
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -74,21 +92,59 @@ void rankChild(const WordReader &words, const Stratum &stratum, const Masks &mas
   child.voxels = hasSlot ? words[slot + 1] - child.before : 0;
 }
 
-/// The child of an indexed stratum, which is a grid, that has so many slots before its own.
-Child indexedChild(const WordReader &words, const Stratum &stratum, const MaskShape &shape,
-                   const Masks &masks, std::uint64_t node, std::uint64_t rank) {
-  const std::uint64_t numbers = node + shape.words();
-  const std::uint64_t counts = numbers + wordsOfFields(masks.slots(), stratum.indexBits);
-  const std::uint64_t number = readField(words, numbers, rank, stratum.indexBits);
-  const std::uint64_t begin = words[static_cast<std::uint64_t>(stratum.arrayHead)];
-  Child child = {.exists = true, .leaf = true, .at = node};
-  // Beyond what offsets reach lies nothing.
-  const std::uint64_t at = begin + kIndexedWords * number;
-  child.value = number == 0 || at >= kMaxWords ? 0 : static_cast<Ref>(at);
-  if (stratum.ranked)
-    child.before = readField(words, counts, rank, stratum.countBits());
-  return child;
-}
+/// A node of an indexed stratum, which is a grid.
+class IndexedNode {
+public:
+  IndexedNode(const WordReader &words, const Stratum &stratum, const Masks &masks, std::uint64_t node)
+      : words_(words), stratum_(stratum), masks_(masks), node_(node),
+        numbers_(node + MaskShape(stratum).words()),
+        counts_(numbers_ + wordsOfFields(masks.slots(), stratum.indexBits)) {}
+
+  Child child(std::uint64_t index) const {
+    Child child = {.exists = true, .leaf = true, .at = node_};
+    child.value = subVolume(index);
+    if (stratum_.ranked)
+      child.before = stratum_.counts == Counts::Octant ? beforeInOctant(index) : count(masks_.rank(index));
+    return child;
+  }
+
+private:
+  /// Where the sub-volume of a child is.
+  Ref subVolume(std::uint64_t index) const {
+    const std::uint64_t number = readField(words_, numbers_, masks_.rank(index), stratum_.indexBits);
+    const std::uint64_t begin = words_[static_cast<std::uint64_t>(stratum_.arrayHead)];
+    // Beyond what offsets reach lies nothing.
+    const std::uint64_t at = begin + kIndexedWords * number;
+    return number == 0 || at >= kMaxWords ? 0 : static_cast<Ref>(at);
+  }
+
+  std::uint64_t count(std::uint64_t i) const { return readField(words_, counts_, i, stratum_.countBits()); }
+
+  /// The voxels before a child: those before its octant, and those of the children before it there.
+  std::uint64_t beforeInOctant(std::uint64_t index) const {
+    const std::uint64_t first = index & ~std::uint64_t{0b010101};
+    const std::uint64_t octants = octantsOf(words_, node_) & ((std::uint64_t{1} << first) - 1);
+    std::uint64_t before = count(static_cast<std::uint64_t>(std::popcount(octants)));
+    // In an octant the order of the bits is that of Morton.
+    for (std::uint64_t other = first; other < index; ++other)
+      if ((other & ~std::uint64_t{0b010101}) == first && masks_.exists(other))
+        before += voxelsOf(subVolume(other));
+    return before;
+  }
+
+  std::uint64_t voxelsOf(Ref grid) const {
+    return grid == 0
+               ? 0
+               : static_cast<std::uint64_t>(std::popcount(words_[grid]) + std::popcount(words_[grid + 1]));
+  }
+
+  const WordReader &words_;
+  const Stratum &stratum_;
+  const Masks &masks_;
+  std::uint64_t node_;
+  std::uint64_t numbers_;
+  std::uint64_t counts_;
+};
 
 Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
             std::uint64_t index) {
@@ -97,7 +153,7 @@ Child found(const WordReader &words, const Stratum &stratum, const MaskShape &sh
     return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
   const bool isLeaf = stratum.isGrid() || masks.isLeaf(index);
   if (stratum.isIndexed())
-    return indexedChild(words, stratum, shape, masks, node, masks.rank(index));
+    return IndexedNode(words, stratum, masks, node).child(index);
   const std::uint64_t slot =
       node + shape.words() + masks.rank(index) * static_cast<std::uint64_t>(stratum.slotWords());
   const bool isInSlot = stratum.isGrid() || (isLeaf && stratum.cells == Cells::Slot);

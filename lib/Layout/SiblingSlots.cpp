@@ -18,7 +18,7 @@ std::uint64_t recordWords(const MaskShape &shape) { return 1 + shape.words(); }
 
 std::uint64_t leastWords(const Stratum &stratum) { return recordWords(MaskShape(stratum)); }
 
-std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots) {
+std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots, std::uint64_t) {
   return slots * recordWords(MaskShape(stratum));
 }
 

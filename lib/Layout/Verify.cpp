@@ -81,6 +81,9 @@ private:
   }
 
   void indices(const Stratum &stratum) {
+    rule(stratum.counts == Counts::Each ||
+             (stratum.isIndexed() && stratum.ranked && stratum.log2Shape == Int3{2, 2, 2}),
+         "counts of octants stand behind the numbers of ranked grids of 4 x 4 x 4 cells");
     if (!stratum.isIndexed())
       return;
     const Stratum *const below = layout_.holdsVoxels(index_) ? nullptr : &layout_.strata[index_ + 1];

@@ -11,7 +11,7 @@ constexpr PassNumber kPaletteNumber = {1, 16, 8, paletteOf};
 constexpr PassNumber kMaterialNumber = {1, 16, 8, materialOf};
 constexpr PassNumber kPointersNumber = {8, 24, 20, shortPointersOf};
 
-constexpr std::array<Pass, 21> kPasses = {{
+constexpr std::array<Pass, 22> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -80,6 +80,13 @@ constexpr std::array<Pass, 21> kPasses = {{
      "or "
      "values-apart before it).",
      shortPointers, &kPointersNumber},
+    {"octant-counts", AttributeEffect::Storage,
+     "count voxels for octants of the last level's sub-volumes alone",
+     "Without it, each number of short-pointers is followed by a count of the voxels before its sub-volume, "
+     "which takes about as many bits as the number. With it, only the first of each octant of eight has one, "
+     "and the voxels of those between are counted in their masks, at most seven, when a hit's colour is "
+     "asked for. Unchanged where short-pointers leads from no M(2^3), or colours do not stand apart.",
+     octantCounts},
     {"granules", AttributeEffect::Storage,
      "let references count granules of two words, so that they reach 32GiB",
      "Without it, a reference is the number of a word, and a volume has at most 2^32 of them, 16 GiB. With "

@@ -90,7 +90,9 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
                        : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
                                                 : "values-apart");
   if (choices.shortPointers)
-    applyPass(candidate, "short-pointers=" + std::to_string(traits.pointerBits));
+    for (const std::string &pass :
+         {"short-pointers=" + std::to_string(traits.pointerBits), std::string("octant-counts")})
+      applyPass(candidate, pass);
   if (!choices.walk.empty())
     applyPass(candidate, std::string(choices.walk));
   return candidate;

@@ -65,9 +65,9 @@ int topOf(const Stratum &stratum) { return stratum.log2Cell + longest(stratum.lo
 std::uint64_t wordsOf(const Stratum &stratum, const TreeCount &count) {
   const std::uint64_t slots = count.inner + (stratum.implied ? 0 : count.leaves);
   if (stratum.cells == Cells::Record) // A record for each child, and one for each root.
-    return stratum.slots->wordsWith(stratum, 1) * (count.roots + slots);
-  const std::uint64_t least = stratum.slots->wordsWith(stratum, 0);
-  return least * count.nodes + (stratum.slots->wordsWith(stratum, 1) - least) * slots +
+    return stratum.slots->wordsWith(stratum, 1, 0) * (count.roots + slots);
+  const std::uint64_t least = stratum.slots->wordsWith(stratum, 0, 0);
+  return least * count.nodes + (stratum.slots->wordsWith(stratum, 1, 0) - least) * slots +
          (stratum.cells == Cells::Word && !stratum.implied ? count.values : 0);
 }
 
@@ -117,9 +117,12 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
       words = wordsOf(stratum, {.roots = cells, .values = cells});
     } else if (stratum.isGrid()) {
       const auto &cells = tables_->cells(stratum.log2Cell, top);
+      // Grids without octants have as few counts as these say.
+      const auto &octants =
+          tables_->cells(stratum.log2Cell + (stratum.counts == Counts::Octant ? 1 : 0), top);
       const auto occurrences = dag_.occurrences(top);
       for (std::size_t number = 0; number < cells.size(); ++number)
-        words += stratum.slots->wordsWith(stratum, stratum.implied ? 0 : cells[number]) *
+        words += stratum.slots->wordsWith(stratum, stratum.implied ? 0 : cells[number], octants[number]) *
                  (shares ? 1 : occurrences[number]);
       price.exact &= !stratum.slots->lookUpLoops;
     } else {

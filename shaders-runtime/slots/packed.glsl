@@ -8,7 +8,11 @@
 %end
 %if ranked
 %if indexed
+%if octant-counts
+// Behind them all, in ${count-bits} bits each, stands how many voxels come before those of each octant of cells.
+%else
 // Behind them all, in ${count-bits} bits each, stands how many voxels come before those of each cell.
+%end
 %else
 // Each value is followed by how many voxels come before those of its cell.
 %end
@@ -83,6 +87,40 @@ uint value_of_slot_level_${N}(uint grid, uint slot) {
 
 %end
 %if slots-rank
+%if octant-counts
+// A bit for each octant of half a mask that is not empty: that of its first cell.
+uint octants_of_half_level_${N}(uint half_mask) {
+  uint bits = (half_mask | half_mask >> 16) & 0xffffu;
+  return (bits | bits >> 1 | bits >> 4 | bits >> 5) & 0x0505u;
+}
+
+// How many voxels come before those of a cell, in Morton order: those before its octant of eight cells, which a count tells,
+// and those of the cells before it there.
+uint voxels_before_level_${N}(uint grid, ivec3 cell, uint counts) {
+  ivec3 octant = cell >> 1 & 1;
+  ivec3 place = cell & 1;
+  uint low = load_word(grid);
+  uint half_mask = octant.z == 0 ? low : load_word(grid + 1u);
+  uint lower = octant.z == 0 ? 0u : low; // The half that comes before all of it.
+  int first = 2 * octant.x + 8 * octant.y;
+  uint octants = octants_of_half_level_${N}(half_mask) & ((1u << first) - 1u) | octants_of_half_level_${N}(lower) << 16;
+  uint before = load_field(counts, uint(bitCount(octants)), ${count-bits}u);
+  uint cells = (1u << (place.x | place.y << 1 | place.z << 2)) - 1u;
+  cells = (cells | cells << 12) & 0x000f000fu;
+  cells = (cells | cells << 2) & 0x00330033u;
+  cells = cells << first & half_mask;
+  while (cells != 0u) {
+    uint others = cells & (cells - 1u);
+    uint until = (cells ^ others) - 1u; // The bits below the lowest of the cells.
+    uint slot = uint(bitCount(lower) + bitCount(half_mask & until));
+    uint other = value_of_slot_level_${N}(grid, slot);
+    before += uint(bitCount(load_word(other)) + bitCount(load_word(other + 1u)));
+    cells = others;
+  }
+  return before;
+}
+
+%end
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
 uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
 %if cone
@@ -96,7 +134,12 @@ uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
 %else
   uint slots = uint(bitCount(load_word(grid)))${second-mask};
 %end
-  rank += load_field(grid + ${head-words}u + (slots * ${index-bits}u + 31u >> 5), slot, ${count-bits}u);
+  uint counts = grid + ${head-words}u + (slots * ${index-bits}u + 31u >> 5);
+%if octant-counts
+  rank += voxels_before_level_${N}(grid, cell, counts);
+%else
+  rank += load_field(counts, slot, ${count-bits}u);
+%end
 %else
   rank += load_word(grid${+}${head-words}u + ${slots-times}slot + 1u);
 %end

@@ -93,5 +93,19 @@ TEST(Conclusions, Repetition) {
   EXPECT_EQ(sentence(facts, "repetition"), "");
 }
 
+TEST(Conclusions, Pointers) {
+  Facts facts = plainFacts();
+  EXPECT_EQ(sentence(facts, "pointers"), "");
+  facts.repetition = {{1, 0, {}, {}, {}}, {2, 5000, {1023, true}, {}, {}}};
+  EXPECT_EQ(sentence(facts, "pointers"), "The blocks of 4^3 have 1023 shapes: --short-pointers=10 numbers "
+                                         "them, where M(2^3) is the last level.");
+  facts.repetition[1].shapes.count = 1024; // Number 0 is none.
+  EXPECT_NE(sentence(facts, "pointers").find("--short-pointers=11 "), std::string::npos);
+  facts.repetition[1].shapes.count = 3;
+  EXPECT_NE(sentence(facts, "pointers").find("--short-pointers=8 "), std::string::npos);
+  facts.repetition[1].shapes = {1024, false};
+  EXPECT_EQ(sentence(facts, "pointers"), "");
+}
+
 } // namespace
 } // namespace voxc::test

@@ -70,9 +70,10 @@ struct SlotKind {
   /// Words that a node takes at least.
   std::uint64_t (*leastWords)(const Stratum &stratum);
 
-  /// How many words a node with so many slots takes; of siblings, so many records; of a hashed grid with so
-  /// many cells, the fewest.
-  std::uint64_t (*wordsWith)(const Stratum &stratum, std::uint64_t slots);
+  /// How many words a node with so many slots takes, which lie in so many octants of 2 x 2 x 2 cells; of
+  /// siblings, so many records; of a hashed grid with so many cells, the fewest. Octants are asked for by
+  /// `Counts::Octant` alone.
+  std::uint64_t (*wordsWith)(const Stratum &stratum, std::uint64_t slots, std::uint64_t octants);
 
   /// How many words a checked node takes, those of its children apart.
   std::uint64_t (*size)(const WordReader &words, const Stratum &stratum, std::uint64_t node);

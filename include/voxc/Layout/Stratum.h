@@ -62,11 +62,19 @@ enum class Sharing {
   Stratum,   ///< Those of all sub-volumes.
 };
 
+/// Which numbers of an indexed stratum have a count of the voxels before those of their sub-volumes.
+enum class Counts {
+  Each,
+  Octant, ///< The first, in Morton order, of each octant of 2 x 2 x 2 cells; the masks that numbers lead to
+          ///< tell the voxels between.
+};
+
 template <>
 inline constexpr std::array<std::string_view, 4> kEnumNames<Cells> = {"inline", "word", "slot", "record"};
 template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Skip> = {"none", "l1", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Counts> = {"each", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Sharing> = {"none", "sub-volume", "stratum"};
 
@@ -92,6 +100,7 @@ struct Stratum {
   /// is none.
   int indexBits = 0;
   int arrayHead = 0;
+  Counts counts = Counts::Each;
   std::uint32_t reach = 0; ///< The largest distance stored; 0 without.
   Sharing sharing = Sharing::None;
 

@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 2> kMetricValues = {"l1", "octant"};
 constexpr std::array<std::string_view, 18> kPointersValues = {"word", "8",  "9",  "10", "11", "12",
                                                               "13",   "14", "15", "16", "17", "18",
                                                               "19",   "20", "21", "22", "23", "24"};
+constexpr std::array<std::string_view, 2> kCountsValues = {"each", "octant"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace
@@ -54,6 +55,11 @@ const AttributeKind kPointersAttribute = {
     "pointers", AttributeEffect::Storage, kPointersValues,
     "what leads to a sub-volume: its offset, a word, or its number in an array of all of the level's, of so "
     "many bits; of grids of 4 x 4 x 4 voxels that are masks alone, below a masked level"};
+
+const AttributeKind kCountsAttribute = {
+    "counts", AttributeEffect::Storage, kCountsValues,
+    "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels before theirs: "
+    "each, or the first of each octant of eight, where masks tell the rest"};
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,

@@ -50,6 +50,7 @@ Layout layoutOf(const Format &format) {
     if (const std::string_view bits = level.attribute(kPointersAttribute); bits != "word" && i > 0) {
       std::from_chars(bits.data(), bits.data() + bits.size(), layout.strata[i - 1].indexBits);
       layout.strata[i - 1].arrayHead = static_cast<int>(layout.headWords()) - 1;
+      layout.strata[i - 1].counts = *fromString<Counts>(level.attribute(kCountsAttribute));
     }
   }
   return layout;

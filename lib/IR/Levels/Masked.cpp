@@ -6,7 +6,8 @@ namespace voxc {
 namespace {
 
 constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
-constexpr std::array<const AttributeKind *, 2> kAttributes = {&kShareAttribute, &kPointersAttribute};
+constexpr std::array<const AttributeKind *, 3> kAttributes = {&kShareAttribute, &kPointersAttribute,
+                                                              &kCountsAttribute};
 
 Stratum lower(const Level &level) { return gridStratum(level, "packed"); }
 
