@@ -22,6 +22,7 @@ public:
 
   /// What paging has done so far, if that is how rays are traced.
   std::optional<PagingReport> paging() const { return tracing_.paging(); }
+  unsigned threads() const { return tracing_.threads(); }
   /// Those from the eye.
   const RayTally &eye() const { return eye_; }
   /// Adds the figures of tracing, and of rays to the light where there were any.

@@ -127,17 +127,18 @@ Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, PictureRay
 // normals.
 Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, PictureRays &rays,
                                                    const Progress &progress, Json &figures) const {
-  SurfaceNormals normals(volume, 0);
+  SurfaceNormals normals(volume, rays.threads());
   RenderOptions options = renderOptions(picture_, volume);
   options.normals = &normals;
   options.progress.stop = progress.stop;
   Warning warning;
   for (unsigned frame = 0; frame < flight_.frames(); ++frame) {
     const Stopwatch watch;
-    const FileCamera place = flight_.camera(frame);
+    FileCamera place = flight_.camera(frame);
     const Expected<Camera> camera = makeCamera(picture_.camera, place, volume.info().extent);
     if (!camera)
       return camera.error();
+    place.fov = camera->verticalFov; // As --fov says, if it does.
     const auto before = rays.paging();
     const Expected<TakenPicture> taken = rays.take(volume, *camera, options);
     if (!taken)
