@@ -39,7 +39,9 @@ Error noSuchCamera(const std::string &path, const std::string &name, const Json 
   return Error::input(path + " has no camera \"" + name + "\"; it has: " + names);
 }
 
-Expected<FileCamera> parseCamera(const Json &entry, const std::string &where) {
+Expected<FileCamera> parseCamera(const Json &file, const std::string &name, const std::string &path) {
+  const Json &entry = file["cameras"][name];
+  const std::string where = path + ": camera \"" + name + "\"";
   if (!entry.is_object())
     return Error::input(where + " should be an object with position, pitch and yaw");
   auto position = numbers<3>(entry, "position");
@@ -54,6 +56,10 @@ Expected<FileCamera> parseCamera(const Json &entry, const std::string &where) {
     if (!(camera.fov > 0 && camera.fov < 180))
       return Error::input(where + " should have a fov between 0 and 180 degrees");
   }
+  auto size = numbers<2>(file, "size");
+  if (size && (*size)[0] >= 1 && (*size)[0] <= kMaxPictureSide && (*size)[1] >= 1 &&
+      (*size)[1] <= kMaxPictureSide)
+    camera.size = {int((*size)[0]), int((*size)[1])};
   return camera;
 }
 
@@ -69,6 +75,20 @@ Expected<Json> readCameraFile(const std::string &path) {
 }
 
 } // namespace
+
+Expected<std::vector<FileCamera>> readCameras(const std::string &path) {
+  const auto file = readCameraFile(path);
+  if (!file)
+    return file.error();
+  std::vector<FileCamera> cameras;
+  for (const auto &[name, entry] : (*file)["cameras"].items()) {
+    auto camera = parseCamera(*file, name, path);
+    if (!camera)
+      return camera.error();
+    cameras.push_back(*camera);
+  }
+  return cameras;
+}
 
 Expected<std::vector<std::string>> cameraNames(const std::string &path) {
   const auto file = readCameraFile(path);
@@ -87,14 +107,7 @@ Expected<FileCamera> readCamera(const std::string &path, const std::string &name
   const Json &cameras = (*file)["cameras"];
   if (!cameras.contains(name))
     return noSuchCamera(path, name, cameras);
-  auto camera = parseCamera(cameras[name], path + ": camera \"" + name + "\"");
-  if (!camera)
-    return camera;
-  auto size = numbers<2>(*file, "size");
-  if (size && (*size)[0] >= 1 && (*size)[0] <= kMaxPictureSide && (*size)[1] >= 1 &&
-      (*size)[1] <= kMaxPictureSide)
-    camera->size = {int((*size)[0]), int((*size)[1])};
-  return camera;
+  return parseCamera(*file, name, path);
 }
 
 } // namespace voxc::tool

@@ -29,6 +29,9 @@ struct FileCamera {
 /// has.
 Expected<FileCamera> readCamera(const std::string &path, const std::string &name);
 
+/// All cameras of a file, in its order. Errors: `Input` if it is unreadable or broken.
+Expected<std::vector<FileCamera>> readCameras(const std::string &path);
+
 /// The names of all cameras of a file, in its order. Errors: `Input` if it is unreadable or broken.
 Expected<std::vector<std::string>> cameraNames(const std::string &path);
 

@@ -1,8 +1,6 @@
 // The options that say where a picture is taken from.
 #include "CameraOptions.h"
 
-#include "CameraFile.h"
-
 #include <glm/matrix.hpp>
 
 #include <charconv>
@@ -14,6 +12,8 @@ namespace voxc::tool {
 namespace {
 
 constexpr const char *kCameraForms = "[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ] or FILE.json:NAME";
+
+constexpr std::array<int, 2> kUsualSize = {Camera{}.width, Camera{}.height};
 
 /// Splits at each separator; n separators give n + 1 parts.
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -72,8 +72,20 @@ std::optional<Camera> parsePoints(std::string_view text, const glm::dvec3 &defau
   return Camera{.eye = *eye, .look = *look, .up = *up};
 }
 
-Expected<Camera> cameraFromFile(const std::string &text, Int3 extent, std::array<int, 2> size,
-                                bool sizeGiven) {
+/// What --size says, or nothing. Errors: `Usage`, that or --fov is malformed.
+Expected<std::optional<std::array<int, 2>>> checkedSize(const CameraOptions &options) {
+  if (options.fov != 0 && !(options.fov > 0 && options.fov < 180))
+    return Error::usage("--fov should lie between 0 and 180 degrees");
+  if (options.size.empty())
+    return std::optional<std::array<int, 2>>();
+  const auto size = parseSize(options.size);
+  if (!size)
+    return size.error();
+  return std::optional(*size);
+}
+
+Expected<Camera> cameraOfFile(const CameraOptions &options, Int3 extent) {
+  const std::string &text = options.camera;
   // The file's own name may hold colons; a camera's may not.
   std::size_t colon = text.rfind(':');
   if (colon == std::string::npos)
@@ -81,10 +93,7 @@ Expected<Camera> cameraFromFile(const std::string &text, Int3 extent, std::array
   auto camera = readCamera(text.substr(0, colon), text.substr(colon + 1));
   if (!camera)
     return camera.error();
-  if (!sizeGiven)
-    size = camera->size.value_or(size);
-  return cameraFromAngles(extent, camera->position, camera->pitch, camera->yaw, camera->fov, size[0],
-                          size[1]);
+  return makeCamera(options, *camera, extent);
 }
 
 Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel,
@@ -105,7 +114,7 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Tr
     camera->height = size[1];
     return *camera;
   }
-  return cameraFromFile(options.camera, extent, size, !options.size.empty());
+  return cameraOfFile(options, extent);
 }
 
 } // namespace
@@ -129,20 +138,22 @@ void addCameraOptions(const CommandLine &command, CameraOptions &options) {
 }
 
 Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {
-  Camera defaults;
-  std::array<int, 2> size = {defaults.width, defaults.height};
-  if (!options.size.empty()) {
-    auto parsed = parseSize(options.size);
-    if (!parsed)
-      return parsed.error();
-    size = *parsed;
-  }
-  if (options.fov != 0 && !(options.fov > 0 && options.fov < 180))
-    return Error::usage("--fov should lie between 0 and 180 degrees");
-  auto camera = placeCamera(options, extent, voxelToModel, size);
+  const auto given = checkedSize(options);
+  if (!given)
+    return given.error();
+  auto camera = placeCamera(options, extent, voxelToModel, given->value_or(kUsualSize));
   if (camera && options.fov != 0)
     camera->verticalFov = options.fov;
   return camera;
+}
+
+Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &camera, Int3 extent) {
+  const auto given = checkedSize(options);
+  if (!given)
+    return given.error();
+  const std::array<int, 2> size = given->value_or(camera.size.value_or(kUsualSize));
+  return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw,
+                          options.fov != 0 ? options.fov : camera.fov, size[0], size[1]);
 }
 
 Expected<std::array<int, 2>> parseSize(const std::string &text) {

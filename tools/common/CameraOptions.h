@@ -1,6 +1,7 @@
 // The options that say where a picture is taken from.
 #pragma once
 
+#include "CameraFile.h"
 #include "CommandLine.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Geometry.h"
@@ -36,6 +37,10 @@ void addCameraOptions(const CommandLine &command, CameraOptions &options);
 /// The camera for a volume of `extent` voxels whose units are the model's by `voxelToModel`. Errors: `Usage`
 /// for a malformed option, `Input` for a camera file that is missing or broken, naming the cameras there are.
 Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel = {});
+
+/// A camera of a file for a volume of `extent` voxels, with the size and the field of view of the options
+/// where they have them, whatever camera they name. Error: `Usage` for a malformed one of these.
+Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &camera, Int3 extent);
 
 /// "WIDTHxHEIGHT" as two integers from 1 to 32768. Error: `Usage`.
 Expected<std::array<int, 2>> parseSize(const std::string &text);

@@ -95,6 +95,22 @@ std::string errorText(const Json &figures) {
          textOf(", t off by %.3g voxels at most", number(error, "max_dt"));
 }
 
+std::string pagedText(const Json &figures) {
+  if (!figures.contains("pages_read"))
+    return {};
+  return countText(number(figures, "pages_read")) + " pages read, " +
+         countText(number(figures, "page_hits")) + " found" +
+         textOf(", a hit rate of %.2f %%; in ", 100 * number(figures, "page_hit_rate")) +
+         bytesText(number(figures, "paging_bytes"));
+}
+
+std::string flightText(const Json &figures) {
+  if (!figures.contains("frames"))
+    return {};
+  return countText(double(figures["frames"].size())) + " frames in " +
+         secondsText(number(figures, "render_seconds"));
+}
+
 std::string cameraText(const Json &figures) { return figures.value("camera", ""); }
 
 struct Line {
@@ -103,8 +119,8 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {"read", readText},     {"volume", volumeText}, {"built", builtText},
-    {"traced", tracedText}, {"checked", errorText}, {"camera", cameraText},
+    {"read", readText},   {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
+    {"paged", pagedText}, {"checked", errorText}, {"flight", flightText}, {"camera", cameraText},
 };
 
 void printLine(const std::string &label, const std::string &text) {

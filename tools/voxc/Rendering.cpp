@@ -5,13 +5,36 @@
 #include "Outputs.h"
 
 #include "common/PictureFile.h"
-#include "common/RayTally.h"
 #include "common/Statistics.h"
 #include "voxc/IR/Query.h"
 
 #include <filesystem>
 
 namespace voxc::tool {
+namespace {
+
+void addSize(Json &figures, const Camera &camera) {
+  figures["width"] = camera.width;
+  figures["height"] = camera.height;
+}
+
+/// Of a frame: its camera, as camera files have it, its time, and what paging did for it.
+Json frameFigures(const FileCamera &camera, double seconds, const std::optional<PagingReport> &before,
+                  const std::optional<PagingReport> &after) {
+  Json frame = {{"position", {camera.position.x, camera.position.y, camera.position.z}},
+                {"pitch", camera.pitch},
+                {"yaw", camera.yaw},
+                {"fov", camera.fov},
+                {"seconds", seconds}};
+  if (before && after) {
+    frame["pages_read"] = after->reads - before->reads;
+    frame["page_hits"] = after->found - before->found;
+    frame["rounds"] = after->rounds - before->rounds;
+  }
+  return frame;
+}
+
+} // namespace
 
 void Rendering::declare(const CommandLine &command) {
   command
@@ -20,6 +43,7 @@ void Rendering::declare(const CommandLine &command) {
                "; the default is named after the input and the style")
       .takes("PICTURE");
   addPictureOptions(command, picture_);
+  flight_.declare(command);
   command
       .add("--lod", picture_.lod,
            "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: "
@@ -32,8 +56,12 @@ void Rendering::declare(const CommandLine &command) {
 Expected<void> Rendering::check(const std::string &source, const CommonOptions &common) {
   if (output_.empty()) {
     const std::string stem = std::filesystem::path(source.substr(source.rfind(':') + 1)).stem().string();
-    output_ = (stem.empty() ? "picture" : stem) + "-" + std::string(toString(styleOf(picture_))) + ".png";
+    output_ = (stem.empty() ? "picture" : stem) + "-" + std::string(toString(styleOf(picture_))) +
+              (flight_.isGiven() ? "-###.png" : ".png");
   }
+  if (flight_.isGiven())
+    if (Expected<void> flies = flight_.check(output_); !flies)
+      return flies;
   if (Expected<void> writable = checkOutput(output_, common); !writable)
     return writable;
   if (Expected<void> named = checkPictureName(output_); !named)
@@ -55,48 +83,78 @@ Expected<void> Rendering::applyTo(Format &format) const {
 Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const CommonOptions &common,
                                  ProgressBar &bar, Json &figures) const {
   const Stopwatch watch;
-  RayTally eye(check_.rays()), light, finder;
-  const auto through = [&tracing](RayTally &tally) {
-    return [&tracing, &tally](std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &options) -> Expected<void> {
-      Expected<TraceReport> report = tracing.trace(rays, hits, options);
-      if (!report)
-        return report.error();
-      tally.add(rays, hits, *report, options.countSteps);
-      return {};
-    };
-  };
-  const auto camera = through(eye), occlusion = through(light), probe = through(finder);
-  Expected<TakenPicture> taken =
-      takePicture(picture_, volume, {camera, occlusion}, probe, tracing.threads(), bar.progress());
-  if (!taken)
-    return taken.error();
-  eye.addFigures(figures, tracing.deviceInfo().name);
-  tracing.addPagingFigures(figures);
-  if (light.counts().rays > 0) {
-    figures["light_rays"] = light.counts().rays;
-    figures["light_seconds"] = light.times().front().wall;
-  }
+  PictureRays rays(tracing, check_.rays());
+  const auto warning = flight_.isGiven() ? takeFlight(volume, rays, bar.progress(), figures)
+                                         : takeOne(volume, rays, bar.progress(), figures);
+  if (!warning)
+    return warning.error();
+  figures["style"] = toString(styleOf(picture_));
+  rays.addFigures(figures);
   // No picture needs faces, and a heatmap has counts in their place.
   if (Expected<void> checked =
-          check_.run(volume, eye.sampledRays(), eye.sampledHits(), {}, bar.progress(), figures);
+          check_.run(volume, rays.eye().sampledRays(), rays.eye().sampledHits(), {}, bar.progress(), figures);
       !checked)
     return checked;
-  figures["width"] = taken->camera.width;
-  figures["height"] = taken->camera.height;
-  figures["style"] = toString(styleOf(picture_));
-  figures["camera"] = cameraText(picture_, taken->camera, volume);
+  figures["render_seconds"] = watch.seconds();
+  bar.clear();
+  if (*warning && !common.quiet)
+    printNote("warning: " + **warning);
+  return {};
+}
+
+Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, PictureRays &rays,
+                                                const Progress &progress, Json &figures) const {
+  const Expected<Camera> camera = rays.findCamera(picture_, volume);
+  if (!camera)
+    return camera.error();
+  RenderOptions options = renderOptions(picture_, volume);
+  options.progress = progress;
+  const Expected<TakenPicture> taken = rays.take(volume, *camera, options);
+  if (!taken)
+    return taken.error();
+  addSize(figures, *camera);
+  figures["camera"] = cameraText(picture_, *camera, volume);
   figures["exposure"] = taken->rendering.exposure;
   figures["nearest_voxels"] = taken->rendering.nearest;
   figures["median_voxels"] = taken->rendering.middle;
   if (Expected<void> written = writeTaken(output_, *taken); !written)
-    return written;
+    return written.error();
   addWritten(figures, output_);
-  figures["render_seconds"] = watch.seconds();
-  bar.clear();
-  if (const auto warning = cameraWarning(*taken, volume); warning && !common.quiet)
-    printNote("warning: " + *warning);
-  return {};
+  return cameraWarning(*taken, volume);
+}
+
+// One tracer takes all frames, so pages that one frame has brought are there for the next; and so are
+// normals.
+Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, PictureRays &rays,
+                                                   const Progress &progress, Json &figures) const {
+  SurfaceNormals normals(volume, rays.threads());
+  RenderOptions options = renderOptions(picture_, volume);
+  options.normals = &normals;
+  options.progress.stop = progress.stop;
+  Warning warning;
+  for (unsigned frame = 0; frame < flight_.frames(); ++frame) {
+    const Stopwatch watch;
+    FileCamera place = flight_.camera(frame);
+    const Expected<Camera> camera = makeCamera(picture_.camera, place, volume.info().extent);
+    if (!camera)
+      return camera.error();
+    place.fov = camera->verticalFov; // As --fov says, if it does.
+    const auto before = rays.paging();
+    const Expected<TakenPicture> taken = rays.take(volume, *camera, options);
+    if (!taken)
+      return taken.error();
+    const std::string name = frameName(output_, frame);
+    if (Expected<void> written = writeTaken(name, *taken); !written)
+      return written.error();
+    addSize(figures, *camera);
+    figures["frames"].push_back(frameFigures(place, watch.seconds(), before, rays.paging()));
+    if (const auto odd = cameraWarning(*taken, volume); odd && !warning)
+      warning = "in frame " + std::to_string(frame) + " " + *odd;
+    progress.at("render", double(frame + 1) / flight_.frames(), frame + 1);
+  }
+  figures["files_written"] = flight_.frames();
+  addWritten(figures, output_);
+  return warning;
 }
 
 } // namespace voxc::tool

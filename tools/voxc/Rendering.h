@@ -1,13 +1,16 @@
-// From a prepared volume to a picture file: what `render` and `run` share.
+// From a prepared volume to a picture file, or to those of a flight: what `render` and `run` share.
 #pragma once
 
 #include "ErrorCheck.h"
+#include "FlightOption.h"
+#include "PictureRays.h"
 #include "Tracing.h"
 
 #include "common/Command.h"
 #include "common/PictureOptions.h"
 #include "common/Terminal.h"
 
+#include <optional>
 #include <string>
 
 namespace voxc::tool {
@@ -24,13 +27,23 @@ public:
   Expected<void> applyTo(Format &format) const;
   /// Whether the picture asks for the words of a volume, beside hits.
   bool looksAround(const VolumeInfo &info) const { return tool::looksAround(picture_, info); }
-  /// Takes the picture and writes it. Its figures are added, `output` and `camera` among them.
+  /// Takes the picture and writes it, or all frames of a flight. Its figures are added, `files` and `camera`
+  /// among them, and `frames` of a flight.
   Expected<void> render(const Volume &volume, Tracing &tracing, const CommonOptions &common, ProgressBar &bar,
                         Json &figures) const;
 
 private:
+  /// What is odd about a camera, if anything is.
+  using Warning = std::optional<std::string>;
+
+  Expected<Warning> takeOne(const Volume &volume, PictureRays &rays, const Progress &progress,
+                            Json &figures) const;
+  Expected<Warning> takeFlight(const Volume &volume, PictureRays &rays, const Progress &progress,
+                               Json &figures) const;
+
   std::string output_;
   PictureOptions picture_;
+  FlightOption flight_;
   ErrorCheck check_{0}; // A picture is to be seen; checking takes an oracle of the whole volume.
 };
 

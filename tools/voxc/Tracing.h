@@ -11,6 +11,7 @@
 #include "voxc/Trace/Tracer.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -36,6 +37,8 @@ public:
   /// The same for a page file, of which so many bytes at most are resident; it must stay.
   Expected<void> preparePages(const PagedVolume &volume, const Format &format, std::uint64_t bytes,
                               Json &figures);
+  /// What paging has done so far, if that is how rays are traced.
+  std::optional<PagingReport> paging() const;
   /// Adds what paging has done so far, if that is how rays are traced.
   void addPagingFigures(Json &figures) const;
   /// Traces rays through the prepared volume. The trace's figures are added.

@@ -5,6 +5,8 @@
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Support/Stopwatch.h"
 
+#include <algorithm>
+
 namespace voxc::tool {
 
 Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &format, std::uint64_t bytes,
@@ -47,6 +49,10 @@ Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const Page
   return createPagedTracer(*device_, *kernel, volume, {bytes, threads_});
 }
 
+std::optional<PagingReport> Tracing::paging() const {
+  return paged_ ? std::optional(paged_->paging()) : std::nullopt;
+}
+
 void Tracing::addPagingFigures(Json &figures) const {
   if (!paged_)
     return;
@@ -58,6 +64,8 @@ void Tracing::addPagingFigures(Json &figures) const {
   figures["resident_bytes"] = paging.resident * paging.pageBytes;
   figures["pages_read"] = paging.reads;
   figures["page_hits"] = paging.found;
+  figures["page_hit_rate"] =
+      double(paging.found) / double(std::max<std::uint64_t>(paging.found + paging.reads, 1));
   figures["rounds"] = paging.rounds;
   figures["page_seconds"] = paging.decodeSeconds;
 }

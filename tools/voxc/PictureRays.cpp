@@ -1,0 +1,40 @@
+// Rays of pictures, counted.
+#include "PictureRays.h"
+
+namespace voxc::tool {
+
+auto PictureRays::through(RayTally &tally) {
+  return [this, &tally](std::span<const Ray> rays, std::span<Hit> hits,
+                        const TraceOptions &options) -> Expected<void> {
+    Expected<TraceReport> report = tracing_.trace(rays, hits, options);
+    if (!report)
+      return report.error();
+    tally.add(rays, hits, *report, options.countSteps);
+    return {};
+  };
+}
+
+Expected<Camera> PictureRays::findCamera(const PictureOptions &options, const Volume &volume) {
+  RayTally finder;
+  return placeCamera(options, volume, through(finder));
+}
+
+Expected<TakenPicture> PictureRays::take(const Volume &volume, const Camera &camera, RenderOptions options) {
+  const auto eye = through(eye_), light = through(light_);
+  options.threads = tracing_.threads();
+  Expected<voxc::Rendering> rendering = voxc::render(volume, camera, {eye, light}, options);
+  if (!rendering)
+    return rendering.error();
+  return TakenPicture{std::move(*rendering), camera};
+}
+
+void PictureRays::addFigures(Json &figures) const {
+  eye_.addFigures(figures, tracing_.deviceInfo().name);
+  tracing_.addPagingFigures(figures);
+  if (light_.counts().rays > 0) {
+    figures["light_rays"] = light_.counts().rays;
+    figures["light_seconds"] = light_.times().front().wall;
+  }
+}
+
+} // namespace voxc::tool
