@@ -80,9 +80,10 @@ Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const Tr
   return report;
 }
 
-// All rays begin at once. From then on a group of them goes on as long as the pages that it asks for can come
-// without any going that it has just used; else half of it goes on, and the others wait for their turn. What
-// was asked for is only read when it is known to stay.
+// All rays begin at once. Of the pages that they ask for, as many come as can without any going that was just
+// used: so a ray that waits keeps what it has of its way, each page that comes takes some ray further, and
+// many rays share it. When all that is resident is in use, half of the group goes on, and the others wait for
+// their turn.
 Expected<void> Driver::traceBatch(Batch batch) {
   const double wall = wallSeconds();
   const double cpu = processCpuSeconds();
@@ -121,16 +122,19 @@ Expected<void> Driver::endGroup(Batch &batch) {
 }
 
 Expected<void> Driver::bring(Batch &batch, const PageRound &round) {
-  if (round.asked.size() > cache_.room() && batch.group.count > 1) {
+  // A ray alone asks for one page. Where it goes on it uses no more than those of one way down, all of which
+  // have room: so what goes now it has used before that.
+  if (batch.group.count == 1) {
+    if (auto goes = checkProgress(batch); !goes)
+      return goes;
+    return cache_.load(round.asked, place());
+  }
+  const std::uint64_t room = cache_.room();
+  if (room == 0) {
     batch.group.count = (batch.group.count + 1) / 2;
     return {};
   }
-  // A ray alone asks for one page. Where it goes on it uses no more than those of one way down, all of which
-  // have room: so what goes now it has used before that.
-  if (batch.group.count == 1)
-    if (auto goes = checkProgress(batch); !goes)
-      return goes;
-  return cache_.load(round.asked, place());
+  return cache_.load(std::span(round.asked).first(std::min<std::size_t>(room, round.asked.size())), place());
 }
 
 Expected<void> Driver::checkProgress(Batch &batch) {
