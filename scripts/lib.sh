@@ -38,11 +38,14 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install --no-install-recommends --yes $missing
 }
 
-# build PRESET [TARGET...]: configures and builds build/PRESET, all of it or these targets.
+# build PRESET [TARGET...]: configures and builds build/PRESET, all of it or these targets. One from nothing compiles files
+# together; `cmake --preset PRESET -DVOXC_FIRST_BUILD=OFF` is for who goes on to change them.
 build() {
   local preset=$1
   shift
   say "Building ${*:-everything} in build/$preset; the first time takes minutes, later ones a moment"
-  cmake --preset "$preset" >/dev/null
+  local first=
+  [ -e "build/$preset/CMakeCache.txt" ] || first=-DVOXC_FIRST_BUILD=ON
+  cmake --preset "$preset" $first >/dev/null
   NINJA_STATUS="  file %f of %t, after %es: " cmake --build --preset "$preset" ${1:+--target "$@"}
 }

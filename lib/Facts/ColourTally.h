@@ -3,7 +3,7 @@
 
 #include "Brick.h"
 #include "DistinctSet.h"
-#include "WordCounts.h"
+#include "WordTally.h"
 
 #include "voxc/Facts/Facts.h"
 
@@ -67,7 +67,7 @@ private:
   std::uint64_t repeated_ = 0; ///< Voxels of that word up to there.
   std::uint64_t changes_ = 0;  ///< Voxels whose word was not that of the voxel before.
 
-  WordCounts counts_;
+  WordTally counts_;
   DistinctSet words_;
   DistinctSet rgb_;
   std::array<std::array<std::uint64_t, 256>, 4> histograms_{};

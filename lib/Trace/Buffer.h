@@ -14,7 +14,7 @@ namespace voxc {
 struct BufferRequest {
   std::string_view what; ///< For errors: "the rays".
   std::uint64_t bytes = 0;
-  Placement placement = Placement::Device;
+  BufferPlace placement = BufferPlace::Device;
   bool addressed = false; ///< Kernels reach it by its address.
   bool starts = false;    ///< Dispatches are started with numbers in it.
 };

@@ -102,7 +102,7 @@ Device::Device(Device &&) noexcept = default;
 Device &Device::operator=(Device &&) noexcept = default;
 
 Expected<Device> Device::open(std::string_view name) {
-  auto instance = Instance::create();
+  auto instance = VulkanInstance::create();
   auto devices = instance ? physicalDevices(*instance) : std::vector<PhysicalDevice>{};
   const PhysicalDevice *best = nullptr;
   for (std::size_t i = 0; i < devices.size(); ++i)

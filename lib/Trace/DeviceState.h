@@ -9,13 +9,13 @@ namespace voxc {
 
 struct Device::State {
   VulkanFunctions vk;
-  std::optional<Instance> instance; ///< Nothing where a host owns it, and the device.
+  std::optional<VulkanInstance> instance; ///< Nothing where a host owns it, and the device.
   PhysicalDevice physical;
   VkDevice device = VK_NULL_HANDLE;
   VkQueue queue = VK_NULL_HANDLE;
   const CompileCache *cache = nullptr; ///< Of pipelines, where there is one.
 
-  State(Instance connection, PhysicalDevice description)
+  State(VulkanInstance connection, PhysicalDevice description)
       : vk(connection.functions()), instance(std::move(connection)), physical(std::move(description)) {}
   State(const VulkanFunctions &functions, PhysicalDevice description)
       : vk(functions), physical(std::move(description)) {}

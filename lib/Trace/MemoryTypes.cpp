@@ -14,22 +14,22 @@ constexpr VkMemoryPropertyFlags kCached = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 constexpr VkMemoryPropertyFlags kOrdinary = kLocal | kHost | kCached;
 
 struct Wish {
-  Placement placement;
+  BufferPlace placement;
   VkMemoryPropertyFlags properties;
 };
 
 /// For each placement, the properties to look for, the best first.
 constexpr Wish kWishes[] = {
-    {Placement::Device, kLocal},
-    {Placement::Upload, kHost},
-    {Placement::Download, kHost | kCached},
-    {Placement::Download, kHost},
+    {BufferPlace::Device, kLocal},
+    {BufferPlace::Upload, kHost},
+    {BufferPlace::Download, kHost | kCached},
+    {BufferPlace::Download, kHost},
 };
 
 } // namespace
 
 std::vector<std::uint32_t> memoryTypesFor(const VkPhysicalDeviceMemoryProperties &memory,
-                                          std::uint32_t allowed, Placement placement) {
+                                          std::uint32_t allowed, BufferPlace placement) {
   std::vector<std::uint32_t> types;
   for (const Wish &wish : kWishes) {
     for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {

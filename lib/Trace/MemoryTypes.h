@@ -9,7 +9,7 @@
 namespace voxc {
 
 /// What a buffer's memory is best for.
-enum class Placement {
+enum class BufferPlace {
   Device,   ///< The kernels; the host sees it only where that costs nothing.
   Upload,   ///< Written by the host, read once by the device.
   Download, ///< Written by the device, read by the host.
@@ -17,7 +17,7 @@ enum class Placement {
 
 /// The memory types that a buffer may use (bits of `allowed`), from the best for `placement` on.
 std::vector<std::uint32_t> memoryTypesFor(const VkPhysicalDeviceMemoryProperties &memory,
-                                          std::uint32_t allowed, Placement placement);
+                                          std::uint32_t allowed, BufferPlace placement);
 
 /// True if the host can map memory with these properties and needs no flushes.
 bool isMappable(VkMemoryPropertyFlags properties);

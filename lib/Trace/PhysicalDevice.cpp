@@ -115,7 +115,7 @@ PhysicalDevice describe(const VulkanFunctions &vk, VkPhysicalDevice handle) {
   return device;
 }
 
-std::vector<PhysicalDevice> physicalDevices(const Instance &instance) {
+std::vector<PhysicalDevice> physicalDevices(const VulkanInstance &instance) {
   const VulkanFunctions &vk = instance.functions();
   std::uint32_t count = 0;
   if (vk.EnumeratePhysicalDevices(instance.get(), &count, nullptr) != VK_SUCCESS)
@@ -132,7 +132,7 @@ std::vector<PhysicalDevice> physicalDevices(const Instance &instance) {
 }
 
 std::vector<DeviceInfo> listDevices() {
-  auto instance = Instance::create();
+  auto instance = VulkanInstance::create();
   if (!instance)
     return {};
   std::vector<DeviceInfo> infos;

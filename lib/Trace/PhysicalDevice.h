@@ -1,7 +1,7 @@
 // What Vulkan says of each device before one is opened.
 #pragma once
 
-#include "Instance.h"
+#include "VulkanInstance.h"
 
 #include "voxc/Trace/Tracer.h"
 
@@ -27,6 +27,6 @@ std::vector<VkQueueFamilyProperties> queueFamilies(const VulkanFunctions &vk, Vk
 PhysicalDevice describe(const VulkanFunctions &vk, VkPhysicalDevice handle);
 
 /// The devices of this machine in the driver's order.
-std::vector<PhysicalDevice> physicalDevices(const Instance &instance);
+std::vector<PhysicalDevice> physicalDevices(const VulkanInstance &instance);
 
 } // namespace voxc

@@ -23,7 +23,7 @@ Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer
     std::memcpy(buffer.writable() + at, bytes.data(), bytes.size());
     return {};
   }
-  auto stage = staging(uploadStaging_, Placement::Upload);
+  auto stage = staging(uploadStaging_, BufferPlace::Upload);
   if (!stage)
     return stage.error();
   for (std::size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
@@ -40,7 +40,7 @@ Expected<void> Transfer::download(const Buffer &buffer, std::span<std::byte> byt
     std::memcpy(bytes.data(), buffer.readable(), bytes.size());
     return {};
   }
-  auto stage = staging(downloadStaging_, Placement::Download);
+  auto stage = staging(downloadStaging_, BufferPlace::Download);
   if (!stage)
     return stage.error();
   for (std::size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
@@ -52,7 +52,7 @@ Expected<void> Transfer::download(const Buffer &buffer, std::span<std::byte> byt
   return {};
 }
 
-Expected<Buffer *> Transfer::staging(std::optional<Buffer> &buffer, Placement placement) {
+Expected<Buffer *> Transfer::staging(std::optional<Buffer> &buffer, BufferPlace placement) {
   if (!buffer) {
     auto created =
         Buffer::create(*device_, {.what = "staged copies", .bytes = kStagingBytes, .placement = placement});

@@ -24,7 +24,7 @@ public:
 
 private:
   Transfer(Device::State &device, Commands commands) : device_(&device), commands_(std::move(commands)) {}
-  Expected<Buffer *> staging(std::optional<Buffer> &buffer, Placement placement);
+  Expected<Buffer *> staging(std::optional<Buffer> &buffer, BufferPlace placement);
 
   Device::State *device_;
   Commands commands_;

@@ -1,6 +1,6 @@
 // Counting in bounded memory: sets that thin themselves out, and counts that join to groups.
 #include "Facts/DistinctSet.h"
-#include "Facts/WordCounts.h"
+#include "Facts/WordTally.h"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ TEST(DistinctSet, OfOneValueStillCounts) {
   EXPECT_FALSE(set.count().exact);
 }
 
-TEST(WordCounts, EntropyIsThatOfShares) {
-  WordCounts counts(100);
+TEST(WordTally, EntropyIsThatOfShares) {
+  WordTally counts(100);
   EXPECT_EQ(counts.entropy(), 0);
   EXPECT_TRUE(counts.add(5, 4));
   EXPECT_EQ(counts.entropy(), 0);
@@ -50,10 +50,10 @@ TEST(WordCounts, EntropyIsThatOfShares) {
   EXPECT_TRUE(counts.exact());
 }
 
-TEST(WordCounts, GroupsGiveALowerBound) {
+TEST(WordTally, GroupsGiveALowerBound) {
   constexpr std::uint32_t kWords = 100000;
-  WordCounts all(kWords);
-  WordCounts some(1 << 12);
+  WordTally all(kWords);
+  WordTally some(1 << 12);
   for (std::uint32_t word = 1; word <= kWords; ++word) {
     const std::uint64_t times = word == 1000 ? kWords : 1;
     all.add(word, times);

@@ -8,10 +8,10 @@
 namespace voxc {
 
 /// Counts words one by one, until there are too many different ones; then it counts groups of words instead.
-class WordCounts {
+class WordTally {
 public:
   /// Keeps `most` different words at most (1 or more).
-  explicit WordCounts(std::size_t most);
+  explicit WordTally(std::size_t most);
 
   /// Counts a word, which is not 0, so many times more. False if it has been counted before; true may be said
   /// of any word once `exact` is false.

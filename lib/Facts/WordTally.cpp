@@ -1,5 +1,5 @@
 // A hash table of counts, which becomes a plain array of them when it is too large.
-#include "WordCounts.h"
+#include "WordTally.h"
 
 #include "Mix.h"
 
@@ -30,9 +30,9 @@ struct EntropySum {
 
 } // namespace
 
-WordCounts::WordCounts(std::size_t most) : most_(most), entries_(kSmallest) {}
+WordTally::WordTally(std::size_t most) : most_(most), entries_(kSmallest) {}
 
-bool WordCounts::add(std::uint32_t word, std::uint64_t times) {
+bool WordTally::add(std::uint32_t word, std::uint64_t times) {
   if (!exact()) {
     groupOf(word) += times;
     return true;
@@ -49,7 +49,7 @@ bool WordCounts::add(std::uint32_t word, std::uint64_t times) {
   return isNew;
 }
 
-WordCounts::Entry &WordCounts::find(std::uint32_t word) {
+WordTally::Entry &WordTally::find(std::uint32_t word) {
   const std::uint64_t mask = entries_.size() - 1;
   std::uint64_t at = mix(word) & mask;
   while (entries_[at].count != 0 && entries_[at].word != word)
@@ -57,23 +57,23 @@ WordCounts::Entry &WordCounts::find(std::uint32_t word) {
   return entries_[at];
 }
 
-void WordCounts::grow() {
+void WordTally::grow() {
   const std::vector<Entry> old = std::exchange(entries_, std::vector<Entry>(2 * entries_.size()));
   for (const Entry &entry : old)
     if (entry.count != 0)
       find(entry.word) = entry;
 }
 
-void WordCounts::joinToGroups() {
+void WordTally::joinToGroups() {
   const std::vector<Entry> words = std::exchange(entries_, {});
   groups_.resize(std::bit_ceil(most_));
   for (const Entry &entry : words)
     groupOf(entry.word) += entry.count;
 }
 
-std::uint64_t &WordCounts::groupOf(std::uint32_t word) { return groups_[mix(word) & (groups_.size() - 1)]; }
+std::uint64_t &WordTally::groupOf(std::uint32_t word) { return groups_[mix(word) & (groups_.size() - 1)]; }
 
-double WordCounts::entropy() const {
+double WordTally::entropy() const {
   EntropySum sum;
   for (const Entry &entry : entries_)
     sum.add(entry.count);

@@ -9,23 +9,23 @@
 namespace voxc {
 
 /// Owns a VkInstance.
-class Instance {
+class VulkanInstance {
 public:
   /// Nothing if this machine has no loader, or no driver.
-  static std::optional<Instance> create();
-  ~Instance() {
+  static std::optional<VulkanInstance> create();
+  ~VulkanInstance() {
     if (instance_ != VK_NULL_HANDLE)
       functions_->DestroyInstance(instance_, nullptr);
   }
-  Instance(Instance &&other) noexcept
+  VulkanInstance(VulkanInstance &&other) noexcept
       : functions_(other.functions_), instance_(std::exchange(other.instance_, VK_NULL_HANDLE)) {}
-  Instance &operator=(Instance &&) = delete;
+  VulkanInstance &operator=(VulkanInstance &&) = delete;
 
   VkInstance get() const { return instance_; }
   const VulkanFunctions &functions() const { return *functions_; }
 
 private:
-  Instance(const VulkanFunctions &functions, VkInstance instance)
+  VulkanInstance(const VulkanFunctions &functions, VkInstance instance)
       : functions_(&functions), instance_(instance) {}
 
   const VulkanFunctions *functions_; ///< Of the loader, which stays.

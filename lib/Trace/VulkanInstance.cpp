@@ -1,9 +1,9 @@
 // The connection to Vulkan.
-#include "Instance.h"
+#include "VulkanInstance.h"
 
 namespace voxc {
 
-std::optional<Instance> Instance::create() {
+std::optional<VulkanInstance> VulkanInstance::create() {
   const VulkanLoader *loader = loadVulkan();
   if (!loader)
     return std::nullopt;
@@ -15,7 +15,7 @@ std::optional<Instance> Instance::create() {
   VkInstance instance = VK_NULL_HANDLE;
   if (loader->CreateInstance(&info, nullptr, &instance) != VK_SUCCESS)
     return std::nullopt;
-  return Instance(loader->functions, instance);
+  return VulkanInstance(loader->functions, instance);
 }
 
 } // namespace voxc
