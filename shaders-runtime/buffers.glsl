@@ -1,12 +1,7 @@
 // From the buffers to a walk, and back.
-
-uvec3 load_bits(uint at) { return uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]); }
 %if bounded
 
-// Where a ray begins whose hit begins at `at`: it has eight words, and a hit has six.
-uint ray_at(uint at) { return at / 6u * 8u; }
-
-Bounds load_bounds(uint at) { return bounds_between(ray_words[ray_at(at) + 3u], ray_words[ray_at(at) + 7u]); }
+Bounds bounds_of(uint at) { return bounds_between(load_tmin(at), load_tmax(at)); }
 %end
 
 %if axis
@@ -17,61 +12,58 @@ Bounds load_bounds(uint at) { return bounds_between(ray_words[ray_at(at) + 3u], 
 // begun.
 %end
 Walk left_walk(uint at) {
-  Walk walk = walk_at(-2 - ivec3(hit_words[at], hit_words[at + 1u], hit_words[at + 2u]));
+  HitWords left = load_hit(at);
+  Walk walk = walk_at(-2 - ivec3(left.voxel));
 %if axis
-  walk.axis = int(hit_words[at + 4u]);
+  walk.axis = int(left.t);
 %end
 %if bounded
 %if packets
-  walk.is_within = int(hit_words[at + 3u]) == WITHIN;
+  walk.is_within = int(left.rgba) == WITHIN;
 %end
 %end
-  walk.open = max(int(hit_words[at + 3u]), CLOSED);
+  walk.open = max(int(left.rgba), CLOSED);
   walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
   bool has_begun = is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell);
-  walk.lookups = words_read = has_begun ? hit_words[at + 5u] : 0u;
+  walk.lookups = words_read = has_begun ? left.last : 0u;
   return walk;
 }
 
-void store_left(uint at, const Walk walk) {
+HitWords words_of_left(const Walk walk) {
   ivec3 voxel = -2 - (walk.open >= 0 ? ~walk.cell : walk.cell);
-  hit_words[at] = uint(voxel.x);
-  hit_words[at + 1u] = uint(voxel.y);
-  hit_words[at + 2u] = uint(voxel.z);
-  hit_words[at + 3u] = uint(walk.open);
 %if axis
-  hit_words[at + 4u] = uint(walk.axis);
+  return HitWords(uvec3(voxel), uint(walk.open), uint(walk.axis), COUNT_WORDS ? words_read : walk.lookups);
+%else
+  return HitWords(uvec3(voxel), uint(walk.open), 0u, COUNT_WORDS ? words_read : walk.lookups);
 %end
-  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
 }
 
 // A hit is its voxel, if that is asked. A miss is -1. One that would not have ended is told by a cell far below.
-void store(uint at, const Walk walk, bool hit${and-an-arrival}) {
+HitWords words_of(const Walk walk, bool hit${and-an-arrival}) {
+  HitWords words;
 %if voxel
-  ivec3 voxel = hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1);
+  words.voxel = uvec3(hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1));
 %else
-  ivec3 voxel = ivec3(hit ? 0 : walk.steps_left < 0 ? -0x7fffffff : -1);
+  words.voxel = uvec3(ivec3(hit ? 0 : walk.steps_left < 0 ? -0x7fffffff : -1));
 %end
-  hit_words[at] = uint(voxel.x);
-  hit_words[at + 1u] = uint(voxel.y);
-  hit_words[at + 2u] = uint(voxel.z);
 %if colour
 %if paged
-  hit_words[at + 3u] = hit ? walk.voxel : 0u;
+  words.rgba = hit ? walk.voxel : 0u;
 %else
-  hit_words[at + 3u] = hit ? colour_of(walk) : 0u;
+  words.rgba = hit ? colour_of(walk) : 0u;
 %end
 %else
-  hit_words[at + 3u] = 0u;
+  words.rgba = 0u;
 %end
 %if t
-  hit_words[at + 4u] = hit ? arrival.t : 0u;
+  words.t = hit ? arrival.t : 0u;
 %else
-  hit_words[at + 4u] = 0u;
+  words.t = 0u;
 %end
-  hit_words[at + 5u] = COUNT_WORDS ? words_read : walk.lookups;
+  words.last = COUNT_WORDS ? words_read : walk.lookups;
 %if face
   if (!COUNT_WORDS && !COUNT_LOOKUPS)
-    hit_words[at + 5u] = hit ? arrival.face : 0u;
+    words.last = hit ? arrival.face : 0u;
 %end
+  return words;
 }

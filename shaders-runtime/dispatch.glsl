@@ -18,20 +18,20 @@ bool trace_ray(uint ray_number, bool goes_on) {
   Walk walk = walk_at(ivec3(-1));
   if (goes_on)
     walk = left_walk(at);
-  uvec3 direction = load_bits(${ray-at} + ${direction-place}u);
+  uvec3 direction = load_direction(at);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
 %if bounded
-  Bounds bounds = load_bounds(at);
-  bool hit = begin_walk(load_bits(ray_at(at)), direction, root, ray, walk) && bound_walk(ray, walk, bounds);
+  Bounds bounds = bounds_of(at);
+  bool hit = begin_walk(load_origin(at), direction, root, ray, walk) && bound_walk(ray, walk, bounds);
   if (hit) {
     skip_to(ray, walk, bounds.tmin);
     hit = walk_within(ray, walk, root, bounds);
   }
 %else
-  bool hit = begin_walk(load_bits(at), direction, root, ray, walk) && walk_on(ray, walk, root);
+  bool hit = begin_walk(load_origin(at), direction, root, ray, walk) && walk_on(ray, walk, root);
 %end
-  hit = end_walk(load_bits(${ray-at}), direction, walk, hit);
+  hit = end_walk(load_origin(at), direction, walk, hit);
 %if paged
 %if colour
   if (hit)
@@ -56,10 +56,10 @@ bool trace_ray(uint ray_number, bool goes_on) {
   bool is_left = walk.open != CLOSED;
 %end
 %end
+  HitWords words = words_of(walk, hit${and-arrival});
   if (is_left)
-    store_left(at, walk);
-  else
-    store(at, walk, hit${and-arrival});
+    words = words_of_left(walk);
+  store_hit(at, words);
   return is_left;
 }
 
@@ -73,18 +73,20 @@ void leave(uint ray_number) {
 
 void main() {
   uint number = gl_GlobalInvocationID.x;
-  if (number >= (task == LEFT_OVER ? left_count : ray_count))
+  bool goes_on = SETTLES && task != ALL; // A dispatch that does not settle begins all its rays.
+  bool is_listed = goes_on && task == LEFT_OVER;
+  if (number >= (is_listed ? left_count : ray_count))
     return;
-  uint ray_number = task == LEFT_OVER ? left_rays[number] : first_ray + number;
+  uint ray_number = is_listed ? left_rays[number] : first_ray + number;
 %if resumes
-  if (task == CUT_OFF && int(hit_words[6u * ray_number]) > -2)
+  if (goes_on && task == CUT_OFF && int(load_hit(6u * ray_number).voxel.x) > -2)
     return;
 %end
 %if paged
-  if (trace_ray(ray_number, task != ALL) && !SETTLES && !lacks_page)
+  if (trace_ray(ray_number, goes_on) && !SETTLES && !lacks_page)
     leave(ray_number);
 %else
-  if (trace_ray(ray_number, task != ALL) && !SETTLES)
+  if (trace_ray(ray_number, goes_on) && !SETTLES)
     leave(ray_number);
 %end
 }

@@ -11,12 +11,13 @@ uint words_read = 0u;
 
 %if bounded
 // Eight words a ray, the bits of float32: origin, tmin, direction, tmax.
+layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uvec4 ray_halves[]; };
 %else
 // Six words a ray, the bits of float32: origin, direction.
+layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uvec2 ray_pairs[]; };
 %end
-layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uint ray_words[]; };
 // Six words a hit: voxel, rgba, t, ${sixth-word}.
-layout(std430, set = 0, binding = 1) restrict buffer Hits { uint hit_words[]; };
+layout(std430, set = 0, binding = 1) restrict buffer Hits { uvec2 hit_pairs[]; };
 // A dispatch that does not settle leaves the rays which exact arithmetic has to look at to one that does, over these alone:
 // what that is started with, how many they are, and their numbers.
 layout(std430, set = 0, binding = 3) restrict buffer Left { uint left_groups[3]; uint left_count; uint left_rays[]; };

@@ -23,10 +23,11 @@ std::string emitIntersect(const Plan &plan) {
   const auto file = [&](const std::string &path) { return "\n" + fillFile(shaderFiles(), path, names); };
   const auto around = [&] {
     if (plan.query == Query::Occupancy)
-      return file("point/answer.glsl") + file("point/dispatch.glsl");
+      return file("records.glsl") + file("point/answer.glsl") + file("point/dispatch.glsl");
     if (plan.bounded)
-      return file("walk_on.glsl") + file("bounds.glsl") + file("buffers.glsl") + file("dispatch.glsl");
-    return file("buffers.glsl") + file("walk_on.glsl") + file("dispatch.glsl");
+      return file("walk_on.glsl") + file("bounds.glsl") + file("records.glsl") + file("buffers.glsl") +
+             file("dispatch.glsl");
+    return file("records.glsl") + file("buffers.glsl") + file("walk_on.glsl") + file("dispatch.glsl");
   };
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
          (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +

@@ -45,7 +45,7 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   const bool isPoint = plan.query == Query::Occupancy;
   const auto file = [&](const char *path) { return "\n" + fillFile(shaderFiles(), path, names); };
   const std::string bounds = plan.bounded ? file("walk_on.glsl") + file("bounds.glsl") : "";
-  const std::string buffers = file(isPoint ? "point/answer.glsl" : "buffers.glsl");
+  const std::string buffers = file("records.glsl") + file(isPoint ? "point/answer.glsl" : "buffers.glsl");
   const std::string paging = plan.addressing == Addressing::Paged ? file("paging.glsl") : "";
   const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
                               glslToCpp(volumeSize(plan) + paging + kernelFunctions(plan) + bounds + buffers);

@@ -260,9 +260,6 @@ void addBounds(TemplateNames &names, const Plan &plan) {
                                              : ", ivec3(0), VOLUME_SIZE";
   holes["is-inside"] = bounded ? "is_in_reach(walk)" : "is_in_volume(walk.cell)";
   holes["ray-words"] = bounded ? "8" : "6";
-  holes["ray-at"] = bounded ? "ray_at(at)" : "at";
-  holes["kernel-ray-at"] = bounded ? "kernel.ray_at(at)" : "at";
-  holes["direction-place"] = bounded ? "4" : "3";
 }
 
 std::string hexadecimal(std::uint64_t number) {

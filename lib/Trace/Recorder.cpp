@@ -41,6 +41,9 @@ VkDescriptorBufferInfo descriptorOf(const BufferRange &range) {
   return {range.buffer, range.offset, range.bytes};
 }
 
+/// Kernels load four words at once.
+constexpr VkDeviceSize kRecordAlignment = 16;
+
 /// Checks a range that is to hold at least one record, behind a header.
 Expected<void> checkRange(const Device::State &device, std::string_view what, const BufferRange &range,
                           std::uint64_t leastBytes) {
@@ -50,9 +53,10 @@ Expected<void> checkRange(const Device::State &device, std::string_view what, co
   };
   if (range.buffer == VK_NULL_HANDLE)
     return wrong("has no buffer");
-  if (range.offset % limits.minStorageBufferOffsetAlignment != 0)
+  const VkDeviceSize alignment = std::max(limits.minStorageBufferOffsetAlignment, kRecordAlignment);
+  if (range.offset % alignment != 0)
     return wrong("begins at " + std::to_string(range.offset) + ", which is no multiple of " +
-                 std::to_string(limits.minStorageBufferOffsetAlignment));
+                 std::to_string(alignment));
   if (range.bytes < leastBytes)
     return wrong("has " + std::to_string(range.bytes) + " bytes, but at least " + std::to_string(leastBytes) +
                  " are needed");

@@ -2,17 +2,13 @@
 
 // A voxel is told by itself, a place without one by -1, as misses are.
 void store(uint at, ivec3 voxel, bool is_there, uint lookups) {
-  hit_words[at] = uint(is_there ? voxel.x : -1);
-  hit_words[at + 1u] = uint(is_there ? voxel.y : -1);
-  hit_words[at + 2u] = uint(is_there ? voxel.z : -1);
-  hit_words[at + 3u] = 0u;
-  hit_words[at + 4u] = 0u;
-  hit_words[at + 5u] = COUNT_WORDS ? words_read : COUNT_LOOKUPS ? lookups : 0u;
+  uint last = COUNT_WORDS ? words_read : COUNT_LOOKUPS ? lookups : 0u;
+  store_hit(at, HitWords(uvec3(is_there ? voxel : ivec3(-1)), 0u, 0u, last));
 }
 
 // Answers whether there is a voxel at a point.
 void answer(uint at) {
-  uvec3 point = uvec3(ray_words[at], ray_words[at + 1u], ray_words[at + 2u]);
+  uvec3 point = load_origin(at);
   ivec3 voxel = floor_of(point);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   bool looks = root != 0u && are_finite(point) && all(lessThan(uvec3(voxel), uvec3(VOLUME_SIZE)));

@@ -14,7 +14,7 @@ namespace voxc {
 /// A stretch of a host's buffer.
 struct BufferRange {
   VkBuffer buffer = VK_NULL_HANDLE;
-  VkDeviceSize offset = 0; ///< A multiple of the device's minStorageBufferOffsetAlignment.
+  VkDeviceSize offset = 0; ///< A multiple of 16, and of the device's minStorageBufferOffsetAlignment.
   VkDeviceSize bytes = 0;
 };
 
