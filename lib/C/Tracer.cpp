@@ -56,7 +56,7 @@ Expected<std::unique_ptr<Tracer>> compileTracer(voxc_tracer &made) {
   }
   const DeviceInfo &device = made.device->info();
   const Expected<Kernel> kernel =
-      compileKernel(made.format, {.addressing = made.device->addressingFor(made.volume->words().size()),
+      compileKernel(made.format, {.addressing = made.device->addressingFor(*made.volume),
                                   .loops = device.loops,
                                   .arithmetic = device.arithmetic});
   if (!kernel)

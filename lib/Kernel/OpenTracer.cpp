@@ -37,12 +37,11 @@ Expected<std::unique_ptr<Tracer>> openOnCpu(const Volume &volume, const Format &
 
 Expected<std::unique_ptr<Tracer>> openOn(Device &device, const Volume &volume, const Format &format,
                                          const TracerChoice &choice) {
-  const Expected<Kernel> kernel =
-      compileKernel(format, {.addressing = device.addressingFor(volume.words().size()),
-                             .loops = device.info().loops,
-                             .arithmetic = device.info().arithmetic,
-                             .optimise = choice.optimise,
-                             .cache = choice.cache});
+  const Expected<Kernel> kernel = compileKernel(format, {.addressing = device.addressingFor(volume),
+                                                         .loops = device.info().loops,
+                                                         .arithmetic = device.info().arithmetic,
+                                                         .optimise = choice.optimise,
+                                                         .cache = choice.cache});
   if (!kernel)
     return kernel.error();
   return createTracer(device, *kernel, volume, choice.threads);

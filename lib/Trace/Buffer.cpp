@@ -17,6 +17,8 @@ VkBufferCreateInfo createInfo(const BufferRequest &request) {
                VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (request.addressed)
     info.usage |= VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  if (request.texels)
+    info.usage |= VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   if (request.starts)
     info.usage |= VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;

@@ -16,6 +16,7 @@ struct BufferRequest {
   std::uint64_t bytes = 0;
   BufferPlace placement = BufferPlace::Device;
   bool addressed = false; ///< Kernels reach it by its address.
+  bool texels = false;    ///< Kernels read its words as texels.
   bool starts = false;    ///< Dispatches are started with numbers in it.
 };
 

@@ -23,6 +23,7 @@ constexpr CoreFeature kCoreFeatures[] = {
 };
 
 constexpr std::uint32_t kShader = 1;
+constexpr std::uint32_t kSampledBuffer = 46;
 constexpr std::uint32_t kPhysicalStorageBufferAddresses = 5347;
 
 Error missing(const PhysicalDevice &device, std::string_view what) {
@@ -59,7 +60,7 @@ Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const s
 
 } // namespace
 
-bool isEverywhere(std::uint32_t capability) { return capability == kShader; }
+bool isEverywhere(std::uint32_t capability) { return capability == kShader || capability == kSampledBuffer; }
 
 std::string_view featureOf(std::uint32_t capability) {
   if (capability == kPhysicalStorageBufferAddresses)

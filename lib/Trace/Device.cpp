@@ -125,4 +125,12 @@ Addressing Device::addressingFor(std::uint64_t words) const {
   return fits ? Addressing::Buffer : Addressing::Segments;
 }
 
+Addressing Device::addressingFor(const Volume &volume) const {
+  const std::uint64_t words = volume.words().size();
+  // Within trees few rays of a vector are at one height, and those that read nothing are better passed over.
+  const bool gains = info().fastTexels && std::ranges::all_of(volume.layout().strata, &Stratum::isGrid);
+  const bool fits = VolumeWords::paddedBytes(words) <= info().maxTexelBufferBytes;
+  return gains && fits ? Addressing::Texels : addressingFor(words);
+}
+
 } // namespace voxc

@@ -36,6 +36,7 @@ private:
 };
 
 using BufferHandle = Handle<VkBuffer, &VulkanFunctions::DestroyBuffer>;
+using BufferViewHandle = Handle<VkBufferView, &VulkanFunctions::DestroyBufferView>;
 using MemoryHandle = Handle<VkDeviceMemory, &VulkanFunctions::FreeMemory>;
 using FenceHandle = Handle<VkFence, &VulkanFunctions::DestroyFence>;
 using CommandPoolHandle = Handle<VkCommandPool, &VulkanFunctions::DestroyCommandPool>;

@@ -70,6 +70,9 @@ Expected<std::vector<std::string_view>> featuresOf(const Kernel &kernel) {
 } // namespace
 
 Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
+  if (kernel.addressing == Addressing::Texels)
+    return Error::usage("a kernel that reads words as texels is for voxc's own tracers: compile one with "
+                        "addressing=buffer");
   auto features = featuresOf(kernel);
   if (!features)
     return features.error();

@@ -71,6 +71,7 @@ void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
   properties.pNext = &identity;
   vk.GetPhysicalDeviceProperties2(device.handle, &properties);
   device.info.uuid = hexadecimal(identity.deviceUUID);
+  device.info.fastTexels = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
   device.info.loops = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE ? Loops::Cut : Loops::Whole;
   device.info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
   device.info.maxAllocationBytes = maintenance.maxMemoryAllocationSize;
@@ -105,6 +106,7 @@ PhysicalDevice describe(const VulkanFunctions &vk, VkPhysicalDevice handle) {
   device.info.name = properties.deviceName;
   device.info.apiVersion = versionText(properties.apiVersion);
   device.info.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
+  device.info.maxTexelBufferBytes = std::uint64_t{4} * properties.limits.maxTexelBufferElements;
   describeKind(device, properties.deviceType);
   describeMemory(vk, device);
   bool computes = findQueueFamily(vk, device);

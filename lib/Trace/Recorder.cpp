@@ -96,6 +96,9 @@ std::uint32_t tileRaysOf(const Device::State &device, std::uint64_t scratch) {
 Expected<TraceRecorder> TraceRecorder::create(Device &device, const Kernel &kernel,
                                               const RecorderOptions &options) {
   Device::State &state = device.state();
+  if (kernel.addressing == Addressing::Texels)
+    return Error::usage("this kernel reads words as texels, which a recorder does not bind: compile one with "
+                        "addressing=buffer");
   if (auto runs = checkKernel(state.physical, kernel); !runs)
     return runs.error();
   auto pipeline = TracePipeline::create(state, kernel);

@@ -13,6 +13,7 @@ namespace {
 /// The most bindings that a kernel has.
 constexpr std::uint32_t kMostBindings = std::tuple_size_v<KernelBuffers>;
 
+constexpr std::size_t kWords = 2;
 constexpr std::size_t kLeft = 3;
 
 constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
@@ -56,7 +57,7 @@ Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kerne
 Expected<void> TracePipeline::createLayouts() {
   std::array<VkDescriptorSetLayoutBinding, kMostBindings> bindings{};
   for (std::uint32_t index = 0; index < bindings_; ++index)
-    bindings[index] = {index, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+    bindings[index] = {index, typeOf(index), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
   VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   setInfo.bindingCount = bindings_;
   setInfo.pBindings = bindings.data();
@@ -79,17 +80,39 @@ Expected<void> TracePipeline::createLayouts() {
   return {};
 }
 
-Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
-  VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bindings_};
+VkDescriptorType TracePipeline::typeOf(std::uint32_t binding) const {
+  return binding == kWords && addressing_ == Addressing::Texels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
+                                                                : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
+Expected<void> TracePipeline::viewTexels(const VkDescriptorBufferInfo &words, BoundBuffers &bound) const {
+  VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+  info.buffer = words.buffer;
+  info.format = VK_FORMAT_R32_UINT;
+  info.offset = words.offset;
+  // Room that a buffer has for edits may be more than a view shows.
+  info.range = std::min(words.range, device_->info().maxTexelBufferBytes);
+  auto view = createObject<BufferViewHandle>(*device_, &VulkanFunctions::CreateBufferView, info,
+                                             "create a view of a volume's words");
+  if (!view)
+    return view.error();
+  bound.texels = std::move(*view);
+  return {};
+}
+
+Expected<void> TracePipeline::allocateSet(BoundBuffers &bound) const {
+  std::array<VkDescriptorPoolSize, kMostBindings> sizes{};
+  for (std::uint32_t index = 0; index < bindings_; ++index)
+    sizes[index] = {typeOf(index), 1};
   VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   poolInfo.maxSets = 1;
-  poolInfo.poolSizeCount = 1;
-  poolInfo.pPoolSizes = &size;
+  poolInfo.poolSizeCount = bindings_;
+  poolInfo.pPoolSizes = sizes.data();
   auto pool = createObject<DescriptorPoolHandle>(*device_, &VulkanFunctions::CreateDescriptorPool, poolInfo,
                                                  "create a descriptor pool");
   if (!pool)
     return pool.error();
-  BoundBuffers bound{.pool = std::move(*pool), .left = buffers[kLeft]};
+  bound.pool = std::move(*pool);
   VkDescriptorSetLayout layout = setLayout_.get();
   VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   info.descriptorPool = bound.pool.get();
@@ -98,14 +121,26 @@ Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
   if (VkResult result = device_->vk.AllocateDescriptorSets(device_->device, &info, &bound.set);
       result != VK_SUCCESS)
     return vulkanError("allocate a descriptor set", result);
+  return {};
+}
+
+Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
+  BoundBuffers bound{.left = buffers[kLeft]};
+  if (addressing_ == Addressing::Texels)
+    if (auto viewed = viewTexels(buffers[kWords], bound); !viewed)
+      return viewed.error();
+  if (auto allocated = allocateSet(bound); !allocated)
+    return allocated.error();
+  const VkBufferView texels = bound.texels.get();
   std::array<VkWriteDescriptorSet, kMostBindings> writes{};
   for (std::uint32_t index = 0; index < bindings_; ++index) {
     writes[index].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     writes[index].dstSet = bound.set;
     writes[index].dstBinding = index;
     writes[index].descriptorCount = 1;
-    writes[index].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    writes[index].descriptorType = typeOf(index);
     writes[index].pBufferInfo = &buffers[index];
+    writes[index].pTexelBufferView = &texels;
   }
   device_->vk.UpdateDescriptorSets(device_->device, bindings_, writes.data(), 0, nullptr);
   return bound;

@@ -58,6 +58,7 @@ inline VkDescriptorBufferInfo wholeOf(const Buffer &buffer) { return {buffer.get
 /// Buffers that are bound to a kernel.
 struct BoundBuffers {
   DescriptorPoolHandle pool;
+  BufferViewHandle texels;              ///< Of the words, where kernels read them so.
   VkDescriptorSet set = VK_NULL_HANDLE; ///< Belongs to the pool.
   VkDescriptorBufferInfo left{};        ///< The list.
 };
@@ -94,11 +95,15 @@ public:
 
 private:
   TracePipeline(Device::State &device, const Kernel &kernel, PageShape pages)
-      : device_(&device), bindings_(kernel.addressing == Addressing::Paged ? 5 : 4), pages_(pages) {
+      : device_(&device), addressing_(kernel.addressing),
+        bindings_(kernel.addressing == Addressing::Paged ? 5 : 4), pages_(pages) {
     if (device.cache)
       spirv_ = kernel.spirv;
   }
   Expected<void> createLayouts();
+  VkDescriptorType typeOf(std::uint32_t binding) const;
+  Expected<void> viewTexels(const VkDescriptorBufferInfo &words, BoundBuffers &bound) const;
+  Expected<void> allocateSet(BoundBuffers &bound) const;
 
   struct Variant {
     PipelineHandle leaves;  ///< Leaves the rays over that float32 cannot tell all of.
@@ -111,6 +116,7 @@ private:
              const RayTile &tile) const;
 
   Device::State *device_;
+  Addressing addressing_;
   std::uint32_t bindings_; ///< Rays, hits, words or their table, the list of rays that are left over; pages.
   PageShape pages_;
   std::vector<std::uint32_t> spirv_; ///< What pipelines are found by, where the device has a cache.

@@ -17,6 +17,10 @@ Expected<void> checkAddressing(const Device::State &device, std::uint64_t words,
     return Error::environment("this volume has " + bytesText(bytes) + ", but a storage buffer of " +
                               info.name + " holds at most " + bytesText(info.maxStorageBufferBytes) +
                               ": use a kernel with addressing=segments");
+  if (addressing == Addressing::Texels && bytes > info.maxTexelBufferBytes)
+    return Error::environment("this volume has " + bytesText(bytes) + ", but a texel buffer of " + info.name +
+                              " holds at most " + bytesText(info.maxTexelBufferBytes) +
+                              ": use a kernel with addressing=buffer");
   if (addressing == Addressing::Segments && !info.deviceAddresses)
     return Error::environment("this volume of " + bytesText(bytes) + " needs device addresses, which " +
                               info.name + " lacks: use a device that has them");
@@ -26,14 +30,19 @@ Expected<void> checkAddressing(const Device::State &device, std::uint64_t words,
 /// Words are compared and copied in blocks of so many: copying a block takes less than a copy of its own.
 constexpr std::size_t kBlockWords = std::size_t{1} << 14;
 
+/// The bytes that the part of a volume may have.
+std::uint64_t mostBytes(const DeviceInfo &device, Addressing addressing) {
+  if (addressing == Addressing::Segments)
+    return VolumeWords::paddedBytes(kSegmentWords);
+  const std::uint64_t reached =
+      addressing == Addressing::Texels ? device.maxTexelBufferBytes : device.maxStorageBufferBytes;
+  return std::min(reached, device.maxAllocationBytes) / 16 * 16;
+}
+
 /// A buffer that grows gets room for an eighth more than it needs: edits follow one another.
 std::uint64_t roomyBytes(const DeviceInfo &device, std::uint64_t words, Addressing addressing) {
-  const std::uint64_t most =
-      addressing == Addressing::Segments
-          ? VolumeWords::paddedBytes(kSegmentWords)
-          : std::min(device.maxStorageBufferBytes, device.maxAllocationBytes) / 16 * 16;
   return std::max(VolumeWords::paddedBytes(words),
-                  std::min(VolumeWords::paddedBytes(words + words / 8), most));
+                  std::min(VolumeWords::paddedBytes(words + words / 8), mostBytes(device, addressing)));
 }
 
 bool areZero(std::span<const std::uint32_t> words) {
@@ -141,9 +150,10 @@ Expected<void> VolumeWords::makeRoom(Transfer &transfer, Part &part, std::uint64
   if (part && part->bytes() >= paddedBytes(words))
     return {};
   const std::uint64_t bytes = part ? roomyBytes(device_->info(), words, addressing_) : paddedBytes(words);
-  auto buffer = Buffer::create(
-      *device_,
-      {.what = "a volume's words", .bytes = bytes, .addressed = addressing_ == Addressing::Segments});
+  auto buffer = Buffer::create(*device_, {.what = "a volume's words",
+                                          .bytes = bytes,
+                                          .addressed = addressing_ == Addressing::Segments,
+                                          .texels = addressing_ == Addressing::Texels});
   if (!buffer)
     return buffer.error();
   if (part)

@@ -14,7 +14,7 @@
 
 namespace voxc {
 
-/// One storage buffer, or segments of 2^28 words and a table of their addresses. Segments without anything
+/// One buffer, or segments of 2^28 words and a table of their addresses. Segments without anything
 /// are one, so that a volume which is mostly empty takes no more of the device than it holds.
 class VolumeWords {
 public:

@@ -29,6 +29,7 @@
   X(CreateBuffer)                                                                                            \
   X(CreateCommandPool)                                                                                       \
   X(CreateComputePipelines)                                                                                  \
+  X(CreateBufferView)                                                                                        \
   X(CreateDescriptorPool)                                                                                    \
   X(CreateDescriptorSetLayout)                                                                               \
   X(CreateDevice)                                                                                            \
@@ -39,6 +40,7 @@
   X(CreateShaderModule)                                                                                      \
   X(DestroyBuffer)                                                                                           \
   X(DestroyCommandPool)                                                                                      \
+  X(DestroyBufferView)                                                                                       \
   X(DestroyDescriptorPool)                                                                                   \
   X(DestroyDescriptorSetLayout)                                                                              \
   X(DestroyDevice)                                                                                           \

@@ -10,6 +10,8 @@
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -17,8 +19,14 @@ namespace voxc::tool {
 
 namespace {
 
+/// Those of volumes that are on a device as a whole.
+constexpr std::array kAddressings = {Addressing::Buffer, Addressing::Segments, Addressing::Texels};
+
 std::vector<std::string> addressingNames() {
-  return {std::string(toString(Addressing::Buffer)), std::string(toString(Addressing::Segments))};
+  std::vector<std::string> names;
+  for (const Addressing addressing : kAddressings)
+    names.emplace_back(toString(addressing));
+  return names;
 }
 
 class CompileCommand final : public Subcommand {
@@ -56,7 +64,9 @@ void CompileCommand::declare(const CommandLine &command) {
       .takes("KINDS")
       .oneOf(artefactNames())
       .showsDefault("construct,glsl");
-  command.add("--addressing", addressing_, "How the kernel reaches the words: in one buffer, or in segments")
+  command
+      .add("--addressing", addressing_,
+           "How the kernel reaches the words: in one buffer, in segments, or as texels")
       .takes("buffer|segments")
       .oneOf(addressingNames())
       .showsDefault();
@@ -80,9 +90,9 @@ void CompileCommand::declare(const CommandLine &command) {
 }
 
 Expected<std::vector<Artefact>> CompileCommand::generate(const Format &format) const {
-  const bool segments = addressing_ == toString(Addressing::Segments);
-  const KernelChoices choices = {segments ? Addressing::Segments : Addressing::Buffer, optimise_, cpu_,
-                                 name_};
+  const auto *addressing =
+      std::ranges::find(kAddressings, addressing_, [](Addressing each) { return toString(each); });
+  const KernelChoices choices = {*addressing, optimise_, cpu_, name_};
   return makeArtefacts(format, kinds_, choices, folder_ == "-");
 }
 

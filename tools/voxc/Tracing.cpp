@@ -89,7 +89,7 @@ Expected<void> Tracing::prepareToCountWords(const Volume &volume, const Format &
 Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume, const Format &format,
                                                             Json &figures) {
   const Stopwatch watch;
-  const Addressing addressing = device_->addressingFor(volume.words().size());
+  const Addressing addressing = device_->addressingFor(volume);
   Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing,
                                                    .loops = device_->info().loops,
                                                    .arithmetic = device_->info().arithmetic,

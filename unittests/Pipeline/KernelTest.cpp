@@ -118,7 +118,8 @@ TEST_F(Kernels, AgreeWithTheOracleOnRandomFormats) {
   for (int i = 0; i < test::rounds(10); ++i) {
     Format format = test::randomFormat(random, test::pick(random, 4, 6));
     const auto scenes = test::hardScenes(format.extent());
-    const auto addressing = random() % 2 ? Addressing::Buffer : Addressing::Segments;
+    const auto addressing =
+        std::array{Addressing::Buffer, Addressing::Segments, Addressing::Texels}[random() % 3];
     expectHits(format, scenes[random() % scenes.size()], addressing, random());
     format.setAttribute(kPrecisionAttribute, "fast");
     expectHits(format, scenes[random() % scenes.size()], addressing, random());
@@ -174,7 +175,7 @@ TEST_F(Kernels, FitOnlyTheStorageTheyWereMadeFor) {
 TEST(Kernel, IsValidForEveryBaseFormatAndOptimised) {
   for (const char *text : {"R(4^3)", "D(4^3, 6)", "S(4)", "G(4)", "R(1^3) S(1) D(1^3,2) G(1)"})
     for (const bool optimise : {false, true})
-      for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments}) {
+      for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments, Addressing::Texels}) {
         const auto kernel =
             compileKernel(*parseFormat(text), {.addressing = addressing, .optimise = optimise});
         ASSERT_TRUE(kernel) << kernel.error().message;

@@ -1,4 +1,6 @@
 // Devices: listed, chosen, and missing.
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Source/Sources.h"
 #include "voxc/Trace/Tracer.h"
 
 #include <gmock/gmock.h>
@@ -82,6 +84,19 @@ TEST(Devices, LargeVolumesNeedSegments) {
   EXPECT_EQ(device->addressingFor(1), Addressing::Buffer);
   EXPECT_EQ(device->addressingFor(words), Addressing::Buffer);
   EXPECT_EQ(device->addressingFor(words + 1), Addressing::Segments);
+}
+
+TEST(Devices, GridsAreReadAsTexelsWhereThatIsFast) {
+  auto device = Device::open();
+  if (!device)
+    GTEST_SKIP() << device.error().message;
+  const auto addressingOf = [&](const char *text) {
+    const auto source = makeBuiltinSource("terrain", 16);
+    return device->addressingFor(Constructor::compile(*parseFormat(text))->build(**source)->volume);
+  };
+  EXPECT_EQ(addressingOf("R(2^3) M(2^3)"),
+            device->info().fastTexels ? Addressing::Texels : Addressing::Buffer);
+  EXPECT_EQ(addressingOf("R(2^3) G(2)"), Addressing::Buffer);
 }
 
 } // namespace

@@ -155,7 +155,7 @@ TEST(Update, GivesTheHitsOfANewTracerOnADevice) {
   if (!device)
     GTEST_SKIP() << device.error().message;
   std::mt19937 random(6);
-  for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments})
+  for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments, Addressing::Texels})
     for (const Format &format : formats(random))
       expectHitsOfANewTracer(OnDevice(*device, format, addressing), format, random);
 }

@@ -11,11 +11,14 @@ namespace voxc {
 enum class Addressing {
   Buffer,   ///< One storage buffer: the smallest code, up to the device's maxStorageBufferRange.
   Segments, ///< Device addresses of segments of 2^28 words each, as many as the volume has.
+  Texels,   ///< A texel buffer of one word each, up to the device's maxTexelBufferElements
+            ///< (docs/performance.md).
   Paged, ///< By a table of pages, some of which are here; a ray waits for one that is not (docs/paging.md).
 };
 
 template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<Addressing> = {"buffer", "segments", "paged"};
+inline constexpr std::array<std::string_view, 4> kEnumNames<Addressing> = {"buffer", "segments", "texels",
+                                                                           "paged"};
 
 /// Words in a segment of `Addressing::Segments`.
 inline constexpr std::uint64_t kSegmentWords = std::uint64_t{1} << 28;

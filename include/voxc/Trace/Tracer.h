@@ -27,9 +27,12 @@ struct DeviceInfo {
   std::string kind;              ///< "discrete gpu", "integrated gpu", "virtual gpu", "cpu" or "other".
   std::uint64_t memoryBytes = 0; ///< Of its largest heap.
   std::uint64_t maxStorageBufferBytes = 0; ///< Volumes above this need `Addressing::Segments`.
+  std::uint64_t maxTexelBufferBytes = 0;   ///< Volumes above this take no `Addressing::Texels`.
   std::uint64_t maxAllocationBytes = 0;
   bool usable = false; ///< Vulkan 1.2 with a compute queue.
   bool deviceAddresses = false;
+  bool fastTexels =
+      false; ///< Texels are read for many rays at once, the words of buffers for one after another.
   Loops loops = Loops::Whole;              ///< What its kernels must be ready for.
   Arithmetic arithmetic = Arithmetic::Any; ///< What its kernels may rely on.
 };
@@ -49,8 +52,11 @@ public:
   Device &operator=(Device &&) noexcept;
 
   const DeviceInfo &info() const;
-  /// The addressing that a volume of so many words needs here.
+  /// The addressing that a volume of so many words needs here: `Buffer` or `Segments`.
   Addressing addressingFor(std::uint64_t words) const;
+  /// The addressing by which a volume is traced fastest here. `Texels` too, which a `Tracer` takes, and a
+  /// `TraceRecorder` does not.
+  Addressing addressingFor(const Volume &volume) const;
 
   /// Kernels that are made ready on it from now on are looked for in `cache` as the driver compiled them, and
   /// put there. The cache must outlive the device; null: none.
