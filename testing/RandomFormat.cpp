@@ -47,11 +47,11 @@ bool isOfScene(const Pass &pass) {
 }
 
 /// A pass that chooses a walk, or null for the walk that formats have without one: each as likely. strip-walk
-/// is none of them, as it takes back what the others chose.
+/// is none of them, as it takes back what the others chose, nor is shared-stack, which goes with each.
 const Pass *randomWalk(std::mt19937 &random) {
   std::vector<const Pass *> walks{nullptr};
   for (const Pass &pass : passes())
-    if (pass.effect == AttributeEffect::Walk && pass.run != stripWalk)
+    if (pass.effect == AttributeEffect::Walk && pass.run != stripWalk && pass.run != sharedStack)
       walks.push_back(&pass);
   return walks[static_cast<std::size_t>(pick(random, 0, static_cast<int>(walks.size()) - 1))];
 }
@@ -105,6 +105,8 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
     run(*findPass("octant-counts"));
   if (const Pass *walk = randomWalk(random))
     run(*walk);
+  if (random() % 2 != 0)
+    run(*findPass("shared-stack"));
   return format;
 }
 

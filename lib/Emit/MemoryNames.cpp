@@ -37,11 +37,19 @@ void addPaging(TemplateNames &names, const Plan &plan) {
   names.holes["waited-or"] = paged ? "waited || " : "";
 }
 
+/// Where a walk keeps nodes.
+void addStack(TemplateNames &names, const Plan &plan) {
+  const bool shared = plan.stack == Stack::Shared;
+  names.conditions["stack-shared"] = shared;
+  names.holes["of-ray"] = shared ? "[gl_LocalInvocationIndex]" : "";
+}
+
 } // namespace
 
 void addMemoryNames(TemplateNames &names, const Plan &plan) {
   addAddresses(names, plan);
   addPaging(names, plan);
+  addStack(names, plan);
 }
 
 } // namespace voxc

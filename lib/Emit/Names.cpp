@@ -108,6 +108,7 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   const std::string factor = std::to_string(branch);
   auto &holes = names.holes;
   holes["N"] = std::to_string(index + 1);
+  holes["path"] = plan.stack == Stack::Shared ? "path_level_" + holes["N"] : "path";
   holes["NEXT"] = plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2);
   holes["DEPTH"] = std::to_string(stratum.depth);
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";

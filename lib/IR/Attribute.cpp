@@ -1,6 +1,7 @@
 // Attributes: the table of a format's, and sets of them.
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
+#include "voxc/IR/Stack.h"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,12 @@ const AttributeKind kLevelsAttribute = {"levels", AttributeEffect::Walk, kLevels
                                         "how the kernel goes from level to level: by a loop for each, by one "
                                         "loop through all, by one that goes down "
                                         "from the root in each turn, or by what is fastest as a rule"};
+
+const AttributeKind kStackAttribute = {
+    "stack", AttributeEffect::Walk, kEnumNames<Stack>,
+    "where a walk keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in that of "
+    "a "
+    "group of rays, which kernels for the cpu and functions for others do not have"};
 
 const AttributeKind kQueryAttribute = {
     "query", AttributeEffect::Walk, kEnumNames<Query>,
@@ -136,10 +143,10 @@ std::vector<ValueRange> valueRanges(const AttributeKind &kind) {
 }
 
 AttributeKinds formatAttributes() {
-  static constexpr std::array<const AttributeKind *, 14> kAttributes = {
-      &kPrecisionAttribute, &kDetailAttribute, &kLevelsAttribute, &kQueryAttribute,  &kBoundsAttribute,
-      &kVoxelAttribute,     &kTAttribute,      &kFaceAttribute,   &kColourAttribute, &kIndexAttribute,
-      &kPayloadAttribute,   &kAlphaAttribute,  &kValuesAttribute, &kGranuleAttribute};
+  static constexpr std::array<const AttributeKind *, 15> kAttributes = {
+      &kPrecisionAttribute, &kDetailAttribute,  &kLevelsAttribute, &kStackAttribute,  &kQueryAttribute,
+      &kBoundsAttribute,    &kVoxelAttribute,   &kTAttribute,      &kFaceAttribute,   &kColourAttribute,
+      &kIndexAttribute,     &kPayloadAttribute, &kAlphaAttribute,  &kValuesAttribute, &kGranuleAttribute};
   return kAttributes;
 }
 

@@ -11,7 +11,7 @@ constexpr PassNumber kPaletteNumber = {1, 16, 8, paletteOf};
 constexpr PassNumber kMaterialNumber = {1, 16, 8, materialOf};
 constexpr PassNumber kPointersNumber = {8, 24, 20, shortPointersOf};
 
-constexpr std::array<Pass, 22> kPasses = {{
+constexpr std::array<Pass, 23> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
@@ -149,6 +149,14 @@ constexpr std::array<Pass, 22> kPasses = {{
      "to be empty around: where a format has few layers of nodes, rays of a group then never wait for "
      "each other. Excludes flat-walk, restart-sv and unroll-sv, and gives way to detail=cone.",
      directWalk},
+    {"shared-stack", AttributeEffect::Walk,
+     "keep the nodes above a cell in memory that a group of rays shares",
+     "Stack walks and flat ones keep references to the nodes above the current cell, an array for each ray, "
+     "which a device puts into registers or into memory behind its caches. With it, the arrays of a group of "
+     "rays stand in the memory that the group shares, beside each other, 256 bytes for each layer of a tree. "
+     "Kernels for the cpu have no such memory, nor have functions for the shaders of others: theirs stays "
+     "private. Unchanged where walks keep no nodes: give it after the pass that chooses the walk.",
+     sharedStack},
     {"strip-walk", AttributeEffect::Walk, "remove the attributes that concern the kernel alone",
      "Gives the format as volumes store it.", stripWalk},
 }};

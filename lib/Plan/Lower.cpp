@@ -23,6 +23,8 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.predicate =
       format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
   plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
+  if (options.inGroups)
+    plan.stack = *fromString<Stack>(format.attributes.value(kStackAttribute));
   // One loop stops at voxels alone: cones leave no choice.
   if (plan.detail == Detail::Full)
     plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));

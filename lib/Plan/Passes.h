@@ -8,6 +8,7 @@ namespace voxc {
 void chooseDescents(Plan &plan);
 void chooseWalk(Plan &plan);
 void chooseSteps(Plan &plan);
+void placeStack(Plan &plan);
 void placeStops(Plan &plan);
 
 } // namespace voxc

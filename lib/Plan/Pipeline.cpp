@@ -6,7 +6,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<PlanPass, 4> kPasses = {{
+constexpr std::array<PlanPass, 5> kPasses = {{
     {"choose-descents", "what layers leave no choice of: a tree without any is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
     {"choose-walk",
@@ -19,6 +19,8 @@ constexpr std::array<PlanPass, 4> kPasses = {{
      "of exact walks, where the device has doubles: in packets doubles for steps that float32 cannot tell, "
      "else for all steps through 2^11 voxels a side and more; float32 everywhere else",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
+    {"place-stack", "where the nodes above a cell are kept: as asked, if the walk keeps any",
+     "After the walk, which may keep none.", placeStack},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},
 }};

@@ -108,7 +108,7 @@ bool parseGranule(Plan &plan, std::string_view text) {
   return isNumber;
 }
 
-constexpr std::array<Field<Plan>, 20> kPlanFields = {{
+constexpr std::array<Field<Plan>, 21> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload,
      "rgba8, occupancy, constant, palette(1) to palette(16), rgb565, material(1) to material(16)"},
@@ -117,6 +117,7 @@ constexpr std::array<Field<Plan>, 20> kPlanFields = {{
     {"granule", printGranule, parseGranule, "a number of words, a power of two"},
     field<Plan, &Plan::addressing>("addressing", "buffer, segments, paged"),
     field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
+    field<Plan, &Plan::stack>("stack", "private, shared"),
     field<Plan, &Plan::predicate>("predicate", "exact, float32"),
     field<Plan, &Plan::steps>("steps", "float32, refined, float64"),
     field<Plan, &Plan::detail>("detail", "full, cone"),

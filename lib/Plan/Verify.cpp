@@ -15,6 +15,8 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   if (plan.outputs.index && (plan.layout.values != Values::Apart || plan.detail != Detail::Full))
     diagnostics.error({},
                       "the numbers of voxels are counted where their values stand apart, with detail=full");
+  if (plan.stack == Stack::Shared && plan.packing == Packing::Packets)
+    diagnostics.error({}, "rays in packets have no memory of a group: their stack is private");
   const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
   if (isOneLoop && plan.detail == Detail::Cone)
     diagnostics.error({}, "one loop for all levels stops at voxels alone");

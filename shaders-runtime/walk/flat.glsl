@@ -1,17 +1,24 @@
 // All levels in one loop. path[i] is the node in layer i around the walk's cell, counted from the root through all levels; a
 // step climbs only to the lowest node that has the old cell and the new.
+%if stack-shared
+shared uint path[${LAYERS}][gl_WorkGroupSize.x];
+
+%end
 bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+%if stack-shared
+%else
   uint path[${LAYERS}];
-  path[0] = root;
+%end
+  path[0]${of-ray} = root;
   int layer = 0;
 ${FLAT_BEGIN}  while (goes_on(walk)) {
     // Down to a voxel, or to the gap around the cell.
     count_lookup(walk);
-    uint node = path[layer];
+    uint node = path[layer]${of-ray};
     uint value = 0u;
     Gap gap = Gap(0, 1);
     while (node != 0u) {
-      path[layer] = node;
+      path[layer]${of-ray} = node;
 ${FLAT_LEVELS}      }
     }
 %if colour

@@ -1,8 +1,15 @@
 // path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old cell
 // and the new.
+%if stack-shared
+shared uint path_level_${N}[LEVEL_${N}_DEPTH + 1][gl_WorkGroupSize.x];
+
+%end
 bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
+%if stack-shared
+%else
   uint path[LEVEL_${N}_DEPTH + 1];
-  path[LEVEL_${N}_DEPTH] = root;
+%end
+  ${path}[LEVEL_${N}_DEPTH]${of-ray} = root;
   int top = LEVEL_${N}_DEPTH;
   for (;;) {
     // Down to the leaf, or the empty child, `layer` layers above the cells.
@@ -13,7 +20,7 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
     int stop = clamp(small${per-branch}, 0, LEVEL_${N}_DEPTH - 1);
     top = max(top, stop + 1);
 %end
-    uint node = path[top];
+    uint node = ${path}[top]${of-ray};
     int layer = top;
     bool leaf = false;
 %if wide
@@ -24,7 +31,7 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
 %else
     while (node != 0u && !leaf) {
 %end
-      path[layer] = node;
+      ${path}[layer]${of-ray} = node;
       layer--;
       node = child_level_${N}(node, cell, layer${times-branch}, leaf${around});
     }

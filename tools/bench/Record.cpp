@@ -147,6 +147,12 @@ std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seco
   return Speed{std::ranges::min(speeds), median(speeds), std::ranges::max(speeds), spread(speeds)};
 }
 
+std::string titleOf(const RaysPart &rays) {
+  if (!rays.order)
+    return rays.name;
+  return rays.name + (*rays.order == "given" ? " as given" : " " + *rays.order);
+}
+
 std::string cellDigest(const Record &record) {
   Digest digest;
   digest.add(record.model.name).add(record.model.digest).add(record.format.label).add(record.format.digest);
@@ -154,6 +160,8 @@ std::string cellDigest(const Record &record) {
     digest.add(pass);
   digest.add(record.precision).add(record.device.name).add(record.device.kind).add(record.device.driver);
   digest.add(std::to_string(record.device.threads.value_or(0))).add(record.rays.digest);
+  if (record.rays.order)
+    digest.add(*record.rays.order);
   return digest.hex();
 }
 

@@ -54,6 +54,7 @@ struct RaysPart {
   std::uint64_t count = 0;
   std::optional<std::array<std::uint64_t, 2>> size; ///< Of the camera's picture in pixels.
   std::string digest;
+  std::optional<std::string> order; ///< "given" or "binned", if one was asked for.
 };
 
 /// Why a cell has no speed.
@@ -98,7 +99,8 @@ struct Speed {
 struct SpeedPart {
   Count rounds;
   std::optional<Speed> mraysPerS, mraysPerCpuS, mraysPerDeviceS;
-  std::optional<bool> steady; ///< Whether the spread is within what the sweep allowed.
+  std::optional<bool> steady;       ///< Whether the spread is within what the sweep allowed.
+  std::optional<std::string> order; ///< In which the rays were taken: "given" or "binned".
 };
 
 /// What the kernel did for a ray, on the mean.
@@ -148,6 +150,9 @@ const std::optional<Speed> &speedOf(const Record &record);
 
 /// The speed of so many rays that took so many seconds in each round. None without rounds.
 std::optional<Speed> speedOf(std::uint64_t rays, const std::vector<double> &seconds);
+
+/// The rays' name, and the order that was asked for.
+std::string titleOf(const RaysPart &rays);
 
 /// The digest that identifies the record's cell, of model, format, precision, device and rays.
 std::string cellDigest(const Record &record);

@@ -40,6 +40,7 @@ void fields(FieldVisitor auto &v, auto &rays, const RaysPart *) {
   v.required("count", rays.count);
   v.optional("size", rays.size);
   v.required("digest", rays.digest);
+  v.optional("order", rays.order);
 }
 
 void fields(FieldVisitor auto &v, auto &failure, const Failure *) {
@@ -91,6 +92,7 @@ void fields(FieldVisitor auto &v, auto &speed, const SpeedPart *) {
   v.optionalSection("mrays_per_cpu_s", speed.mraysPerCpuS);
   v.optionalSection("mrays_per_device_s", speed.mraysPerDeviceS);
   v.optional("steady", speed.steady);
+  v.optional("order", speed.order);
 }
 
 void fields(FieldVisitor auto &v, auto &work, const WorkPart *) {

@@ -92,7 +92,7 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
   std::map<std::string, std::vector<std::string>> raysOfModels;
   for (const Cell &cell : cells)
     if (!cell.rays.name.empty())
-      addTo(raysOfModels[cell.model.name], cell.rays.name);
+      addTo(raysOfModels[cell.model.name], titleOf(cell.rays));
   std::vector<Entry> entries;
   std::set<std::string> formats;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -100,7 +100,7 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
     formats.insert(entry.look.name);
     entry.device = devices[i];
     const std::string &model = cells[i].model.name;
-    entry.column = raysOfModels[model].size() > 1 ? model + ", " + cells[i].rays.name : model;
+    entry.column = raysOfModels[model].size() > 1 ? model + ", " + titleOf(cells[i].rays) : model;
     addTo(catalogue.models, model);
     addTo(catalogue.columns, entry.column);
     addTo(catalogue.devices, entry.device);

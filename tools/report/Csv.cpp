@@ -59,6 +59,8 @@ constexpr Column kColumns[] = {
     {"resolution", [](const Entry &e) { return text(e.cell->resolution); }},
     {"rays", [](const Entry &e) { return text(e.cell->rays.name); }},
     {"ray_count", [](const Entry &e) { return std::to_string(e.cell->rays.count); }},
+    {"asked_order", [](const Entry &e) { return e.cell->rays.order.value_or("auto"); }},
+    {"order", [](const Entry &e) { return e.cell->speed.order.value_or(""); }},
     {"device", [](const Entry &e) { return text(e.device); }},
     {"clock", [](const Entry &e) { return text(e.cell->device.clock); }},
     {"precision", [](const Entry &e) { return text(e.cell->precision); }},

@@ -61,6 +61,8 @@ std::string raysItem(const Entry &entry) {
   if (rays.size)
     words +=
         ", " + std::to_string(rays.size->front()) + " × " + std::to_string(rays.size->back()) + " pixels";
+  if (const auto &order = entry.cell->speed.order)
+    words += *order == "binned" ? ", taken bin by bin" : ", taken as given";
   return textTag("b", {}, rays.name) + " " + escaped(words);
 }
 

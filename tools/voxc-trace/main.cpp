@@ -2,6 +2,7 @@
 #include "common/Command.h"
 #include "common/CommandLine.h"
 #include "common/Files.h"
+#include "common/OrderOption.h"
 #include "common/PictureFile.h"
 #include "common/PictureOptions.h"
 #include "common/RayTally.h"
@@ -23,6 +24,7 @@ struct Options {
   std::string rays;
   std::string output;
   std::string device;
+  std::string order = kAutoOrder;
   unsigned repeat = 1;
   bool count = false;
   bool trusted = false;
@@ -54,6 +56,7 @@ void addOptions(const CommandLine &command, Options &options) {
       .add("--device", options.device,
            "Trace on the device whose name contains this, or with this number or UUID")
       .takes("NAME");
+  addOrderArgument(command, options.order);
   command.addFlag("--trusted", options.trusted, "Skip the check of every offset in the volume");
   addCommonOptions(command, options.common);
 }
@@ -75,11 +78,13 @@ Expected<void> checkUsage(const CommandLine &command, const Options &options) {
   return {};
 }
 
-/// Traces rays and counts them in `tally`.
-auto tracingInto(RayTally &tally, Tracer &tracer) {
-  return [&tally, &tracer](const RaySpan &rays, std::span<Hit> hits,
-                           const TraceOptions &options) -> Expected<void> {
-    const Expected<TraceReport> report = tracer.trace(rays, hits, options);
+/// Traces rays in that order, and counts them in `tally`.
+auto tracingInto(RayTally &tally, Tracer &tracer, RayOrder order) {
+  return [&tally, &tracer, order](const RaySpan &rays, std::span<Hit> hits,
+                                  const TraceOptions &options) -> Expected<void> {
+    TraceOptions how = options;
+    how.order = order;
+    const Expected<TraceReport> report = tracer.trace(rays, hits, how);
     if (!report)
       return report.error();
     tally.add(rays, hits, *report, options.countSteps);
@@ -94,7 +99,7 @@ Expected<void> traceRays(const Options &options, Tracer &tracer, RayTally &tally
     return file.error();
   std::vector<Hit> hits(file->rays().size());
   const TraceOptions how{.countSteps = options.count, .repeat = options.repeat, .progress = progress};
-  if (auto traced = tracingInto(tally, tracer)(file->rays(), hits, how); !traced)
+  if (auto traced = tracingInto(tally, tracer, rayOrderFrom(options.order))(file->rays(), hits, how); !traced)
     return traced;
   return writeHits(options.output, hits);
 }
@@ -103,11 +108,12 @@ Expected<void> traceRays(const Options &options, Tracer &tracer, RayTally &tally
 Expected<void> takePicture(const Options &options, const Volume &volume, Tracer &tracer, RayTally &tally,
                            ProgressBar &bar, Json &figures) {
   RayTally others;
-  const auto other = tracingInto(others, tracer);
+  const RayOrder order = rayOrderFrom(options.order);
+  const auto other = tracingInto(others, tracer, order);
   const auto camera = [&](std::span<const Ray> rays, std::span<Hit> hits, TraceOptions how) {
     how.repeat = options.repeat;
     how.countSteps |= options.count;
-    return tracingInto(tally, tracer)(rays, hits, how);
+    return tracingInto(tally, tracer, order)(rays, hits, how);
   };
   const auto taken = tool::takePicture(options.picture, volume, {camera, other}, other, 0, bar.progress());
   if (!taken)

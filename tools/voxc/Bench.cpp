@@ -119,6 +119,7 @@ void BenchCommand::declareAxes(const CommandLine &command) {
   command.add("--rays", rays_.rayFiles, "A file of rays; may be given several times")
       .repeated()
       .takes("R.bin");
+  addOrderArgument(command, rays_.order);
 }
 
 void BenchCommand::declareMeasuring(const CommandLine &command) {

@@ -127,6 +127,7 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
                   speedOf(rays, findings.seconds),
                   speedOf(rays, findings.cpuSeconds),
                   speedOf(rays, findings.deviceSeconds),
+                  {},
                   {}};
   const std::optional<Speed> &speed = speedOf(record);
   record.speed.steady = speed && speed->spread <= steadyPercent_ / 100;
@@ -138,6 +139,8 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
     return figures.contains(key) && figures[key].is_number() ? Figure(figures[key].get<double>())
                                                              : std::nullopt;
   };
+  if (figures.contains("order") && figures["order"].is_string())
+    record.speed.order = figures["order"].get<std::string>();
   record.kernel.uploadSeconds = figure("upload_seconds");
   record.kernel.firstDispatchSeconds = figure("first_dispatch_seconds");
   if (figures.contains("hits") && figures["hits"].is_number_unsigned())

@@ -1,6 +1,7 @@
 // Devices, kernels and tracers for the driver.
 #include "Tracing.h"
 
+#include "common/OrderOption.h"
 #include "common/Statistics.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
@@ -22,12 +23,7 @@ void Tracing::declare(const CommandLine &command) {
            "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")
       .takes("N")
       .between(1u, 1024u);
-  command
-      .add("--order", order_,
-           "Take rays as given, or binned by octant, origin and direction; auto (default) bins those "
-           "that are many and scattered, where a processor traces them")
-      .takes("ORDER")
-      .oneOf({"auto", "given", "binned"});
+  addOrderArgument(command, order_);
   command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 

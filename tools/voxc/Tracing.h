@@ -24,6 +24,8 @@ public:
 
   /// Chooses as --device and --threads do, in a command that has several of these.
   void choose(const std::string &device, unsigned threads);
+  /// Chooses as --order does.
+  void chooseOrder(const std::string &order) { order_ = order; }
 
   /// Looks for kernels among those that were compiled before: for commands that do not measure compiling.
   /// Asked before the device is opened.

@@ -105,6 +105,8 @@ TEST(PlanRules, AreEachHeld) {
       {"G(2)", [](Plan &p) { p.bounded = true, p.detail = Detail::Cone; }, "stops at voxels alone"},
       {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is walked"},
       {"G(2)", [](Plan &p) { p.steps = Steps::Float64; }, "arithmetic=ieee"},
+      {"G(2)", [](Plan &p) { p.stack = Stack::Shared, p.packing = Packing::Packets; },
+       "no memory of a group"},
       {"G(2)", [](Plan &p) { p.query = Query::Any; }, "query=closest alone has"},
       {"G(2)", [](Plan &p) { p.outputs = {.voxel = false, .t = false, .colour = false}; }, "no output"},
       {"G(2)", [](Plan &p) { p.query = Query::Occupancy, p.outputs = outputsOf(p.query); }, "without a walk"},

@@ -1,6 +1,8 @@
 // Random formats: what property tests see of the formats there are.
 #include "testing/RandomFormat.h"
 
+#include "voxc/IR/Stack.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,6 +37,20 @@ TEST(RandomFormats, HaveEveryWalkEquallyOften) {
   const int share = kFormats / static_cast<int>(walks);
   for (const auto &[walk, count] : counts)
     EXPECT_NEAR(count, share, share / 10) << walk;
+}
+
+TEST(RandomFormats, HaveSharedStacksHalfOfTheTime) {
+  constexpr int kFormats = 1000;
+  int shared = 0;
+  std::mt19937 random(2);
+  for (int found = 0; found < kFormats;) {
+    const Format format = randomFormat(random, pick(random, 3, 7));
+    if (format.attributes.value(kLevelsAttribute) == "flat") { // Which keeps nodes, whatever the levels are.
+      shared += format.attributes.value(kStackAttribute) == "shared";
+      ++found;
+    }
+  }
+  EXPECT_NEAR(shared, kFormats / 2, kFormats / 10);
 }
 
 } // namespace

@@ -79,6 +79,20 @@ TEST(Record, leavesOutWhatWasNotTaken) {
   EXPECT_FALSE(json["model"].contains("picture"));
 }
 
+TEST(Record, tellsAnOrderThatWasAskedFor) {
+  Record record = makeRecord("a");
+  const std::string before = cellDigest(record);
+  EXPECT_EQ(titleOf(record.rays), "sponza");
+  record.rays.order = "given";
+  record.speed.order = "given";
+  EXPECT_NE(cellDigest(record), before);
+  EXPECT_EQ(titleOf(record.rays), "sponza as given");
+  const auto read = parseRecord(toJson(record).dump());
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->rays.order, "given");
+  EXPECT_EQ(read->speed.order, "given");
+}
+
 TEST(Record, keepsAFailureWithItsReason) {
   Record record = makeRecord("a");
   record.failure = {"build", "too large", 77};

@@ -74,6 +74,7 @@ PassResult restartSv(Format &format, Diagnostics &diagnostics);
 PassResult unrollSv(Format &format, Diagnostics &diagnostics);
 PassResult flatWalk(Format &format, Diagnostics &diagnostics);
 PassResult directWalk(Format &format, Diagnostics &diagnostics);
+PassResult sharedStack(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);
 
 } // namespace voxc

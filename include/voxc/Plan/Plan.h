@@ -4,6 +4,7 @@
 
 #include "voxc/IR/Format.h"
 #include "voxc/IR/Query.h"
+#include "voxc/IR/Stack.h"
 #include "voxc/Layout/Addressing.h"
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/EnumText.h"
@@ -85,6 +86,7 @@ struct Plan {
   Layout layout;
   Addressing addressing = Addressing::Buffer;
   Walk walk = Walk::Auto;
+  Stack stack = Stack::Private; ///< Of a walk that keeps one.
   Predicate predicate = Predicate::Exact;
   Steps steps = Steps::Float32;
   Detail detail = Detail::Full;
@@ -106,20 +108,21 @@ struct PlanOptions {
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
   std::optional<Question> question = {}; ///< Asked in place of what the format asks.
+  bool inGroups = true;                  ///< Rays come in groups with memory of their own.
 };
 
 /// What the kernels of this processor are made for.
 inline constexpr PlanOptions kCpuPlan = {
-    .loops = Loops::Whole, .arithmetic = Arithmetic::Ieee, .packing = Packing::Packets};
+    .loops = Loops::Whole, .arithmetic = Arithmetic::Ieee, .packing = Packing::Packets, .inGroups = false};
 
 /// What functions for the shaders and programs of others are made for, which answer all that can be asked of
 /// a ray.
-inline constexpr PlanOptions kHeaderPlan = {.loops = Loops::Whole,
-                                            .question = Question{Query::Closest, {.face = true}, true}};
+inline constexpr PlanOptions kHeaderPlan = {
+    .loops = Loops::Whole, .question = Question{Query::Closest, {.face = true}, true}, .inGroups = false};
 
 /// The same where rays have no bounds.
-inline constexpr PlanOptions kFirstHitPlan = {.loops = Loops::Whole,
-                                              .question = Question{Query::Closest, {.face = true}}};
+inline constexpr PlanOptions kFirstHitPlan = {
+    .loops = Loops::Whole, .question = Question{Query::Closest, {.face = true}}, .inGroups = false};
 
 /// Lowers a verified format to a plan that says what its attributes ask for, and nothing of what follows from
 /// that.

@@ -55,11 +55,12 @@ Variant withLod(const Variant &variant, double pixels) {
   return coarse;
 }
 
-Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume,
-                                              unsigned threads) {
+Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume, unsigned threads,
+                                              const std::string &order) {
   auto contestant = std::make_unique<Contestant>();
   contestant->variant = variant;
   contestant->tracing.choose(variant.device, threads);
+  contestant->tracing.chooseOrder(order);
   if (Expected<void> opened = contestant->tracing.openDevice({.quiet = true}); !opened)
     return opened.error();
   if (Expected<void> prepared = contestant->tracing.prepare(volume, variant.format, contestant->setup);
@@ -75,6 +76,7 @@ Expected<void> traceOnce(Contestant &contestant, std::span<const Ray> rays, bool
   const TraceOptions options{.spread = contestant.spread, .progress = {.stop = stop}};
   if (Expected<void> traced = contestant.tracing.trace(rays, contestant.hits, options, figures); !traced)
     return traced;
+  contestant.order = figures["order"];
   if (!counted) {
     contestant.setup["device"] = figures["device"];
     contestant.firstDispatchSeconds = figures["first_dispatch_seconds"];

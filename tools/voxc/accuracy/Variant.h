@@ -4,6 +4,7 @@
 #include "Tracing.h"
 
 #include "common/Json.h"
+#include "common/OrderOption.h"
 #include "common/Repeats.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Progress.h"
@@ -50,11 +51,14 @@ struct Contestant {
   std::vector<Hit> hits;
   Repeats cpuSeconds, seconds, deviceSeconds;
   double firstDispatchSeconds = 0;
+  std::string order; ///< In which the rays were taken: given or binned.
   ErrorFigures error;
 };
 
 /// Opens the variant's device and makes its kernel. The volume must outlive the contestant.
-Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume, unsigned threads);
+/// Rays will be taken as `order` says, which is what --order may be.
+Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume, unsigned threads,
+                                              const std::string &order = kAutoOrder);
 
 /// Traces the rays once. The times are kept if they are `counted`; those of a first run are not. Errors: the
 /// device's; `Interrupted` if `stop` is set meanwhile.

@@ -31,6 +31,7 @@ constexpr const char *kVolumeEnding = ".hvx", *kFormatEnding = ".vir", *kFigures
 /// The times of one set of rays.
 struct SetTimes {
   Repeats cpuSeconds, seconds, deviceSeconds;
+  std::string order;
 };
 
 /// What the device's clock counts.
@@ -222,7 +223,8 @@ Expected<void> Arena::prepare(Entrant &entrant, const Progress &progress) const 
   auto contestant = tool::prepare({.precision = axes_->precisions.front(),
                                    .device = axes_->devices.front().asked,
                                    .format = std::move(kernel)},
-                                  *entrant.volume, options_.threads);
+                                  *entrant.volume, options_.threads,
+                                  entrant.records.front().rays.order.value_or(kAutoOrder));
   if (contestant)
     entrant.contestant = std::move(*contestant);
   else
@@ -244,6 +246,7 @@ Expected<void> Arena::traceRound(Entrant &entrant, bool counted, const Progress 
     takeLast(contestant.cpuSeconds, times.cpuSeconds);
     takeLast(contestant.seconds, times.seconds);
     takeLast(contestant.deviceSeconds, times.deviceSeconds);
+    times.order = contestant.order;
     if (counted)
       continue;
     // The round that warms leaves the hits.
@@ -291,8 +294,7 @@ Finding Arena::finish(Entrant &entrant) const {
       continue;
     const SetTimes &times = entrant.times[set];
     const std::uint64_t count = record.rays.count;
-    const Json &setup = entrant.contestant->setup;
-    const auto figure = [&](const char *key) {
+    const auto figure = [&setup = entrant.contestant->setup](const char *key) {
       return setup.contains(key) ? bench::Figure(setup[key].get<double>()) : std::nullopt;
     };
     record.kernel = {figure("kernel_seconds"), figure("upload_seconds"),
@@ -301,9 +303,8 @@ Finding Arena::finish(Entrant &entrant) const {
                     bench::speedOf(count, times.seconds),
                     bench::speedOf(count, times.cpuSeconds),
                     bench::speedOf(count, times.deviceSeconds),
-                    {}};
-    constexpr double kSteady = 0.1;
-    record.speed.steady = spread(clockOf(times, record.device)) <= kSteady;
+                    spread(clockOf(times, record.device)) <= bench::MeasureOptions{}.steady,
+                    times.order};
     finding.nanoseconds.push_back(1e9 * median(clockOf(times, record.device)) / static_cast<double>(count));
   }
   return finding;

@@ -62,6 +62,7 @@ void SearchOptions::declare(const CommandLine &command) {
   command.add("--rays", rays.rayFiles, "A file of rays; may be given several times")
       .repeated()
       .takes("R.bin");
+  addOrderArgument(command, rays.order);
   command.add("--formats", formatsPath, "A file of formats, one a line, to choose from and nothing else")
       .takes("FILE");
   command.addFlag("--all", all, "Measure all formats that are looked at, however little they promise");

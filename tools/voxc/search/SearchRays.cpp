@@ -20,7 +20,7 @@ Expected<std::vector<bench::RaySet>> measuredRays(const SearchOptions &options, 
     return sets;
   std::vector<Ray> bounces = sampleBounces(scene.shape, sets->front().raysFor(scene.extent), options.seed);
   if (!bounces.empty())
-    sets->push_back(bench::makeRaySet("bounced", std::move(bounces)));
+    sets->push_back(bench::makeRaySet("bounced", std::move(bounces), arguments.order));
   return sets;
 }
 

@@ -81,7 +81,7 @@ Expected<void> Group::prepareOne(Runner &runner, const std::string &path) {
                                    .walk = "",
                                    .device = cell.device->asked,
                                    .format = cell.kernelFormat},
-                                  *volume, options_.threads);
+                                  *volume, options_.threads, cell.record.rays.order.value_or(kAutoOrder));
   if (!contestant)
     return contestant.error();
   runner.contestant = std::move(*contestant);
@@ -186,7 +186,8 @@ void Group::record() const {
                     speedOf(count, contestant.seconds),
                     speedOf(count, contestant.cpuSeconds),
                     speedOf(count, contestant.deviceSeconds),
-                    {}};
+                    {},
+                    contestant.order};
     record.work = runner.work;
     record.error = runner.error;
     record.speed.steady = isSteady(*runner.cell);

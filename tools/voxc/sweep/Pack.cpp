@@ -125,6 +125,9 @@ Expected<void> packCell(const Record &record, const std::string &folder, PackWri
   // They become names of files and words of a script.
   if (!isDigest(record.cell) || !isDigest(record.rays.digest))
     return Error::input("cell '" + record.cell + "' or its rays have a digest that is not 16 hex digits");
+  if (record.rays.order && record.rays.order != "given" && record.rays.order != "binned")
+    return Error::input("cell '" + record.cell + "' has rays in the order '" + *record.rays.order +
+                        "'; it should be given or binned");
   const Expected<Format> format = formatOf(record);
   if (!format)
     return format.error();
@@ -149,8 +152,9 @@ Expected<void> packCell(const Record &record, const std::string &folder, PackWri
   const std::string_view content{reinterpret_cast<const char *>(bytes.data()), bytes.size()};
   if (Expected<void> added = packs.addWhole(sampleName(record) + ".001", content); !added)
     return added;
+  const std::string order = record.rays.order.value_or(kAutoOrder);
   packs.addCell(record.cell + " " + key + " " + record.format.digest + " " + kindOf(record.rays) + " " +
-                record.rays.digest + " " + sizeOf(record.rays) + " " + sampleName(record));
+                record.rays.digest + " " + sizeOf(record.rays) + " " + sampleName(record) + " " + order);
   return {};
 }
 

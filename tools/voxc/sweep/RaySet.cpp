@@ -21,11 +21,16 @@ std::string exact(double number) {
   return text;
 }
 
+/// What a record says of an order; of the usual one, nothing.
+std::optional<std::string> orderOf(const std::string &asked) {
+  return asked == kAutoOrder ? std::nullopt : std::optional(asked);
+}
+
 RaySet makeCameraSet(const std::string &name, std::array<int, 2> size, Digest digest) {
   const std::array<std::uint64_t, 2> pixels{std::uint64_t(size[0]), std::uint64_t(size[1])};
   digest.add(std::to_string(size[0])).add(std::to_string(size[1]));
   RaySet set;
-  set.part = {name, "camera", pixels[0] * pixels[1], pixels, digest.hex()};
+  set.part = {name, "camera", pixels[0] * pixels[1], pixels, digest.hex(), {}};
   return set;
 }
 
@@ -96,10 +101,10 @@ Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, 
 
 } // namespace
 
-RaySet makeRaySet(const std::string &name, std::vector<Ray> rays) {
+RaySet makeRaySet(const std::string &name, std::vector<Ray> rays, const std::string &order) {
   const auto bytes = std::as_bytes(std::span(rays));
   RaySet set;
-  set.part = {name, "file", rays.size(), {}, ""};
+  set.part = {name, "file", rays.size(), {}, "", orderOf(order)};
   set.part.digest = Digest().add({reinterpret_cast<const char *>(bytes.data()), bytes.size()}).hex();
   set.rays = std::move(rays);
   return set;
@@ -133,7 +138,7 @@ Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &fol
   if (kind == "file")
     return readRays(path);
   const auto size = *part.size;
-  const RayArguments arguments{path, std::to_string(size[0]) + "x" + std::to_string(size[1]), {}};
+  const RayArguments arguments{path, std::to_string(size[0]) + "x" + std::to_string(size[1]), {}, kAutoOrder};
   const Expected<RaySet> set =
       kind == kOverview ? makeOverview(arguments) : readCameraSet(arguments, "camera");
   if (!set)
@@ -146,6 +151,7 @@ Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const s
   const auto add = [&](Expected<RaySet> set) -> Expected<void> {
     if (!set)
       return set.error();
+    set->part.order = orderOf(arguments.order);
     sets.push_back(std::move(*set));
     return {};
   };

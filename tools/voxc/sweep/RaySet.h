@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/Record.h"
+#include "common/OrderOption.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Ray.h"
@@ -23,8 +24,8 @@ struct RaySet {
   std::vector<Ray> raysFor(Int3 extent) const { return camera ? cameraRays(camera(extent)) : rays; }
 };
 
-/// Rays as those of a file of this name. Precondition: there is one at least.
-RaySet makeRaySet(const std::string &name, std::vector<Ray> rays);
+/// Rays as those of a file of this name, to be taken in this order. Precondition: there is one at least.
+RaySet makeRaySet(const std::string &name, std::vector<Ray> rays, const std::string &order = kAutoOrder);
 
 /// What a machine needs to make the rays again: a "camera" of a file, the "overview" of a whole volume, or
 /// the rays of a "file".
@@ -45,6 +46,7 @@ struct RayArguments {
   std::string cameraFile; ///< "": a camera that sees the whole volume, unless there are ray files.
   std::string size;       ///< "WxH", or "": the camera file's, or 1280x720.
   std::vector<std::string> rayFiles;
+  std::string order = kAutoOrder; ///< As --order says.
 };
 
 /// The rays for a model: the camera of its name, or all cameras of the file if none has it; and every ray

@@ -27,8 +27,8 @@ std::string nameOf(const FormatPart &format) {
 }
 
 std::string titleOf(const Record &record) {
-  return record.model.name + ", " + record.rays.name + " (" + std::to_string(record.rays.count) + " rays), " +
-         record.precision + ", " + record.device.name;
+  return record.model.name + ", " + titleOf(record.rays) + " (" + std::to_string(record.rays.count) +
+         " rays), " + record.precision + ", " + record.device.name;
 }
 
 /// "12.9 MiB": three digits that count, and the unit that fits.

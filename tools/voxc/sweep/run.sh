@@ -27,7 +27,7 @@ rays() {
 
 round=1
 while [ "$round" -le "$rounds" ]; do
-  while read -r cell volume kernel kind digest size sample; do
+  while read -r cell volume kernel kind digest size sample order; do
     result=results/$cell.$round.json
     if [ -e "$result" ]; then continue; fi
     join "$volume.hvx"
@@ -44,7 +44,7 @@ while [ "$round" -le "$rounds" ]; do
     fi
     # shellcheck disable=SC2046,SC2086 # Options are words.
     if $trace "joined/$volume.hvx" --trusted --kernel "joined/$kernel.spv" $(rays "$kind" "$digest" "$size") \
-      --repeat "$repeats" --quiet --stats "$result.part" </dev/null; then
+      --order "$order" --repeat "$repeats" --quiet --stats "$result.part" </dev/null; then
       mv "$result.part" "$result"
       echo "round $round: $cell"
     else

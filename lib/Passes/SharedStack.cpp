@@ -1,0 +1,23 @@
+// shared-stack: walks keep the nodes above a cell in the memory that a group of rays shares.
+//
+// Contract: sets stack=shared on the format. The volume stays as it is, and so do the hits. Unchanged where
+// no walk keeps nodes: a direct one, or one of grids and of trees that restart or are unrolled.
+#include "voxc/IR/Stack.h"
+#include "voxc/Passes/Pass.h"
+
+#include <algorithm>
+
+namespace voxc {
+
+PassResult sharedStack(Format &format, Diagnostics &) {
+  const auto keepsNodes = [](const Level &level) {
+    return level.kind->isTree() && level.log2Size() != Int3{} && level.attribute(kWalkAttribute) == "stack";
+  };
+  const std::string_view levels = format.attributes.value(kLevelsAttribute);
+  const bool keeps =
+      levels == "flat" || (levels != "direct" && std::ranges::any_of(format.levels, keepsNodes));
+  return keeps && format.setAttribute(kStackAttribute, toString(Stack::Shared)) ? PassResult::Changed
+                                                                                : PassResult::Unchanged;
+}
+
+} // namespace voxc

@@ -1,0 +1,22 @@
+// place-stack: a walk that keeps no nodes has no stack to place.
+#include "Passes.h"
+
+#include <algorithm>
+
+namespace voxc {
+namespace {
+
+bool keepsStack(const Plan &plan) {
+  const auto keepsNodes = [](const Traversal &traversal) { return traversal.descent == Descent::Stack; };
+  return plan.walk == Walk::Flat ||
+         (plan.walk == Walk::Nested && std::ranges::any_of(plan.traversals, keepsNodes));
+}
+
+} // namespace
+
+void placeStack(Plan &plan) {
+  if (!keepsStack(plan))
+    plan.stack = Stack::Private;
+}
+
+} // namespace voxc
