@@ -103,6 +103,8 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
   run(*findPass("short-pointers"));
   if (random() % 2 != 0)
     run(*findPass("octant-counts"));
+  if (random() % 2 != 0)
+    run(*findPass("octant-masks"));
   if (const Pass *walk = randomWalk(random))
     run(*walk);
   if (random() % 2 != 0)

@@ -3,6 +3,7 @@
 
 #include "Layout/Masks.h"
 #include "Layout/Places.h"
+#include "voxc/Layout/OctantArray.h"
 #include "voxc/Layout/SubVolume.h"
 #include "voxc/Layout/Values.h"
 
@@ -229,8 +230,14 @@ Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, std
   const bool isIndexed = layout_.isIndexed(index);
   std::vector<std::uint32_t> &words = isIndexed ? fragment_->array : fragment_->words;
   const auto begin = static_cast<std::ptrdiff_t>(words.size());
-  for (std::uint64_t i = 0; i < count; ++i)
-    words.push_back(words_[at + i]);
+  if (stratum.isInOctants()) {
+    const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
+    const std::uint64_t cells = cellsOf(words_, octantGrid(words_, array, (at - array) / kIndexedWords));
+    words.insert(words.end(), {static_cast<std::uint32_t>(cells), static_cast<std::uint32_t>(cells >> 32)});
+  } else {
+    for (std::uint64_t i = 0; i < count; ++i)
+      words.push_back(words_[at + i]);
+  }
   const auto relocation = [&](Ref ref) {
     const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
     const Placed *found =

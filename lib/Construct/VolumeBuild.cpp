@@ -1,10 +1,17 @@
 // Opening and completing a volume.
 #include "VolumeBuild.h"
 
+#include "voxc/Layout/OctantArray.h"
+
 #include <algorithm>
 #include <vector>
 
 namespace voxc {
+namespace {
+
+constexpr std::size_t kWordsAtATime = 4096;
+
+} // namespace
 
 Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const BuildOptions &options) {
   std::unique_ptr<VolumeBuild> build(new VolumeBuild(std::move(info), options));
@@ -68,9 +75,28 @@ void VolumeBuild::appendArray(WordStore &words) {
   if (words.size() + array.size() > maxWords_)
     return store_->fail(Error::input("the volume needs more than " + std::to_string(maxWords_) +
                                      " words, the most that it may have"));
-  words.setHead(layoutOf(info_.format).headWords() - 1, static_cast<std::uint32_t>(words.size()));
+  const Layout layout = layoutOf(info_.format);
+  words.setHead(layout.headWords() - 1, static_cast<std::uint32_t>(words.size()));
+  if (layout.strata.back().isInOctants())
+    return appendOctants(words, array.subspan(kIndexedWords));
   if (auto appended = words.append(array); !appended)
     store_->fail(appended.error());
+}
+
+/// The same by octants, without number 0.
+void VolumeBuild::appendOctants(WordStore &words, std::span<const std::uint32_t> grids) {
+  std::vector<std::uint32_t> some;
+  const auto flush = [&] {
+    if (auto appended = words.append(some); !appended)
+      store_->fail(appended.error());
+    some.clear();
+  };
+  writeOctantArray(grids, [&](std::uint32_t word) {
+    some.push_back(word);
+    if (some.size() == kWordsAtATime)
+      flush();
+  });
+  flush();
 }
 
 /// The values of voxels stand behind all nodes too, where a reference can lead to.
@@ -128,9 +154,10 @@ WordCounts countsOf(const BuildReport &report) {
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour,
                                     Origin origin) {
   WordStore &words = store_->words();
+  const Layout layout = layoutOf(info_.format);
+  const std::uint64_t arrayBegin = words.size();
   appendArray(words);
   const std::uint64_t nodeWords = words.size();
-  const Layout layout = layoutOf(info_.format);
   if (layout.values == Values::Apart)
     appendValues(layout);
   if (layout.payload == Payload::Constant)
@@ -149,6 +176,8 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
+  if (layout.strata.back().isInOctants())
+    report.levels.back().words = nodeWords - arrayBegin;
   report.valueWords = span.size() - nodeWords;
   info_.wordCounts = countsOf(report);
   std::vector<Stream> streams = {wordStream(span)};

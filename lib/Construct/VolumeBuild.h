@@ -47,6 +47,7 @@ private:
   Expected<void> openFile();
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
+  void appendOctants(WordStore &words, std::span<const std::uint32_t> grids);
   void appendValues(const Layout &layout);
   /// Proves the words as the loader will.
   Expected<void> proveWords(std::span<const std::uint32_t> words) const;

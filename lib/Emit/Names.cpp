@@ -206,6 +206,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
       stratum.ranked && stratum.implied && stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
   conditions["indexed"] = stratum.isIndexed();
   conditions["octant-counts"] = stratum.counts == Counts::Octant;
+  conditions["grids-in-octants"] = stratum.grids == Grids::Octants;
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
   conditions["slots-rank"] = stratum.ranked && !stratum.implied && storesValue(plan.outputs);
   conditions["counts"] = hasCounts(stratum);

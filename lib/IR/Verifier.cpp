@@ -136,6 +136,15 @@ void verifyCounts(const Format &format, Diagnostics &diagnostics) {
   }
 }
 
+/// Masks by octants: of which sub-volumes.
+void verifyMasks(const Format &format, Diagnostics &diagnostics) {
+  for (std::size_t i = 0; i < format.levels.size(); ++i)
+    if (const Level &level = format.levels[i];
+        level.attribute(kMasksAttribute) != "whole" && level.attribute(kPointersAttribute) == "word")
+      diagnostics.error(level.range, "level " + std::to_string(i + 1) +
+                                         " has masks by octants, which stand where short pointers lead to");
+}
+
 /// What is stored is chosen for the closest hit alone.
 void verifyQuestion(const Format &format, Diagnostics &diagnostics) {
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
@@ -192,6 +201,7 @@ void verify(const Format &format, Diagnostics &diagnostics) {
   verifyValues(format, diagnostics);
   verifyPointers(format, diagnostics);
   verifyCounts(format, diagnostics);
+  verifyMasks(format, diagnostics);
   verifyQuestion(format, diagnostics);
   verifyExtent(format, diagnostics);
 }

@@ -7,6 +7,8 @@
 #include "Masks.h"
 #include "Places.h"
 
+#include "voxc/Layout/OctantArray.h"
+
 #include <bit>
 
 namespace voxc {
@@ -133,9 +135,14 @@ private:
   }
 
   std::uint64_t voxelsOf(Ref grid) const {
-    return grid == 0
-               ? 0
-               : static_cast<std::uint64_t>(std::popcount(words_[grid]) + std::popcount(words_[grid + 1]));
+    if (grid == 0)
+      return 0;
+    const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum_.arrayHead)];
+    const std::uint64_t cells =
+        stratum_.grids == Grids::Octants
+            ? cellsOf(words_, octantGrid(words_, array, (grid - array) / kIndexedWords))
+            : words_[grid] | std::uint64_t{words_[std::uint64_t{grid} + 1]} << 32;
+    return static_cast<std::uint64_t>(std::popcount(cells));
   }
 
   const WordReader &words_;

@@ -11,11 +11,12 @@ extern const SlotKind kDenseSlots;
 extern const SlotKind kPackedSlots;
 extern const SlotKind kSiblingSlots;
 extern const SlotKind kHashedSlots;
+extern const SlotKind kOctantSlots;
 
 namespace {
 
-constexpr std::array<const SlotKind *, 4> kKinds = {&kDenseSlots, &kPackedSlots, &kSiblingSlots,
-                                                    &kHashedSlots};
+constexpr std::array<const SlotKind *, 5> kKinds = {&kDenseSlots, &kPackedSlots, &kSiblingSlots,
+                                                    &kHashedSlots, &kOctantSlots};
 
 } // namespace
 

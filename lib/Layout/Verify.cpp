@@ -84,6 +84,12 @@ private:
     rule(stratum.counts == Counts::Each ||
              (stratum.isIndexed() && stratum.ranked && stratum.log2Shape == Int3{2, 2, 2}),
          "counts of octants stand behind the numbers of ranked grids of 4 x 4 x 4 cells");
+    const Stratum *const above = index_ > 0 ? &layout_.strata[index_ - 1] : nullptr;
+    rule(stratum.isInOctants() == (above && above->isIndexed() && above->grids == Grids::Octants) &&
+             (!stratum.isInOctants() ||
+              (stratum.slots->name == "octants" && stratum.arrayHead == above->arrayHead)),
+         "grids stand by octants in the array that the numbers above lead to");
+    rule(stratum.isIndexed() || stratum.grids == Grids::Masks, "numbers lead to grids by octants");
     if (!stratum.isIndexed())
       return;
     const Stratum *const below = layout_.holdsVoxels(index_) ? nullptr : &layout_.strata[index_ + 1];

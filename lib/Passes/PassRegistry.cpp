@@ -87,6 +87,13 @@ constexpr std::array<Pass, 23> kPasses = {{
      "and the voxels of those between are counted in their masks, at most seven, when a hit's colour is "
      "asked for. Unchanged where short-pointers leads from no M(2^3), or colours do not stand apart.",
      octantCounts},
+    {"octant-masks", AttributeEffect::Storage,
+     "keep of the last level's small grids the octants that are not empty",
+     "Without it, each M(2^3) that numbers of short-pointers lead to is two words. With it, a byte tells "
+     "which of its eight octants have voxels, and each of these has a byte of its own: about a quarter less. "
+     "Sixteen grids have a word in common that tells where their bytes begin, so that a kernel reads three "
+     "words or more where it read two. Unchanged without short-pointers.",
+     octantMasks},
     {"granules", AttributeEffect::Storage,
      "let references count granules of two words, so that they reach 32GiB",
      "Without it, a reference is the number of a word, and a volume has at most 2^32 of them, 16 GiB. With "

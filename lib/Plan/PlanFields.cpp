@@ -134,7 +134,7 @@ constexpr std::array<Field<Plan>, 21> kPlanFields = {{
 }};
 
 using S = PlannedStratum;
-constexpr std::array<Field<S>, 16> kStratumFields = {{
+constexpr std::array<Field<S>, 17> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
     field<S, &S::leaves>("leaves", "yes, no"),
@@ -147,6 +147,7 @@ constexpr std::array<Field<S>, 16> kStratumFields = {{
     field<S, &S::indexBits>("index", "a number of bits"),
     field<S, &S::arrayHead>("array", "the number of a word of the volume's head"),
     field<S, &S::counts>("counts", "each, octant"),
+    field<S, &S::grids>("grids", "masks, octants"),
     field<S, &S::sharing>("sharing", "none, sub-volume, stratum"),
     field<S, &S::descent>("descent", "index, single, stack, restart, unrolled"),
     field<S, &S::stops>("stops", "yes, no"),

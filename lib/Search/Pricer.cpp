@@ -7,6 +7,7 @@
 
 #include "TreeForms.h"
 
+#include "voxc/Layout/OctantArray.h"
 #include "voxc/Layout/SlotKind.h"
 
 #include <map>
@@ -95,6 +96,18 @@ Pricer::Pricer(const SceneDag &dag) : dag_(dag), tables_(std::make_unique<Tables
 Pricer::~Pricer() = default;
 Pricer::Pricer(Pricer &&) noexcept = default;
 
+/// The words of an array by octants of grids that are cubes of 2^height voxels a side.
+std::uint64_t Pricer::wordsInOctants(int height, bool shares) const {
+  const auto &octants = tables_->cells(height - 1, height);
+  const auto occurrences = dag_.occurrences(height);
+  std::uint64_t grids = 0, full = 0;
+  for (std::size_t number = 0; number < octants.size(); ++number) {
+    grids += shares ? 1 : occurrences[number];
+    full += octants[number] * (shares ? 1 : occurrences[number]);
+  }
+  return octantArrayWords(grids, full);
+}
+
 Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
   const int side = longest(layout.log2Extent());
   if (side > dag_.log2Side() || (side < dag_.log2Side() && dag_.count(side) > 1))
@@ -124,6 +137,8 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
       for (std::size_t number = 0; number < cells.size(); ++number)
         words += stratum.slots->wordsWith(stratum, stratum.implied ? 0 : cells[number], octants[number]) *
                  (shares ? 1 : occurrences[number]);
+      if (stratum.isInOctants())
+        words = wordsInOctants(top, shares);
       price.exact &= !stratum.slots->lookUpLoops;
     } else {
       const TreeShape shape{stratum.log2Cell, std::max(stratum.log2Shape.x, 1), stratum.ranked};
@@ -135,7 +150,8 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
       if (const int bits = layout.strata[i - 1].indexBits; numbers >> bits != 0)
         return Error::input("there are " + std::to_string(numbers) +
                             " sub-volumes to be numbered, more than " + std::to_string(bits) + " bits tell");
-      words += kIndexedWords; // Number 0, which is none.
+      if (!stratum.isInOctants())
+        words += kIndexedWords; // Number 0, which is none.
     }
     equalCells = shares;
   }

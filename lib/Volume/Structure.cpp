@@ -88,7 +88,8 @@ public:
   }
 
   bool enterNode(std::uint64_t offset, int height, Ranks ranks) override {
-    if (offset == 0 || offset >= words_.size()) {
+    // Grids of an array check for themselves what words they are.
+    if (offset == 0 || (offset >= words_.size() && !layout_.isIndexed(level_))) {
       words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " +
                   std::to_string(offset) + " of " + std::to_string(words_.size()));
       return false;
@@ -157,9 +158,10 @@ private:
   bool isWhole(const Node &node) const { return node.height == longest(layout_.strata[level_].log2Size()); }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
+  /// Those of an array have places of their own by their numbers.
   bool spendGrid(std::uint64_t offset) {
     const Stratum &stratum = layout_.strata[level_];
-    if (!stratum.isGrid())
+    if (!stratum.isGrid() || layout_.isIndexed(level_))
       return true;
     const std::uint64_t size = stratum.slots->size(words_, stratum, offset);
     gridWords_[level_] += size;

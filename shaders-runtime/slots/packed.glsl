@@ -79,7 +79,11 @@ bool is_there_level_${N}(uint grid, ivec3 cell) {
 // The value of the cell that is not empty after so many others.
 uint value_of_slot_level_${N}(uint grid, uint slot) {
 %if indexed
+%if grids-in-octants
+  return load_field(grid + ${head-words}u, slot, ${index-bits}u);
+%else
   return load_word(${array-head}u) + 2u * load_field(grid + ${head-words}u, slot, ${index-bits}u);
+%end
 %else
   return load_word(grid${+}${head-words}u + ${slots-times}slot);
 %end
@@ -114,7 +118,11 @@ uint voxels_before_level_${N}(uint grid, ivec3 cell, uint counts) {
     uint until = (cells ^ others) - 1u; // The bits below the lowest of the cells.
     uint slot = uint(bitCount(lower) + bitCount(half_mask & until));
     uint other = value_of_slot_level_${N}(grid, slot);
+%if grids-in-octants
+    before += voxels_${NEXT}(other);
+%else
     before += uint(bitCount(load_word(other)) + bitCount(load_word(other + 1u)));
+%end
     cells = others;
   }
   return before;

@@ -51,6 +51,7 @@ extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
 extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
 extern const AttributeKind kPointersAttribute;  ///< pointers: word | 8 | 9 | ... | 24
 extern const AttributeKind kCountsAttribute;    ///< counts: each | octant
+extern const AttributeKind kMasksAttribute;     ///< masks: whole | octants
 
 // Attributes of formats.
 extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast

@@ -69,12 +69,19 @@ enum class Counts {
           ///< tell the voxels between.
 };
 
+/// How the grids stand that numbers of an indexed stratum lead to.
+enum class Grids {
+  Masks,   ///< One behind the other, `kIndexedWords` each.
+  Octants, ///< By octants that are not empty (voxc/Layout/OctantArray.h).
+};
+
 template <>
 inline constexpr std::array<std::string_view, 4> kEnumNames<Cells> = {"inline", "word", "slot", "record"};
 template <> inline constexpr std::array<std::string_view, 3> kEnumNames<Skip> = {"none", "l1", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Empty> = {"zero", "tagged", "transparent"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Counts> = {"each", "octant"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Grids> = {"masks", "octants"};
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Sharing> = {"none", "sub-volume", "stratum"};
 
@@ -96,11 +103,13 @@ struct Stratum {
   /// many of the volume come before it in the order of construction.
   bool ranked = false;
   /// Slots have no offsets, but numbers of so many bits: those of the sub-volumes of the next stratum, which
-  /// stand in an array, `kIndexedWords` each, from where head word `arrayHead` of the volume says. Number 0
-  /// is none.
+  /// stand in an array from where head word `arrayHead` of the volume says. Number 0 is none. A sub-volume's
+  /// place is then that word and `kIndexedWords` for each number before, whether or not it takes so many. The
+  /// next stratum has the `arrayHead` too, if its grids stand there by octants.
   int indexBits = 0;
   int arrayHead = 0;
   Counts counts = Counts::Each;
+  Grids grids = Grids::Masks;
   std::uint32_t reach = 0; ///< The largest distance stored; 0 without.
   Sharing sharing = Sharing::None;
 
@@ -116,6 +125,8 @@ struct Stratum {
   }
   bool isGrid() const { return cells == Cells::Inline; }
   bool isIndexed() const { return indexBits > 0; }
+  /// True if its grids stand in an array by octants.
+  bool isInOctants() const { return !isIndexed() && arrayHead > 0; }
   /// Bits of the count of voxels behind a number.
   int countBits() const {
     const int log2Voxels = log2Children() * depth + 3 * log2Cell;

@@ -65,6 +65,7 @@ PassResult shortPointers(Format &format, Diagnostics &diagnostics);
 PassResult granules(Format &format, Diagnostics &diagnostics);
 PassResult shortPointersOf(Format &format, int bits, Diagnostics &diagnostics);
 PassResult octantCounts(Format &format, Diagnostics &diagnostics);
+PassResult octantMasks(Format &format, Diagnostics &diagnostics);
 PassResult inlineLeaves(Format &format, Diagnostics &diagnostics);
 PassResult octantDistances(Format &format, Diagnostics &diagnostics);
 PassResult dfPacking(Format &format, Diagnostics &diagnostics);

@@ -38,6 +38,7 @@ private:
   class Tables;
 
   std::uint64_t occurrencesAt(int height) const;
+  std::uint64_t wordsInOctants(int height, bool shares) const;
 
   const SceneDag &dag_;
   std::unique_ptr<Tables> tables_;

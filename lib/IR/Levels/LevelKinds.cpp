@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 18> kPointersValues = {"word", "8",  "9",
                                                               "13",   "14", "15", "16", "17", "18",
                                                               "19",   "20", "21", "22", "23", "24"};
 constexpr std::array<std::string_view, 2> kCountsValues = {"each", "octant"};
+constexpr std::array<std::string_view, 2> kMasksValues = {"whole", "octants"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
 
 } // namespace
@@ -60,6 +61,11 @@ const AttributeKind kCountsAttribute = {
     "counts", AttributeEffect::Storage, kCountsValues,
     "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels before theirs: "
     "each, or the first of each octant of eight, where masks tell the rest"};
+
+const AttributeKind kMasksAttribute = {
+    "masks", AttributeEffect::Storage, kMasksValues,
+    "how the masks of sub-volumes stand that have numbers: whole, or a byte for each octant of eight cells "
+    "that is not empty"};
 
 const AttributeKind kWalkAttribute = {
     "walk", AttributeEffect::Walk, kWalkValues,

@@ -27,6 +27,27 @@ Stratum treeStratum(const Level &level, std::string_view slots, Cells cells) {
   return stratum;
 }
 
+namespace {
+
+/// What a level with short pointers asks of its own stratum, the last so far, and of that above.
+void numberSubVolumes(Layout &layout, const Level &level) {
+  const std::string_view bits = level.attribute(kPointersAttribute);
+  if (bits == "word")
+    return;
+  Stratum &stratum = layout.strata.back();
+  Stratum &above = layout.strata[layout.strata.size() - 2];
+  std::from_chars(bits.data(), bits.data() + bits.size(), above.indexBits);
+  above.arrayHead = static_cast<int>(layout.headWords()) - 1;
+  above.counts = *fromString<Counts>(level.attribute(kCountsAttribute));
+  if (level.attribute(kMasksAttribute) == "octants") {
+    above.grids = Grids::Octants;
+    stratum.slots = findSlotKind("octants");
+    stratum.arrayHead = above.arrayHead;
+  }
+}
+
+} // namespace
+
 Layout layoutOf(const Format &format) {
   Layout layout;
   layout.format = toString(format);
@@ -47,11 +68,8 @@ Layout layoutOf(const Format &format) {
     stratum.implied = isLast && voxelsAreEqual && stratum.slots->tellsByMasks && stratum.depth > 0;
     stratum.ranked = layout.values == Values::Apart;
     layout.strata.push_back(std::move(stratum));
-    if (const std::string_view bits = level.attribute(kPointersAttribute); bits != "word" && i > 0) {
-      std::from_chars(bits.data(), bits.data() + bits.size(), layout.strata[i - 1].indexBits);
-      layout.strata[i - 1].arrayHead = static_cast<int>(layout.headWords()) - 1;
-      layout.strata[i - 1].counts = *fromString<Counts>(level.attribute(kCountsAttribute));
-    }
+    if (i > 0)
+      numberSubVolumes(layout, level);
   }
   return layout;
 }

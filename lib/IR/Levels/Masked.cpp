@@ -6,8 +6,8 @@ namespace voxc {
 namespace {
 
 constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
-constexpr std::array<const AttributeKind *, 3> kAttributes = {&kShareAttribute, &kPointersAttribute,
-                                                              &kCountsAttribute};
+constexpr std::array<const AttributeKind *, 4> kAttributes = {&kShareAttribute, &kPointersAttribute,
+                                                              &kCountsAttribute, &kMasksAttribute};
 
 Stratum lower(const Level &level) { return gridStratum(level, "packed"); }
 

@@ -1,0 +1,85 @@
+// Octants: the grids of 4 x 4 x 4 voxels that numbers lead to, in an array of their own form. What stands for
+// the place of a node is that of two words a grid (`Stratum::indexBits`); a block of construction is these
+// two words, a bit a cell in Morton order.
+#include "Places.h"
+
+#include "voxc/Layout/OctantArray.h"
+
+#include <bit>
+
+namespace voxc {
+namespace {
+
+std::string problem(const Stratum &stratum) {
+  if (!stratum.isInOctants() || !stratum.implied || stratum.log2Shape != Int3{2, 2, 2})
+    return "octants are those of grids of 4 x 4 x 4 voxels without values, in an array";
+  return {};
+}
+
+std::uint64_t arrayOf(const WordReader &words, const Stratum &stratum) {
+  return words[static_cast<std::uint64_t>(stratum.arrayHead)];
+}
+
+std::uint64_t numberOf(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  return (node - arrayOf(words, stratum)) / kIndexedWords;
+}
+
+std::uint64_t maskOf(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  return cellsOf(words, octantGrid(words, arrayOf(words, stratum), numberOf(words, stratum, node)));
+}
+
+std::uint64_t leastWords(const Stratum &) { return kIndexedWords; }
+std::uint64_t wordsWith(const Stratum &, std::uint64_t, std::uint64_t) { return kIndexedWords; }
+std::uint64_t size(const WordReader &, const Stratum &, std::uint64_t) { return kIndexedWords; }
+
+bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
+  return checkOctantGrid(words, arrayOf(words, stratum), numberOf(words, stratum, node), stratum.ranked);
+}
+
+/// The cell of a bit that is set.
+Child found(const Stratum &stratum, std::uint64_t node, std::uint64_t mask, std::uint64_t index) {
+  const std::uint64_t before = mask & ((std::uint64_t{1} << index) - 1);
+  return {.exists = true,
+          .leaf = true,
+          .at = node,
+          .leavesBefore = stratum.ranked ? static_cast<std::uint64_t>(std::popcount(before)) : 0};
+}
+
+Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
+  const std::uint64_t mask = maskOf(words, stratum, node);
+  const std::uint64_t index = mortonCode(place);
+  return (mask >> index & 1) != 0 ? found(stratum, node, mask, index) : Child{};
+}
+
+void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
+  const std::uint64_t mask = maskOf(words, stratum, node);
+  for (std::uint64_t index = 0; index < 64; ++index)
+    if ((mask >> index & 1) != 0)
+      visit(mortonCell(index), found(stratum, node, mask, index));
+}
+
+/// Voxels lead nowhere.
+bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels, Relocation) {
+  return holdsVoxels && words.size() == kIndexedWords;
+}
+
+bool always(const Stratum &) { return true; }
+
+} // namespace
+
+extern const SlotKind kOctantSlots = {.name = "octants",
+                                      .summary = "a byte of octants, then one of cells for each not empty",
+                                      .tellsByMasks = true,
+                                      .ranks = true,
+                                      .tellsGap = always,
+                                      .findsValueLater = always,
+                                      .problem = problem,
+                                      .check = check,
+                                      .leastWords = leastWords,
+                                      .wordsWith = wordsWith,
+                                      .size = size,
+                                      .child = child,
+                                      .visit = visit,
+                                      .relocate = relocate};
+
+} // namespace voxc
