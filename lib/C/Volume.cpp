@@ -2,6 +2,8 @@
 #include "C/Handles.h"
 #include "voxc/Volume/Attributes.h"
 
+#include <array>
+
 using namespace voxc;
 using namespace voxc::c;
 
@@ -9,12 +11,21 @@ namespace {
 
 constexpr std::uint64_t kMostRead = std::uint64_t{1} << 40; ///< Voxels of a box.
 
+/// Whether there can be a voxel at a place. A box may reach over the end of the numbers of places.
+bool isPlace(const Volume &volume, const std::array<std::int64_t, 3> &place) {
+  const Int3 extent = volume.info().extent;
+  return place[0] >= 0 && place[0] < extent.x && place[1] >= 0 && place[1] < extent.y && place[2] >= 0 &&
+         place[2] < extent.z;
+}
+
 /// Reads a row of a box: each look-up tells how far its value goes.
-std::uint32_t *readRow(const Volume &volume, Int3 low, std::int32_t count, std::uint32_t *words) {
+std::uint32_t *readRow(const Volume &volume, const std::array<std::int64_t, 3> &low, std::int32_t count,
+                       std::uint32_t *words) {
   for (std::int32_t done = 0; done < count;) {
-    const std::int64_t x = std::int64_t{low.x} + done;
-    const bool isInside = x >= 0 && x < volume.info().extent.x;
-    const Lookup found = isInside ? volume.lookup({std::int32_t(x), low.y, low.z}) : Lookup{};
+    const std::int64_t x = low[0] + done;
+    const bool isInside = isPlace(volume, {x, low[1], low[2]});
+    const Lookup found =
+        isInside ? volume.lookup({std::int32_t(x), std::int32_t(low[1]), std::int32_t(low[2])}) : Lookup{};
     const std::int64_t side = isInside ? std::int64_t{1} << found.log2Side : 1;
     const std::int64_t run = std::min<std::int64_t>(side - (x & (side - 1)), count - done);
     words = std::fill_n(words, run, found.value);
@@ -100,7 +111,8 @@ voxc_error *voxc_volume_read(const voxc_volume *volume, const int32_t low[3], co
     }
     for (std::int32_t z = 0; z < size[2]; ++z)
       for (std::int32_t y = 0; y < size[1]; ++y)
-        words = readRow(*volume->volume, {low[0], low[1] + y, low[2] + z}, size[0], words);
+        words = readRow(*volume->volume, {low[0], std::int64_t{low[1]} + y, std::int64_t{low[2]} + z},
+                        size[0], words);
     return nullptr;
   });
 }

@@ -193,7 +193,8 @@ Expected<Built> Constructor::edit(const std::shared_ptr<const Volume> &volume,
                                    state_->functions, options);
   if (!parts)
     return parts.error();
-  return joinParts(**parts, std::move(info), state_->functions, options, Origin::Built);
+  // What a loader has let through may be shared as no build does it: its parts are proved once more together.
+  return joinParts(**parts, std::move(info), state_->functions, options, Origin::Foreign);
 }
 
 PartNumbers partNumbersOf(const VoxelSource &source, const Format &format) {

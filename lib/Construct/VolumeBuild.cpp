@@ -121,11 +121,11 @@ Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) con
   };
   const auto voxels = checkStructure(info_.format, words, keepOn);
   if (!voxels && voxels.error().kind != ErrorKind::Interrupted)
-    return Error::input("the fragments do not make a volume: " + voxels.error().message);
+    return Error::input("the parts do not make a volume: " + voxels.error().message);
   if (!voxels)
     return voxels.error();
   if (*voxels != info_.voxels)
-    return Error::input("the fragments do not make a volume: they hold " + std::to_string(*voxels) +
+    return Error::input("the parts do not make a volume: they hold " + std::to_string(*voxels) +
                         " voxels, but say that there are " + std::to_string(info_.voxels));
   return {};
 }

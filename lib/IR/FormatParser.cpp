@@ -87,8 +87,10 @@ void parseLevel(Lexer &lexer, Format &format, Diagnostics &diagnostics) {
 } // namespace
 
 Format parseFormat(std::string_view text, Diagnostics &diagnostics) {
-  Lexer lexer(text);
   Format format;
+  if (!checkTextSize(text, diagnostics))
+    return format;
+  Lexer lexer(text);
   format.source = keepSource(text);
   if (lexer.peek().kind == TokenKind::End)
     diagnostics.error({0, text.size()}, "the format has no level; write at least one of " + knownLevels());

@@ -134,6 +134,8 @@ private:
 } // namespace
 
 Format parseIr(std::string_view text, Diagnostics &diagnostics) {
+  if (!checkTextSize(text, diagnostics))
+    return {};
   Format format = IrParser(text, diagnostics).parse();
   format.source = keepSource(text);
   if (!diagnostics.hasErrors())

@@ -76,6 +76,14 @@ std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &d
   return std::nullopt;
 }
 
+bool checkTextSize(std::string_view text, Diagnostics &diagnostics) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+  if (text.size() > kMostBytes)
+    diagnostics.error({}, "the text has " + std::to_string(text.size()) +
+                              " bytes; that of a format has at most " + std::to_string(kMostBytes));
+  return text.size() <= kMostBytes;
+}
+
 std::shared_ptr<const SourceText> keepSource(std::string_view text, std::string_view name) {
   return std::make_shared<const SourceText>(SourceText{std::string(name), std::string(text)});
 }

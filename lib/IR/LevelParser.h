@@ -23,6 +23,9 @@ std::optional<std::vector<Argument>> parseArguments(Lexer &lexer, Diagnostics &d
 bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceRange head,
                    Diagnostics &diagnostics);
 
+/// False, and an error, of a text longer than 1 MiB, which no format needs.
+bool checkTextSize(std::string_view text, Diagnostics &diagnostics);
+
 /// The text for `Format::source`.
 std::shared_ptr<const SourceText> keepSource(std::string_view text, std::string_view name = "format");
 

@@ -39,8 +39,9 @@ void Lexer::advance() {
     } else if (isDigit(first) || first == '-') {
       kind = TokenKind::Number;
       run([](char c) { return isLetter(c) || isDigit(c) || c == '.' || c == '-'; });
-    } else if (const std::size_t end = text_.find_first_of("\"\n", begin + 1);
-               first == '"' && end != std::string_view::npos && text_[end] == '"') {
+    } else if (const std::size_t end =
+                   first == '"' ? text_.find_first_of("\"\n", begin + 1) : std::string_view::npos;
+               end != std::string_view::npos && text_[end] == '"') {
       kind = TokenKind::String;
       position_ = end + 1;
     } else {

@@ -34,6 +34,20 @@ Line lineAt(std::string_view text, std::size_t offset) {
   return line;
 }
 
+/// Of a long line what is around the range: a hostile text may be one line, and wrong everywhere.
+Line shownOf(const Line &line, std::string_view text, SourceRange range) {
+  constexpr std::size_t kMostShown = 400;
+  Line shown = line;
+  if (line.end - line.begin <= kMostShown)
+    return shown;
+  if (range.begin - line.begin > kMostShown / 2)
+    shown.begin = range.begin - kMostShown / 2;
+  while (shown.begin < range.begin && (static_cast<unsigned char>(text[shown.begin]) & 0xc0) == 0x80)
+    ++shown.begin; // Not in the middle of a character.
+  shown.end = std::min(line.end, shown.begin + kMostShown);
+  return shown;
+}
+
 /// Blanks below the text before the range, then a caret below each of its characters.
 std::string carets(std::string_view text, const Line &line, SourceRange range) {
   std::string result;
@@ -44,14 +58,21 @@ std::string carets(std::string_view text, const Line &line, SourceRange range) {
   return result;
 }
 
+/// Nobody reads more, and a hostile text may have millions.
+constexpr std::size_t kMostKept = 50;
+
 } // namespace
 
 void Diagnostics::error(SourceRange range, std::string message) {
-  all_.push_back({Severity::Error, range, std::move(message)});
+  if (all_.size() < kMostKept)
+    all_.push_back({Severity::Error, range, std::move(message)});
+  else if (all_.size() == kMostKept)
+    all_.push_back({Severity::Note, range, "there are more errors from here on"});
 }
 
 void Diagnostics::note(SourceRange range, std::string message) {
-  all_.push_back({Severity::Note, range, std::move(message)});
+  if (all_.size() < kMostKept)
+    all_.push_back({Severity::Note, range, std::move(message)});
 }
 
 bool Diagnostics::hasErrors() const {
@@ -65,11 +86,12 @@ std::string render(const Diagnostics &diagnostics, std::string_view text, std::s
     SourceRange range = diagnostic.range;
     range.begin = std::min(range.begin, text.size());
     const Line line = lineAt(text, range.begin);
+    const Line shown = shownOf(line, text, range);
     result += std::string(name) + ':' + std::to_string(line.number) + ':' +
               std::to_string(range.begin - line.begin + 1) + ": " + std::string(label(diagnostic.severity)) +
               ": " + diagnostic.message + "\n  " +
-              std::string(text.substr(line.begin, line.end - line.begin)) + "\n  " +
-              carets(text, line, range) + '\n';
+              std::string(text.substr(shown.begin, shown.end - shown.begin)) + "\n  " +
+              carets(text, shown, range) + '\n';
   }
   return result;
 }

@@ -10,11 +10,18 @@
 namespace voxc::tool {
 namespace {
 
+/// The largest number of a camera: far beyond all that can be seen, and small enough to be reckoned with.
+constexpr double kMost = 1e12;
+
+std::optional<double> number(const Json &value) {
+  if (!value.is_number() || !(std::abs(value.get<double>()) <= kMost))
+    return std::nullopt;
+  return value.get<double>();
+}
+
 std::optional<double> number(const Json &object, const char *key) {
   auto entry = object.find(key);
-  if (entry == object.end() || !entry->is_number() || !std::isfinite(entry->get<double>()))
-    return std::nullopt;
-  return entry->get<double>();
+  return entry == object.end() ? std::nullopt : number(*entry);
 }
 
 /// The numbers of an array of exactly so many.
@@ -25,9 +32,10 @@ std::optional<std::array<double, count>> numbers(const Json &object, const char 
     return std::nullopt;
   std::array<double, count> values;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!(*entry)[i].is_number())
+    const auto value = number((*entry)[i]);
+    if (!value)
       return std::nullopt;
-    values[i] = (*entry)[i].template get<double>();
+    values[i] = *value;
   }
   return values;
 }
@@ -48,7 +56,8 @@ Expected<FileCamera> parseCamera(const Json &file, const std::string &name, cons
   auto pitch = number(entry, "pitch");
   auto yaw = number(entry, "yaw");
   if (!position || !pitch || !yaw)
-    return Error::input(where + " should have a position of 3 numbers, a pitch and a yaw in degrees");
+    return Error::input(
+        where + " should have a position of 3 numbers, a pitch and a yaw in degrees, none beyond 10^12");
   FileCamera camera{
       .position = {(*position)[0], (*position)[1], (*position)[2]}, .pitch = *pitch, .yaw = *yaw};
   if (entry.contains("fov")) {

@@ -25,8 +25,8 @@ struct FileCamera {
 
 /// Reads the camera `name`. A file is an object {"size": [width, height], "cameras": {NAME: {"position": [x,
 /// y, z], "pitch": degrees, "yaw": degrees, "fov": degrees}}}; `size` and `fov` may be left out, other keys
-/// are ignored. Errors: `Input` if the file is unreadable or broken, or has no such camera, naming those it
-/// has.
+/// are ignored. No number is beyond 10^12. Errors: `Input` if the file is unreadable or broken, or has no
+/// such camera, naming those it has.
 Expected<FileCamera> readCamera(const std::string &path, const std::string &name);
 
 /// All cameras of a file, in its order. Errors: `Input` if it is unreadable or broken.

@@ -130,6 +130,15 @@ TEST(Ir, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(errorOf("format { level 1: svo(3) } x"), HasSubstr("after the format's '}'"));
 }
 
+/// Both grammars, which share the limit.
+TEST(Ir, HasAtMostAMebibyteOfText) {
+  const std::string blanks(std::size_t{1} << 20, ' ');
+  for (const std::string text : {"G(3)", "format { level 1: svo(3) }"}) {
+    EXPECT_TRUE(parseFormat(text + blanks.substr(text.size())));
+    EXPECT_THAT(errorOf(text + blanks), HasSubstr("that of a format has at most 1048576"));
+  }
+}
+
 TEST(Ir, SurvivesEveryPrefixAndEveryChangedCharacter) {
   const std::string text = "format {\n  level 1: distance(2, 2, 2, 6)\n  level 2: svdag(3) dedup=level\n}\n";
   for (std::size_t length = 0; length <= text.size(); ++length)

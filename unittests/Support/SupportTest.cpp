@@ -20,6 +20,25 @@ TEST(Diagnostics, PutCaretsUnderTheWholeRange) {
             "name:2:4: error: bad\n  \ttwo three\n  \t  ^^^\n");
 }
 
+TEST(Diagnostics, ShowWhatIsAroundTheRangeOfALongLine) {
+  Diagnostics diagnostics;
+  diagnostics.error({100000, 100003}, "wrong");
+  const std::string text = std::string(100000, 'a') + "bad" + std::string(100000, 'b');
+  const std::string shown = std::string(200, 'a') + "bad" + std::string(197, 'b');
+  EXPECT_EQ(render(diagnostics, text, "name"),
+            "name:1:100001: error: wrong\n  " + shown + "\n  " + std::string(200, ' ') + "^^^\n");
+}
+
+/// A text of a stranger may be wrong a million times, each time in the same long line.
+TEST(Diagnostics, KeepFiftyAndSayThatThereAreMore) {
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < 1000000; ++i)
+    diagnostics.error({i, i + 1}, "wrong");
+  ASSERT_EQ(diagnostics.all().size(), 51u);
+  EXPECT_EQ(diagnostics.all().back().message, "there are more errors from here on");
+  EXPECT_LT(render(diagnostics, std::string(1000000, 'a'), "name").size(), 51u * 1000u);
+}
+
 TEST(Diagnostics, ShowTheEnd) {
   Diagnostics diagnostics;
   diagnostics.error({3, 3}, "missing");

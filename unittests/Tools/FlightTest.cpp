@@ -70,5 +70,14 @@ TEST(Flight, NeedsTwoCameras) {
   EXPECT_FALSE(Flight::through("no-such-file.json"));
 }
 
+/// Cameras so far apart that their steps cannot be reckoned with would give frames without a place.
+TEST(Flight, RefusesCamerasBeyondAllPlaces) {
+  EXPECT_TRUE(flightOf(cameraAt("1", 1e12, 2) + "," + cameraAt("2", -1e12, 2) + "," + cameraAt("3", 0, 2)));
+  const auto flight =
+      flightOf(cameraAt("1", 0, 2) + "," + cameraAt("2", 1e300, 2) + "," + cameraAt("3", 1e308, 2));
+  ASSERT_FALSE(flight);
+  EXPECT_THAT(flight.error().message, HasSubstr("none beyond 10^12"));
+}
+
 } // namespace
 } // namespace voxc::tool

@@ -101,8 +101,9 @@ public:
   Expected<Built> build(VoxelSource &source, const BuildOptions &options = {}) const;
 
   /// Builds what `volume`, which is of the same format, becomes by the edits, one after the other: the words
-  /// are those of a build of the edited voxels. What edits do not touch is neither decoded nor built. Errors:
-  /// another format, an edit that reaches out of the volume; as `build`.
+  /// are those of a build of the edited voxels. What edits do not touch is neither decoded nor built, but the
+  /// words are proved as a loader does. Errors: another format, an edit that reaches out of the volume, a
+  /// volume whose words are shared in a way that no build shares them (`Input`); as `build`.
   Expected<Built> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
                        const BuildOptions &options = {}) const;
 
