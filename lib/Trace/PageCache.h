@@ -43,6 +43,7 @@ public:
   /// `place`.
   Expected<void> load(std::span<const std::uint32_t> pages, const Place &place);
 
+  unsigned threads() const { return threads_; }
   const PagingReport &report() const { return report_; }
 
 private:

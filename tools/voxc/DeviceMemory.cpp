@@ -18,6 +18,17 @@ void DeviceMemory::declare(const CommandLine &command) {
       .excludes(command.option("--check"));
 }
 
+void DeviceMemory::declareCoarse(const CommandLine &command) {
+  const OptionGroup group(command, "Device");
+  command
+      .add("--allow-coarse", coarse_,
+           "Let a block of voxels that looks smaller than so many pixels stand in for its pages, by its mean "
+           "colour, if these are not there; the volume was stored with --coarse. 0: hits are the same")
+      .takes("PIXELS")
+      .between(0.0, 1e6)
+      .needs(command.option("--device-memory"));
+}
+
 Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
   auto opened = PagedVolume::open(path);
   if (!opened)
@@ -32,7 +43,8 @@ Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
 }
 
 Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures) const {
-  return tracing.preparePages(*volume_, format, bytesOf(budget_), figures);
+  return tracing.preparePages(*volume_, format, {.memoryBytes = bytesOf(budget_), .coarse = coarse_.has_value()},
+                              figures);
 }
 
 } // namespace voxc::tool
