@@ -122,7 +122,8 @@ private:
     return (1 << tree_.log2Side()) < view_.spread * std::sqrt(square);
   }
 
-  /// Where the ray comes into the box, or where it waits in it. One that passes right by it is taken to touch.
+  /// Where the ray comes into the box, or where it waits in it. One that passes right by it is taken to
+  /// touch.
   Hit hitOf(const CoarseBox &box, const Interval &around, std::uint32_t rgba) const {
     const double t = std::max(crossing(ray_, box, 0).value_or(around).first, entry_);
     Hit hit = {{}, rgba, static_cast<float>(t), 0};
@@ -139,7 +140,7 @@ private:
   double entry_;
   const CoarseView &view_;
   unsigned nearest_ = 0; ///< The octant of a node that the ray comes to first.
-  bool passed_ = false;   ///< It began in a box that looks small.
+  bool passed_ = false;  ///< It began in a box that looks small.
   bool ended_ = false;
   CoarseStandIn::Answer answer_;
 };

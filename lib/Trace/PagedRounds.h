@@ -34,8 +34,8 @@ public:
   virtual Expected<void> put(TraceReport &report) = 0;
 };
 
-/// Reads the coarse blocks of a volume if `options` ask for them, else null. `bounded`: the kernel's rays have
-/// bounds. Errors as `createPagedTracer`.
+/// Reads the coarse blocks of a volume if `options` ask for them, else null. `bounded`: the kernel's rays
+/// have bounds. Errors as `createPagedTracer`.
 Expected<std::unique_ptr<CoarseStandIn>> readStandIn(const PagedVolume &volume, const PagingOptions &options,
                                                      bool bounded);
 

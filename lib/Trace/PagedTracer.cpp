@@ -209,8 +209,7 @@ Expected<std::unique_ptr<CoarseStandIn>> readStandIn(const PagedVolume &volume, 
 
 Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache,
                                                   std::unique_ptr<CoarseStandIn> standIn, bool bounded) {
-  auto driver =
-      std::make_unique<Driver>(std::move(backEnd), std::move(cache), std::move(standIn), bounded);
+  auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache), std::move(standIn), bounded);
   if (auto begun = driver->begin(); !begun)
     return begun.error();
   return std::unique_ptr<PagedTracer>(std::move(driver));

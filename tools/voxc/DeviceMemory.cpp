@@ -43,8 +43,8 @@ Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
 }
 
 Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures) const {
-  return tracing.preparePages(*volume_, format, {.memoryBytes = bytesOf(budget_), .coarse = coarse_.has_value()},
-                              figures);
+  return tracing.preparePages(*volume_, format,
+                              {.memoryBytes = bytesOf(budget_), .coarse = coarse_.has_value()}, figures);
 }
 
 } // namespace voxc::tool

@@ -130,9 +130,9 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {"read", readText},   {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
-    {"paged", pagedText}, {"coarse", coarseText}, {"checked", errorText}, {"flight", flightText},
-    {"camera", cameraText},
+    {"read", readText},     {"volume", volumeText}, {"built", builtText},
+    {"traced", tracedText}, {"paged", pagedText},   {"coarse", coarseText},
+    {"checked", errorText}, {"flight", flightText}, {"camera", cameraText},
 };
 
 void printLine(const std::string &label, const std::string &text) {

@@ -49,8 +49,8 @@ std::uint64_t leastPagingBytes(const PagedVolume &volume);
 
 /// Prepares `kernel`, of `Addressing::Paged`, on `device`; `volume` must outlive the tracer. Errors: the
 /// kernel was made for other storage or addressing (`Input`), the budget is less than `leastPagingBytes`
-/// (`Usage`), the device lacks a feature or memory (`Environment`); of coarse blocks, as `readCoarseBlocks`, or
-/// the kernel's rays have bounds (`Usage`).
+/// (`Usage`), the device lacks a feature or memory (`Environment`); of coarse blocks, as `readCoarseBlocks`,
+/// or the kernel's rays have bounds (`Usage`).
 Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const Kernel &kernel,
                                                          const PagedVolume &volume,
                                                          const PagingOptions &options);
