@@ -92,15 +92,16 @@ TEST_F(Coarse, BlocksAreTheMeansOfTheirVoxels) {
                               {"ball", ball, {}, {64, 60, 50}},
                               {"full", [](Int3) { return 7u; }, {}, {64, 64, 64}}};
   for (const HardScene &scene : scenes)
-    for (const char *text :
-         {"format { level 1: svdag(6) }", "format { level 1: raw(6, 6, 6) }",
-          "format values=apart { level 1: raw(1, 1, 1) level 2: masked(5, 5, 5) }",
-          "format { level 1: raw(2, 2, 2) level 2: hash(4, 4, 4) }", "format { level 1: svo(6) }"})
+    for (const char *text : {"format { level 1: svdag(6) }", "format { level 1: raw(6, 6, 6) }",
+                             "format values=apart { level 1: raw(1, 1, 1) level 2: masked(5, 5, 5) }",
+                             "format { level 1: raw(2, 2, 2) level 2: hash(4, 4, 4) }"}) {
+      const auto volume = volumeOf(text, scene);
       for (int log2Side = kLeastLog2CoarseSide; log2Side <= kMostLog2CoarseSide; ++log2Side) {
-        const auto blocks = makeCoarseBlocks(*volumeOf(text, scene), log2Side);
+        const auto blocks = makeCoarseBlocks(*volume, log2Side);
         ASSERT_TRUE(blocks) << blocks.error().message;
         EXPECT_TRUE(*blocks == expectedBlocks(scene, log2Side)) << scene.name << text << log2Side;
       }
+    }
 }
 
 TEST_F(Coarse, BlocksOfSmallAndOfEmptyVolumesAreFew) {
@@ -121,7 +122,7 @@ TEST_F(Coarse, BlocksOfSmallAndOfEmptyVolumesAreFew) {
 TEST_F(Coarse, BlocksOfLabelsAreRefused) {
   const HardScene labels = {"labels", [](Int3) { return 3u; }, {}, {4, 4, 4}};
   const auto volume =
-      volumeOf("format payload=material bits=4 values=apart { level 1: masked(2, 2, 2) }", labels);
+      volumeOf("format payload=material(4) values=apart { level 1: masked(2, 2, 2) }", labels);
   const auto blocks = makeCoarseBlocks(*volume, 2);
   ASSERT_FALSE(blocks);
   EXPECT_THAT(blocks.error().message, HasSubstr("labels, which have no mean"));

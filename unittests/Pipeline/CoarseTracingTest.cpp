@@ -62,7 +62,7 @@ TraceOptions seenFrom(const Ray &ray, float spread) {
 /// What rays miss is certain, also of those that graze voxels, and nothing else is told.
 TEST_F(CoarseTracing, IsExactWhereBlocksLookLarge) {
   std::mt19937 random(17);
-  for (int i = 0; i < rounds(8); ++i) {
+  for (int i = 0; i < rounds(4); ++i) {
     const Format format = randomFormat(random, pick(random, 3, 6));
     const HardScene scene = i % 2 == 0 ? noise(format.extent(), i) : sceneOf(format, random());
     const PagedVolume volume = coarse(format, scene, kLeastLog2CoarseSide + i % 3);
