@@ -3,11 +3,14 @@
 #include "VolumeUse.h"
 #include "WordMutator.h"
 
+#include "Trace/CoarseTree.h"
 #include "Volume/PageTable.h"
 #include "Volume/VolumeFile.h"
 #include "Volume/VolumeHead.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -53,6 +56,17 @@ void touch(const Volume &volume) {
       sink = sink ^ std::to_integer<std::uint8_t>(byte);
 }
 
+/// Coarse blocks that were found well-formed make a tree.
+void useCoarse(const Volume &volume) {
+  const auto coarse = coarseBlocksOf(volume);
+  if (!coarse || !*coarse)
+    return;
+  const Int3 log2 = volume.format().log2Extent();
+  const CoarseTree tree(**coarse, std::max({log2.x, log2.y, log2.z}));
+  if (tree.blocks() != (*coarse)->blocks.size() || tree.layers() < 1)
+    std::abort();
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size) {
@@ -61,6 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t siz
   putChecksumsRight(bytes);
   if (const auto volume = readVolumeFile(bytes, nullptr, "a.hvx")) {
     touch(*volume);
+    useCoarse(*volume);
     fuzz::decodeAll(*volume);
   }
   return 0;
