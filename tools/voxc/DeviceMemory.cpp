@@ -14,8 +14,7 @@ void DeviceMemory::declare(const CommandLine &command) {
            "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
            "read when rays need them, and hits are the same")
       .takes("SIZE")
-      .check(sizeProblem)
-      .excludes(command.option("--check"));
+      .check(sizeProblem);
 }
 
 void DeviceMemory::declareCoarse(const CommandLine &command) {

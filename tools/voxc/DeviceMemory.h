@@ -13,15 +13,18 @@ namespace voxc::tool {
 
 class DeviceMemory {
 public:
-  /// Adds --device-memory to a command that has --check: no oracle has a volume in parts.
+  /// Adds --device-memory to a command; no oracle has a volume in parts, so --check goes not with it.
   void declare(const CommandLine &command);
 
-  /// Adds --allow-coarse to a command that has declared the above: for pictures.
+  /// Adds --allow-coarse to a command that has the above: for pictures.
   void declareCoarse(const CommandLine &command);
 
   bool isGiven() const { return !budget_.empty(); }
   /// How small blocks may look that stand in for pages, in pixels; 0: they must not, or nobody allows it.
   double allowedCoarse() const { return coarse_.value_or(0); }
+
+  /// How many bytes of words the open file has.
+  std::uint64_t volumeBytes() const { return volume_->streams().front().bytes; }
 
   /// Maps the page file, and returns what it says of itself, without words. Its figures are added. Error: a
   /// file that is not compressed has no pages.

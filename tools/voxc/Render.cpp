@@ -19,6 +19,7 @@ public:
     rendering_.declare(command);
     tracing_.declare(command);
     memory_.declare(command);
+    command.option("--device-memory").excludes(command.option("--check"));
     memory_.declareCoarse(command);
     volume_.declareKernelOptions(command);
     addCommonOptions(command, common_);
