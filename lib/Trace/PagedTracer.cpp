@@ -169,14 +169,15 @@ Expected<void> Driver::bring(Batch &batch, const PageRound &round) {
   if (batch.group.count == 1) {
     if (auto goes = checkProgress(batch); !goes)
       return goes;
-    return cache_.load(round.asked, place());
+    return cache_.load(round.asked, place(), batch.options.progress);
   }
   const std::uint64_t room = cache_.room();
   if (room == 0) {
     batch.group.count = (batch.group.count + 1) / 2;
     return {};
   }
-  return cache_.load(std::span(round.asked).first(std::min<std::size_t>(room, round.asked.size())), place());
+  const auto asked = std::span(round.asked).first(std::min<std::size_t>(room, round.asked.size()));
+  return cache_.load(asked, place(), batch.options.progress);
 }
 
 Expected<void> Driver::checkProgress(Batch &batch) {
