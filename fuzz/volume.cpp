@@ -3,7 +3,12 @@
 #include "VolumeUse.h"
 #include "WordMutator.h"
 
+#include "Trace/CoarseTree.h"
 #include "Volume/VolumeFile.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
 
 namespace {
 
@@ -15,12 +20,24 @@ void touch(const voxc::Volume &volume) {
       sink = sink ^ std::to_integer<std::uint8_t>(byte);
 }
 
+/// Coarse blocks that were found well-formed make a tree.
+void useCoarse(const voxc::Volume &volume) {
+  const auto coarse = voxc::coarseBlocksOf(volume);
+  if (!coarse || !*coarse)
+    return;
+  const voxc::Int3 log2 = volume.format().log2Extent();
+  const voxc::CoarseTree tree(**coarse, std::max({log2.x, log2.y, log2.z}));
+  if (tree.blocks() != (*coarse)->blocks.size() || tree.layers() < 1)
+    std::abort();
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char *data, std::size_t size) {
   const std::vector<std::byte> bytes = voxc::fuzz::withRightChecksums(data, size);
   if (const auto volume = voxc::readVolumeFile(bytes, nullptr, "a.hvx")) {
     touch(*volume);
+    useCoarse(*volume);
     voxc::fuzz::decodeAll(*volume);
   }
   return 0;

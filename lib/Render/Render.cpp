@@ -84,6 +84,9 @@ TraceOptions Renderer::traceOptions() const {
   TraceOptions options;
   options.countSteps = options_.style == Style::Heatmap;
   options.spread = float(options_.lod * pixelSpread(camera_));
+  for (int axis = 0; axis < 3; ++axis)
+    options.coarse.from[axis] = float(camera_.eye[axis]);
+  options.coarse.spread = float(options_.coarse * pixelSpread(camera_));
   options.progress.stop = options_.progress.stop;
   return options;
 }

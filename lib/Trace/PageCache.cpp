@@ -165,10 +165,13 @@ void PageCache::settle(std::uint32_t page, std::uint32_t slot) {
   ++report_.reads;
 }
 
-Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place &place) {
+Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place &place,
+                               const Progress &progress) {
   const double begin = wallSeconds();
   const std::vector<std::uint32_t> slots = slotsFor(pages.size());
   for (std::size_t first = 0; first < slots.size(); first += kRunPages) {
+    if (progress.stopped())
+      return Error::interrupted();
     const auto run = pages.subspan(first, std::min(kRunPages, slots.size() - first));
     if (auto decoded = decode(run); !decoded)
       return decoded;

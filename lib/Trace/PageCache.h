@@ -40,9 +40,11 @@ public:
   /// How many pages can come without any going that the last round used.
   std::uint64_t room() const;
   /// Decodes pages, and places as many of them as there are slots for. Errors: a damaged page, or those of
-  /// `place`.
-  Expected<void> load(std::span<const std::uint32_t> pages, const Place &place);
+  /// `place`; interrupted, by `progress`, after which those that came are there.
+  Expected<void> load(std::span<const std::uint32_t> pages, const Place &place,
+                      const Progress &progress = {});
 
+  unsigned threads() const { return threads_; }
   const PagingReport &report() const { return report_; }
 
 private:

@@ -61,7 +61,9 @@ public:
     return TraceTime{};
   }
 
+  // Hits lie where they are asked for.
   Expected<void> fetch(TraceReport &) override { return {}; }
+  Expected<void> put(TraceReport &) override { return {}; }
 
 private:
   CpuKernel kernel_;
@@ -85,8 +87,11 @@ createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume, const P
   auto cache = PageCache::create(volume, options, std::numeric_limits<std::uint64_t>::max());
   if (!cache)
     return cache.error();
+  auto standIn = readStandIn(volume, options, kernel.bounded);
+  if (!standIn)
+    return standIn.error();
   auto backEnd = std::make_unique<CpuPaging>(kernel, *cache, options.threads);
-  return drivePages(std::move(backEnd), std::move(*cache), kernel.bounded);
+  return drivePages(std::move(backEnd), std::move(*cache), std::move(*standIn), kernel.bounded);
 }
 
 } // namespace voxc

@@ -1,6 +1,7 @@
 // Paged tracing on any back end: rounds of rays that go on until a page is lacking.
 #pragma once
 
+#include "CoarseStandIn.h"
 #include "PageCache.h"
 
 #include <memory>
@@ -29,12 +30,19 @@ public:
                                     const TraceOptions &options) = 0;
   /// Brings the hits into the room that was given for them.
   virtual Expected<void> fetch(TraceReport &report) = 0;
+  /// Takes hits back from that room, where rays were answered.
+  virtual Expected<void> put(TraceReport &report) = 0;
 };
 
+/// Reads the coarse blocks of a volume if `options` ask for them, else null. `bounded`: the kernel's rays
+/// have bounds. Errors as `createPagedTracer`.
+Expected<std::unique_ptr<CoarseStandIn>> readStandIn(const PagedVolume &volume, const PagingOptions &options,
+                                                     bool bounded);
+
 /// The tracer that drives a back end, whose slots and table are those of `cache`; `bounded`: its kernel's
-/// rays have bounds.
+/// rays have bounds; `standIn` may be null.
 Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache,
-                                                  bool bounded);
+                                                  std::unique_ptr<CoarseStandIn> standIn, bool bounded);
 
 /// Error (`Input`) if a kernel of that storage digest was made for another format than the volume's.
 Expected<void> checkPagedFit(std::uint64_t storageDigest, const PagedVolume &volume, std::string_view emit);

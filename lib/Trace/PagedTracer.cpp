@@ -2,11 +2,13 @@
 #include "PagedRounds.h"
 
 #include "Clock.h"
+#include "CoarseRounds.h"
 #include "Endless.h"
 #include "FittingRays.h"
 #include "KernelFit.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace voxc {
 namespace {
@@ -19,11 +21,13 @@ bool isUnfinished(const Hit &hit) { return hit.voxel[0] < -1; }
 
 class Driver final : public PagedTracer {
 public:
-  Driver(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache, bool bounded)
-      : backEnd_(std::move(backEnd)), cache_(std::move(cache)), bounded_(bounded) {}
+  Driver(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache, std::unique_ptr<CoarseStandIn> standIn,
+         bool bounded)
+      : backEnd_(std::move(backEnd)), cache_(std::move(cache)), standIn_(std::move(standIn)),
+        bounded_(bounded) {}
 
   Expected<void> begin() { return cache_.begin(place()); }
-  PagingReport paging() const override { return cache_.report(); }
+  PagingReport paging() const override;
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
 
 private:
@@ -34,23 +38,36 @@ private:
     TraceReport &report;
     TraceTime &time;
     RayGroup group;
-    std::uint64_t lonely = 0; ///< Rounds of a group of one ray.
-    Hit before = {};          ///< That ray, some rounds ago.
+    std::optional<CoarseRounds> coarse = {}; ///< If blocks may answer.
+    std::uint64_t lonely = 0;                ///< Rounds of a group of one ray.
+    Hit before = {};                         ///< That ray, some rounds ago.
   };
 
   PageCache::Place place() {
     return
         [this](std::uint32_t slot, std::span<const std::byte> bytes) { return backEnd_->place(slot, bytes); };
   }
-  Expected<void> traceBatch(Batch batch);
+  Expected<void> traceBatch(Batch &batch);
+  Expected<bool> settle(Batch &batch);
   Expected<void> endGroup(Batch &batch);
   Expected<void> bring(Batch &batch, const PageRound &round);
   Expected<void> checkProgress(Batch &batch);
 
   std::unique_ptr<PagedBackEnd> backEnd_;
   PageCache cache_;
+  std::unique_ptr<CoarseStandIn> standIn_; ///< Or null.
   bool bounded_;
 };
+
+PagingReport Driver::paging() const {
+  PagingReport report = cache_.report();
+  if (standIn_) {
+    report.coarseSide = 1 << standIn_->tree().log2Side();
+    report.coarseBlocks = standIn_->tree().blocks();
+    report.coarseBytes = standIn_->tree().bytes();
+  }
+  return report;
+}
 
 Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
   const Expected<FittingRays> fitting = FittingRays::of(given, bounded_);
@@ -67,15 +84,22 @@ Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const Tr
   const double total = static_cast<double>(rays.size()) * static_cast<double>(report.repeats.size());
   for (std::uint64_t first = 0; first < rays.size(); first += most) {
     const std::uint64_t count = std::min(most, rays.size() - first);
+    const RaySpan partRays = rays.subspan(first, count);
     const auto part = hits.subspan(first, count);
+    std::uint64_t answered = 0;
     for (TraceTime &time : report.repeats) {
-      if (auto taken = backEnd_->take(rays.subspan(first, count), part, options, report); !taken)
+      if (auto taken = backEnd_->take(partRays, part, options, report); !taken)
         return taken.error();
-      if (auto done = traceBatch({part, options, report, time, {0, count}}); !done)
+      Batch batch = {part, options, report, time, {0, count}};
+      if (standIn_ && options.coarse.spread > 0)
+        batch.coarse.emplace(*standIn_, partRays, part, options.coarse, cache_.threads());
+      if (auto done = traceBatch(batch); !done)
         return done.error();
+      answered = batch.coarse ? batch.coarse->answered() : 0;
       traced += static_cast<double>(count);
       options.progress.at("trace", traced / total, static_cast<std::uint64_t>(traced));
     }
+    report.coarse += answered;
   }
   return report;
 }
@@ -84,7 +108,7 @@ Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const Tr
 // used: so a ray that waits keeps what it has of its way, each page that comes takes some ray further, and
 // many rays share it. When all that is resident is in use, half of the group goes on, and the others wait for
 // their turn.
-Expected<void> Driver::traceBatch(Batch batch) {
+Expected<void> Driver::traceBatch(Batch &batch) {
   const double wall = wallSeconds();
   const double cpu = processCpuSeconds();
   bool goesOn = false;
@@ -97,12 +121,30 @@ Expected<void> Driver::traceBatch(Batch batch) {
     batch.time.device += time->device;
     goesOn = true;
     const PageRound round = cache_.takeMarks();
+    if (!round.asked.empty() && batch.coarse) {
+      const auto settled = settle(batch);
+      if (!settled)
+        return settled.error();
+      if (*settled)
+        continue; // What the others wait for they tell once more.
+    }
     if (auto done = round.asked.empty() ? endGroup(batch) : bring(batch, round); !done)
       return done;
   }
   batch.time.wall += wallSeconds() - wall;
   batch.time.cpu += processCpuSeconds() - cpu;
   return {};
+}
+
+/// Whether blocks have stood in for what some rays waited for.
+Expected<bool> Driver::settle(Batch &batch) {
+  if (auto fetched = backEnd_->fetch(batch.report); !fetched)
+    return fetched.error();
+  if (batch.coarse->settle(batch.group.first, batch.group.count) == 0)
+    return false;
+  if (auto put = backEnd_->put(batch.report); !put)
+    return put.error();
+  return true;
 }
 
 /// Nobody waits for a page; but a device may have cut rays short, which then go on.
@@ -127,14 +169,15 @@ Expected<void> Driver::bring(Batch &batch, const PageRound &round) {
   if (batch.group.count == 1) {
     if (auto goes = checkProgress(batch); !goes)
       return goes;
-    return cache_.load(round.asked, place());
+    return cache_.load(round.asked, place(), batch.options.progress);
   }
   const std::uint64_t room = cache_.room();
   if (room == 0) {
     batch.group.count = (batch.group.count + 1) / 2;
     return {};
   }
-  return cache_.load(std::span(round.asked).first(std::min<std::size_t>(room, round.asked.size())), place());
+  const auto asked = std::span(round.asked).first(std::min<std::size_t>(room, round.asked.size()));
+  return cache_.load(asked, place(), batch.options.progress);
 }
 
 Expected<void> Driver::checkProgress(Batch &batch) {
@@ -152,9 +195,22 @@ Expected<void> Driver::checkProgress(Batch &batch) {
 
 } // namespace
 
+Expected<std::unique_ptr<CoarseStandIn>> readStandIn(const PagedVolume &volume, const PagingOptions &options,
+                                                     bool bounded) {
+  if (!options.coarse)
+    return std::unique_ptr<CoarseStandIn>();
+  if (bounded)
+    return Error::usage("coarse blocks answer rays without bounds, but the kernel's have bounds");
+  const auto blocks = readCoarseBlocks(volume);
+  if (!blocks)
+    return blocks.error();
+  const Int3 log2 = volume.info().format.log2Extent();
+  return std::make_unique<CoarseStandIn>(CoarseTree(*blocks, std::max({log2.x, log2.y, log2.z})));
+}
+
 Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache,
-                                                  bool bounded) {
-  auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache), bounded);
+                                                  std::unique_ptr<CoarseStandIn> standIn, bool bounded) {
+  auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache), std::move(standIn), bounded);
   if (auto begun = driver->begin(); !begun)
     return begun.error();
   return std::unique_ptr<PagedTracer>(std::move(driver));

@@ -38,6 +38,7 @@ public:
   Expected<TraceTime> trace(RayGroup group, bool goesOn, std::span<std::uint32_t> table,
                             const TraceOptions &options) override;
   Expected<void> fetch(TraceReport &report) override;
+  Expected<void> put(TraceReport &report) override;
 
 private:
   VulkanPaging(Device::State &device, Transfer transfer, TracePipeline pipeline, TileQueue tiles,
@@ -140,6 +141,13 @@ Expected<void> VulkanPaging::fetch(TraceReport &report) {
   return downloaded;
 }
 
+Expected<void> VulkanPaging::put(TraceReport &report) {
+  const double begin = wallSeconds();
+  auto uploaded = transfer_.upload(std::as_bytes(room_), batch_->hits);
+  report.transfer += wallSeconds() - begin;
+  return uploaded;
+}
+
 } // namespace
 
 Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const Kernel &kernel,
@@ -157,10 +165,13 @@ Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const K
       volume, options, std::min(device.info().maxStorageBufferBytes, device.info().maxAllocationBytes));
   if (!cache)
     return cache.error();
+  auto standIn = readStandIn(volume, options, kernel.bounded);
+  if (!standIn)
+    return standIn.error();
   auto backEnd = VulkanPaging::create(state, kernel, *cache);
   if (!backEnd)
     return backEnd.error();
-  return drivePages(std::move(*backEnd), std::move(*cache), kernel.bounded);
+  return drivePages(std::move(*backEnd), std::move(*cache), std::move(*standIn), kernel.bounded);
 }
 
 } // namespace voxc

@@ -118,6 +118,7 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
   result.samples = options.samples;
   result.isSmooth = isSmooth(options, volume.info());
   result.lod = options.lod;
+  result.coarse = options.coarse;
   result.sun = sunOf(options);
   return result;
 }

@@ -20,6 +20,7 @@ struct PictureOptions {
   std::vector<double> sun; ///< Azimuth and elevation in degrees.
   std::string view;        ///< A word; by default auto, or none beside --camera.
   double lod = 0;          ///< Pixels.
+  double coarse = 0;       ///< Pixels.
   CameraOptions camera;
 };
 

@@ -13,6 +13,7 @@ void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceRe
   counted_ |= counted;
   report_.firstDispatch += report.firstDispatch;
   report_.transfer += report.transfer;
+  report_.coarse += report.coarse;
   report_.binned |= report.binned;
   report_.repeats.resize(std::max(report_.repeats.size(), report.repeats.size()));
   for (std::size_t i = 0; i < report.repeats.size(); ++i) {

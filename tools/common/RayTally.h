@@ -18,6 +18,10 @@ public:
   void add(const RaySpan &rays, std::span<const Hit> hits, const TraceReport &report, bool counted);
 
   const RayCounts &counts() const { return counts_; }
+  /// The share of rays that coarse blocks have answered.
+  double coarseShare() const {
+    return counts_.rays > 0 ? static_cast<double>(report_.coarse) / static_cast<double>(counts_.rays) : 0;
+  }
   /// Of each repeat, the sum over the calls.
   const std::vector<TraceTime> &times() const { return report_.repeats; }
   std::span<const Ray> sampledRays() const { return sampledRays_; }

@@ -36,6 +36,7 @@ Expected<Picture> paint(const Shot &shot, const RefinementStep &step, const Prog
   };
   RenderOptions options{.style = look.style, .samples = step.samples, .isSmooth = look.isSmooth};
   options.sun = look.sun;
+  options.coarse = look.coarse; // Of a draft, which has larger pixels, more.
   options.normals = scene->normals.get();
   options.isDraft = step.isDraft;
   options.threads = scene->threads;

@@ -13,6 +13,7 @@ struct Look {
   Style style = Style::Lit;
   bool isSmooth = false; ///< This and the others as in `RenderOptions`.
   glm::dvec3 sun{-0.42, 0.76, 0.5};
+  double coarse = 0;
 
   bool operator==(const Look &) const = default;
 };

@@ -19,6 +19,8 @@ struct Model {
   std::shared_ptr<const Volume> volume;
   Format format;    ///< With walk attributes.
   std::string text; ///< The format and its passes, as `FormatText` reads them.
+  /// Of its words, if only pages of them are in memory, which the tracer alone has: the volume is an outline.
+  std::uint64_t pagedBytes = 0;
 };
 
 struct Scene {

@@ -48,6 +48,7 @@ private:
     }
     all.firstDispatch = std::max(all.firstDispatch, report.firstDispatch);
     all.transfer += report.transfer;
+    all.coarse += report.coarse;
   }
 
   std::unique_ptr<Tracer> tracer_;

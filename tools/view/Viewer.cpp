@@ -101,7 +101,7 @@ void Viewer::takeLoaded(Loaded loaded) {
     setCamera(*(home_ = ViewCamera(*loaded.camera)));
   state_.format = scene_->model.text;
   state_.device = scene_->device;
-  state_.size = sizeText(*scene_->model.volume);
+  state_.size = sizeText(scene_->model);
   log_.tell("scene " + state_.format + " on " + state_.device + ": " + state_.size);
   if (!loaded.camera)
     show();
@@ -112,8 +112,8 @@ void Viewer::show() {
     return;
   const RenderOptions options = tool::renderOptions(options_.picture, *scene_->model.volume);
   const bool isSmooth = options.isSmooth && kindOf(state_.style).needsNormals;
-  const std::uint64_t number = painter_.show(
-      {scene_, camera_->camera(options_.width, options_.height), Look{state_.style, isSmooth, options.sun}});
+  const std::uint64_t number = painter_.show({scene_, camera_->camera(options_.width, options_.height),
+                                              Look{state_.style, isSmooth, options.sun, options.coarse}});
   if (!waiting_)
     waiting_ = Waiting{number, {}};
 }

@@ -41,6 +41,8 @@ void Witness::ask(const Touch &touch) {
 }
 
 Expected<Testimony> Witness::answer(const Touch &touch, const std::atomic<bool> &stop) {
+  if (touch.shot.scene->model.pagedBytes > 0)
+    return Error::usage(describe(touch.hit) + "; no oracle has a volume in pages");
   if (volume_ != touch.shot.scene->model.volume) {
     oracle_.reset();
     Expected<Oracle> oracle = Oracle::of(*touch.shot.scene->model.volume, {.stop = &stop});

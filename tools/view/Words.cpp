@@ -20,11 +20,12 @@ std::string bytesText(double bytes) {
 
 } // namespace
 
-std::string sizeText(const Volume &volume) {
-  const VolumeInfo &info = volume.info();
+std::string sizeText(const Model &model) {
+  const VolumeInfo &info = model.volume->info();
   return std::to_string(info.extent.x) + " x " + std::to_string(info.extent.y) + " x " +
          std::to_string(info.extent.z) + ", " + std::to_string(info.voxels) + " voxels, " +
-         bytesText(double(volume.bytes()));
+         (model.pagedBytes > 0 ? bytesText(double(model.pagedBytes)) + " in pages"
+                               : bytesText(double(model.volume->bytes())));
 }
 
 std::string stepText(const Painting &painting) {

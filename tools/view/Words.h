@@ -7,8 +7,8 @@
 
 namespace voxc::view {
 
-/// "512 x 215 x 315, 2281396 voxels, 13.17 MiB".
-std::string sizeText(const Volume &volume);
+/// "512 x 215 x 315, 2281396 voxels, 13.17 MiB"; " in pages" behind it if they are.
+std::string sizeText(const Model &model);
 
 /// "320x180, 1 sample, 24 ms". Precondition: there is a picture.
 std::string stepText(const Painting &painting);

@@ -14,8 +14,18 @@ void DeviceMemory::declare(const CommandLine &command) {
            "Trace a volume that was stored with --compress in so much memory, such as 128MiB: its pages are "
            "read when rays need them, and hits are the same")
       .takes("SIZE")
-      .check(sizeProblem)
-      .excludes(command.option("--check"));
+      .check(sizeProblem);
+}
+
+void DeviceMemory::declareCoarse(const CommandLine &command) {
+  const OptionGroup group(command, "Device");
+  command
+      .add("--allow-coarse", coarse_,
+           "Let a block of voxels that looks smaller than so many pixels stand in for its pages, by its mean "
+           "colour, if these are not there; the volume was stored with --coarse. 0: hits are the same")
+      .takes("PIXELS")
+      .between(0.0, 1e6)
+      .needs(command.option("--device-memory"));
 }
 
 Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
@@ -32,7 +42,8 @@ Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
 }
 
 Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures) const {
-  return tracing.preparePages(*volume_, format, bytesOf(budget_), figures);
+  return tracing.preparePages(*volume_, format,
+                              {.memoryBytes = bytesOf(budget_), .coarse = coarse_.has_value()}, figures);
 }
 
 } // namespace voxc::tool

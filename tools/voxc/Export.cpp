@@ -12,12 +12,14 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
+#include "voxc/Volume/CoarseBlocks.h"
 
 #ifdef VOXC_HAS_OPENVDB
 #include "voxc/OpenVdb/OpenVdb.h"
 #endif
 
 #include <algorithm>
+#include <bit>
 
 namespace voxc::tool {
 
@@ -44,6 +46,13 @@ public:
         .check(sizeProblem)
         .needs(command.option("--compress"))
         .showsDefault();
+    command
+        .add("--coarse", coarseSide_,
+             "Keep the mean colours of blocks of so many voxels a side beside the words of a .hvx file, for "
+             "render --allow-coarse: 4, 8, 16 or 32")
+        .takes("N")
+        .oneOf({"4", "8", "16", "32"})
+        .needs(command.option("--compress"));
     addCommonOptions(command, common_);
   }
 
@@ -59,6 +68,10 @@ public:
     const Stopwatch watch;
     Json figures;
     options_.save.progress = bar.progress();
+    if (!coarseSide_.empty())
+      volume = withCoarse(std::move(*volume), figures);
+    if (!volume)
+      return volume.error();
     if (Expected<void> exported = write(*volume, figures); !exported)
       return exported;
     addVolumeFigures(figures, *volume);
@@ -98,6 +111,19 @@ private:
     return {};
   }
 
+  /// The volume with the blocks that were asked for, if it is to be a file that may have some.
+  Expected<Volume> withCoarse(Volume volume, Json &figures) const {
+    if (!output_.ends_with(".hvx"))
+      return volume; // Which is not compressed: an error that is told.
+    const auto side = unsigned(std::stoul(coarseSide_));
+    auto blocks = makeCoarseBlocks(volume, std::countr_zero(side), options_.save.progress);
+    if (!blocks)
+      return blocks.error();
+    figures["coarse_side"] = side;
+    figures["coarse_blocks"] = blocks->blocks.size();
+    return withCoarseBlocks(std::make_shared<const Volume>(std::move(volume)), std::move(*blocks));
+  }
+
   void tell(const Exported &exported, Json &figures) const {
     if (exported.files != 1)
       figures["files_written"] = exported.files;
@@ -115,6 +141,7 @@ private:
   ExportOptions options_;
   PageExport page_;
   std::string pageBytes_ = "256KiB";
+  std::string coarseSide_; ///< Empty: none.
   CommonOptions common_;
 };
 

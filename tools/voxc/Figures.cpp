@@ -104,6 +104,17 @@ std::string pagedText(const Json &figures) {
          bytesText(number(figures, "paging_bytes"));
 }
 
+std::string coarseText(const Json &figures) {
+  if (!figures.contains("coarse_share"))
+    return {};
+  return textOf("%.2f %% of the eye's rays", 100 * number(figures, "coarse_share")) +
+         (figures.contains("light_coarse_share")
+              ? textOf(" and %.2f %% of those to the light", 100 * number(figures, "light_coarse_share"))
+              : "") +
+         " met a coarse block; " + countText(number(figures, "coarse_blocks")) + " blocks in " +
+         bytesText(number(figures, "coarse_bytes"));
+}
+
 std::string flightText(const Json &figures) {
   if (!figures.contains("frames"))
     return {};
@@ -119,8 +130,9 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {"read", readText},   {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
-    {"paged", pagedText}, {"checked", errorText}, {"flight", flightText}, {"camera", cameraText},
+    {"read", readText},     {"volume", volumeText}, {"built", builtText},
+    {"traced", tracedText}, {"paged", pagedText},   {"coarse", coarseText},
+    {"checked", errorText}, {"flight", flightText}, {"camera", cameraText},
 };
 
 void printLine(const std::string &label, const std::string &text) {

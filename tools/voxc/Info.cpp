@@ -5,6 +5,7 @@
 #include "common/Interrupt.h"
 #include "common/Statistics.h"
 #include "voxc/Layout/PaletteBlocks.h"
+#include "voxc/Volume/CoarseBlocks.h"
 #include "voxc/Volume/VolumeSummary.h"
 
 #include <cinttypes>
@@ -149,6 +150,8 @@ private:
     const auto volume = Volume::load(path_, options);
     if (!volume)
       return volume.error();
+    if (const auto coarse = coarseBlocksOf(*volume); !coarse)
+      return coarse.error();
     figures["load_seconds"] = watch.seconds();
     if (!tellsOnStdout(common_))
       return {};

@@ -31,9 +31,14 @@ Expected<TakenPicture> PictureRays::take(const Volume &volume, const Camera &cam
 void PictureRays::addFigures(Json &figures) const {
   eye_.addFigures(figures, tracing_.deviceInfo().name);
   tracing_.addPagingFigures(figures);
+  const bool isCoarse = paging() && paging()->coarseSide > 0;
+  if (isCoarse)
+    figures["coarse_share"] = eye_.coarseShare();
   if (light_.counts().rays > 0) {
     figures["light_rays"] = light_.counts().rays;
     figures["light_seconds"] = light_.times().front().wall;
+    if (isCoarse)
+      figures["light_coarse_share"] = light_.coarseShare();
   }
 }
 

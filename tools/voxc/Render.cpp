@@ -19,6 +19,8 @@ public:
     rendering_.declare(command);
     tracing_.declare(command);
     memory_.declare(command);
+    command.option("--device-memory").excludes(command.option("--check"));
+    memory_.declareCoarse(command);
     volume_.declareKernelOptions(command);
     addCommonOptions(command, common_);
   }
@@ -26,6 +28,7 @@ public:
   Expected<void> run() override {
     if (Expected<void> checked = rendering_.check(volume_.path(), common_); !checked)
       return checked;
+    rendering_.allowCoarse(memory_.allowedCoarse());
     Json figures;
     ProgressBar bar(common_.quiet);
     if (Expected<void> rendered = render(bar, figures); !rendered)

@@ -25,6 +25,8 @@ public:
   Expected<void> check(const std::string &source, const CommonOptions &common);
   /// Lets the kernel stop early if --lod says so. Error: the format asks for less than a picture needs.
   Expected<void> applyTo(Format &format) const;
+  /// Lets coarse blocks that look smaller than so many pixels stand in for pages.
+  void allowCoarse(double pixels) { picture_.coarse = pixels; }
   /// Whether the picture asks for the words of a volume, beside hits.
   bool looksAround(const VolumeInfo &info) const { return tool::looksAround(picture_, info); }
   /// Takes the picture and writes it, or all frames of a flight. Its figures are added, `files` and `camera`

@@ -55,6 +55,7 @@ public:
     check_.declare(command);
     tracing_.declare(command);
     memory_.declare(command);
+    command.option("--device-memory").excludes(command.option("--check"));
     volume_.declareKernelOptions(command);
     addCommonOptions(command, common_);
   }

@@ -36,8 +36,8 @@ public:
   Expected<void> openDevice(const CommonOptions &common);
   /// Compiles the kernel that walks `volume` as `format` says, and uploads the volume. Its figures are added.
   Expected<void> prepare(const Volume &volume, const Format &format, Json &figures);
-  /// The same for a page file, of which so many bytes at most are resident; it must stay.
-  Expected<void> preparePages(const PagedVolume &volume, const Format &format, std::uint64_t bytes,
+  /// The same for a page file, which must stay; threads are those of --threads.
+  Expected<void> preparePages(const PagedVolume &volume, const Format &format, PagingOptions options,
                               Json &figures);
   /// What paging has done so far, if that is how rays are traced.
   std::optional<PagingReport> paging() const;
@@ -67,9 +67,10 @@ private:
                                                      Json &figures);
 
   Expected<std::unique_ptr<PagedTracer>> makePagedCpuTracer(const PagedVolume &volume, const Format &format,
-                                                            std::uint64_t bytes, Json &figures);
-  Expected<std::unique_ptr<PagedTracer>>
-  makePagedVulkanTracer(const PagedVolume &volume, const Format &format, std::uint64_t bytes, Json &figures);
+                                                            const PagingOptions &options, Json &figures);
+  Expected<std::unique_ptr<PagedTracer>> makePagedVulkanTracer(const PagedVolume &volume,
+                                                               const Format &format,
+                                                               const PagingOptions &options, Json &figures);
 
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.

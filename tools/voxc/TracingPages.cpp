@@ -9,12 +9,13 @@
 
 namespace voxc::tool {
 
-Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &format, std::uint64_t bytes,
+Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &format, PagingOptions options,
                                      Json &figures) {
+  options.threads = threads_;
   if (Expected<void> suits = checkPaging(format); !suits)
     return suits;
-  auto tracer = device_ ? makePagedVulkanTracer(volume, format, bytes, figures)
-                        : makePagedCpuTracer(volume, format, bytes, figures);
+  auto tracer = device_ ? makePagedVulkanTracer(volume, format, options, figures)
+                        : makePagedCpuTracer(volume, format, options, figures);
   if (!tracer)
     return tracer.error();
   paged_ = tracer->get();
@@ -23,19 +24,21 @@ Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &fo
 }
 
 Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedCpuTracer(const PagedVolume &volume,
-                                                                   const Format &format, std::uint64_t bytes,
+                                                                   const Format &format,
+                                                                   const PagingOptions &options,
                                                                    Json &figures) {
   const Stopwatch watch;
   const Expected<CpuKernel> kernel = compileCpuKernel(format, false, cache_, Addressing::Paged);
   if (!kernel)
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();
-  return createPagedCpuTracer(*kernel, volume, {bytes, threads_});
+  return createPagedCpuTracer(*kernel, volume, options);
 }
 
 Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const PagedVolume &volume,
                                                                       const Format &format,
-                                                                      std::uint64_t bytes, Json &figures) {
+                                                                      const PagingOptions &options,
+                                                                      Json &figures) {
   const Stopwatch watch;
   const Expected<Kernel> kernel = compileKernel(format, {.addressing = Addressing::Paged,
                                                          .loops = device_->info().loops,
@@ -46,7 +49,7 @@ Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const Page
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();
   figures["addressing"] = toString(Addressing::Paged);
-  return createPagedTracer(*device_, *kernel, volume, {bytes, threads_});
+  return createPagedTracer(*device_, *kernel, volume, options);
 }
 
 std::optional<PagingReport> Tracing::paging() const {
@@ -68,6 +71,11 @@ void Tracing::addPagingFigures(Json &figures) const {
       double(paging.found) / double(std::max<std::uint64_t>(paging.found + paging.reads, 1));
   figures["rounds"] = paging.rounds;
   figures["page_seconds"] = paging.decodeSeconds;
+  if (paging.coarseSide == 0)
+    return;
+  figures["coarse_side"] = paging.coarseSide;
+  figures["coarse_blocks"] = paging.coarseBlocks;
+  figures["coarse_bytes"] = paging.coarseBytes;
 }
 
 } // namespace voxc::tool

@@ -15,6 +15,7 @@
 #include "voxc/Layout/Values.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Source/Sources.h"
+#include "voxc/Volume/CoarseBlocks.h"
 
 #include <cinttypes>
 #include <cstdio>
@@ -67,6 +68,7 @@ public:
 
 private:
   Expected<void> checkVoxels(const std::shared_ptr<const Volume> &volume, const Progress &progress);
+  Expected<void> checkCoarse(const Volume &volume, const Progress &progress);
   Expected<void> checkKernel(const Volume &volume, const Progress &progress);
   bool accepts(const ErrorFigures &error) const;
   void fail(std::string what) { failures_.push_back(std::move(what)); }
@@ -141,6 +143,26 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   return {};
 }
 
+/// Blocks that the volume has must be those of its voxels.
+Expected<void> VerifyCommand::checkCoarse(const Volume &volume, const Progress &progress) {
+  const auto kept = coarseBlocksOf(volume);
+  if (!kept)
+    return kept.error();
+  if (!*kept)
+    return {};
+  const int log2Side = (*kept)->log2Side;
+  const auto made = makeCoarseBlocks(volume, log2Side, progress);
+  if (!made)
+    return made.error();
+  figures_["coarse_blocks"] = (*kept)->blocks.size();
+  if (tellsOnStdout(common_))
+    std::printf("coarse       %zu blocks of %d voxels a side, %s\n", (*kept)->blocks.size(), 1 << log2Side,
+                *made == **kept ? "the means of the voxels" : "not those of the voxels");
+  if (*made != **kept)
+    fail("the coarse blocks of the volume are not those of its voxels");
+  return {};
+}
+
 bool VerifyCommand::accepts(const ErrorFigures &error) const {
   return error.clean() ||
          (allowBoundary_ && error.colour == 0 && error.missed + error.ghost + error.wrong == error.boundary);
@@ -193,6 +215,8 @@ Expected<void> VerifyCommand::run() {
   if (!against_.empty())
     if (Expected<void> checked = checkVoxels(volume, bar.progress()); !checked)
       return checked;
+  if (Expected<void> checked = checkCoarse(*volume, bar.progress()); !checked)
+    return checked;
   if (rays_ > 0)
     if (Expected<void> checked = checkKernel(*volume, bar.progress()); !checked)
       return checked;

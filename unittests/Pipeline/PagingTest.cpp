@@ -1,40 +1,18 @@
 // Volumes of which a few pages are resident at a time: hits are those of resident ones, bit by bit.
-#include "GranuleTesting.h"
+#include "PagingTesting.h"
 #include "TestLength.h"
 
 #include "testing/HardRays.h"
 #include "testing/RandomFormat.h"
-#include "voxc/Kernel/Compile.h"
-#include "voxc/Kernel/CompileCpu.h"
-#include "voxc/Trace/PagedTracer.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 
 namespace voxc {
 namespace {
 
 using namespace test;
-
-constexpr std::uint32_t kSmallPage = 4096;
-
-class Paging : public testing::Test {
-protected:
-  void SetUp() override { path_ = testing::TempDir() + "voxc-paging-" + std::to_string(::getpid()) + ".hvx"; }
-  void TearDown() override { std::filesystem::remove(path_); }
-
-  PagedVolume paged(const Volume &volume, std::uint32_t pageBytes = kSmallPage) {
-    EXPECT_TRUE(volume.save(path_, {.compress = true, .pageBytes = pageBytes}));
-    auto opened = PagedVolume::open(path_);
-    EXPECT_TRUE(opened);
-    return std::move(*opened);
-  }
-
-  std::string path_;
-};
 
 Format withRayWalks(Format format) {
   for (Level &level : format.levels)
@@ -44,42 +22,6 @@ Format withRayWalks(Format format) {
   format.setAttribute(kDetailAttribute, "full");
   return format;
 }
-
-/// A scene without much that repeats, so that there are many pages.
-HardScene noise(Int3 extent, int seed) {
-  const auto voxel = [seed](Int3 c) {
-    std::uint32_t h = static_cast<std::uint32_t>(c.x * 73856093 ^ c.y * 19349663 ^ c.z * 83492791 ^ seed);
-    h ^= h >> 15;
-    h *= 0x2c1b3c6du;
-    h ^= h >> 12;
-    h *= 0x297a2d39u;
-    h ^= h >> 15;
-    return h % 16 == 0 ? h | 0xff000000u : 0u;
-  };
-  return {"noise", voxel, {}, extent};
-}
-
-std::vector<Hit> residentHits(const Volume &volume, const Format &format, const std::vector<Ray> &rays) {
-  std::vector<Hit> hits(rays.size());
-  const auto kernel = compileCpuKernel(format);
-  EXPECT_TRUE(kernel);
-  EXPECT_TRUE((*createCpuTracer(*kernel, volume, 2))->trace(rays, hits));
-  return hits;
-}
-
-std::string differences(const std::vector<Hit> &expected, const std::vector<Hit> &hits) {
-  std::size_t different = 0;
-  std::string first;
-  for (std::size_t i = 0; i < hits.size(); ++i)
-    if (std::memcmp(&expected[i], &hits[i], sizeof(Hit)) != 0 && different++ == 0)
-      for (const Hit &hit : {expected[i], hits[i]})
-        first += " (" + std::to_string(hit.voxel[0]) + " " + std::to_string(hit.voxel[1]) + " " +
-                 std::to_string(hit.voxel[2]) + " " + std::to_string(hit.rgba) + " " + std::to_string(hit.t) +
-                 " " + std::to_string(hit.steps) + ")";
-  return different == 0 ? "" : std::to_string(different) + " differ:" + first;
-}
-
-using MadeTracer = Expected<std::unique_ptr<PagedTracer>>;
 
 /// Traces twice, as the second time pages are there already.
 void expectSame(MadeTracer tracer, const std::vector<Ray> &rays, const std::vector<Hit> &expected,
@@ -94,21 +36,6 @@ void expectSame(MadeTracer tracer, const std::vector<Ray> &rays, const std::vect
   const PagingReport paging = (*tracer)->paging();
   EXPECT_LE(paging.resident, paging.slots) << what;
   EXPECT_GE(paging.reads, paging.resident) << what;
-}
-
-CpuKernel cpuKernel(const Format &format) {
-  const auto kernel = compileCpuKernel(format, false, nullptr, Addressing::Paged);
-  EXPECT_TRUE(kernel);
-  return *kernel;
-}
-
-MadeTracer onVulkan(Device &device, const PagedVolume &paged, const Format &format, std::uint64_t bytes) {
-  const auto kernel = compileKernel(format, {.addressing = Addressing::Paged,
-                                             .loops = device.info().loops,
-                                             .arithmetic = device.info().arithmetic});
-  if (!kernel)
-    return kernel.error();
-  return createPagedTracer(device, *kernel, paged, {bytes, 2});
 }
 
 /// On both back ends, with the least memory and with more. Nothing of Vulkan without llvmpipe.

@@ -33,7 +33,10 @@ struct RenderOptions {
   /// Looks for no normals beyond those: other surfaces show their faces, as they do in a first draft.
   bool isDraft = false;
   glm::dvec3 sun{-0.42, 0.76, 0.5}; ///< Towards it; of any length but 0.
-  double lod = 0;       ///< Pixels below which the kernel may stop (`TraceOptions::spread`); 0: none.
+  double lod = 0; ///< Pixels below which the kernel may stop (`TraceOptions::spread`); 0: none.
+  /// Pixels below which coarse blocks may stand in for pages (`TraceOptions::coarse`), for rays of the eye
+  /// and to the light; 0: none may.
+  double coarse = 0;
   unsigned threads = 0; ///< That shade; 0: all of the machine.
   Progress progress;
 };

@@ -13,6 +13,10 @@ namespace voxc {
 struct PagingOptions {
   std::uint64_t memoryBytes = 0; ///< For pages and their table; rays and hits take more.
   unsigned threads = 0;          ///< That decode pages, and trace on the cpu; 0: all of the machine.
+  /// Reads the volume's coarse blocks (voxc/Volume/CoarseBlocks.h), which this processor keeps beside that
+  /// memory, so that `TraceOptions::coarse` can let them answer rays. Kernels must tell the voxel, t and
+  /// colour of the closest hits, and no more.
+  bool coarse = false;
 };
 
 /// What paging has done since the tracer was made.
@@ -26,6 +30,9 @@ struct PagingReport {
   std::uint64_t found = 0;       ///< Pages that a round used and found, summed over rounds.
   std::uint64_t rounds = 0;      ///< How often rays were sent on.
   double decodeSeconds = 0;      ///< Wall time of reading, decoding and placing pages.
+  int coarseSide = 0;            ///< Of a coarse block, in voxels; 0: none were read.
+  std::uint64_t coarseBlocks = 0;
+  std::uint64_t coarseBytes = 0; ///< That they take on this processor.
 };
 
 /// A tracer whose hits are those of a resident one, bit by bit, however few pages are there at a time.
@@ -42,7 +49,8 @@ std::uint64_t leastPagingBytes(const PagedVolume &volume);
 
 /// Prepares `kernel`, of `Addressing::Paged`, on `device`; `volume` must outlive the tracer. Errors: the
 /// kernel was made for other storage or addressing (`Input`), the budget is less than `leastPagingBytes`
-/// (`Usage`), the device lacks a feature or memory (`Environment`).
+/// (`Usage`), the device lacks a feature or memory (`Environment`); of coarse blocks, as `readCoarseBlocks`,
+/// or the kernel's rays have bounds (`Usage`).
 Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const Kernel &kernel,
                                                          const PagedVolume &volume,
                                                          const PagingOptions &options);

@@ -70,6 +70,14 @@ private:
   std::unique_ptr<State> state_;
 };
 
+/// Where small things are looked at from, and how small they have to be (docs/paging.md).
+struct CoarseView {
+  float from[3] = {};
+  /// A block of voxels may stand in for its pages where its side is less than this times its distance from
+  /// there. 0: nowhere, and all hits are those of the volume.
+  float spread = 0;
+};
+
 struct TraceOptions {
   bool countSteps = false; ///< Lookups into `Hit::steps`.
   /// Words read into `Hit::steps`, in place of lookups. On this processor that takes a kernel of its own
@@ -79,6 +87,9 @@ struct TraceOptions {
   /// Kernels of `detail=cone` stop at what is narrower than `spread` times its distance from the ray's
   /// origin.
   float spread = 0;
+  /// Of a paged tracer with coarse blocks (`PagingOptions::coarse`): which of them may answer rays. Other
+  /// tracers have all that they trace through.
+  CoarseView coarse;
   RayOrder order = RayOrder::Auto; ///< In which rays are taken; hits are the same.
   Progress progress;
 };
@@ -95,7 +106,8 @@ struct TraceReport {
   double firstDispatch =
       0;               ///< Wall seconds of the first dispatch on this tracer, which may compile; 0 later.
   double transfer = 0; ///< Wall seconds of copying rays in and hits out.
-  bool binned = false; ///< Rays were taken bin by bin (`RayOrder::Binned`), which is in the times.
+  std::uint64_t coarse = 0; ///< Rays of the last repeat that coarse blocks have answered.
+  bool binned = false;      ///< Rays were taken bin by bin (`RayOrder::Binned`), which is in the times.
 };
 
 /// What `Tracer::update` brought to the device.

@@ -44,6 +44,8 @@ void SceneSource::declare(const CommandLine &command) {
            "Trace on the device whose name contains this, or which has this number or UUID in 'voxc "
            "devices', or on cpu")
       .takes("NAME");
+  memory_.declare(command);
+  memory_.declareCoarse(command);
   addThreadsArgument(command, building_);
   command.option("--threads").text("Threads that build and trace; default: as many as the machine has");
   addInputArguments(command, inputArguments_);
@@ -59,6 +61,10 @@ Expected<void> SceneSource::check() const {
   if (!format_.empty())
     if (Expected<Format> format = readFormat(format_); !format)
       return format.error();
+  if (memory_.isGiven() && (!isVolume() || !format_.empty()))
+    return Error::usage(
+        "--device-memory is for a volume as it was stored with --compress; give a .hvx file, and "
+        "no --format");
   if (format_.empty() && !isVolume() && !passes_.names().empty())
     return Error::usage("passes are chosen with the format; give a --format to choose them");
   if (format_.empty())
@@ -80,7 +86,11 @@ view::SceneMaker SceneSource::maker(const CommonOptions &common) {
 }
 
 Expected<view::Model> SceneSource::makeModel(const std::string &text, const CommonOptions &common,
-                                             const Progress &progress) const {
+                                             const Progress &progress) {
+  if (memory_.isGiven())
+    return text.empty()
+               ? openPages()
+               : Error::usage("with --device-memory a volume keeps the format that it was stored in");
   if (!text.empty())
     return buildModel(text, progress);
   if (!format_.empty()) {
@@ -91,13 +101,27 @@ Expected<view::Model> SceneSource::makeModel(const std::string &text, const Comm
   return isVolume() ? loadVolume(progress) : suggestModel(common, progress);
 }
 
+Expected<view::Model> SceneSource::openPages() {
+  Json figures;
+  Expected<Volume> outline = memory_.open(input_, figures);
+  if (!outline)
+    return outline.error();
+  Expected<view::Model> model = modelOf(std::move(*outline));
+  if (model)
+    model->pagedBytes = memory_.volumeBytes();
+  return model;
+}
+
 Expected<view::Model> SceneSource::loadVolume(const Progress &progress) const {
   LoadOptions options{.trusted = trusted_, .threads = building_.threads, .progress = progress};
   Expected<Volume> volume = Volume::load(input_, options);
-  if (!volume)
-    return volume.error();
+  return volume ? modelOf(std::move(*volume)) : Expected<view::Model>(volume.error());
+}
+
+/// The volume with its own format, walked as the passes say.
+Expected<view::Model> SceneSource::modelOf(Volume volume) const {
   view::Model model;
-  model.volume = std::make_shared<const Volume>(std::move(*volume));
+  model.volume = std::make_shared<const Volume>(std::move(volume));
   model.format = model.volume->format();
   model.text = view::formatText(view::formatText(model.format), passes_.names());
   if (Expected<void> passed = passes_.apply(model.format); !passed)
@@ -153,7 +177,9 @@ SceneSource::makeTracer(const view::Model &model, const CommonOptions &common, s
   if (Expected<void> opened = tracing.openDevice(common); !opened)
     return opened.error();
   Json figures;
-  if (Expected<void> prepared = tracing.prepare(*model.volume, model.format, figures); !prepared)
+  if (Expected<void> prepared = model.pagedBytes > 0 ? memory_.prepare(tracing, model.format, figures)
+                                                     : tracing.prepare(*model.volume, model.format, figures);
+      !prepared)
     return prepared.error();
   device = tracing.deviceInfo().name;
   return std::unique_ptr<Tracer>(std::make_unique<KeptTracer>(model.volume, std::move(tracing)));

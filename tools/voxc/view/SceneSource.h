@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BuildArguments.h"
+#include "DeviceMemory.h"
 #include "InputArguments.h"
 #include "common/CommandLine.h"
 
@@ -16,14 +17,16 @@ namespace voxc::tool {
 
 class SceneSource {
 public:
-  /// Adds INPUT, --format, the passes, --device, --threads and the options of inputs and volumes to a
-  /// command.
+  /// Adds INPUT, --format, the passes, --device, --threads, --device-memory, --allow-coarse and the options
+  /// of inputs and volumes to a command.
   void declare(const CommandLine &command);
   /// Looks at the options before any work. Error: `Usage`.
   Expected<void> check() const;
 
   const std::string &input() const { return input_; }
   unsigned threads() const { return building_.threads; }
+  /// Whether and how the volume is traced by its pages.
+  const DeviceMemory &memory() const { return memory_; }
   /// The scene that was asked for.
   view::SceneWish wish() const { return {"", device_}; }
   /// Makes this and other scenes of the input. It refers to this object.
@@ -31,11 +34,13 @@ public:
 
 private:
   bool isVolume() const;
+  Expected<view::Model> openPages();
   Expected<view::Model> loadVolume(const Progress &progress) const;
+  Expected<view::Model> modelOf(Volume volume) const;
   Expected<view::Model> buildModel(const std::string &text, const Progress &progress) const;
   Expected<view::Model> suggestModel(const CommonOptions &common, const Progress &progress) const;
   Expected<view::Model> makeModel(const std::string &text, const CommonOptions &common,
-                                  const Progress &progress) const;
+                                  const Progress &progress);
   Expected<std::unique_ptr<Tracer>> makeTracer(const view::Model &model, const CommonOptions &common,
                                                std::string &device) const;
 
@@ -43,6 +48,7 @@ private:
   bool trusted_ = false;
   InputArguments inputArguments_;
   BuildArguments building_;
+  DeviceMemory memory_; ///< Its file stays open as long as this.
   PassOptions passes_;
 };
 
