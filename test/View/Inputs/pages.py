@@ -17,7 +17,7 @@ def walk(name, volume, *options):
         viewer.focus()
         print(name, viewer.wait("^scene "))
         viewer.wait("^shown .*, the finest")
-        for keys in [["p"], ["2", "w", "Left"], ["5"]]:
+        for keys in [["p"], ["2", "v"], ["5"]]:
             for key in keys:
                 viewer.key(key)
                 if key != "p":
