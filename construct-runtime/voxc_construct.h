@@ -290,17 +290,13 @@ template <int kChildren> bool are_equal_leaves(const Node (&children)[kChildren]
   return true;
 }
 
-/// Writes field `i` of those of `bits` bits, 32 at most, into words that are 0 there.
-inline void put_field(uint32_t *words, uint64_t i, unsigned bits, uint32_t field) {
-  const uint64_t at = i * bits;
+/// Writes a field of `bits` bits, 32 at most, from bit `at` of words that are 0 there.
+inline void put_bits(uint32_t *words, uint64_t at, unsigned bits, uint32_t field) {
   const uint64_t shifted = uint64_t{field} << at % 32;
   words[at / 32] |= static_cast<uint32_t>(shifted);
   if (at % 32 + bits > 32)
     words[at / 32 + 1] |= static_cast<uint32_t>(shifted >> 32);
 }
-
-/// The words that so many fields take.
-constexpr uint64_t words_of_fields(uint64_t fields, unsigned bits) { return (fields * bits + 31) / 32; }
 
 /// Words of the masks of a node with so many children: both sets share one word, or have words of their own.
 constexpr int mask_words(int children) { return 2 * children <= 32 ? 1 : children / 16; }

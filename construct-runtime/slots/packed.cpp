@@ -62,23 +62,23 @@ uint64_t pack_level_${N}(Build &build, uint32_t *grid) {
 %if indexed
 // Shortens the slots of a packed grid of so many words: first the numbers of all sub-volumes, ${index-bits} bits each, then
 %if octant-counts
-// what stood behind the first of each octant of cells, which has the least. Returns how many words that takes.
+// what stood behind the first of each octant of cells but the first, which has the least. Returns how many words that takes.
 %else
 // what stood behind them. Returns how many words that takes.
 %end
 uint64_t shorten_level_${N}(const uint32_t *grid, uint64_t words, uint32_t *shortened) {
   constexpr uint64_t kHead = ${head-words};
   const uint64_t slots = (words - kHead) / ${slot-words};
-  const uint64_t numbers = words_of_fields(slots, ${index-bits});
+  const uint64_t numbers = slots * ${index-bits}; // Bits of them.
   for (uint64_t i = 0; i < kHead; ++i)
     shortened[i] = grid[i];
   for (uint64_t i = 0; i < slots; ++i) {
     const uint32_t *const slot = grid + kHead + ${slot-words-times}i;
-    put_field(shortened + kHead, i, ${index-bits}, slot[0]);
+    put_bits(shortened + kHead, i * ${index-bits}, ${index-bits}, slot[0]);
 %if ranked
 %if octant-counts
 %else
-    put_field(shortened + kHead + numbers, i, ${count-bits}, slot[1]);
+    put_bits(shortened + kHead, numbers + i * ${count-bits}, ${count-bits}, slot[1]);
 %end
 %end
   }
@@ -94,13 +94,15 @@ uint64_t shorten_level_${N}(const uint32_t *grid, uint64_t words, uint32_t *shor
     before = slot[1] < before ? slot[1] : before;
     slot += ${slot-words};
   }
-  uint64_t octants = 0;
+  uint64_t end = numbers;
   for (const uint32_t before : least)
-    if (before != kNone)
-      put_field(shortened + kHead + numbers, octants++, ${count-bits}, before);
-  return kHead + numbers + words_of_fields(octants, ${count-bits});
+    if (before != kNone && before != 0) { // Before the first are none.
+      put_bits(shortened + kHead, end, ${count-bits}, before);
+      end += ${count-bits};
+    }
+  return kHead + (end + 31) / 32;
 %else
-  return kHead + numbers + words_of_fields(slots, ${count-bits});
+  return kHead + (numbers + slots * ${count-bits} + 31) / 32;
 %end
 }
 

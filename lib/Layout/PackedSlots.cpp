@@ -1,8 +1,9 @@
 // Packed slots: masks, then the slots of the children that are not empty, in their order. In ranked strata
 // the reference of a slot is followed by how many voxels all slots up to this one have; in grids, which are
 // not filled in the order of their slots, by how many voxels come before the cell's. In indexed strata there
-// are two runs of fields in place of slots: the numbers of the children's sub-volumes, then the counts of
-// voxels, each of its own or, by octants, those of the first child of each.
+// is one run of bits in place of slots: the numbers of the children's sub-volumes, then the counts of voxels,
+// each of its own or, by octants, those of the first child of each but the first octant, before which are
+// none.
 #include "Fields.h"
 #include "Masks.h"
 #include "Places.h"
@@ -35,8 +36,10 @@ std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots, std::uint64
   const std::uint64_t head = MaskShape(stratum).words();
   if (!stratum.isIndexed())
     return head + slots * static_cast<std::uint64_t>(stratum.slotWords());
-  const std::uint64_t counts = stratum.counts == Counts::Octant ? octants : slots;
-  return head + wordsOfFields(slots, stratum.indexBits) + wordsOfFields(counts, stratum.countBits());
+  const std::uint64_t counts = stratum.counts == Counts::Each ? slots : octants - (octants > 0 ? 1 : 0);
+  const std::uint64_t bits = slots * static_cast<std::uint64_t>(stratum.indexBits) +
+                             counts * static_cast<std::uint64_t>(stratum.countBits());
+  return head + wordsOfFields(bits, 1);
 }
 
 /// Bits of the octants of a grid of two masks that are not empty, of which bit 2x + 8y + 32z stands for
@@ -100,7 +103,7 @@ public:
   IndexedNode(const WordReader &words, const Stratum &stratum, const Masks &masks, std::uint64_t node)
       : words_(words), stratum_(stratum), masks_(masks), node_(node),
         numbers_(node + MaskShape(stratum).words()),
-        counts_(numbers_ + wordsOfFields(masks.slots(), stratum.indexBits)) {}
+        countBit_(masks.slots() * static_cast<std::uint64_t>(stratum.indexBits)) {}
 
   Child child(std::uint64_t index) const {
     Child child = {.exists = true, .leaf = true, .at = node_};
@@ -120,13 +123,17 @@ private:
     return number == 0 || at >= kMaxWords ? 0 : static_cast<Ref>(at);
   }
 
-  std::uint64_t count(std::uint64_t i) const { return readField(words_, counts_, i, stratum_.countBits()); }
+  std::uint64_t count(std::uint64_t i) const {
+    const int bits = stratum_.countBits();
+    return readBits(words_, numbers_, countBit_ + i * static_cast<std::uint64_t>(bits), bits);
+  }
 
   /// The voxels before a child: those before its octant, and those of the children before it there.
   std::uint64_t beforeInOctant(std::uint64_t index) const {
     const std::uint64_t first = index & ~std::uint64_t{0b010101};
     const std::uint64_t octants = octantsOf(words_, node_) & ((std::uint64_t{1} << first) - 1);
-    std::uint64_t before = count(static_cast<std::uint64_t>(std::popcount(octants)));
+    const auto earlier = static_cast<std::uint64_t>(std::popcount(octants));
+    std::uint64_t before = earlier == 0 ? 0 : count(earlier - 1);
     // In an octant the order of the bits is that of Morton.
     for (std::uint64_t other = first; other < index; ++other)
       if ((other & ~std::uint64_t{0b010101}) == first && masks_.exists(other))
@@ -150,7 +157,7 @@ private:
   const Masks &masks_;
   std::uint64_t node_;
   std::uint64_t numbers_;
-  std::uint64_t counts_;
+  std::uint64_t countBit_; ///< Of the first count, in the run of bits that begins with the numbers.
 };
 
 Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,

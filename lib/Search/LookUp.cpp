@@ -24,6 +24,8 @@ double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel)
     const int leaf = isEmpty ? 0 : stratum.implied ? -1 : stratum.cells == Cells::Word ? 1 : 0;
     return masks * layers + found + leaf;
   }
+  if (stratum.isInOctants()) // The array's begin, the head, octants, and cells where the octant has some.
+    return isEmpty ? 5 : 6.5;
   if (level.tellsGroups)
     return isEmpty || isVoxel ? 2 : 3;
   if (stratum.slots->lookUpLoops)

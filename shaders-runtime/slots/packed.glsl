@@ -9,9 +9,9 @@
 %if ranked
 %if indexed
 %if octant-counts
-// Behind them all, in ${count-bits} bits each, stands how many voxels come before those of each octant of cells.
+// In the bits behind them all, ${count-bits} each, stands how many voxels come before those of each octant of cells but the first.
 %else
-// Behind them all, in ${count-bits} bits each, stands how many voxels come before those of each cell.
+// In the bits behind them all, ${count-bits} each, stands how many voxels come before those of each cell.
 %end
 %else
 // Each value is followed by how many voxels come before those of its cell.
@@ -99,7 +99,7 @@ uint octants_of_half_level_${N}(uint half_mask) {
 }
 
 // How many voxels come before those of a cell, in Morton order: those before its octant of eight cells, which a count tells,
-// and those of the cells before it there.
+// and those of the cells before it there. The counts begin at a bit behind the mask.
 uint voxels_before_level_${N}(uint grid, ivec3 cell, uint counts) {
   ivec3 octant = cell >> 1 & 1;
   ivec3 place = cell & 1;
@@ -108,7 +108,8 @@ uint voxels_before_level_${N}(uint grid, ivec3 cell, uint counts) {
   uint lower = octant.z == 0 ? 0u : low; // The half that comes before all of it.
   int first = 2 * octant.x + 8 * octant.y;
   uint octants = octants_of_half_level_${N}(half_mask) & ((1u << first) - 1u) | octants_of_half_level_${N}(lower) << 16;
-  uint before = load_field(counts, uint(bitCount(octants)), ${count-bits}u);
+  uint earlier = uint(bitCount(octants));
+  uint before = earlier == 0u ? 0u : load_field_at(grid + ${head-words}u, counts + (earlier - 1u) * ${count-bits}u, ${count-bits}u);
   uint cells = (1u << (place.x | place.y << 1 | place.z << 2)) - 1u;
   cells = (cells | cells << 12) & 0x000f000fu;
   cells = (cells | cells << 2) & 0x00330033u;
@@ -142,11 +143,11 @@ uint ranked_value_level_${N}(uint grid, ivec3 cell, inout uint rank) {
 %else
   uint slots = uint(bitCount(load_word(grid)))${second-mask};
 %end
-  uint counts = grid + ${head-words}u + (slots * ${index-bits}u + 31u >> 5);
+  uint counts = slots * ${index-bits}u;
 %if octant-counts
   rank += voxels_before_level_${N}(grid, cell, counts);
 %else
-  rank += load_field(counts, slot, ${count-bits}u);
+  rank += load_field_at(grid + ${head-words}u, counts + slot * ${count-bits}u, ${count-bits}u);
 %end
 %else
   rank += load_word(grid${+}${head-words}u + ${slots-times}slot + 1u);
