@@ -26,6 +26,32 @@ TEST(Diagnostics, ShowTheEnd) {
   EXPECT_EQ(render(diagnostics, "abc", "name"), "name:1:4: error: missing\n  abc\n     ^\n");
 }
 
+TEST(Diagnostics, CutLongLines) {
+  Diagnostics diagnostics;
+  const std::string text = std::string(1000, 'a') + "\u00e9wrong" + std::string(1000, 'b');
+  diagnostics.error({1002, 1007}, "bad");
+  const std::string shown = std::string(58, 'a') + "\u00e9wrong";
+  EXPECT_EQ(render(diagnostics, text, "name"), "name:1:1003: error: bad\n  ..." + shown +
+                                                   std::string(135, 'b') + "...\n  " +
+                                                   std::string(3 + 60, ' ') + "^^^^^\n");
+}
+
+/// A line with an error at each character would be rendered as often as it is long.
+TEST(Diagnostics, AreAFewHoweverMuchIsWrong) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(diagnostics.hasErrors());
+  for (std::size_t i = 0; i < 1000; ++i)
+    diagnostics.note({i, i + 1}, "odd");
+  EXPECT_FALSE(diagnostics.hasErrors());
+  diagnostics.error({0, 1}, "bad");
+  EXPECT_TRUE(diagnostics.hasErrors());
+  EXPECT_EQ(diagnostics.all().size(), 21u);
+  const std::string text = render(diagnostics, std::string(1000, 'a'), "name");
+  EXPECT_LT(text.size(), 10000u);
+  EXPECT_NE(text.find("name:1:21: error: there is more from here on, which is not told\n"),
+            std::string::npos);
+}
+
 TEST(Morton, IsItsOwnInverse) {
   const Int3 cells[] = {{0, 0, 0}, {1, 0, 0},     {0, 1, 0},
                         {0, 0, 1}, {5, 1999, 77}, {0x1fffff, 0x155555, 0x0aaaaa}};
