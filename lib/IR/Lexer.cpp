@@ -8,15 +8,6 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// Bytes of a token; a longer one is cut.
-constexpr std::size_t kMostQuoted = 100;
-
-/// The end of the string that begins at a quotation mark, behind its other one; npos if its line has none.
-std::size_t stringEnd(std::string_view text, std::size_t begin) {
-  const std::size_t end = text.find_first_of("\"\n", begin + 1);
-  return end != std::string_view::npos && text[end] == '"' ? end + 1 : std::string_view::npos;
-}
-
 } // namespace
 
 void Lexer::skipBlanks() {
@@ -48,10 +39,11 @@ void Lexer::advance() {
     } else if (isDigit(first) || first == '-') {
       kind = TokenKind::Number;
       run([](char c) { return isLetter(c) || isDigit(c) || c == '.' || c == '-'; });
-    } else if (const std::size_t end = first == '"' ? stringEnd(text_, begin) : std::string_view::npos;
-               end != std::string_view::npos) {
+    } else if (const std::size_t end =
+                   first == '"' ? text_.find_first_of("\"\n", begin + 1) : std::string_view::npos;
+               end != std::string_view::npos && text_[end] == '"') {
       kind = TokenKind::String;
-      position_ = end;
+      position_ = end + 1;
     } else {
       kind = TokenKind::Punctuation;
       // A character outside ASCII is several bytes; carets shall stand under all of them.
@@ -75,6 +67,7 @@ Token Lexer::nextValue() {
 }
 
 std::string quoted(const Token &token) {
+  constexpr std::size_t kMostQuoted = 100; // Bytes; a hostile text may be one word.
   if (token.kind == TokenKind::End)
     return "the end";
   const std::string text(token.text.substr(0, kMostQuoted));

@@ -34,63 +34,45 @@ Line lineAt(std::string_view text, std::size_t offset) {
   return line;
 }
 
-/// What is shown of a longer line, and how much of that stands before what the diagnostic speaks of.
-constexpr std::size_t kMostShown = 200, kShownBefore = 60;
-constexpr std::string_view kCut = "...";
-
-/// A text may be wrong in more places than anyone reads of, and each is rendered with its line.
-constexpr std::size_t kMostDiagnostics = 20;
-
-/// Behind the first diagnostics comes one more, which stands for all others.
-void add(std::vector<Diagnostic> &all, Diagnostic diagnostic) {
-  if (all.size() == kMostDiagnostics)
-    diagnostic.message = "there is more from here on, which is not told";
-  if (all.size() <= kMostDiagnostics)
-    all.push_back(std::move(diagnostic));
-  else if (diagnostic.severity == Severity::Error)
-    all.back().severity = Severity::Error;
-}
-
-/// The first byte of the character that an offset lies in, which has four bytes at most.
-std::size_t characterAt(std::string_view text, std::size_t offset, std::size_t least) {
-  least = std::max(least, offset - std::min<std::size_t>(offset, 3));
-  while (offset > least && offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xc0) == 0x80)
-    --offset;
-  return offset;
-}
-
-/// The line, or of a long one what stands around the beginning of the range.
-SourceRange shownOf(std::string_view text, const Line &line, SourceRange range) {
+/// Of a long line what is around the range: a hostile text may be one line, and wrong everywhere.
+Line shownOf(const Line &line, std::string_view text, SourceRange range) {
+  constexpr std::size_t kMostShown = 400;
+  Line shown = line;
   if (line.end - line.begin <= kMostShown)
-    return {line.begin, line.end};
-  const std::size_t before = std::min(range.begin - line.begin, kShownBefore);
-  const std::size_t begin = characterAt(text, range.begin - before, line.begin);
-  return {begin, characterAt(text, std::min(begin + kMostShown, line.end), range.begin)};
+    return shown;
+  if (range.begin - line.begin > kMostShown / 2)
+    shown.begin = range.begin - kMostShown / 2;
+  while (shown.begin < range.begin && (static_cast<unsigned char>(text[shown.begin]) & 0xc0) == 0x80)
+    ++shown.begin; // Not in the middle of a character.
+  shown.end = std::min(line.end, shown.begin + kMostShown);
+  return shown;
 }
 
-/// The line, and below it blanks before the range, then a caret below each of its characters.
-std::string quotedLine(std::string_view text, const Line &line, SourceRange range) {
-  const SourceRange shown = shownOf(text, line, range);
-  const std::string_view before = shown.begin > line.begin ? kCut : "";
-  const std::string_view behind = shown.end < line.end ? kCut : "";
-  std::string result = "  ";
-  result.append(before).append(text.substr(shown.begin, shown.end - shown.begin)).append(behind);
-  result.append("\n  ").append(before.size(), ' ');
-  for (std::size_t i = shown.begin; i < range.begin; ++i)
+/// Blanks below the text before the range, then a caret below each of its characters.
+std::string carets(std::string_view text, const Line &line, SourceRange range) {
+  std::string result;
+  for (std::size_t i = line.begin; i < range.begin; ++i)
     result += text[i] == '\t' ? '\t' : ' ';
-  const std::size_t end = std::min(range.end, shown.end);
+  const std::size_t end = std::min(range.end, line.end);
   result.append(std::max<std::size_t>(end > range.begin ? end - range.begin : 0, 1), '^');
-  return result += '\n';
+  return result;
 }
+
+/// Nobody reads more, and a hostile text may have millions.
+constexpr std::size_t kMostKept = 50;
 
 } // namespace
 
 void Diagnostics::error(SourceRange range, std::string message) {
-  add(all_, {Severity::Error, range, std::move(message)});
+  if (all_.size() < kMostKept)
+    all_.push_back({Severity::Error, range, std::move(message)});
+  else if (all_.size() == kMostKept)
+    all_.push_back({Severity::Note, range, "there are more errors from here on"});
 }
 
 void Diagnostics::note(SourceRange range, std::string message) {
-  add(all_, {Severity::Note, range, std::move(message)});
+  if (all_.size() < kMostKept)
+    all_.push_back({Severity::Note, range, std::move(message)});
 }
 
 bool Diagnostics::hasErrors() const {
@@ -104,9 +86,12 @@ std::string render(const Diagnostics &diagnostics, std::string_view text, std::s
     SourceRange range = diagnostic.range;
     range.begin = std::min(range.begin, text.size());
     const Line line = lineAt(text, range.begin);
+    const Line shown = shownOf(line, text, range);
     result += std::string(name) + ':' + std::to_string(line.number) + ':' +
               std::to_string(range.begin - line.begin + 1) + ": " + std::string(label(diagnostic.severity)) +
-              ": " + diagnostic.message + '\n' + quotedLine(text, line, range);
+              ": " + diagnostic.message + "\n  " +
+              std::string(text.substr(shown.begin, shown.end - shown.begin)) + "\n  " +
+              carets(text, shown, range) + '\n';
   }
   return result;
 }

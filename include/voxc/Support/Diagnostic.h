@@ -33,7 +33,7 @@ struct Diagnostic {
   std::string message;
 };
 
-/// The first 20 diagnostics of a text, in the order in which they were found, and one for all others.
+/// The diagnostics of one text, in the order in which they were found.
 class Diagnostics {
 public:
   void error(SourceRange range, std::string message);
@@ -46,8 +46,8 @@ private:
   std::vector<Diagnostic> all_;
 };
 
-/// Renders each diagnostic as `name:line:column: error: message`, then its line, or 200 bytes of a long one,
-/// and a line with carets under the range. Columns count from 1; tabs are kept so that the carets line up.
+/// Renders each diagnostic as `name:line:column: error: message`, followed by the line it speaks of and a
+/// line with carets under the whole range. Columns count from 1; tabs are kept so that the carets line up.
 std::string render(const Diagnostics &diagnostics, std::string_view text, std::string_view name);
 
 /// The rendered diagnostics as one input error.
