@@ -67,7 +67,11 @@ Token Lexer::nextValue() {
 }
 
 std::string quoted(const Token &token) {
-  return token.kind == TokenKind::End ? "the end" : "'" + std::string(token.text) + "'";
+  constexpr std::size_t kMostQuoted = 100; // Bytes; a hostile text may be one word.
+  if (token.kind == TokenKind::End)
+    return "the end";
+  const std::string text(token.text.substr(0, kMostQuoted));
+  return "'" + text + (text.size() < token.text.size() ? "...'" : "'");
 }
 
 } // namespace voxc

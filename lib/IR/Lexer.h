@@ -54,7 +54,7 @@ private:
   Token token_;
 };
 
-/// A token as diagnostics quote it: 'text', or "the end".
+/// A token as diagnostics quote it: 'text', of a long one its beginning, or "the end".
 std::string quoted(const Token &token);
 
 } // namespace voxc

@@ -1,5 +1,6 @@
 // The rules that every format keeps, whatever made it (docs/formats.md).
 #include "voxc/IR/Format.h"
+#include "voxc/IR/Limits.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Layout/Layout.h"
 #include "voxc/Layout/SlotKind.h"
@@ -10,11 +11,17 @@
 namespace voxc {
 namespace {
 
-/// Kernels and checks go down a call a level, and levels of one cell may come again and again.
-constexpr std::size_t kMaxLevels = 64;
-
 std::string sizeText(Int3 log2) {
   return "2^" + std::to_string(log2.x) + " x 2^" + std::to_string(log2.y) + " x 2^" + std::to_string(log2.z);
+}
+
+/// Levels of one cell may come again and again.
+void refuseLevels(const Format &format, std::size_t most, Diagnostics &diagnostics) {
+  std::string message = "the format has " + std::to_string(format.levels.size()) +
+                        " levels; it may have at most " + std::to_string(most);
+  if (most < kMostLevels)
+    message += ", or up to " + std::to_string(kMostLevels) + " where VOXC_MAX_LEVELS allows so many";
+  diagnostics.error(format.levels[most].range, std::move(message));
 }
 
 void verifyCubic(const Level &level, std::size_t index, Diagnostics &diagnostics) {
@@ -187,10 +194,8 @@ void verifyExtent(const Format &format, Diagnostics &diagnostics) {
 void verify(const Format &format, Diagnostics &diagnostics) {
   if (format.levels.empty())
     return diagnostics.error({}, "the format has no level");
-  if (format.levels.size() > kMaxLevels)
-    return diagnostics.error(format.levels[kMaxLevels].range,
-                             "the format has " + std::to_string(format.levels.size()) +
-                                 " levels; it may have at most " + std::to_string(kMaxLevels));
+  if (const std::size_t most = allowedLevels(); format.levels.size() > most)
+    return refuseLevels(format, most, diagnostics);
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     verifyCubic(format.levels[i], i, diagnostics);
     verifyBranching(format.levels[i], diagnostics);

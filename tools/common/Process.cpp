@@ -1,11 +1,16 @@
 // Signals and limits of the process.
 #include "Process.h"
 
+#include "voxc/IR/Limits.h"
+
 #include <algorithm>
+#include <charconv>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <pthread.h>
 #include <string>
+#include <string_view>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -52,10 +57,27 @@ Expected<void> enlargeStack() {
   return {};
 }
 
+/// VOXC_MAX_LEVELS, where it is set: as many levels as formats may have.
+Expected<void> setMostLevels() {
+  const char *const text = std::getenv("VOXC_MAX_LEVELS");
+  if (!text || !*text)
+    return {};
+  const std::string_view digits = text;
+  std::size_t most = 0;
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), most);
+  if (failure != std::errc() || end != digits.data() + digits.size() || most < 1 || most > kMostLevels)
+    return Error::usage("VOXC_MAX_LEVELS is '" + std::string(digits) + "'; a format may have 1 to " +
+                        std::to_string(kMostLevels) + " levels");
+  allowLevels(most);
+  return {};
+}
+
 } // namespace
 
 Expected<void> prepareProcess() {
   turnSignalsIntoErrors();
+  if (Expected<void> set = setMostLevels(); !set)
+    return set;
   return enlargeStack();
 }
 

@@ -1,6 +1,7 @@
 // Parsing, printing and verifying of formats.
 #include "voxc/IR/Format.h"
 #include "testing/RandomFormat.h"
+#include "voxc/IR/Limits.h"
 #include "voxc/IR/Query.h"
 
 #include <gmock/gmock.h>
@@ -47,6 +48,47 @@ TEST(Format, RefusesWhatNoVolumeCanHold) {
   EXPECT_THAT(errorOf("S(11) G(11)"), HasSubstr("at most 2^21"));
   EXPECT_EQ(errorOf("R(20,0,0)"), "no error");
   EXPECT_EQ(errorOf("S(21)"), "no error");
+}
+
+/// Sets the limit back.
+struct UsualLevels {
+  ~UsualLevels() { allowLevels(kUsualLevels); }
+};
+
+std::string levelsOf(std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+    text += "G(0) ";
+  return text;
+}
+
+TEST(Format, HasAsManyLevelsAsTheProcessAllows) {
+  const UsualLevels after;
+  EXPECT_TRUE(parseFormat(levelsOf(kUsualLevels)));
+  const auto refused = parseFormat(levelsOf(kUsualLevels + 1));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("has 22 levels; it may have at most 21, or up to 64 where "
+                                                 "VOXC_MAX_LEVELS allows so many"));
+  allowLevels(1000);
+  EXPECT_TRUE(parseFormat(levelsOf(kMostLevels)));
+  const auto never = parseFormat(levelsOf(kMostLevels + 1));
+  ASSERT_FALSE(never);
+  EXPECT_THAT(never.error().message, HasSubstr("it may have at most 64\n"));
+}
+
+/// What a text is wrong in takes time and room that follow its size: a head of a .hvx file may have 2^20
+/// bytes.
+TEST(Format, TellsOfALongTextInFewWords) {
+  std::string words;
+  for (int i = 0; i < 1 << 19; ++i)
+    words += "x ";
+  const std::string texts[] = {words, std::string(1 << 20, '('), std::string(1 << 20, 'x'),
+                               "format { level 1: raw(1,1,1) " + words + "}", levelsOf(1 << 17)};
+  for (const std::string &text : texts) {
+    const auto parsed = parseFormat(text);
+    ASSERT_FALSE(parsed);
+    EXPECT_LT(parsed.error().message.size(), 100000u);
+  }
 }
 
 TEST(Format, ShowsTheRightSpellingOfCounts) {
