@@ -14,11 +14,11 @@ namespace voxc {
 
 namespace {
 
-using Cells = ScratchArray<std::byte>;
+using ScratchCells = ScratchArray<std::byte>;
 
 class WordRows final : public DenseRows {
 public:
-  WordRows(Int3 extent, std::shared_ptr<const Cells> cells) : extent_(extent), cells_(std::move(cells)) {}
+  WordRows(Int3 extent, std::shared_ptr<const ScratchCells> cells) : extent_(extent), cells_(std::move(cells)) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
     std::memcpy(words, cells_->data() + 4 * cellNumber(extent_, first), 4 * static_cast<std::size_t>(count));
@@ -26,13 +26,13 @@ public:
 
 private:
   Int3 extent_;
-  std::shared_ptr<const Cells> cells_;
+  std::shared_ptr<const ScratchCells> cells_;
 };
 
 struct Stack {
   PngSlice slice;
   Int3 extent;
-  std::shared_ptr<const Cells> cells;
+  std::shared_ptr<const ScratchCells> cells;
 };
 
 Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
@@ -46,7 +46,7 @@ Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
 
 Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOptions &options) {
   Stack stack;
-  Cells cells(options.memory);
+  ScratchCells cells(options.memory);
   for (std::size_t z = 0; z < paths.size(); ++z) {
     if (options.progress.stopped())
       return Error::interrupted();
@@ -74,7 +74,7 @@ Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOpti
       return broken(decoded.error().message);
     options.memory->relieve(slice->bytes());
   }
-  stack.cells = std::make_shared<const Cells>(std::move(cells));
+  stack.cells = std::make_shared<const ScratchCells>(std::move(cells));
   return stack;
 }
 
