@@ -18,7 +18,8 @@ using ScratchCells = ScratchArray<std::byte>;
 
 class WordRows final : public DenseRows {
 public:
-  WordRows(Int3 extent, std::shared_ptr<const ScratchCells> cells) : extent_(extent), cells_(std::move(cells)) {}
+  WordRows(Int3 extent, std::shared_ptr<const ScratchCells> cells)
+      : extent_(extent), cells_(std::move(cells)) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
     std::memcpy(words, cells_->data() + 4 * cellNumber(extent_, first), 4 * static_cast<std::size_t>(count));
