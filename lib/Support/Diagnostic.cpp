@@ -64,7 +64,7 @@ constexpr std::size_t kMostKept = 50;
 } // namespace
 
 void Diagnostics::error(SourceRange range, std::string message) {
-  if (all_.size() < kMostKept)
+  if (all_.size() < kMostKept || !hasErrors())
     all_.push_back({Severity::Error, range, std::move(message)});
   else if (all_.size() == kMostKept)
     all_.push_back({Severity::Note, range, "there are more errors from here on"});
