@@ -1,6 +1,8 @@
 // The rules, as a table of functions from facts to a sentence.
 #include "voxc/Facts/Conclusions.h"
 
+#include "voxc/Facts/PointerChoice.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,9 +21,7 @@ constexpr int kLargestIndex = 16;         // Bits of an index into a palette of 
 constexpr std::uint64_t kFewBlocks = 64;  // Too few to say how often blocks repeat.
 constexpr std::size_t kRepeatHeight = 3;  // Of the blocks that are compared.
 constexpr std::size_t kUniformHeight = 2; // Of the cubes whose merging is looked at.
-constexpr std::size_t kGridHeight = 2;    // Of the sub-volumes that short pointers lead to,
-constexpr int kLeastPointer = 8;          // and the bits that these have.
-constexpr int kMostPointer = 24;
+constexpr std::size_t kGridHeight = 2;    // Of the sub-volumes that short pointers lead to.
 
 std::string percent(double share) {
   char text[32];
@@ -117,11 +117,11 @@ std::string ruleOfPointers(const Facts &facts) {
   if (facts.repetition.size() < kGridHeight || facts.repetition[kGridHeight - 1].blocks < kFewBlocks)
     return "";
   const DistinctCount &shapes = facts.repetition[kGridHeight - 1].shapes;
-  const int bits = std::max(static_cast<int>(std::bit_width(shapes.count)), kLeastPointer);
-  if (!shapes.exact || bits > kMostPointer)
+  const std::optional<int> bits = choosePointerBits(facts);
+  if (!shapes.exact || !bits)
     return "";
   return "The blocks of 4^3 have " + std::to_string(shapes.count) +
-         " shapes: --short-pointers=" + std::to_string(bits) +
+         " shapes: --short-pointers=" + std::to_string(*bits) +
          " numbers them, where M(2^3) is the last level.";
 }
 

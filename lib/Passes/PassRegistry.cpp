@@ -75,7 +75,8 @@ constexpr std::array<Pass, 23> kPasses = {{
      "it, "
      "these grids stand in an array, and their parents have their numbers there: N bits each, 8 to 24, and "
      "20 "
-     "if it is not written. A build that finds more different ones than there are numbers fails. "
+     "if it is not written. A build that finds more different ones than there are numbers fails; with "
+     "short-pointers=auto, voxc build and voxc run measure the input, and take the fewest bits that do. "
      "Unchanged where the last level is no M(2^3) below another M whose voxels are masks alone (occupancy, "
      "or "
      "values-apart before it).",

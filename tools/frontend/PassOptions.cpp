@@ -1,24 +1,33 @@
 // Pass flags, generated from the registry.
 #include "frontend/PassOptions.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace voxc::tool {
 
 namespace {
 
 constexpr const char *kGroup = "Passes, in the order written";
 constexpr const char *kPipelineOption = "--passes";
+constexpr const char *kPointersOfInput = "short-pointers=auto";
 
 bool offered(const Pass &pass, PassChoice choice) {
-  return choice == PassChoice::All || pass.effect == AttributeEffect::Walk;
+  return choice != PassChoice::WalkOnly || pass.effect == AttributeEffect::Walk;
 }
 
 std::string flagOf(const Pass &pass) { return "--" + std::string(pass.name); }
 
-std::string helpOf(const Pass &pass) {
+bool isOfInput(const Pass &pass) { return std::string_view(kPointersOfInput).starts_with(pass.name); }
+
+std::string helpOf(const Pass &pass, PassChoice choice) {
   const std::string summary(pass.summary);
-  return pass.number ? summary + "; =N is " + std::to_string(pass.number->least) + " to " +
-                           std::to_string(pass.number->most) + ", or " + std::to_string(pass.number->usual)
-                     : summary;
+  if (!pass.number)
+    return summary;
+  return summary + "; =N is " + std::to_string(pass.number->least) + " to " +
+         std::to_string(pass.number->most) + ", or " + std::to_string(pass.number->usual) +
+         (choice == PassChoice::OfInput && isOfInput(pass) ? "; =auto, the fewest that do for the input"
+                                                           : "");
 }
 
 /// A flag as it was written: one that was given a number, or several, has the last.
@@ -38,7 +47,7 @@ void PassOptions::declare(const CommandLine &command, PassChoice choice) {
   choice_ = choice;
   for (const Pass &pass : passes())
     if (offered(pass, choice))
-      command.addFlag(flagOf(pass), helpOf(pass));
+      command.addFlag(flagOf(pass), helpOf(pass, choice));
   command.add(kPipelineOption, "The same as their flags, in this order").list().takes("A,B").repeated();
 }
 
@@ -54,8 +63,24 @@ std::vector<std::string> PassOptions::names() const {
   return names;
 }
 
-Expected<void> PassOptions::apply(Format &format, const PipelineOptions &options) const {
+bool PassOptions::asksPointerBits() const {
   const std::vector<std::string> chosen = names();
+  return choice_ == PassChoice::OfInput && std::ranges::find(chosen, kPointersOfInput) != chosen.end();
+}
+
+std::vector<std::string> PassOptions::namesWith(std::optional<int> pointerBits) const {
+  std::vector<std::string> chosen = names();
+  if (!asksPointerBits())
+    return chosen;
+  if (!pointerBits)
+    std::erase(chosen, kPointersOfInput);
+  else
+    std::ranges::replace(chosen, kPointersOfInput, "short-pointers=" + std::to_string(*pointerBits));
+  return chosen;
+}
+
+Expected<void> PassOptions::apply(Format &format, const PipelineOptions &options) const {
+  const std::vector<std::string> chosen = namesWith(findPass("short-pointers")->number->usual);
   for (const std::string &name : chosen)
     if (const Pass *pass = findPass(name); pass && !offered(*pass, choice_))
       return Error::usage("pass '" + name +

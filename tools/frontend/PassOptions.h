@@ -5,13 +5,15 @@
 #include "common/CommandLine.h"
 #include "voxc/Passes/Pass.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace voxc::tool {
 
-/// Which passes a command offers: walk passes alone where the volume is finished already.
-enum class PassChoice { All, WalkOnly };
+/// Which passes a command offers: walk passes alone where the volume is finished already; `OfInput`, all, of
+/// which the input may tell the number (`--short-pointers=auto`).
+enum class PassChoice { All, OfInput, WalkOnly };
 
 /// The passes named on a command line, in the order of the command line.
 class PassOptions {
@@ -22,7 +24,14 @@ public:
   /// The names as written; only after `command` has parsed. Unknown ones are left for `runPasses` to name.
   std::vector<std::string> names() const;
 
-  /// Runs the chosen passes on `format`. Error `Usage`: a storage pass where only walk passes apply.
+  /// True if the input has to tell how many bits short pointers have.
+  bool asksPointerBits() const;
+
+  /// The names with these bits for what the input has to tell; without that pass if there are none that do.
+  std::vector<std::string> namesWith(std::optional<int> pointerBits) const;
+
+  /// Runs the chosen passes on `format`; what the input has to tell is as usual. Error `Usage`: a storage
+  /// pass where only walk passes apply.
   Expected<void> apply(Format &format, const PipelineOptions &options = {}) const;
 
 private:

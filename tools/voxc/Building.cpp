@@ -8,6 +8,7 @@
 #include "frontend/FormatArgument.h"
 #include "search/BuildCommand.h"
 #include "search/Suggestion.h"
+#include "voxc/Facts/PointerChoice.h"
 #include "voxc/Layout/Layout.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ void Building::declare(const CommandLine &command) {
   command.addFlag(
       "--lossy", lossy_,
       "With --palette, takes the 2^N colours that stand best for those of the input, and tells the error");
-  passes_.declare(command, PassChoice::All);
+  passes_.declare(command, PassChoice::OfInput);
 }
 
 void Building::declareThreads(const CommandLine &command) { addThreadsArgument(command, buildArguments_); }
@@ -102,28 +103,60 @@ Expected<Format> Building::readFormat(const std::string &device, const CommonOpt
   return format;
 }
 
-/// What FORMAT and the passes say, had it been written with this payload.
-Expected<Format> Building::formOf(const PayloadChoice &choice) const {
+/// What FORMAT and the passes say, had it been written with this payload, if any, and these bits for what the
+/// input has to tell. `from` has been given how a kernel goes through the format; that stays.
+Expected<Format> Building::formOf(const Format &from, const PayloadChoice *choice,
+                                  std::optional<int> pointerBits) const {
   Format format = *written_;
-  format.setAttribute(kPayloadAttribute, choice.payload);
-  format.setAttribute(kValuesAttribute, choice.apart ? "apart" : "in-place");
-  Diagnostics diagnostics;
-  verify(format, diagnostics);
-  if (diagnostics.hasErrors())
-    return Error::input(diagnostics.all().front().message);
-  if (Expected<void> passed = passes_.apply(format); !passed)
+  if (choice) {
+    format.setAttribute(kPayloadAttribute, choice->payload);
+    format.setAttribute(kValuesAttribute, choice->apart ? "apart" : "in-place");
+    Diagnostics diagnostics;
+    verify(format, diagnostics);
+    if (diagnostics.hasErrors())
+      return Error::input(diagnostics.all().front().message);
+  }
+  if (Expected<void> passed = runPasses(format, passes_.namesWith(pointerBits)); !passed)
     return passed.error();
+  for (const AttributeKind *kind : formatAttributes())
+    if (kind->effect == AttributeEffect::Walk)
+      format.setAttribute(*kind, from.attributes.value(*kind));
   return format;
 }
 
-Expected<void> Building::choosePayload(Format &format, VoxelSource &source,
+/// The bits of short pointers, which a note tells.
+std::optional<int> Building::choosePointers(const Facts &facts, const CommonOptions &common,
+                                            Json &figures) const {
+  const std::optional<int> bits = choosePointerBits(facts);
+  figures["pointer_bits"] = bits ? *bits : 32;
+  if (!common.quiet)
+    printNote(bits ? "short pointers of " + std::to_string(*bits) + " bits number all shapes of 4^3 voxels"
+                   : "pointers stay words: too many shapes of 4^3 voxels for short ones");
+  return bits;
+}
+
+Expected<void> Building::chooseByFacts(Format &format, VoxelSource &source,
                                        const std::shared_ptr<WorkingMemory> &memory,
                                        const CommonOptions &common, const Progress &progress,
                                        Json &figures) const {
-  if (!payload_.isAuto())
+  const bool asksBits = passes_.asksPointerBits();
+  if (!payload_.isAuto() && !asksBits)
     return {};
-  const auto form = [this](const PayloadChoice &choice) { return formOf(choice); };
-  Expected<void> chosen = payload_.apply(format, form, source, memory, progress, figures);
+  if (Expected<void> checked = payload_.check(format); payload_.isAuto() && !checked)
+    return checked;
+  const std::unique_ptr<VoxelSource> view = source.view();
+  const auto facts = measureFacts(view ? *view : source, {.memory = memory}, progress);
+  if (!facts)
+    return facts.error();
+  const std::optional<int> bits = asksBits ? choosePointers(*facts, common, figures) : std::nullopt;
+  if (!payload_.isAuto()) {
+    Expected<Format> formed = formOf(format, nullptr, bits);
+    if (formed)
+      format = std::move(*formed);
+    return formed ? Expected<void>() : formed.error();
+  }
+  const auto form = [&](const PayloadChoice &choice) { return formOf(format, &choice, bits); };
+  Expected<void> chosen = payload_.apply(format, form, *facts, figures);
   if (chosen && !common.quiet)
     printNote("payload " + std::string(figures["payload"]) + ": " + std::string(figures["payload_why"]));
   return chosen;
@@ -219,7 +252,7 @@ Expected<Building::Opened> Building::open(Format &format, const CommonOptions &c
   if (!input)
     return input.error();
   tellWarnings(*input, common);
-  if (Expected<void> chosen = choosePayload(format, *input->source, memory, common, progress, figures);
+  if (Expected<void> chosen = chooseByFacts(format, *input->source, memory, common, progress, figures);
       !chosen)
     return chosen.error();
   return Opened{std::move(*input), std::move(arguments), std::move(options)};

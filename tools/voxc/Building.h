@@ -46,7 +46,8 @@ public:
   /// INPUT as it was written.
   const std::string &input() const { return input_; }
   bool isLossy() const { return lossy_; }
-  /// Opens the input for a format, which gets its payload by it if that is asked for.
+  /// Opens the input for a format, which gets its payload and the bits of short pointers by it if that is
+  /// asked for.
   Expected<Opened> open(Format &format, const CommonOptions &common, const Progress &progress,
                         Json &figures) const;
 
@@ -76,8 +77,10 @@ private:
   };
   Expected<Format> suggestFormat(const std::string &device, const CommonOptions &common,
                                  const Progress &progress, Json &figures);
-  Expected<Format> formOf(const PayloadChoice &choice) const;
-  Expected<void> choosePayload(Format &format, VoxelSource &source,
+  Expected<Format> formOf(const Format &from, const PayloadChoice *choice,
+                          std::optional<int> pointerBits) const;
+  std::optional<int> choosePointers(const Facts &facts, const CommonOptions &common, Json &figures) const;
+  Expected<void> chooseByFacts(Format &format, VoxelSource &source,
                                const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
                                const Progress &progress, Json &figures) const;
   static void tellLoss(const Prepared &prepared, const BuildReport &report, const CommonOptions &common,

@@ -1,15 +1,19 @@
 // Measuring the colours of an input, and the first payload that a format takes.
 #include "PayloadOption.h"
 
+#include "voxc/Passes/Pass.h"
+
+#include <array>
+
 namespace voxc::tool {
 
 namespace {
 
-/// `from` has been given how a kernel goes through the format; that stays.
-void keepWalk(const Format &from, Format &format) {
-  for (const AttributeKind *kind : formatAttributes())
-    if (kind->effect == AttributeEffect::Walk)
-      format.setAttribute(*kind, from.attributes.value(*kind));
+/// Makes any format smaller that it applies to, whatever the colours are.
+const std::array<std::string, 1> kPassesOfAll = {"octant-counts"};
+
+bool countsOctants(const Format &format) {
+  return format.levels.back().attribute(kCountsAttribute) == "octant";
 }
 
 } // namespace
@@ -22,27 +26,28 @@ void PayloadOption::declare(const CommandLine &command) {
       .oneOf({"auto"});
 }
 
-Expected<void> PayloadOption::apply(Format &format, const Form &form, VoxelSource &source,
-                                    const std::shared_ptr<WorkingMemory> &memory, const Progress &progress,
-                                    Json &figures) const {
+Expected<void> PayloadOption::check(const Format &format) const {
   if (const std::string payload(format.attributes.value(kPayloadAttribute));
       payload != kPayloadAttribute.values.front())
     return Error::usage("--payload auto would choose what is chosen already, payload=" + payload +
                         "; leave out one of both");
-  const std::unique_ptr<VoxelSource> view = source.view();
-  const auto facts = measureFacts(view ? *view : source, {.memory = memory}, progress);
-  if (!facts)
-    return facts.error();
+  return {};
+}
+
+Expected<void> PayloadOption::apply(Format &format, const Form &form, const Facts &facts,
+                                    Json &figures) const {
   std::string refused;
-  for (const PayloadChoice &choice : choosePayload(*facts)) {
+  for (const PayloadChoice &choice : choosePayload(facts)) {
     Expected<Format> formed = form(choice);
     if (!formed) {
       refused = "; nothing smaller, since " + formed.error().message;
       continue;
     }
-    keepWalk(format, *formed);
+    if (const auto counted = runPasses(*formed, kPassesOfAll); !counted)
+      return counted.error();
     format = std::move(*formed);
-    figures["payload"] = choice.payload + (choice.apart ? ", values apart" : "");
+    figures["payload"] = choice.payload + (choice.apart ? ", values apart" : "") +
+                         (countsOctants(format) ? ", counts of octants" : "");
     figures["payload_why"] = choice.why + refused;
     return {};
   }

@@ -4,14 +4,10 @@
 #include "common/CommandLine.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
-#include "voxc/Source/VoxelSource.h"
-#include "voxc/Support/Progress.h"
-#include "voxc/Support/WorkingMemory.h"
 
 #include "voxc/Facts/PayloadChoice.h"
 
 #include <functional>
-#include <memory>
 #include <string>
 
 namespace voxc::tool {
@@ -24,12 +20,12 @@ public:
   void declare(const CommandLine &command);
   bool isAuto() const { return !payload_.empty(); }
 
-  /// Measures the voxels and gives the format the smallest payload that keeps all of their colours; adds to
-  /// the figures what it is and why. The build proves what the payload states. Errors: those of measuring;
-  /// `Usage`, the format has a payload already.
-  Expected<void> apply(Format &format, const Form &form, VoxelSource &source,
-                       const std::shared_ptr<WorkingMemory> &memory, const Progress &progress,
-                       Json &figures) const;
+  /// `Usage`, the format has a payload already, so that none can be chosen.
+  Expected<void> check(const Format &format) const;
+  /// Gives the format the smallest payload that keeps all colours of the voxels, as it is formed, and counts
+  /// of octants where short pointers have counts; adds to the figures what it is and why. The build proves
+  /// what the payload states.
+  Expected<void> apply(Format &format, const Form &form, const Facts &facts, Json &figures) const;
 
 private:
   std::string payload_;

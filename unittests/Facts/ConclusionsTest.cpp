@@ -1,5 +1,6 @@
 // Which sentences follow from which facts.
 #include "voxc/Facts/Conclusions.h"
+#include "voxc/Facts/PointerChoice.h"
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,23 @@ TEST(Conclusions, Pointers) {
   EXPECT_NE(sentence(facts, "pointers").find("--short-pointers=8 "), std::string::npos);
   facts.repetition[1].shapes = {1024, false};
   EXPECT_EQ(sentence(facts, "pointers"), "");
+}
+
+TEST(Conclusions, PointerBits) {
+  Facts facts = plainFacts();
+  EXPECT_EQ(choosePointerBits(facts), 8); // One block at most.
+  facts.repetition = {{1, 0, {}, {}, {}}, {2, 5000, {255, true}, {}, {}}};
+  EXPECT_EQ(choosePointerBits(facts), 8);
+  facts.repetition[1].shapes.count = 256; // Number 0 is none.
+  EXPECT_EQ(choosePointerBits(facts), 9);
+  facts.repetition[1].shapes = {250'000, true};
+  EXPECT_EQ(choosePointerBits(facts), 18);
+  facts.repetition[1].shapes.exact = false; // It may be a few more than 2^18 - 1.
+  EXPECT_EQ(choosePointerBits(facts), 19);
+  facts.repetition[1].shapes = {(1 << 24) - 1, true};
+  EXPECT_EQ(choosePointerBits(facts), 24);
+  facts.repetition[1].shapes.count = 1 << 24;
+  EXPECT_EQ(choosePointerBits(facts), std::nullopt);
 }
 
 } // namespace
