@@ -11,7 +11,7 @@ constexpr PassNumber kPaletteNumber = {1, 16, 8, paletteOf};
 constexpr PassNumber kMaterialNumber = {1, 16, 8, materialOf};
 constexpr PassNumber kPointersNumber = {8, 24, 20, shortPointersOf};
 
-constexpr std::array<Pass, 23> kPasses = {{
+constexpr std::array<Pass, 24> kPasses = {{
     {"whole-level-dedup", AttributeEffect::Storage,
      "share equal nodes among all sub-volumes of an SVDAG level",
      "Without it, each sub-volume of a G level has a node map of its own. With it the level has one, "
