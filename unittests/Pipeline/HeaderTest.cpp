@@ -185,13 +185,15 @@ TEST(Header, FindsWhatIsDefinedInRandomFormats) {
 /// first hit, and beside it whether there is any, how many there are, and a number made of all of them.
 Kernel queryKernel(const Format &format) {
   Plan plan = *makePlan(format, kHeaderPlan);
+  plan.bounded = false; // Its rays are records of six numbers, whatever the header takes.
   const std::string text = "#version 460\n" + fillFile(shaderFiles(), "interface.glsl", planNames(plan)) + R"(
 layout(std430, set = 0, binding = 2) readonly buffer Words { uint words[]; };
 #define VOXC_VOLUME uint
 #define VOXC_LOAD(volume, index) words[index]
 )" + headerOf(format) + R"(
 uint mixed(uint a, uint b) { return (a ^ b) * 0x01000193u; }
-float number(uint at) { return uintBitsToFloat(ray_words[at]); }
+float number(uint at) { return uintBitsToFloat(ray_pairs[at / 2u][at & 1u]); }
+void put(uint at, uint word) { hit_pairs[at / 2u][at & 1u] = word; }
 
 void main() {
   if (task != ALL || gl_GlobalInvocationID.x >= ray_count || (first_ray + gl_GlobalInvocationID.x) % 2u != 0u)
@@ -202,24 +204,23 @@ void main() {
   float tmin = number(at + 6u), tmax = number(at + 7u);
   voxc_test_Hit hit;
   bool found = voxc_test_closest(0u, origin, direction, tmin, tmax, hit);
-  hit_words[at] = uint(hit.voxel.x);
-  hit_words[at + 1u] = uint(hit.voxel.y);
-  hit_words[at + 2u] = uint(hit.voxel.z);
-  hit_words[at + 3u] = hit.colour;
-  hit_words[at + 4u] = floatBitsToUint(hit.t);
-  hit_words[at + 5u] = uint(4 * hit.axis + hit.side);
-  hit_words[at + 6u] = voxc_test_any(0u, origin, direction, tmin, tmax) ? 1u : 0u;
+  put(at, uint(hit.voxel.x));
+  put(at + 1u, uint(hit.voxel.y));
+  put(at + 2u, uint(hit.voxel.z));
+  put(at + 3u, hit.colour);
+  put(at + 4u, floatBitsToUint(hit.t));
+  put(at + 5u, uint(4 * hit.axis + hit.side));
+  put(at + 6u, voxc_test_any(0u, origin, direction, tmin, tmax) ? 1u : 0u);
   uint count = 0u, all = 0u;
   for (; found; found = voxc_test_next(0u, origin, direction, tmax, hit)) {
     count++;
     all = mixed(mixed(all, uint(hit.voxel.x + 16 * hit.voxel.y + 256 * hit.voxel.z)), floatBitsToUint(hit.t));
   }
-  hit_words[at + 7u] = count;
-  hit_words[at + 8u] = all & 0x7fffffffu;
+  put(at + 7u, count);
+  put(at + 8u, all & 0x7fffffffu);
 }
 )";
   plan.loops = Loops::Cut; // The scenes are so small that no device cuts anything.
-  plan.bounded = false;    // Its rays are records of six numbers, whatever the header takes.
   auto kernel = compileGlsl(text, plan);
   EXPECT_TRUE(kernel) << kernel.error().message;
   return std::move(*kernel);
