@@ -93,8 +93,9 @@ TEST(Csv, HasALineForEachCell) {
                              makeFailure("G(99)", "say \"no\"\nor yes")};
   const std::string csv = toCsv(makeCatalogue(cells));
   EXPECT_THAT(csv, StartsWith("model,input,resolution,"));
-  EXPECT_THAT(csv,
-              HasSubstr("\r\nhut,,2048,front,100,auto,,llvmpipe,cpu,exact,R(4^3) G(7),\"a, b\",,measured,on,100,"));
+  EXPECT_THAT(
+      csv,
+      HasSubstr("\r\nhut,,2048,front,100,auto,,llvmpipe,cpu,exact,R(4^3) G(7),\"a, b\",,measured,on,100,"));
   EXPECT_THAT(csv, HasSubstr(",0.1,0.099,0.101,"));
   EXPECT_THAT(csv, HasSubstr(",failed,,,"));
   EXPECT_THAT(csv, HasSubstr(",\"say \"\"no\"\"\nor yes\","));
