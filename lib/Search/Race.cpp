@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 
 namespace voxc {
 namespace {
@@ -15,6 +16,10 @@ constexpr std::array<std::array<double, 2>, 5> kNormal = {{{-2.856970, 0.011257}
                                                            {0, 0.533333},
                                                            {1.355626, 0.222076},
                                                            {2.856970, 0.011257}}};
+
+/// From how many formats at most, the newest, is told how others differ from the model: the time that takes
+/// grows with their cube.
+constexpr std::size_t kMostAlike = 256;
 
 double meanOf(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) /
@@ -35,9 +40,10 @@ void Race::take(std::size_t index, std::span<const double> nanoseconds) {
   const RatedFormat &format = formats_[index];
   for (std::size_t set = 0; set < nanoseconds.size(); ++set)
     samples_.push_back({speedTerms(format.costs[set], format.bytes()), nanoseconds[set]});
+  if (states_[index] != State::Measured)
+    measured_.push_back(index);
   states_[index] = State::Measured;
   times_[index] = meanOf(nanoseconds);
-  learn();
 }
 
 void Race::drop(std::size_t index) { states_[index] = State::Dropped; }
@@ -47,8 +53,8 @@ void Race::learn() {
   for (RatedFormat &format : formats_)
     predictAgain(format, model_);
   std::vector<SpeedCorrection::Sample> errors;
-  for (std::size_t i = 0; i < formats_.size(); ++i)
-    if (states_[i] == State::Measured && formats_[i].candidate.composition)
+  for (const std::size_t i : std::views::reverse(measured_) | std::views::take(kMostAlike))
+    if (formats_[i].candidate.composition)
       errors.push_back({*formats_[i].candidate.composition, std::log(times_[i] / formats_[i].time())});
   correction_ = SpeedCorrection(std::move(errors));
 }

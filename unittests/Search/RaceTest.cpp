@@ -131,12 +131,14 @@ TEST_F(RaceTest, FewMeasurementsFindTheFrontier) {
   const std::size_t all = found.formats.size();
   Race race(std::move(found.formats), defaultSpeedModel("cpu"), {.mostBytes = largest});
   std::size_t measured = 0;
-  for (auto batch = race.next(4, 0.0005); !batch.empty(); batch = race.next(4, 0.0005))
+  for (auto batch = race.next(4, 0.0005); !batch.empty(); batch = race.next(4, 0.0005)) {
     for (const std::size_t i : batch) {
       ASSERT_TRUE(race.isOpen(i));
       race.take(i, timesOn(race.formats()[i]));
       ++measured;
     }
+    race.learn();
+  }
   EXPECT_GE(race.frontier().area(), 0.98 * best.area());
   EXPECT_LT(measured, all / 2);
 }

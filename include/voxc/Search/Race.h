@@ -18,7 +18,7 @@ struct RaceOptions {
   double leastSpeed = 0; ///< Million rays a second; those below are of no use.
 };
 
-/// Formats on their way from a foretold speed to a measured one. It learns from each that is measured: the
+/// Formats on their way from a foretold speed to a measured one. It learns from those that are measured: the
 /// model of the device is fitted anew, and what it leaves is told by formats that are alike
 /// (`SpeedCorrection`).
 class Race {
@@ -33,6 +33,8 @@ public:
   /// The format cannot be measured.
   void drop(std::size_t index);
   bool isOpen(std::size_t index) const { return states_[index] == State::Open; }
+  /// Learns from all that was taken in: what is expected, the model, and so what is next.
+  void learn();
 
   /// The mean of the sets as it was measured; none if it was not.
   std::optional<double> timeOf(std::size_t index) const;
@@ -57,7 +59,6 @@ public:
 private:
   enum class State { Open, Measured, Dropped };
 
-  void learn();
   SizeTime pointOf(std::size_t index, double nanoseconds) const;
   double expectedGain(const Frontier &frontier, std::size_t index, const Expectation &expected) const;
 
@@ -66,6 +67,7 @@ private:
   RaceOptions options_;
   std::vector<State> states_;
   std::vector<double> times_; ///< Of each format that was measured.
+  std::vector<std::size_t> measured_; ///< In the order in which they were taken in.
   std::vector<SpeedSample> samples_;
   SpeedCorrection correction_;
 };

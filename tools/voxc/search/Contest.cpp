@@ -53,6 +53,7 @@ void Contest::takeKnown(const std::vector<Record> &records) {
       last_.insert(i);
     findings_[i] = std::move(finding);
   }
+  race_.learn();
 }
 
 std::vector<double> Contest::predict(std::size_t index) const {
@@ -92,6 +93,7 @@ Expected<void> Contest::measure(const std::vector<std::size_t> &formats, const H
       race_.take(formats[i], finding.nanoseconds);
     findings_[formats[i]] = std::move(finding);
   }
+  race_.learn();
   measuredSeconds_ += watch.seconds();
   measuredCount_ += formats.size();
   return {};
