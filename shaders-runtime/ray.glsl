@@ -121,6 +121,16 @@ ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_
 
 ${real} min_of(${real3} v) { return min(min(v.x, v.y), v.z); }
 
+%if by-bits
+// The less and the greater of two float32 numbers, by their bits: one instruction where others would look for NaN. Of two that
+// are negative, which no t is but by rounding, it is the other one.
+float lesser(float a, float b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
+float greater(float a, float b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
+%else
+${real} lesser(${real} a, ${real} b) { return min(a, b); }
+${real} greater(${real} a, ${real} b) { return max(a, b); }
+%end
+
 // The number of the ray's octant: a bit for each coordinate that rises, that of x lowest.
 int octant_of(const Ray ray) { return (ray.ahead.x & 1) | (ray.ahead.y & 2) | (ray.ahead.z & 4); }
 

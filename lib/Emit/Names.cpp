@@ -300,6 +300,7 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["real3-wide"] = inDoubles ? "dvec3" : "vec3 ";
   names.holes["real3"] = inDoubles ? "dvec3" : "vec3";
   names.conditions["doubles"] = inDoubles;
+  names.conditions["by-bits"] = !inDoubles && plan.packing != Packing::Packets;
   names.conditions["refines"] = plan.steps == Steps::Refined;
   names.conditions["values-apart"] = plan.layout.values == Values::Apart;
   names.conditions["cut"] = cut;

@@ -14,7 +14,7 @@ LevelView::LevelView(const Stratum &stratum, const Traversal &traversal, bool is
       top(bottom + longest(stratum.log2Size())), branch(std::max(stratum.log2Shape.x, 1)),
       tellsGroups(stratum.isGrid() && stratum.skip == Skip::None && stratum.slots->tellsGap(stratum)) {}
 
-double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel) {
+double wordsRead(const LevelView &level, int layers, bool isEmpty) {
   const Stratum &stratum = level.stratum;
   if (stratum.depth == 0)
     return 1;
@@ -27,7 +27,7 @@ double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel)
   if (stratum.isInOctants()) // The array's begin, the head, octants, and cells where the octant has some.
     return isEmpty ? 5 : 6.5;
   if (level.tellsGroups)
-    return isEmpty || isVoxel ? 2 : 3;
+    return level.tellsWhole() ? isEmpty ? 2 : 3 : 1;
   if (stratum.slots->lookUpLoops)
     return 4; // The head and an entry: most probes find their cell, or a free entry, at once.
   if (stratum.slots->keepsEmpty)
@@ -40,8 +40,9 @@ Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
   if (!level.stratum.isGrid())
     return {empty, 1};
   if (level.tellsGroups)
-    return path.hasNothingAhead(bottom, at.octant()) ? Gap{bottom + 2, 1}
-                                                     : Gap{std::min(empty, bottom + 1), 1};
+    return level.tellsWhole() && path.hasNothingAhead(bottom, at.octant())
+               ? Gap{bottom + 2, 1}
+               : Gap{std::min(empty, bottom + 1), 1};
   if (level.stratum.skip == Skip::None)
     return {bottom, 1};
   const Int3 voxel = at.voxel();

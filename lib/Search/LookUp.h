@@ -19,13 +19,16 @@ struct LevelView {
   int branch;       ///< Nodes have 2^branch children an axis.
   bool tellsGroups; ///< Masks of 4^3 cells tell of empty ones around.
 
+  /// They tell too if all of the 4^3 cells that lie ahead are empty: of voxels, half a mask alone is read.
+  bool tellsWhole() const { return tellsGroups && (bottom > 0 || stratum.isInOctants()); }
+
   /// Layers of a tree that a look-up goes down, from a node of 2^from voxels a side to a cell of height `to`.
   int layers(int from, int to) const { return stratum.isGrid() ? 0 : (from - to + branch - 1) / branch; }
 };
 
-/// Different words that a look-up reads, which finds an empty cell, a voxel or a cell with more levels below
-/// it; `layers` of a tree are gone down.
-double wordsRead(const LevelView &level, int layers, bool isEmpty, bool isVoxel);
+/// Different words that a look-up reads, which finds an empty cell or one with a voxel or more levels in it;
+/// `layers` of a tree are gone down.
+double wordsRead(const LevelView &level, int layers, bool isEmpty);
 
 /// What the level says of the position, which is empty in a cube of 2^empty voxels a side, to a walk that
 /// goes from cube to cube. Of an L1 distance, a cube in it if `asCube`, else the distance as the count.

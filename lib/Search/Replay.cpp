@@ -55,7 +55,7 @@ private:
       const int from = resumes ? std::min(height_, level.top) : level.top;
       const int layers = level.layers(from, isEmpty ? empty : level.bottom);
       cost_.layers += layers;
-      cost_.words += wordsRead(level, layers, isEmpty, isVoxel);
+      cost_.words += wordsRead(level, layers, isEmpty);
       cost_.lines += linesRead(i, from, layers);
       level_ = i;
       if (isEmpty || isVoxel)

@@ -3,10 +3,8 @@
 // How the ray leaves cells through the first of the faces ahead. Not sure if ${real-name} cannot tell which that is.
 Exit leave(const Ray ray, ${real3} face) {
   ${real3} t = (face - ray.origin) * ray.inverse;
-  ${real} earlier = min(t.x, t.y);
-  ${real} later = max(t.x, t.y);
-  ${real} first = min(earlier, t.z);
-  ${real} second = max(earlier, min(later, t.z));
+  ${real} first = lesser(lesser(t.x, t.y), t.z);
+  ${real} second = greater(lesser(t.x, t.y), lesser(greater(t.x, t.y), t.z)); // Of negative ones, none that is sure.
   return Exit(first, equal(t, ${real3}(first)), second > first + (first * ROUNDINGS + ray.slack));
 }
 
@@ -16,7 +14,7 @@ ivec3 cell_beyond(const Ray ray, ivec3 cell, ${real3} face, inout Exit leaving) 
   ${real3} point = mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
   ${real3} whole = floor(point);
   ${real3} rest = point - whole;
-  leaving.sure = leaving.sure && max(max(rest.x, rest.y), rest.z) < ray.certain;
+  leaving.sure = leaving.sure && greater(greater(rest.x, rest.y), rest.z) < ray.certain;
   return ivec3(whole);
 }
 
