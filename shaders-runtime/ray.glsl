@@ -104,9 +104,9 @@ bool is_in_reach(const Walk walk) { return all(lessThan(uvec3(walk.cell - walk.b
 // Whether a walk has more to see here.
 bool goes_on(const Walk walk) {
 %if packets
-  return ${is-inside} && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
+  return ${is-inside}${and-is-closed} && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
 %else
-  return ${is-inside};
+  return ${is-inside}${and-is-closed};
 %end
 }
 

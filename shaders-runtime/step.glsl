@@ -13,9 +13,13 @@ void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, co
     sure = step_by_doubles(ray, walk, gap);
   cell = walk.cell;
 %end
-  // A step that is not sure is left open, and the cell is put outside, so that all loops end: what settles it
-  // stands outside of them, where lanes that are sure need not wait for it.
+  // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+  // that are sure need not wait for it.
+%if keeps-cell
+  walk.cell = cell; // The next turn reads what is there before it is known if the step is sure.
+%else
   walk.cell = sure ? cell : ~walk.cell;
+%end
   walk.open = sure ? CLOSED : gap.count << 5 | gap.log2_side;
 %else
   walk.cell = cell;
@@ -23,12 +27,21 @@ void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, co
   count_step(walk);
 }
 
-// Steps over the gap around the walk's cell.
-void step_over(const Ray ray, inout Walk walk, const Gap gap) {
-  ${real3} face = ${real3}(faces_ahead(ray, walk.cell, gap));
+%if keeps-cell
+// Puts a walk whose step was left open outside, by the cell from which that leads.
+void put_outside(inout Walk walk, ivec3 before) { walk.cell = walk.open >= 0 ? ~before : walk.cell; }
+
+%end
+// Steps over the gap around the walk's cell, of which these faces lie ahead.
+void step_over(const Ray ray, inout Walk walk, const Gap gap, ${real3} face) {
   Exit leaving = leave(ray, face);
   ivec3 cell = cell_beyond(ray, walk.cell, face, leaving);
   end_step(ray, walk, leaving, cell, gap);
+}
+
+// Steps over the gap around the walk's cell.
+void step_over(const Ray ray, inout Walk walk, const Gap gap) {
+  step_over(ray, walk, gap, ${real3}(faces_ahead(ray, walk.cell, gap)));
 }
 
 // Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
@@ -36,6 +49,12 @@ void step_over(const Ray ray, inout Walk walk, int log2_side) { step_over(ray, w
 
 // Steps from the walk's voxel, which is empty, to the next.
 void step_over_voxel(const Ray ray, inout Walk walk) {
+%if keeps-cell
+  ivec3 before = walk.cell;
+%end
   Exit leaving = leave(ray, ${real3}(walk.cell - ray.ahead));
   end_step(ray, walk, leaving, walk.cell + mix(ivec3(0), ray.heading, leaving.passed), Gap(0, 1));
+%if keeps-cell
+  put_outside(walk, before);
+%end
 }

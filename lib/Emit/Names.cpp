@@ -2,6 +2,7 @@
 #include "Names.h"
 
 #include "MemoryNames.h"
+#include "StepNames.h"
 
 #include "voxc/Layout/SlotKind.h"
 
@@ -217,6 +218,8 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
   conditions["one-voxel-steps"] = stratum.log2Cell == 0 && !stratum.slots->tellsGap(stratum);
   conditions["marches"] = stratum.skip == Skip::L1;
+  conditions["chooses-faces"] = stratum.skip == Skip::None && stratum.slots->tellsGap(stratum);
+  conditions["tells-half"] = plan.layout.holdsVoxels(index) && !stratum.isInOctants();
   conditions["tells-gap"] = stratum.log2Shape == Int3{2, 2, 2} && plan.query != Query::Occupancy;
   conditions["stops"] = plan.traversals[index].stops;
   conditions["sampled"] = plan.traversals[index].sampled;
@@ -291,23 +294,13 @@ TemplateNames planNames(const Plan &plan) {
   addQuestion(names, plan);
   addBounds(names, plan);
   addMemoryNames(names, plan);
+  addStepNames(names, plan);
   names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
   names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid() && lowest.cells != Cells::Slot;
-  const bool inDoubles = plan.steps == Steps::Float64;
-  names.holes["real"] = inDoubles ? "double" : "float";
-  names.holes["real-name"] = inDoubles ? "doubles" : "float32";
-  names.holes["real3-wide"] = inDoubles ? "dvec3" : "vec3 ";
-  names.holes["real3"] = inDoubles ? "dvec3" : "vec3";
-  names.conditions["doubles"] = inDoubles;
-  names.conditions["by-bits"] = !inDoubles && plan.packing != Packing::Packets;
-  names.conditions["refines"] = plan.steps == Steps::Refined;
   names.conditions["values-apart"] = plan.layout.values == Values::Apart;
   names.conditions["cut"] = cut;
   names.conditions["resumes"] = cut || plan.addressing == Addressing::Paged;
-  names.conditions["packets"] = plan.packing == Packing::Packets;
-  names.conditions["exact"] = plan.predicate == Predicate::Exact;
-  names.conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   names.conditions["cone"] = plan.detail == Detail::Cone;
   int layers = 0;
   for (const Stratum &stratum : plan.layout.strata)

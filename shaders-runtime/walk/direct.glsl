@@ -1,9 +1,15 @@
 // One loop. Each turn looks at the walk's cell from the root on, through all levels.
 bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+%if keeps-cell
+  ivec3 before = walk.cell;
+%end
   while (goes_on(walk)) {
     count_lookup(walk);
     Gap gap = Gap(0, 1);
-    uint value = locate_level_1(ray, root, walk.cell, gap);
+%if tells-faces
+    ${real3} face = ${real3}(0);
+%end
+    uint value = locate_level_1(ray, root, walk.cell, gap${and-face});
 %if paged
     if (lacks_page)
       return false;
@@ -17,12 +23,18 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
     if (value != 0u)
       return true;
 %end
+%if keeps-cell
+    before = walk.cell;
+%end
 %if any-look-up-may-be-cut
     if (gap.count > 0) // Else the device ended a look-up.
-      step_over(ray, walk, gap);
+      step_over(ray, walk, gap${and-face});
 %else
-    step_over(ray, walk, gap);
+    step_over(ray, walk, gap${and-face});
 %end
   }
+%if keeps-cell
+  put_outside(walk, before);
+%end
   return false;
 }
