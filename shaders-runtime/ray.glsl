@@ -127,8 +127,9 @@ ${real} min_of(${real3} v) { return min(min(v.x, v.y), v.z); }
 float lesser(float a, float b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 float greater(float a, float b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 %else
-${real} lesser(${real} a, ${real} b) { return min(a, b); }
-${real} greater(${real} a, ${real} b) { return max(a, b); }
+// The less and the greater of two numbers, none of which is NaN.
+${real} lesser(${real} a, ${real} b) { return b < a ? b : a; }
+${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
 %end
 
 // The number of the ray's octant: a bit for each coordinate that rises, that of x lowest.
