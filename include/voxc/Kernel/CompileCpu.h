@@ -22,7 +22,7 @@ struct CpuObjectOptions {
   /// gives each a name of its own. A C identifier.
   std::string symbol = "voxc_intersect";
   /// The processor to compile for, as Clang names it ("x86-64-v3", "znver4"); "native" is this very one. ""
-  /// is any of this architecture: on x86-64 the object has a variant for each of x86-64-v4 (16 rays at once),
+  /// is any of this architecture: on x86-64 the object has a variant for each of x86-64-v4 (32 rays at once),
   /// x86-64-v3 (8) and the baseline (ray by ray), and picks when it is first called.
   std::string processor;
 };
