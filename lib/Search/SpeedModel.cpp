@@ -16,8 +16,8 @@ constexpr double kPriorWeight = 0.02;
 /// In the order of `SpeedTerm`; docs/search.md tells from what they were fitted, and how well. No L1
 /// distances were among that, so that the weight of a march is a guess; no candidate of `candidatesFor` has
 /// any.
-constexpr SpeedModel kCpu{{41, 0.62, 0.88, 1.5, 2, 5.9, 4.0, 1.3, 51, 0, 0}};
-constexpr SpeedModel kLavapipe{{106, 2.7, 2.4, 2.9, 5, 13, 0, 0, 136, 18, 2.4}};
+constexpr SpeedModel kCpu{{27, 1.0, 0.87, 0.76, 2, 9.4, 0, 2.4, 40, 0, 0}};
+constexpr SpeedModel kLavapipe{{66, 3.0, 3.5, 4.2, 5, 15, 0, 7.4, 0, 0, 1.0}};
 
 } // namespace
 
