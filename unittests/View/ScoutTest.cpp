@@ -9,8 +9,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <thread>
 
 namespace voxc::view {
@@ -188,8 +186,10 @@ protected:
       see(0.01);
   }
   void waitForEnd() {
-    while (scout_.isBusy())
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (scout_.isBusy() && std::chrono::steady_clock::now() < end)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_FALSE(scout_.isBusy());
   }
 
   std::shared_ptr<Scene> scene_;
