@@ -7,6 +7,7 @@
 #include "Support/ParallelFor.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <limits>
 #include <optional>
@@ -72,7 +73,8 @@ Expected<PageCache> PageCache::create(const PagedVolume &volume, const PagingOpt
 }
 
 PageCache::PageCache(const PagedVolume &volume, const PagingOptions &options, std::uint64_t slots)
-    : volume_(&volume), threads_(threadsOrAll(options.threads)) {
+    : volume_(&volume), takesFrom_(options.takesFrom), putsOn_(options.putsOn),
+      threads_(threadsOrAll(options.threads)) {
   const PagedStream &words = volume.streams().front();
   log2PageWords_ = static_cast<std::uint32_t>(std::countr_zero(words.pageBytes) - 2);
   table_.assign(words.pages() + 1, kAbsent);
@@ -137,17 +139,33 @@ std::vector<std::uint32_t> PageCache::slotsFor(std::uint64_t count) const {
   return slots;
 }
 
+/// From the shelf, or else from the file; true if it lay on the shelf.
+Expected<bool> PageCache::fetch(std::uint32_t page, std::span<std::byte> room) const {
+  if (takesFrom_ && takesFrom_->take(page, room))
+    return true;
+  if (auto decoded = volume_->decode(0, page, room); !decoded)
+    return decoded.error();
+  if (putsOn_)
+    putsOn_->put(page, room);
+  return false;
+}
+
 /// Into `decoded_`, one behind the other.
 Expected<void> PageCache::decode(std::span<const std::uint32_t> pages) {
   const PagedStream &words = volume_->streams().front();
   decoded_.resize(kRunPages * slotBytes());
   std::vector<std::optional<Error>> errors(pages.size());
+  std::atomic<std::uint64_t> ahead = 0;
   parallelFor(pages.size(), threads_, [&](std::uint64_t i) {
     const std::span room(decoded_.data() + i * slotBytes(), slotBytes());
     std::ranges::fill(room.subspan(words.bytesOf(pages[i])), std::byte{});
-    if (auto decoded = volume_->decode(0, pages[i], room.first(words.bytesOf(pages[i]))); !decoded)
-      errors[i] = decoded.error();
+    const auto fetched = fetch(pages[i], room.first(words.bytesOf(pages[i])));
+    if (!fetched)
+      errors[i] = fetched.error();
+    else if (*fetched)
+      ++ahead;
   });
+  report_.ahead += ahead;
   for (const std::optional<Error> &error : errors)
     if (error)
       return *error;

@@ -51,9 +51,11 @@ private:
   PageCache(const PagedVolume &volume, const PagingOptions &options, std::uint64_t slots);
   std::vector<std::uint32_t> slotsFor(std::uint64_t count) const;
   Expected<void> decode(std::span<const std::uint32_t> pages);
+  Expected<bool> fetch(std::uint32_t page, std::span<std::byte> room) const;
   void settle(std::uint32_t page, std::uint32_t slot);
 
   const PagedVolume *volume_;
+  std::shared_ptr<PageShelf> takesFrom_, putsOn_; ///< Or null.
   unsigned threads_;
   std::uint32_t log2PageWords_;
   std::vector<std::uint32_t> table_;

@@ -65,6 +65,8 @@ void Painter::paintStep(std::unique_lock<std::mutex> &lock) {
   const Stopwatch watch;
   Expected<Picture> picture = paint(shot, step, {.stop = &stop_});
   const double seconds = watch.seconds();
+  const auto &paging = shot.scene->paging;
+  const auto pages = paging ? std::optional(paging()) : std::nullopt;
   lock.lock();
   if (!picture && picture.error().kind == ErrorKind::Interrupted)
     return;
@@ -74,7 +76,7 @@ void Painter::paintStep(std::unique_lock<std::mutex> &lock) {
     refinement_.done(step);
   if (!picture && number == number_)
     shot_.reset(); // It would fail again.
-  painting_.put({number, std::move(picture), step, seconds, !shot_ || !refinement_.next()});
+  painting_.put({number, std::move(picture), step, seconds, !shot_ || !refinement_.next(), pages});
 }
 
 void Painter::run() {

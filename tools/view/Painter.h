@@ -21,8 +21,9 @@ struct Painting {
   std::uint64_t number = 0; ///< Of the shot, as `show` gave it.
   Expected<Picture> picture;
   RefinementStep step;
-  double seconds = 0;  ///< That the step took.
-  bool isLast = false; ///< Nothing finer follows.
+  double seconds = 0;                      ///< That the step took.
+  bool isLast = false;                     ///< Nothing finer follows.
+  std::optional<PagingReport> paging = {}; ///< Of the scene until then, if it has pages.
 };
 
 class Painter {

@@ -10,6 +10,18 @@ namespace {
 /// Seconds for which a device may go on when a picture is no longer wanted.
 constexpr double kSlice = 0.01;
 
+/// What a scout paints is seen by nobody; it takes one thread, and what shades it is its own.
+std::shared_ptr<const Scene> scoutOf(const Model &model, std::unique_ptr<Tracer> tracer) {
+  if (!tracer)
+    return nullptr;
+  auto scene = std::make_shared<Scene>();
+  scene->model = model;
+  scene->tracer = std::move(tracer);
+  scene->normals = std::make_unique<SurfaceNormals>(*model.volume, 1);
+  scene->threads = 1;
+  return scene;
+}
+
 } // namespace
 
 Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneWish &wish, const Scene *old,
@@ -27,12 +39,14 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
     return Error::interrupted();
   progress.at("compile the kernel", 0);
   scene->device = wish.device;
-  auto tracer = maker.makeTracer(scene->model, scene->device);
-  if (!tracer)
-    return tracer.error();
+  auto tracers = maker.makeTracers(scene->model, scene->device);
+  if (!tracers)
+    return tracers.error();
   // This processor ends by itself as soon as it is told to.
   const bool endsLate = scene->device != cpuDeviceInfo().name;
-  scene->tracer = endsLate ? inSlices(std::move(*tracer), kSlice) : std::move(*tracer);
+  scene->tracer = endsLate ? inSlices(std::move(tracers->tracer), kSlice) : std::move(tracers->tracer);
+  scene->paging = std::move(tracers->paging);
+  scene->scout = scoutOf(scene->model, std::move(tracers->scout));
   scene->normals = std::make_unique<SurfaceNormals>(*scene->model.volume, maker.threads);
   scene->threads = maker.threads;
   return scene;

@@ -5,6 +5,7 @@
 #include "voxc/Render/SurfaceNormals.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
+#include "voxc/Trace/PagedTracer.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Volume.h"
 
@@ -23,10 +24,21 @@ struct Model {
   std::uint64_t pagedBytes = 0;
 };
 
+/// What traces a model.
+struct Tracers {
+  std::unique_ptr<Tracer> tracer;
+  /// Of a model in pages: another one, on this processor alone and on one thread, that is used by a thread of
+  /// its own. What it reads the first finds at hand. Null: there is none.
+  std::unique_ptr<Tracer> scout = {};
+  std::function<PagingReport()> paging = {}; ///< What the first has done; empty: it has no pages.
+};
+
 struct Scene {
   Model model;
   std::string device; ///< Its name.
   std::unique_ptr<Tracer> tracer;
+  std::function<PagingReport()> paging;    ///< As in `Tracers`; asked by the thread that traces.
+  std::shared_ptr<const Scene> scout;      ///< The same model, traced by the scout; or null.
   std::unique_ptr<SurfaceNormals> normals; ///< That its pictures have found.
   unsigned threads = 0;                    ///< That shade; 0: all of the machine.
 };
@@ -36,9 +48,9 @@ struct SceneMaker {
   /// The model in a format ("" for the one of the beginning). Errors: the text is no format, the input does
   /// not fit, all those of building.
   std::function<Expected<Model>(const std::string &text, const Progress &progress)> makeModel;
-  /// A tracer on the device that `name` names ("" for the best one), which keeps the volume alive; `name`
+  /// Tracers on the device that `name` names ("" for the best one), which keep the volume alive; `name`
   /// becomes the device's own. Errors: those of devices and kernels.
-  std::function<Expected<std::unique_ptr<Tracer>>(const Model &model, std::string &name)> makeTracer;
+  std::function<Expected<Tracers>(const Model &model, std::string &name)> makeTracers;
   unsigned threads = 0; ///< Of scenes.
 };
 

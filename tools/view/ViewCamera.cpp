@@ -66,11 +66,13 @@ Camera ViewCamera::camera(int width, int height) const {
           .height = height};
 }
 
+/// Forwards, but neither up nor down.
+glm::dvec3 ViewCamera::level() const { return tilted(forward_, upright_, glm::radians(90.0)); }
+
 void ViewCamera::turn(double right, double up) {
   const glm::dvec3 at = look();
-  const glm::dvec3 level = tilted(forward_, upright_, glm::radians(90.0));
-  const glm::dvec3 side = glm::cross(level, upright_);
-  const glm::dvec3 turned = level * std::cos(right) + side * std::sin(right);
+  const glm::dvec3 side = glm::cross(level(), upright_);
+  const glm::dvec3 turned = level() * std::cos(right) + side * std::sin(right);
   forward_ = tilted(turned, upright_, clampTilt(angleTo(upright_, forward_) - up));
   if (turning_ == Turning::Orbit)
     eye_ = at - forward_ * distance_;
@@ -85,6 +87,30 @@ void ViewCamera::approach(double factor) {
   const glm::dvec3 at = look();
   distance_ = std::max(distance_ / factor, kLeastDistance);
   eye_ = at - forward_ * distance_;
+}
+
+CameraMotion ViewCamera::since(const ViewCamera &before) const {
+  CameraMotion motion;
+  const glm::dvec3 sideBefore = glm::cross(before.level(), upright_);
+  const double tilt = angleTo(upright_, forward_);
+  motion.turn = {std::atan2(glm::dot(level(), sideBefore), glm::dot(level(), before.level())),
+                 angleTo(upright_, before.forward_) - tilt};
+  motion.approach = std::log(before.distance_ / distance_);
+  // Turning leaves the look in orbit and the eye in flight; approaching leaves the look.
+  const glm::dvec3 by = turning_ == Turning::Orbit
+                            ? look() - before.look()
+                            : eye_ - before.eye_ - forward_ * (before.distance_ - distance_);
+  // Forward may rise, so it is no right angle to the way up.
+  const double forward = glm::dot(by, level()) / std::sin(tilt);
+  motion.move = {glm::dot(by, glm::cross(level(), upright_)),
+                 glm::dot(by, upright_) - forward * std::cos(tilt), forward};
+  return motion;
+}
+
+void ViewCamera::apply(const CameraMotion &motion, double times) {
+  turn(motion.turn.x * times, motion.turn.y * times);
+  move(motion.move.x * times, motion.move.y * times, motion.move.z * times);
+  approach(std::exp(motion.approach * times));
 }
 
 void ViewCamera::lookAt(const glm::dvec3 &point) {

@@ -3,12 +3,22 @@
 
 #include "voxc/Trace/Camera.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 namespace voxc::view {
 
 /// What turning turns about.
 enum class Turning {
   Orbit, ///< The point looked at, which stays where it is.
   Fly,   ///< The eye.
+};
+
+/// What leads from one camera to another, as the functions of `ViewCamera` take it.
+struct CameraMotion {
+  glm::dvec2 turn{};   ///< Right and up, in radians.
+  glm::dvec3 move{};   ///< Right, up and forward, in voxels.
+  double approach = 0; ///< The logarithm of the factor.
 };
 
 class ViewCamera {
@@ -32,11 +42,16 @@ public:
   void approach(double factor);
   /// Looks at `point` from where the eye is, and orbits around it from now on. A point at the eye is left.
   void lookAt(const glm::dvec3 &point);
+  /// What has led from `before` to here, as if all was done at once. Both have the same way up.
+  CameraMotion since(const ViewCamera &before) const;
+  /// Does such a motion so many times.
+  void apply(const CameraMotion &motion, double times);
   /// From the eye to the point looked at, in voxels.
   double distance() const { return distance_; }
 
 private:
   glm::dvec3 look() const { return eye_ + forward_ * distance_; }
+  glm::dvec3 level() const;
 
   glm::dvec3 eye_;
   glm::dvec3 forward_; ///< Unit length, and at least `kLeastTilt` from the upright.

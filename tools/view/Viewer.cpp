@@ -1,4 +1,4 @@
-// What the viewer does with input, and with what its threads bring.
+// What the viewer shows, and what it does with what its threads bring.
 #include "view/Viewer.h"
 
 #include "view/Words.h"
@@ -22,9 +22,6 @@ constexpr unsigned kFinest = 16;
 
 /// Of the longest axis, that one moves in a second.
 constexpr double kStride = 0.3;
-
-/// A pixel of dragging turns by so much, in radians; a step of the wheel brings so much nearer.
-constexpr double kTurnOfPixel = glm::radians(0.25), kNearerOfStep = 1.15;
 
 /// What does not come from a key in time is not caught up with.
 constexpr double kLongestStep = 0.1;
@@ -107,13 +104,18 @@ void Viewer::takeLoaded(Loaded loaded) {
     show();
 }
 
+/// What is to be seen now.
+Shot Viewer::shot() const {
+  const RenderOptions options = tool::renderOptions(options_.picture, *scene_->model.volume);
+  const bool isSmooth = options.isSmooth && kindOf(state_.style).needsNormals;
+  return {scene_, camera_->camera(options_.width, options_.height),
+          Look{state_.style, isSmooth, options.sun, options.coarse}};
+}
+
 void Viewer::show() {
   if (!isPlaced())
     return;
-  const RenderOptions options = tool::renderOptions(options_.picture, *scene_->model.volume);
-  const bool isSmooth = options.isSmooth && kindOf(state_.style).needsNormals;
-  const std::uint64_t number = painter_.show({scene_, camera_->camera(options_.width, options_.height),
-                                              Look{state_.style, isSmooth, options.sun, options.coarse}});
+  const std::uint64_t number = painter_.show(shot());
   if (!waiting_)
     waiting_ = Waiting{number, {}};
 }
@@ -123,7 +125,7 @@ void Viewer::takePainting(Painting painting) {
     return fail(painting.picture.error());
   state_.picture = stepText(painting);
   fineness_ = state_.picture + (painting.isLast ? ", the finest" : "");
-  log_.note("painted " + fineness_);
+  log_.note("painted " + fineness_ + pagesText(painting));
   picture_ = std::move(*painting.picture);
   pictureNumber_ = painting.number;
   isPictureNew_ = true;
@@ -150,6 +152,7 @@ bool Viewer::advance(double seconds) {
     const double stride = kStride * std::max({extent.x, extent.y, extent.z});
     if (motion_.advance(*camera_, std::min(seconds, kLongestStep), stride))
       show();
+    scout_.follow(shot(), *camera_, seconds);
   }
   bool hasChanged = false;
   const auto take = [&hasChanged](auto &from, const auto &use) {
@@ -171,92 +174,6 @@ bool Viewer::advance(double seconds) {
     log_.tell("picked " + state_.touched);
   });
   return hasChanged;
-}
-
-void Viewer::press(Action action) {
-  struct Row {
-    Action action;
-    void (*act)(Viewer &viewer);
-  };
-  static constexpr Row kRows[] = {
-      {Action::ToggleFly, [](Viewer &viewer) { viewer.setFlying(!viewer.state_.isFlying); }},
-      {Action::Orbit, [](Viewer &viewer) { viewer.orbitTouched(); }},
-      {Action::NextView, [](Viewer &viewer) { viewer.nextView(); }},
-      {Action::Home,
-       [](Viewer &viewer) {
-         if (viewer.home_)
-           viewer.setCamera(*viewer.home_);
-       }},
-      {Action::ToggleHeatmap,
-       [](Viewer &viewer) {
-         viewer.setStyle(viewer.state_.style == Style::Heatmap ? viewer.styleBefore_ : Style::Heatmap);
-       }},
-      {Action::NextDevice, [](Viewer &viewer) { viewer.nextDevice(); }},
-      {Action::EditFormat, [](Viewer &viewer) { viewer.isEditing_ = viewer.state_.showsPanel = true; }},
-      {Action::PreviousPoint, [](Viewer &viewer) { viewer.nextPoint(-1); }},
-      {Action::NextPoint, [](Viewer &viewer) { viewer.nextPoint(1); }},
-      {Action::CopyCamera, [](Viewer &viewer) { viewer.copyCamera(); }},
-      {Action::Screenshot, [](Viewer &viewer) { viewer.writeScreenshot(); }},
-      {Action::TogglePanel, [](Viewer &viewer) { viewer.state_.showsPanel = !viewer.state_.showsPanel; }},
-      {Action::ToggleHelp, [](Viewer &viewer) { viewer.state_.showsHelp = !viewer.state_.showsHelp; }},
-      {Action::Quit, [](Viewer &viewer) { viewer.state_.isClosing = true; }},
-  };
-  log_.note("key " + std::string(keyKinds()[std::size_t(action)].key));
-  motion_.press(action);
-  if (action >= Action::StyleLit && action <= Action::StyleHeatmap)
-    setStyle(static_cast<Style>(int(action) - int(Action::StyleLit)));
-  if (const Row *const row = std::ranges::find(kRows, action, &Row::action); row != std::end(kRows))
-    row->act(*this);
-}
-
-void Viewer::drag(double right, double down, bool isMoving) {
-  if (!camera_)
-    return;
-  if (isMoving) {
-    const Camera camera = camera_->camera(options_.width, options_.height);
-    const double pixel = pixelSpread(camera) * camera_->distance();
-    camera_->move(-right * pixel, down * pixel, 0);
-  } else {
-    // What is seen follows the mouse: in orbit because it turns, in flight because the head turns away.
-    const double sign = state_.isFlying ? -1 : 1;
-    camera_->turn(sign * right * kTurnOfPixel, -sign * down * kTurnOfPixel);
-  }
-  show();
-}
-
-void Viewer::zoom(double steps) {
-  if (!camera_)
-    return;
-  camera_->approach(std::pow(kNearerOfStep, steps));
-  show();
-}
-
-void Viewer::resize(int width, int height) {
-  if (width < 1 || height < 1 || (width == options_.width && height == options_.height))
-    return;
-  options_.width = width;
-  options_.height = height;
-  log_.note("size " + std::to_string(width) + "x" + std::to_string(height));
-  show();
-}
-
-void Viewer::setStyle(Style style) {
-  if (style == state_.style)
-    return;
-  if (style == Style::Heatmap)
-    styleBefore_ = state_.style;
-  state_.style = style;
-  log_.tell("style " + std::string(toString(style)));
-  show();
-}
-
-void Viewer::click(int column, int row) {
-  if (!isPlaced() || column < 0 || row < 0 || column >= options_.width || row >= options_.height)
-    return;
-  painter_.ask([this, column, row](const Shot &shot) {
-    if (column < shot.camera.width && row < shot.camera.height)
-      touch_.put(touch(shot, column, row));
-  });
 }
 
 void Viewer::takeTouch(const Expected<Touch> &touch) {

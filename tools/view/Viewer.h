@@ -4,6 +4,7 @@
 #include "view/EventLog.h"
 #include "view/Motion.h"
 #include "view/Painter.h"
+#include "view/Scout.h"
 #include "view/Screenshots.h"
 #include "view/SearchPoints.h"
 #include "view/Witness.h"
@@ -99,6 +100,7 @@ private:
   void takePainting(Painting painting);
   void takeTouch(const Expected<Touch> &touch);
   void takeCamera(const Expected<Camera> &camera);
+  Shot shot() const;
   void show();
   void fail(const Error &error);
   void nextView();
@@ -147,6 +149,7 @@ private:
   Screenshots screenshots_;
   Witness witness_;
   Painter painter_;
+  Scout scout_;
   JobThread loader_; // Threads last: they use all others.
 };
 

@@ -38,4 +38,11 @@ std::string stepText(const Painting &painting) {
   return text;
 }
 
+std::string pagesText(const Painting &painting) {
+  if (!painting.paging)
+    return {};
+  return "; " + std::to_string(painting.paging->reads) + " pages so far, " +
+         std::to_string(painting.paging->ahead) + " of them read ahead";
+}
+
 } // namespace voxc::view

@@ -13,4 +13,7 @@ std::string sizeText(const Model &model);
 /// "320x180, 1 sample, 24 ms". Precondition: there is a picture.
 std::string stepText(const Painting &painting);
 
+/// "; 120 pages so far, 90 of them read ahead", of a scene in pages; else "".
+std::string pagesText(const Painting &painting);
+
 } // namespace voxc::view

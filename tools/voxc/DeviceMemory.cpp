@@ -41,9 +41,15 @@ Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
   return outline;
 }
 
-Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures) const {
-  return tracing.preparePages(*volume_, format,
-                              {.memoryBytes = bytesOf(budget_), .coarse = coarse_.has_value()}, figures);
+Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures,
+                                     PagingOptions options) const {
+  options.memoryBytes = bytesOf(budget_);
+  options.coarse = coarse_.has_value();
+  return tracing.preparePages(*volume_, format, std::move(options), figures);
+}
+
+std::shared_ptr<PageShelf> DeviceMemory::makeShelf() const {
+  return std::make_shared<PageShelf>(bytesOf(budget_) / 2);
 }
 
 } // namespace voxc::tool

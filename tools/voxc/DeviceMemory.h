@@ -6,6 +6,7 @@
 
 #include "voxc/Volume/PagedVolume.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -30,8 +31,11 @@ public:
   /// file that is not compressed has no pages.
   Expected<Volume> open(const std::string &path, Json &figures);
   /// Makes `tracing` trace the open file as `format` says. Errors: the walk cannot wait for pages; as
-  /// `createPagedTracer`.
-  Expected<void> prepare(Tracing &tracing, const Format &format, Json &figures) const;
+  /// `createPagedTracer`. `options` tell the shelves; memory and blocks are those of the command.
+  Expected<void> prepare(Tracing &tracing, const Format &format, Json &figures,
+                         PagingOptions options = {}) const;
+  /// A shelf for pages that are read ahead: half as large as the memory for pages.
+  std::shared_ptr<PageShelf> makeShelf() const;
 
 private:
   std::string budget_;

@@ -46,11 +46,11 @@ inline SceneMaker hillMaker() {
       return built.error();
     return Model{std::make_shared<const Volume>(std::move(built->volume)), *parsed, spelledText(format)};
   };
-  maker.makeTracer = [](const Model &model, std::string &device) -> Expected<std::unique_ptr<Tracer>> {
+  maker.makeTracers = [](const Model &model, std::string &device) -> Expected<Tracers> {
     if (device == "broken")
       return Error::environment("there is no such device");
     device = device.empty() ? "cpu" : device;
-    return std::unique_ptr<Tracer>(std::make_unique<OracleTracer>(model.volume));
+    return Tracers{std::make_unique<OracleTracer>(model.volume)};
   };
   return maker;
 }

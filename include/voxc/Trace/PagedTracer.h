@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/PageShelf.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/PagedVolume.h"
 
@@ -17,6 +18,9 @@ struct PagingOptions {
   /// memory, so that `TraceOptions::coarse` can let them answer rays. Kernels must tell the voxel, t and
   /// colour of the closest hits, and no more.
   bool coarse = false;
+  /// Where pages are looked for before they are read, and where those go that were read; null: nowhere. So
+  /// what one tracer has read another has at hand. Its memory is not of the above.
+  std::shared_ptr<PageShelf> takesFrom = {}, putsOn = {};
 };
 
 /// What paging has done since the tracer was made.
@@ -26,7 +30,8 @@ struct PagingReport {
   std::uint64_t slots = 0;       ///< Pages that can be resident at once.
   std::uint64_t resident = 0;    ///< Pages that are.
   std::uint64_t memoryBytes = 0; ///< Of the slots and the table: at most the budget.
-  std::uint64_t reads = 0;       ///< Pages that were decoded: those that a round asked for and did not find.
+  std::uint64_t reads = 0;       ///< Pages that came: those that a round asked for and did not find.
+  std::uint64_t ahead = 0;       ///< Of these, pages that lay on the shelf, and were not read from the file.
   std::uint64_t found = 0;       ///< Pages that a round used and found, summed over rounds.
   std::uint64_t rounds = 0;      ///< How often rays were sent on.
   double decodeSeconds = 0;      ///< Wall time of reading, decoding and placing pages.

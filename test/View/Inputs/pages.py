@@ -16,6 +16,8 @@ def walk(name, volume, *options):
     with Viewer(command) as viewer:
         viewer.focus()
         print(name, viewer.wait("^scene "))
+        if options[0] == "--device-memory":
+            viewer.wait("^painted .*; [1-9][0-9]* pages so far, [0-9]+ of them read ahead")
         viewer.wait("^shown .*, the finest")
         for keys in [["p"], ["2", "v"], ["5"]]:
             for key in keys:

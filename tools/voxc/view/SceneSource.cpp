@@ -22,6 +22,8 @@ public:
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     return tracing_.trace(rays, hits, options);
   }
+  /// Of one that has pages.
+  PagingReport paging() const { return *tracing_.paging(); }
 
 private:
   std::shared_ptr<const Volume> volume_;
@@ -80,7 +82,7 @@ view::SceneMaker SceneSource::maker(const CommonOptions &common) {
             return makeModel(text, common, progress);
           },
           [this, common](const view::Model &model, std::string &device) {
-            return makeTracer(model, common, device);
+            return makeTracers(model, common, device);
           },
           building_.threads};
 }
@@ -170,19 +172,47 @@ Expected<view::Model> SceneSource::buildModel(const std::string &text, const Pro
                      view::spelledText(text)};
 }
 
-Expected<std::unique_ptr<Tracer>>
-SceneSource::makeTracer(const view::Model &model, const CommonOptions &common, std::string &device) const {
+Expected<Tracing> SceneSource::openTracing(const std::string &device, unsigned threads,
+                                           const CommonOptions &common) const {
   Tracing tracing;
-  tracing.choose(device, building_.threads);
+  tracing.choose(device, threads);
   if (Expected<void> opened = tracing.openDevice(common); !opened)
     return opened.error();
+  return tracing;
+}
+
+Expected<view::Tracers> SceneSource::makeTracers(const view::Model &model, const CommonOptions &common,
+                                                 std::string &device) const {
+  Expected<Tracing> tracing = openTracing(device, building_.threads, common);
+  if (!tracing)
+    return tracing.error();
+  device = tracing->deviceInfo().name;
+  if (model.pagedBytes > 0)
+    return makePagedTracers(model, common, std::move(*tracing));
   Json figures;
-  if (Expected<void> prepared = model.pagedBytes > 0 ? memory_.prepare(tracing, model.format, figures)
-                                                     : tracing.prepare(*model.volume, model.format, figures);
+  if (Expected<void> prepared = tracing->prepare(*model.volume, model.format, figures); !prepared)
+    return prepared.error();
+  return view::Tracers{std::make_unique<KeptTracer>(model.volume, std::move(*tracing))};
+}
+
+/// Two of them, with a shelf between them on which the scout puts pages.
+Expected<view::Tracers> SceneSource::makePagedTracers(const view::Model &model, const CommonOptions &common,
+                                                      Tracing tracing) const {
+  Expected<Tracing> scouting = openTracing(cpuDeviceInfo().name, 1, common);
+  if (!scouting)
+    return scouting.error();
+  const auto shelf = memory_.makeShelf();
+  Json figures;
+  if (Expected<void> prepared = memory_.prepare(tracing, model.format, figures, {.takesFrom = shelf});
       !prepared)
     return prepared.error();
-  device = tracing.deviceInfo().name;
-  return std::unique_ptr<Tracer>(std::make_unique<KeptTracer>(model.volume, std::move(tracing)));
+  if (Expected<void> prepared = memory_.prepare(*scouting, model.format, figures, {.putsOn = shelf});
+      !prepared)
+    return prepared.error();
+  auto kept = std::make_unique<KeptTracer>(model.volume, std::move(tracing));
+  auto paging = [&kept = *kept] { return kept.paging(); };
+  return view::Tracers{std::move(kept), std::make_unique<KeptTracer>(model.volume, std::move(*scouting)),
+                       std::move(paging)};
 }
 
 std::vector<std::string> deviceNames() {

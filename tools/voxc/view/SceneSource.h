@@ -41,8 +41,12 @@ private:
   Expected<view::Model> suggestModel(const CommonOptions &common, const Progress &progress) const;
   Expected<view::Model> makeModel(const std::string &text, const CommonOptions &common,
                                   const Progress &progress);
-  Expected<std::unique_ptr<Tracer>> makeTracer(const view::Model &model, const CommonOptions &common,
-                                               std::string &device) const;
+  Expected<Tracing> openTracing(const std::string &device, unsigned threads,
+                                const CommonOptions &common) const;
+  Expected<view::Tracers> makeTracers(const view::Model &model, const CommonOptions &common,
+                                      std::string &device) const;
+  Expected<view::Tracers> makePagedTracers(const view::Model &model, const CommonOptions &common,
+                                           Tracing tracing) const;
 
   std::string input_, format_, device_;
   bool trusted_ = false;
