@@ -66,7 +66,7 @@ private:
   SpeedModel prior_, model_;
   RaceOptions options_;
   std::vector<State> states_;
-  std::vector<double> times_; ///< Of each format that was measured.
+  std::vector<double> times_;         ///< Of each format that was measured.
   std::vector<std::size_t> measured_; ///< In the order in which they were taken in.
   std::vector<SpeedSample> samples_;
   SpeedCorrection correction_;
