@@ -58,6 +58,9 @@ Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &
     // They and no others: nothing is rewritten, nothing left out.
     options.mostFormats = seeds.size();
     options.kept = std::numeric_limits<double>::infinity();
+  } else if (options_.maxLevels > 0) {
+    options.maxLevels = options_.maxLevels;
+    std::erase_if(seeds, [&](const Candidate &seed) { return seed.format.levels.size() > options.maxLevels; });
   }
   return explore(rater, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress_);
 }

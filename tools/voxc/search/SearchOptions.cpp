@@ -66,10 +66,11 @@ void SearchOptions::declare(const CommandLine &command) {
   command.add("--formats", formatsPath, "A file of formats, one a line, to choose from and nothing else")
       .takes("FILE");
   command.addFlag("--all", all, "Measure all formats that are looked at, however little they promise");
-  command.add("--max-levels", explore.maxLevels, "The most levels of a format")
+  command
+      .add("--max-levels", maxLevels,
+           "The most levels of a format; default: 4, but as many as it takes of those that it begins with")
       .takes("N")
-      .between(1, 8)
-      .showsDefault();
+      .between(1, 8);
   command.add("--explore", explore.mostFormats, "The most formats of which size and speed are foretold")
       .takes("N")
       .between(1, 10'000'000)

@@ -24,6 +24,7 @@ struct SearchOptions {
   bench::RayArguments rays;
   std::string formatsPath; ///< "": all of the space.
   ExploreOptions explore;
+  std::size_t maxLevels = 0; ///< 0: `explore.maxLevels`, but any number of those that it begins with.
   std::size_t check = 2000;
   bool all = false; ///< Measure whatever is looked at.
   std::uint32_t seed = 1;
