@@ -19,7 +19,7 @@ std::vector<RaySet> fewOf(std::span<const RaySet> rays, std::size_t count) {
     const std::size_t packets = set.rays.size() / kReplayPacket;
     const std::size_t wanted =
         std::clamp<std::size_t>(count / kReplayPacket, 1, std::max<std::size_t>(packets, 1));
-    RaySet some{set.name, {}};
+    RaySet some{set.name, {}, set.isBinned};
     for (std::size_t i = 0; i < std::min(wanted, packets); ++i) {
       const auto first = set.rays.begin() + static_cast<std::ptrdiff_t>(i * packets / wanted * kReplayPacket);
       some.rays.insert(some.rays.end(), first, first + kReplayPacket);

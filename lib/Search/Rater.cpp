@@ -43,7 +43,7 @@ void Rater::replayAgain(RatedFormat &format, std::span<const RaySet> rays, const
   if (!plan)
     return;
   for (const RaySet &set : rays)
-    format.costs.push_back(replay(scene_.shape, set.rays, *plan));
+    format.costs.emplace_back(replay(scene_.shape, set.rays, *plan)).binned = set.isBinned ? 1 : 0;
   format.nanoseconds.resize(format.costs.size());
   predictAgain(format, model);
 }

@@ -8,39 +8,53 @@
 #include "LineSet.h"
 #include "LookUp.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace voxc {
 
 namespace {
 
+/// What the rays of a packet have done in common so far.
+struct Packet {
+  LineSet lines; ///< That any has read.
+  /// Turn by turn, and level by level within one: the most layers that any has gone down.
+  std::vector<int> layers;
+
+  void clear() {
+    lines.clear();
+    layers.clear();
+  }
+};
+
 /// The walk of one ray.
 class ReplayedWalk {
 public:
-  ReplayedWalk(const SceneDag &dag, LineSet &lines, const Plan &plan, const std::vector<LevelView> &levels,
+  ReplayedWalk(const SceneDag &dag, Packet &packet, const Plan &plan, const std::vector<LevelView> &levels,
                const Ray &ray, RayCost &cost)
-      : lines_(lines), levels_(levels), isDirect_(plan.walk == Walk::Direct),
+      : packet_(packet), levels_(levels), isDirect_(plan.walk == Walk::Direct),
         countsVisits_(plan.walk == Walk::Nested), at_(ray, 1 << levels.front().top),
         path_(dag, levels.front().top), height_(levels.front().top), cost_(cost) {}
 
   /// Adds what the ray costs. Returns its turns.
-  double run() {
-    double turns = 0;
+  std::size_t run() {
     if (at_.isInside())
       ++cost_.words; // Where the root is.
                      // No ray crosses more cells; one that float64 cannot place might come back to some.
-    const double mostTurns = 3 * std::ldexp(1.0, levels_.front().top);
-    while (at_.isInside() && turns < mostTurns) {
-      ++turns;
+    const std::size_t mostTurns = std::size_t{3} << levels_.front().top;
+    while (at_.isInside() && turns_ < mostTurns) {
+      ++turns_;
       const int empty = path_.find(at_.voxel());
       lookUp(empty);
       if (empty < 0)
         break;
       step(empty);
     }
-    return turns;
+    return turns_;
   }
 
 private:
@@ -55,6 +69,8 @@ private:
       const int from = resumes ? std::min(height_, level.top) : level.top;
       const int layers = level.layers(from, isEmpty ? empty : level.bottom);
       cost_.layers += layers;
+      cost_.packetLayers += kReplayPacket * deeper(i, layers);
+      cost_.probes += level.stratum.slots && level.stratum.slots->lookUpLoops ? 1 : 0;
       cost_.words += wordsRead(level, layers, isEmpty);
       cost_.lines += linesRead(i, from, layers);
       level_ = i;
@@ -63,6 +79,15 @@ private:
     }
     cost_.lookups += countsVisits_ ? visits : 1;
     cost_.switches += isDirect_ ? 0 : visits - 1;
+  }
+
+  /// By how many layers the packet goes deeper into the level in this turn than it would without this ray.
+  int deeper(std::size_t index, int layers) {
+    const std::size_t place = (turns_ - 1) * levels_.size() + index;
+    if (place >= packet_.layers.size())
+      packet_.layers.resize(turns_ * levels_.size());
+    int &most = packet_.layers[place];
+    return std::max(layers - std::exchange(most, std::max(most, layers)), 0);
   }
 
   /// Lines that no ray of the packet has read: those of the nodes from a height down, or of the cell of a
@@ -75,7 +100,7 @@ private:
     if (!level.stratum.isGrid()) {
       int lines = 0;
       for (int layer = 0; layer < layers; ++layer)
-        lines += lines_.add(node(from - layer * level.branch)) ? 1 : 0;
+        lines += packet_.lines.add(node(from - layer * level.branch)) ? 1 : 0;
       return lines;
     }
     const Int3 voxel = at_.voxel();
@@ -85,7 +110,7 @@ private:
     const std::uint64_t cell =
         level.tellsGroups ? 0
                           : (row(voxel.x) >> kLog2LineWords) + (row(voxel.y) << 16) + (row(voxel.z) << 32);
-    return lines_.add(node(level.top) ^ cell << 20) ? 1 : 0;
+    return packet_.lines.add(node(level.top) ^ cell << 20) ? 1 : 0;
   }
 
   /// Leaves what is empty, for the level that the walk goes on from.
@@ -121,36 +146,17 @@ private:
 
   static constexpr int kLog2LineWords = 4;
 
-  LineSet &lines_;
+  Packet &packet_;
   const std::vector<LevelView> &levels_;
   bool isDirect_;
   bool countsVisits_; ///< Look-ups are counted level by level, else turn by turn.
   RayPosition at_;
   ScenePath path_;
+  std::size_t turns_ = 0;
   std::size_t level_ = 0; ///< Where the next look-up begins,
   int height_;            ///< and in a tree with a stack, the height of the node.
   RayCost &cost_;
 };
-
-} // namespace
-
-namespace {
-
-/// Of neighbours that go any way, so many have another octant than the one before.
-constexpr double kAnyWay = 7.0 / 8;
-
-double scatterOf(std::span<const Ray> rays) {
-  std::size_t changes = 0;
-  for (std::size_t i = 1; i < rays.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      if (std::signbit(rays[i].direction[axis]) != std::signbit(rays[i - 1].direction[axis])) {
-        ++changes;
-        break;
-      }
-  return std::min(static_cast<double>(changes) /
-                      (kAnyWay * static_cast<double>(std::max<std::size_t>(rays.size(), 1))),
-                  1.0);
-}
 
 } // namespace
 
@@ -159,24 +165,22 @@ RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) 
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
     levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
   RayCost cost;
-  const auto lines = std::make_unique<LineSet>();
+  Packet packet;
   const std::size_t packets = all.size() / kReplayPacket;
-  for (std::size_t packet = 0; packet < packets; ++packet) {
-    double most = 0;
-    lines->clear();
-    for (std::size_t lane = 0; lane < kReplayPacket; ++lane) {
-      const Ray &ray = all[packet * kReplayPacket + lane];
-      const double turns = ReplayedWalk(dag, *lines, plan, levels, ray, cost).run();
-      cost.turns += turns;
+  for (std::size_t first = 0; first < packets * kReplayPacket; first += kReplayPacket) {
+    std::size_t most = 0;
+    packet.clear();
+    for (const Ray &ray : all.subspan(first, kReplayPacket)) {
+      const std::size_t turns = ReplayedWalk(dag, packet, plan, levels, ray, cost).run();
+      cost.turns += static_cast<double>(turns);
       most = std::max(most, turns);
     }
-    cost.waits += most * kReplayPacket;
+    cost.waits += static_cast<double>(most * kReplayPacket);
   }
   const auto rays = static_cast<double>(std::max<std::size_t>(packets * kReplayPacket, 1));
-  for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.marches, &cost.waits,
-                       &cost.switches, &cost.lines})
+  for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.packetLayers,
+                       &cost.probes, &cost.marches, &cost.waits, &cost.switches, &cost.lines})
     *part /= rays;
-  cost.scatter = scatterOf(all);
   return cost;
 }
 

@@ -9,8 +9,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <random>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -64,19 +66,34 @@ std::vector<Ray> sampleCamera(const Camera &camera, std::size_t count) {
   return rays;
 }
 
-std::vector<Ray> sampleBounces(const SceneDag &dag, const std::vector<Ray> &rays, std::uint32_t seed) {
+std::vector<Ray> sampleBounces(const SceneDag &dag, const std::vector<Ray> &rays, std::size_t count,
+                               std::uint32_t seed) {
   std::vector<Int3> places;
   for (const Ray &ray : rays)
     if (const auto place = beforeHit(dag, ray))
       places.push_back(*place);
   std::vector<Ray> bounces;
   std::mt19937 random(seed);
-  for (std::size_t i = 0; i < rays.size() && !places.empty(); ++i) {
+  for (std::size_t i = 0; i < count && !places.empty(); ++i) {
     const Int3 place = places[i % places.size()];
     const glm::vec3 origin = glm::vec3(place.x, place.y, place.z) + 0.5F;
     bounces.push_back(makeRay(origin, anyDirection(random)));
   }
   return bounces;
+}
+
+RaySet samplePackets(std::string name, std::vector<Ray> rays, std::size_t count, int edge, RayOrder order) {
+  RaySet set{std::move(name), {}};
+  set.isBinned = order == RayOrder::Binned || (order == RayOrder::Auto && areScattered(RaySpan(rays), edge));
+  std::vector<std::uint32_t> places(rays.size());
+  std::iota(places.begin(), places.end(), 0U);
+  if (set.isBinned)
+    places = binnedOrder(RaySpan(rays), edge, 1);
+  const std::size_t packets = std::min(rays.size(), count) / kReplayPacket;
+  for (std::size_t packet = 0; packet < packets; ++packet)
+    for (std::size_t i = 0; i < kReplayPacket; ++i)
+      set.rays.push_back(rays[places[rays.size() / packets * packet + i]]);
+  return set;
 }
 
 } // namespace voxc

@@ -9,6 +9,8 @@ namespace voxc {
 namespace {
 
 constexpr double kMebibyte = 1 << 20;
+/// log2 of the MiB that the caches of a core hold.
+constexpr double kNear = 2;
 constexpr int kSweeps = 4000;
 /// How strongly a model is drawn to its prior: as by so many samples.
 constexpr double kPriorWeight = 0.02;
@@ -16,25 +18,23 @@ constexpr double kPriorWeight = 0.02;
 /// In the order of `SpeedTerm`; docs/search.md tells from what they were fitted, and how well. No L1
 /// distances were among that, so that the weight of a march is a guess; no candidate of `candidatesFor` has
 /// any.
-constexpr SpeedModel kCpu{{27, 1.0, 0.87, 0.76, 2, 9.4, 0, 2.4, 40, 0, 0}};
-constexpr SpeedModel kLavapipe{{66, 3.0, 3.5, 4.2, 5, 15, 0, 7.4, 0, 0, 1.0}};
+constexpr SpeedModel kCpu{{26, 62, 2.0, 0.11, 5.0, 0.65, 2, 29, 0.57, 1.2}};
+constexpr SpeedModel kLavapipe{{37, 67, 7.2, 2.8, 11, 2.1, 5, 46, 0.91, 5.7}};
 
 } // namespace
 
 SpeedTerms speedTerms(const RayCost &cost, std::uint64_t bytes) {
   const double far = std::log2(1 + static_cast<double>(bytes) / kMebibyte);
-  const double waits = cost.turns > 0 ? cost.waits / cost.turns : 1;
   return {1,
-          cost.waits,
+          cost.binned,
+          cost.turns,
           cost.words,
-          cost.layers,
+          cost.probes,
+          cost.packetLayers,
           cost.marches,
-          cost.switches * waits,
-          cost.lines * waits,
-          cost.lines * far,
-          cost.scatter,
-          cost.lines * cost.scatter,
-          cost.words * cost.scatter};
+          cost.switches,
+          cost.waits * far,
+          cost.lines * std::max(far - kNear, 0.0)};
 }
 
 double SpeedModel::predict(const SpeedTerms &terms) const {

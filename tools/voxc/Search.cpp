@@ -60,7 +60,8 @@ Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &
     options.kept = std::numeric_limits<double>::infinity();
   } else if (options_.maxLevels > 0) {
     options.maxLevels = options_.maxLevels;
-    std::erase_if(seeds, [&](const Candidate &seed) { return seed.format.levels.size() > options.maxLevels; });
+    std::erase_if(seeds,
+                  [&](const Candidate &seed) { return seed.format.levels.size() > options.maxLevels; });
   }
   return explore(rater, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress_);
 }
@@ -152,8 +153,7 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
     addKnown(scene, *seeds);
   const SpeedModel model = speedModelFor(axes->devices.front().part.name);
   const Stopwatch exploring;
-  Explored explored =
-      foretell(scene, replayedRays(scene, axes->models.front().rays), model, std::move(*seeds));
+  Explored explored = foretell(scene, replayedRays(scene, *axes), model, std::move(*seeds));
   figures["explore_seconds"] = exploring.seconds();
   if (progress_.stopped())
     return Error::interrupted();

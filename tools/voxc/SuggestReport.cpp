@@ -97,11 +97,10 @@ void addSuggestFigures(Json &figures, const Suggestion &suggestion) {
     for (std::size_t set = 0; set < suggestion.rays.size(); ++set) {
       const RayCost &cost = format.costs[set];
       entry["rays"][suggestion.rays[set]] = {
-          {"lookups", cost.lookups},   {"turns", cost.turns},
-          {"waits", cost.waits},       {"words", cost.words},
-          {"layers", cost.layers},     {"marches", cost.marches},
-          {"switches", cost.switches}, {"lines", cost.lines},
-          {"scatter", cost.scatter},   {"nanoseconds", format.nanoseconds[set]}};
+          {"lookups", cost.lookups},   {"turns", cost.turns},   {"waits", cost.waits},
+          {"words", cost.words},       {"layers", cost.layers}, {"marches", cost.marches},
+          {"switches", cost.switches}, {"lines", cost.lines},   {"packet_layers", cost.packetLayers},
+          {"probes", cost.probes},     {"binned", cost.binned}, {"nanoseconds", format.nanoseconds[set]}};
     }
     formats.push_back(std::move(entry));
   }

@@ -73,7 +73,7 @@ protected:
       : colours_(*SceneDag::build(**makeBuiltinSource("terrain", 64), {.detail = SceneDag::Detail::Colours})),
         dag_(colours_.shape()) {
     const std::vector<Ray> rays = sampleCamera(frameExtent({64, 64, 64}, 160, 96), 128);
-    rays_ = {{"camera", rays}, {"bounced", sampleBounces(dag_, rays, 1)}};
+    rays_ = {{"camera", rays}, {"bounced", sampleBounces(dag_, rays, rays.size(), 1)}};
   }
 
   Explored explored(const ExploreOptions &options = {}) const {

@@ -74,6 +74,9 @@ TEST_P(ReplayTest, CountsWhatKernelsCount) {
   // Kernels count a word again that they ask for twice in one look-up.
   EXPECT_NEAR(cost.words / words, 0.95, 0.15) << cost.words << " of " << words;
   EXPECT_GE(cost.waits, cost.turns);
+  EXPECT_GE(cost.packetLayers, cost.layers);
+  EXPECT_LE(cost.packetLayers, cost.layers * static_cast<double>(kReplayPacket));
+  EXPECT_EQ(cost.probes > 0, std::string(GetParam().format).find('H') != std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -19,7 +19,9 @@ RayCost randomCost(std::mt19937 &random) {
   cost.marches = some(random);
   cost.switches = some(random);
   cost.lines = some(random);
-  cost.scatter = some(random) / 20;
+  cost.packetLayers = cost.layers * (1 + some(random) / 10);
+  cost.probes = some(random);
+  cost.binned = random() % 2;
   return cost;
 }
 

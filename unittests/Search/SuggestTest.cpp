@@ -40,7 +40,7 @@ protected:
   SuggestTest() : dag_(*SceneDag::build(**makeBuiltinSource("terrain", 64), {})) {
     const std::vector<Ray> rays = sampleCamera(frameExtent({64, 64, 64}, 160, 96), 256);
     EXPECT_EQ(rays.size(), 256u);
-    rays_ = {{"camera", rays}, {"bounced", sampleBounces(dag_, rays, 1)}};
+    rays_ = {{"camera", rays}, {"bounced", sampleBounces(dag_, rays, rays.size(), 1)}};
   }
 
   std::vector<RatedFormat> rate(const Wish &wish) const {

@@ -18,6 +18,8 @@ namespace voxc {
 struct RaySet {
   std::string name; ///< Such as "camera".
   std::vector<Ray> rays;
+  bool isBinned =
+      false; ///< A tracer sorts them first (`RayOrder::Binned`), so that they stand here in that order.
 };
 
 /// One candidate, and what is to be expected of it.

@@ -17,12 +17,15 @@ struct RayCost {
   double turns = 0;   ///< Steps over what is empty, and one for the voxel that is hit.
   double words = 0;   ///< Words of nodes that are read; those of a hit's colour are not among them.
   double layers = 0;  ///< Layers of trees that are gone down.
+  double packetLayers =
+      0;              ///< As a packet goes: in each turn, of each level, as many as the ray with the most.
+  double probes = 0;  ///< Look-ups in hash grids.
   double marches = 0; ///< Steps from cell to cell within an L1 distance.
   double waits = 0;   ///< Turns of the ray of a packet that has the most.
   double switches =
       0;            ///< Look-ups beyond those of turns: changes of level, where levels are walked one by one.
   double lines = 0; ///< Different cache lines that a packet reads, its share of them.
-  double scatter = 0; ///< How the rays are ordered: 0 if neighbours go the same way, 1 if they go any way.
+  double binned = 0; ///< 1 if a tracer sorts the rays first (`RaySet::isBinned`), else 0; `replay` leaves it.
 };
 
 /// Rays of a packet: neighbours, which wait for each other.

@@ -13,22 +13,20 @@
 
 namespace voxc {
 
-/// What the time of a ray is a sum of. Some parts are taken as often as a packet has to wait for its slowest
-/// ray: times `RayCost::waits` / `RayCost::turns`.
+/// What the time of a ray is a sum of.
 enum class SpeedTerm : std::size_t {
-  Ray,            ///< Once a ray.
-  Waits,          ///< `RayCost::waits`.
-  Words,          ///< `RayCost::words`.
-  Layers,         ///< `RayCost::layers`.
-  Marches,        ///< `RayCost::marches`.
-  Switches,       ///< `RayCost::switches`, as often as a packet waits.
-  Lines,          ///< `RayCost::lines`, as often as a packet waits.
-  FarLines,       ///< Lines, times log2(1 + the volume's bytes / 1 MiB).
-  Scatter,        ///< `RayCost::scatter`.
-  ScatteredLines, ///< Lines, times scatter.
-  ScatteredWords, ///< Words, times scatter.
+  Ray,      ///< Once a ray.
+  Binning,  ///< `RayCost::binned`.
+  Turns,    ///< `RayCost::turns`.
+  Words,    ///< `RayCost::words`.
+  Probes,   ///< `RayCost::probes`.
+  Layers,   ///< `RayCost::packetLayers`.
+  Marches,  ///< `RayCost::marches`.
+  Switches, ///< `RayCost::switches`.
+  FarWaits, ///< `RayCost::waits`, times log2(1 + the volume's bytes / 1 MiB): memory is farther away.
+  FarLines, ///< `RayCost::lines`, times what that logarithm is above 2: beyond what caches hold.
 };
-inline constexpr std::size_t kSpeedTerms = 11;
+inline constexpr std::size_t kSpeedTerms = 10;
 
 using SpeedTerms = std::array<double, kSpeedTerms>;
 

@@ -123,15 +123,4 @@ Expected<std::vector<Candidate>> readCandidates(const std::string &path, const S
   return candidates;
 }
 
-std::vector<Ray> spreadPackets(const std::vector<Ray> &rays) {
-  constexpr std::size_t kPacket = kReplayPacket;
-  const std::size_t packets = std::min(rays.size(), kReplayedRays) / kPacket;
-  std::vector<Ray> some;
-  for (std::size_t packet = 0; packet < packets; ++packet) {
-    const auto first = rays.begin() + static_cast<std::ptrdiff_t>(rays.size() / packets * packet);
-    some.insert(some.end(), first, first + kPacket);
-  }
-  return some;
-}
-
 } // namespace voxc::tool

@@ -44,9 +44,6 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
 Expected<std::vector<Candidate>> readCandidates(const std::string &path, const Scene &scene);
 
 /// Of each kind: more do not change which format it is.
-inline constexpr std::size_t kReplayedRays = 1024;
-
-/// Packets from all over a file of rays.
-std::vector<Ray> spreadPackets(const std::vector<Ray> &rays);
+inline constexpr std::size_t kReplayedRays = 2048;
 
 } // namespace voxc::tool

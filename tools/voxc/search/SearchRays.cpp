@@ -4,6 +4,8 @@
 #include "sweep/Model.h"
 #include "voxc/Search/SampleRays.h"
 
+#include <algorithm>
+
 namespace voxc::tool {
 
 namespace {
@@ -18,7 +20,8 @@ Expected<std::vector<bench::RaySet>> measuredRays(const SearchOptions &options, 
   auto sets = bench::readRaySets(arguments, bench::nameOfInput(options.input));
   if (!sets || !isUsual)
     return sets;
-  std::vector<Ray> bounces = sampleBounces(scene.shape, sets->front().raysFor(scene.extent), options.seed);
+  const std::vector<Ray> eye = sets->front().raysFor(scene.extent);
+  std::vector<Ray> bounces = sampleBounces(scene.shape, eye, eye.size(), options.seed);
   if (!bounces.empty())
     sets->push_back(bench::makeRaySet("bounced", std::move(bounces), arguments.order));
   return sets;
@@ -26,11 +29,20 @@ Expected<std::vector<bench::RaySet>> measuredRays(const SearchOptions &options, 
 
 } // namespace
 
-std::vector<RaySet> replayedRays(const Scene &scene, const std::vector<bench::RaySet> &measured) {
+std::vector<RaySet> replayedRays(const Scene &scene, const bench::SweepAxes &axes) {
+  // A tracer of a device that is no processor takes rays as they are given.
+  const bool isProcessor = axes.devices.front().part.clock == "cpu";
   std::vector<RaySet> sets;
-  for (const bench::RaySet &set : measured)
-    sets.push_back({set.part.name, set.camera ? sampleCamera(set.camera(scene.extent), kReplayedRays)
-                                              : spreadPackets(set.rays)});
+  for (const bench::RaySet &set : axes.models.front().rays) {
+    RayOrder order = rayOrderFrom(set.part.order.value_or(kAutoOrder));
+    if (order == RayOrder::Auto && (set.camera || !isProcessor))
+      order = RayOrder::Given;
+    if (set.camera && order == RayOrder::Given)
+      sets.push_back({set.part.name, sampleCamera(set.camera(scene.extent), kReplayedRays)});
+    else
+      sets.push_back(samplePackets(set.part.name, set.raysFor(scene.extent), kReplayedRays,
+                                   std::max({scene.extent.x, scene.extent.y, scene.extent.z}), order));
+  }
   return sets;
 }
 

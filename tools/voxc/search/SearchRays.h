@@ -13,7 +13,7 @@ namespace voxc::tool {
 /// to make the rays again is kept in the cache of the folder. Errors: those of cameras, rays and devices.
 Expected<bench::SweepAxes> makeSearchAxes(const SearchOptions &options, const Scene &scene);
 
-/// Rays that stand for the measured ones.
-std::vector<RaySet> replayedRays(const Scene &scene, const std::vector<bench::RaySet> &measured);
+/// Rays that stand for the measured ones, in the order in which the device takes them.
+std::vector<RaySet> replayedRays(const Scene &scene, const bench::SweepAxes &axes);
 
 } // namespace voxc::tool

@@ -6,6 +6,8 @@
 #include "voxc/Search/SampleRays.h"
 #include "voxc/Support/Stopwatch.h"
 
+#include <algorithm>
+
 namespace voxc::tool {
 
 namespace {
@@ -13,9 +15,12 @@ namespace {
 /// A picture in which neighbours are as close as in one of the usual size, and packets lie everywhere.
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
+/// Rays that bounce, of which some are replayed: as many as make bins of neighbours.
+constexpr std::size_t kBounces = std::size_t{1} << 17;
 
 Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scene &scene) {
   std::vector<RaySet> sets;
+  const int edge = std::max({scene.extent.x, scene.extent.y, scene.extent.z});
   for (const std::string &path : request.rayFiles) {
     Expected<std::vector<Ray>> rays = readRays(path);
     if (!rays)
@@ -23,13 +28,13 @@ Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scen
     if (rays->size() < kReplayPacket)
       return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
                           std::to_string(kReplayPacket) + " or more tell what a packet costs");
-    sets.push_back({path, spreadPackets(*rays)});
+    sets.push_back(samplePackets(path, std::move(*rays), kReplayedRays, edge, RayOrder::Auto));
   }
   if (sets.empty()) {
     sets.push_back({"camera", sampleCamera(frameExtent(scene.extent, kWidth, kHeight), kReplayedRays)});
-    std::vector<Ray> bounces = sampleBounces(scene.shape, sets.front().rays, 1);
+    std::vector<Ray> bounces = sampleBounces(scene.shape, sets.front().rays, kBounces, 1);
     if (!bounces.empty()) // Something is seen.
-      sets.push_back({"bounced", std::move(bounces)});
+      sets.push_back(samplePackets("bounced", std::move(bounces), kReplayedRays, edge, RayOrder::Auto));
   }
   return sets;
 }
