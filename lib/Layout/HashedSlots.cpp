@@ -35,7 +35,7 @@ struct Table {
   /// The entry of a cell, or that many entries as there are.
   std::uint64_t find(std::uint32_t cell) const {
     const std::uint32_t home = log2Entries == 0 ? 0 : cell * 0x9e3779b1u >> (32 - log2Entries);
-    for (std::uint32_t i = 0; i < probes; ++i) {
+    for (std::uint32_t i = 0; i < std::min(probes, kLongestProbe); ++i) {
       const std::uint64_t entry = (home + i) & (entries() - 1);
       if (isFree(entry))
         return entries();

@@ -4,10 +4,10 @@
 namespace voxc {
 
 bool WordReader::require(std::uint64_t offset, std::uint64_t count, const char *what) {
-  if (offset <= words_.size() && count <= words_.size() - offset)
+  if (offset <= size() && count <= size() - offset)
     return true;
   fail(std::string(what) + " at word " + std::to_string(offset) + " needs " + std::to_string(count) +
-       " words, but the volume has " + std::to_string(words_.size()));
+       " words, but the volume has " + std::to_string(size()));
   return false;
 }
 

@@ -1,11 +1,12 @@
 // Which voxels around a place are not empty, read once a brick.
 #pragma once
 
-#include "voxc/Volume/Volume.h"
+#include "voxc/Volume/ShapeReader.h"
 
 #include <array>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 
 namespace voxc {
 
@@ -22,10 +23,12 @@ inline bool isEmpty(const Neighbourhood &voxels, Int3 offset) {
   return (voxels[row] >> (offset.x + kReach) & 1) == 0;
 }
 
-/// Reads a volume by bricks of 4^3 voxels and keeps them. For one thread; many of them may read one volume.
+/// Reads a volume by bricks of 4^3 voxels and keeps them. For one thread.
 class Occupancy {
 public:
-  explicit Occupancy(const Volume &volume) : volume_(&volume) {}
+  explicit Occupancy(ShapeReader reader) : reader_(std::move(reader)) {}
+
+  const ShapeReader &reader() const { return reader_; }
 
   /// The voxels around `middle`; those outside of the volume are empty.
   Neighbourhood around(Int3 middle);
@@ -35,7 +38,7 @@ private:
   std::uint64_t brick(Int3 at);
   std::uint64_t readBrick(Int3 at) const;
 
-  const Volume *volume_;
+  ShapeReader reader_;
   std::unordered_map<std::uint64_t, std::uint64_t> bricks_; ///< By the Morton code of their place.
 };
 

@@ -6,6 +6,7 @@
 #include "Support/ParallelFor.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -57,16 +58,32 @@ Expected<void> SurfaceNormals::learn(std::span<const Hit> hits, const Progress &
   std::ranges::sort(codes);
   codes.erase(std::ranges::unique(codes).begin(), codes.end());
   std::vector<std::optional<SurfaceNormal>> found(codes.size());
-  parallelFor((codes.size() + kChunk - 1) / kChunk, threads_, [&](std::uint64_t chunk) {
-    Occupancy occupancy(*volume_);
+  std::vector<std::optional<Error>> problems((codes.size() + kChunk - 1) / kChunk);
+  std::atomic<std::uint64_t> pagesRead = 0;
+  parallelFor(problems.size(), threads_, [&](std::uint64_t chunk) {
+    Occupancy occupancy(reader());
     const std::size_t first = std::size_t(chunk) * kChunk;
-    for (std::size_t i = first; i < std::min(first + kChunk, codes.size()) && !progress.stopped(); ++i)
-      found[i] = normalOf(occupancy.around(mortonCell(codes[i])));
+    std::optional<Error> &problem = problems[std::size_t(chunk)];
+    for (std::size_t i = first; i < std::min(first + kChunk, codes.size()) && !progress.stopped(); ++i) {
+      const SurfaceNormal normal = normalOf(occupancy.around(mortonCell(codes[i])));
+      if ((problem = occupancy.reader().problem()))
+        break;
+      found[i] = normal;
+    }
+    pagesRead += occupancy.reader().pagesRead();
   });
+  pagesRead_ += pagesRead;
   for (std::size_t i = 0; i < codes.size(); ++i)
     if (found[i])
       normals_.emplace(codes[i], *found[i]);
+  for (const std::optional<Error> &problem : problems)
+    if (problem)
+      return *problem;
   return progress.stopped() ? Error::interrupted() : Expected<void>();
+}
+
+ShapeReader SurfaceNormals::reader() const {
+  return volume_ ? ShapeReader(*volume_) : ShapeReader(*pages_, shelf_);
 }
 
 SurfaceNormal SurfaceNormals::at(const Hit &hit) const {

@@ -122,17 +122,15 @@ Expected<void> decode(const Volume &volume, const DecodeVisit &visit, const Prog
       progress);
 }
 
-Lookup Volume::lookup(Int3 voxel) const {
-  const Format &format = this->format();
-  if (!contains(format.extent(), voxel))
+Lookup lookUpShape(const WordReader &words, const Layout &layout, Int3 voxel) {
+  const Int3 log2 = layout.log2Extent();
+  if (!contains({1 << log2.x, 1 << log2.y, 1 << log2.z}, voxel))
     return {};
-  const WordReader words(this->words(), layout().log2Granule);
   std::uint32_t value = words[0];
-  const Int3 log2 = format.log2Extent();
   Lookup found{value, std::min({log2.x, log2.y, log2.z})};
   Int3 low;
   std::uint64_t rank = 0;
-  for (const Stratum &stratum : layout().strata) {
+  for (const Stratum &stratum : layout.strata) {
     if (value == 0)
       break;
     const Int3 cell = (voxel - low) >> stratum.log2Cell;
@@ -143,9 +141,17 @@ Lookup Volume::lookup(Int3 voxel) const {
     value = found.value;
     low = low + cell * (1 << stratum.log2Cell);
   }
-  if (layout().values == Values::Apart && value != 0)
-    return {valueOfRank(words, layout().payload, rank), 0, rank};
-  if (layout().payload == Payload::Constant && value != 0)
+  return found;
+}
+
+Lookup Volume::lookup(Int3 voxel) const {
+  const WordReader words(this->words(), layout().log2Granule);
+  Lookup found = lookUpShape(words, layout(), voxel);
+  if (found.value == 0)
+    return found;
+  if (layout().values == Values::Apart)
+    return {valueOfRank(words, layout().payload, found.rank), 0, found.rank};
+  if (layout().payload == Payload::Constant)
     found.value = words[1];
   return found;
 }

@@ -1,4 +1,4 @@
-// Reading a volume's voxels back with their numbers.
+// Reading a volume's voxels back: one at a time, or all of them with their numbers.
 #pragma once
 
 #include "voxc/Volume/Volume.h"
@@ -7,6 +7,10 @@
 #include <functional>
 
 namespace voxc {
+
+/// Whether the voxel is there, a value of 0 or not, the side of the aligned cube around it that is alike, and
+/// its rank in layouts that count voxels. Outside of the layout there is none.
+Lookup lookUpShape(const WordReader &words, const Layout &layout, Int3 voxel);
 
 /// Receives a uniform cube of voxels, numbered in Morton order from `number` on: by rank where levels count
 /// voxels, else as they are found. False ends the decoding.

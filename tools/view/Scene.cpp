@@ -10,14 +10,19 @@ namespace {
 /// Seconds for which a device may go on when a picture is no longer wanted.
 constexpr double kSlice = 0.01;
 
+std::unique_ptr<SurfaceNormals> normalsOf(const Model &model, const Tracers &tracers, unsigned threads) {
+  return tracers.makeNormals ? tracers.makeNormals(threads)
+                             : std::make_unique<SurfaceNormals>(*model.volume, threads);
+}
+
 /// What a scout paints is seen by nobody; it takes one thread, and what shades it is its own.
-std::shared_ptr<const Scene> scoutOf(const Model &model, std::unique_ptr<Tracer> tracer) {
-  if (!tracer)
+std::shared_ptr<const Scene> scoutOf(const Model &model, Tracers &tracers) {
+  if (!tracers.scout)
     return nullptr;
   auto scene = std::make_shared<Scene>();
   scene->model = model;
-  scene->tracer = std::move(tracer);
-  scene->normals = std::make_unique<SurfaceNormals>(*model.volume, 1);
+  scene->tracer = std::move(tracers.scout);
+  scene->normals = normalsOf(model, tracers, 1);
   scene->threads = 1;
   return scene;
 }
@@ -46,8 +51,8 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   const bool endsLate = scene->device != cpuDeviceInfo().name;
   scene->tracer = endsLate ? inSlices(std::move(tracers->tracer), kSlice) : std::move(tracers->tracer);
   scene->paging = std::move(tracers->paging);
-  scene->scout = scoutOf(scene->model, std::move(tracers->scout));
-  scene->normals = std::make_unique<SurfaceNormals>(*scene->model.volume, maker.threads);
+  scene->scout = scoutOf(scene->model, *tracers);
+  scene->normals = normalsOf(scene->model, *tracers, maker.threads);
   scene->threads = maker.threads;
   return scene;
 }

@@ -31,6 +31,8 @@ struct Tracers {
   /// its own. What it reads the first finds at hand. Null: there is none.
   std::unique_ptr<Tracer> scout = {};
   std::function<PagingReport()> paging = {}; ///< What the first has done; empty: it has no pages.
+  /// Of a model in pages: finds its normals on so many threads, and may be asked by two.
+  std::function<std::unique_ptr<SurfaceNormals>(unsigned threads)> makeNormals = {};
 };
 
 struct Scene {

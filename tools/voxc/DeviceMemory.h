@@ -4,6 +4,7 @@
 #include "Tracing.h"
 #include "common/CommandLine.h"
 
+#include "voxc/Render/SurfaceNormals.h"
 #include "voxc/Volume/PagedVolume.h"
 
 #include <memory>
@@ -34,8 +35,12 @@ public:
   /// `createPagedTracer`. `options` tell the shelves; memory and blocks are those of the command.
   Expected<void> prepare(Tracing &tracing, const Format &format, Json &figures,
                          PagingOptions options = {}) const;
-  /// A shelf for pages that are read ahead: half as large as the memory for pages.
+  /// A shelf for pages that are not read for rays alone: half as large as the memory for pages.
   std::shared_ptr<PageShelf> makeShelf() const;
+  /// The normals of the open file, which reads pages that are not on the shelf.
+  SurfaceNormals makeNormals(std::shared_ptr<PageShelf> shelf, unsigned threads) const {
+    return {*volume_, std::move(shelf), threads};
+  }
 
 private:
   std::string budget_;

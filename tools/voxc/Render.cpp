@@ -41,8 +41,6 @@ private:
   Expected<void> render(ProgressBar &bar, Json &figures) {
     const Stopwatch watch;
     Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
-    if (volume && memory_.isGiven() && rendering_.looksAround(volume->info()))
-      volume = volume_.load(); // For this processor, not for the device.
     if (!volume)
       return volume.error();
     if (!memory_.isGiven())
@@ -56,11 +54,26 @@ private:
     tracing_.useCache();
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
-    if (Expected<void> prepared = memory_.isGiven() ? memory_.prepare(tracing_, *format, figures)
-                                                    : tracing_.prepare(*volume, *format, figures);
-        !prepared)
+    if (memory_.isGiven())
+      return renderPages(*volume, *format, bar, figures);
+    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;
-    return rendering_.render(*volume, tracing_, common_, bar, figures);
+    SurfaceNormals normals(*volume, tracing_.threads());
+    return rendering_.render(*volume, normals, tracing_, common_, bar, figures);
+  }
+
+  // What rays and normals read lies on a shelf, so that each finds what the other has read.
+  Expected<void> renderPages(const Volume &outline, const Format &format, ProgressBar &bar, Json &figures) {
+    const auto shelf = memory_.makeShelf();
+    PagingOptions options;
+    if (rendering_.looksAround(outline.info()))
+      options.takesFrom = options.putsOn = shelf;
+    if (Expected<void> prepared = memory_.prepare(tracing_, format, figures, std::move(options)); !prepared)
+      return prepared;
+    SurfaceNormals normals = memory_.makeNormals(shelf, tracing_.threads());
+    Expected<void> rendered = rendering_.render(outline, normals, tracing_, common_, bar, figures);
+    figures["normal_pages_read"] = normals.pagesRead();
+    return rendered;
   }
 
   VolumeArgument volume_;

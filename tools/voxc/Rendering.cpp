@@ -80,12 +80,15 @@ Expected<void> Rendering::applyTo(Format &format) const {
   return {};
 }
 
-Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const CommonOptions &common,
-                                 ProgressBar &bar, Json &figures) const {
+Expected<void> Rendering::render(const Volume &volume, SurfaceNormals &normals, Tracing &tracing,
+                                 const CommonOptions &common, ProgressBar &bar, Json &figures) const {
   const Stopwatch watch;
   PictureRays rays(tracing, check_.rays());
-  const auto warning = flight_.isGiven() ? takeFlight(volume, rays, bar.progress(), figures)
-                                         : takeOne(volume, rays, bar.progress(), figures);
+  RenderOptions options = renderOptions(picture_, volume);
+  options.normals = &normals;
+  options.progress = bar.progress();
+  const auto warning = flight_.isGiven() ? takeFlight(volume, options, rays, figures)
+                                         : takeOne(volume, options, rays, figures);
   if (!warning)
     return warning.error();
   figures["style"] = toString(styleOf(picture_));
@@ -102,13 +105,11 @@ Expected<void> Rendering::render(const Volume &volume, Tracing &tracing, const C
   return {};
 }
 
-Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, PictureRays &rays,
-                                                const Progress &progress, Json &figures) const {
+Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, const RenderOptions &options,
+                                                PictureRays &rays, Json &figures) const {
   const Expected<Camera> camera = rays.findCamera(picture_, volume);
   if (!camera)
     return camera.error();
-  RenderOptions options = renderOptions(picture_, volume);
-  options.progress = progress;
   const Expected<TakenPicture> taken = rays.take(volume, *camera, options);
   if (!taken)
     return taken.error();
@@ -125,12 +126,10 @@ Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, PictureRay
 
 // One tracer takes all frames, so pages that one frame has brought are there for the next; and so are
 // normals.
-Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, PictureRays &rays,
-                                                   const Progress &progress, Json &figures) const {
-  SurfaceNormals normals(volume, rays.threads());
-  RenderOptions options = renderOptions(picture_, volume);
-  options.normals = &normals;
-  options.progress.stop = progress.stop;
+Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, const RenderOptions &options,
+                                                   PictureRays &rays, Json &figures) const {
+  RenderOptions ofFrame = options;
+  ofFrame.progress = {.stop = options.progress.stop};
   Warning warning;
   for (unsigned frame = 0; frame < flight_.frames(); ++frame) {
     const Stopwatch watch;
@@ -140,7 +139,7 @@ Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, Picture
       return camera.error();
     place.fov = camera->verticalFov; // As --fov says, if it does.
     const auto before = rays.paging();
-    const Expected<TakenPicture> taken = rays.take(volume, *camera, options);
+    const Expected<TakenPicture> taken = rays.take(volume, *camera, ofFrame);
     if (!taken)
       return taken.error();
     const std::string name = frameName(output_, frame);
@@ -150,7 +149,7 @@ Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, Picture
     figures["frames"].push_back(frameFigures(place, watch.seconds(), before, rays.paging()));
     if (const auto odd = cameraWarning(*taken, volume); odd && !warning)
       warning = "in frame " + std::to_string(frame) + " " + *odd;
-    progress.at("render", double(frame + 1) / flight_.frames(), frame + 1);
+    options.progress.at("render", double(frame + 1) / flight_.frames(), frame + 1);
   }
   figures["files_written"] = flight_.frames();
   addWritten(figures, output_);

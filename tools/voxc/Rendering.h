@@ -27,20 +27,20 @@ public:
   Expected<void> applyTo(Format &format) const;
   /// Lets coarse blocks that look smaller than so many pixels stand in for pages.
   void allowCoarse(double pixels) { picture_.coarse = pixels; }
-  /// Whether the picture asks for the words of a volume, beside hits.
+  /// Whether the picture asks for normals.
   bool looksAround(const VolumeInfo &info) const { return tool::looksAround(picture_, info); }
   /// Takes the picture and writes it, or all frames of a flight. Its figures are added, `files` and `camera`
-  /// among them, and `frames` of a flight.
-  Expected<void> render(const Volume &volume, Tracing &tracing, const CommonOptions &common, ProgressBar &bar,
-                        Json &figures) const;
+  /// among them, and `frames` of a flight. `normals` are the volume's, found as they are needed.
+  Expected<void> render(const Volume &volume, SurfaceNormals &normals, Tracing &tracing,
+                        const CommonOptions &common, ProgressBar &bar, Json &figures) const;
 
 private:
   /// What is odd about a camera, if anything is.
   using Warning = std::optional<std::string>;
 
-  Expected<Warning> takeOne(const Volume &volume, PictureRays &rays, const Progress &progress,
+  Expected<Warning> takeOne(const Volume &volume, const RenderOptions &options, PictureRays &rays,
                             Json &figures) const;
-  Expected<Warning> takeFlight(const Volume &volume, PictureRays &rays, const Progress &progress,
+  Expected<Warning> takeFlight(const Volume &volume, const RenderOptions &options, PictureRays &rays,
                                Json &figures) const;
 
   std::string output_;

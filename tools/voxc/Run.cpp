@@ -58,7 +58,8 @@ private:
       return volume.error();
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
       return prepared;
-    return rendering_.render(*volume, tracing_, common_, bar, figures);
+    SurfaceNormals normals(*volume, tracing_.threads());
+    return rendering_.render(*volume, normals, tracing_, common_, bar, figures);
   }
 
   Building building_;

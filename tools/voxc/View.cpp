@@ -37,8 +37,7 @@ public:
       return checked;
     if (Expected<void> checked = source_.check(); !checked)
       return checked;
-    if (Expected<void> paged = prepareForPages(); !paged)
-      return paged;
+    picture_.coarse = source_.memory().allowedCoarse();
     if (std::error_code ignored; !std::filesystem::is_directory(screenshots_, ignored))
       return Error::usage("--screenshots " + screenshots_ + " is no folder");
     const Expected<Camera> camera = makeCamera(picture_.camera, {1, 1, 1});
@@ -66,18 +65,6 @@ public:
   }
 
 private:
-  /// What is looked at within a budget shows the faces of voxels: smooth normals need those around them.
-  Expected<void> prepareForPages() {
-    if (!source_.memory().isGiven())
-      return {};
-    if (picture_.normals == "smooth")
-      return Error::usage("--normals smooth looks at the voxels around a hit, which --device-memory keeps in "
-                          "pages; take --normals flat");
-    picture_.normals = "flat";
-    picture_.coarse = source_.memory().allowedCoarse();
-    return {};
-  }
-
   SceneSource source_;
   PictureOptions picture_;
   std::string search_, screenshots_ = ".", log_;

@@ -26,15 +26,31 @@ struct Ranks {
   std::uint64_t count = 0; ///< How many they are; 0 if no slot says.
 };
 
+/// Words that are not all in memory.
+class WordSource {
+public:
+  virtual ~WordSource() = default;
+  virtual std::uint64_t size() const = 0;
+  /// The word at an offset below `size()`; 0 if it cannot be had.
+  virtual std::uint32_t at(std::uint64_t offset) const = 0;
+};
+
 /// The words of a volume. Reads outside give 0 and are remembered as the first problem found.
 class WordReader {
 public:
   /// References in the words count granules of 2^log2Granule words.
   explicit WordReader(std::span<const std::uint32_t> words, int log2Granule = 0)
       : words_(words), log2Granule_(log2Granule) {}
+  /// Reads what `source` has, which must outlive it.
+  explicit WordReader(const WordSource &source, int log2Granule = 0)
+      : source_(&source), log2Granule_(log2Granule) {}
 
-  std::uint64_t size() const { return words_.size(); }
-  std::uint32_t operator[](std::uint64_t offset) const { return offset < words_.size() ? words_[offset] : 0; }
+  std::uint64_t size() const { return source_ ? source_->size() : words_.size(); }
+  std::uint32_t operator[](std::uint64_t offset) const {
+    if (offset < words_.size())
+      return words_[offset];
+    return source_ && offset < source_->size() ? source_->at(offset) : 0;
+  }
   /// The word that a reference leads to.
   std::uint64_t wordOf(std::uint32_t ref) const { return std::uint64_t{ref} << log2Granule_; }
   /// True if words [offset, offset + count) exist; otherwise a problem is noted that names `what`.
@@ -47,7 +63,8 @@ public:
   const std::optional<std::string> &problem() const { return problem_; }
 
 private:
-  std::span<const std::uint32_t> words_;
+  std::span<const std::uint32_t> words_; ///< None if there is a source.
+  const WordSource *source_ = nullptr;
   int log2Granule_;
   std::optional<std::string> problem_;
 };

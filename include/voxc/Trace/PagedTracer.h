@@ -2,8 +2,8 @@
 #pragma once
 
 #include "voxc/Trace/CpuKernel.h"
-#include "voxc/Trace/PageShelf.h"
 #include "voxc/Trace/Tracer.h"
+#include "voxc/Volume/PageShelf.h"
 #include "voxc/Volume/PagedVolume.h"
 
 #include <cstdint>

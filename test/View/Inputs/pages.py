@@ -43,6 +43,6 @@ def walk(name, volume, *options):
         print(name, "exit code", viewer.end())
 
 
-walk("whole", whole, "--normals", "flat")
-walk("pages", pages, "--device-memory", "128KiB")
+walk("whole", whole, "--normals", "smooth")
+walk("pages", pages, "--device-memory", "128KiB", "--normals", "smooth")
 walk("coarse", pages, "--device-memory", "128KiB", "--allow-coarse", "2")

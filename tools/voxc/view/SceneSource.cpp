@@ -212,7 +212,9 @@ Expected<view::Tracers> SceneSource::makePagedTracers(const view::Model &model, 
   auto kept = std::make_unique<KeptTracer>(model.volume, std::move(tracing));
   auto paging = [&kept = *kept] { return kept.paging(); };
   return view::Tracers{std::move(kept), std::make_unique<KeptTracer>(model.volume, std::move(*scouting)),
-                       std::move(paging)};
+                       std::move(paging), [this, shelf](unsigned threads) {
+                         return std::make_unique<SurfaceNormals>(memory_.makeNormals(shelf, threads));
+                       }};
 }
 
 std::vector<std::string> deviceNames() {

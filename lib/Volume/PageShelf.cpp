@@ -1,8 +1,9 @@
 // Pages that wait to be taken.
-#include "voxc/Trace/PageShelf.h"
+#include "voxc/Volume/PageShelf.h"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace voxc {
 
@@ -23,29 +24,37 @@ PageShelf::Rows PageShelf::makeRoom() {
 }
 
 void PageShelf::put(std::uint32_t page, std::span<const std::byte> bytes) {
-  if (bytes.size() > mostBytes_ || has(page))
+  if (bytes.size() <= mostBytes_ && !has(page))
+    put(page, std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end()));
+}
+
+void PageShelf::put(std::uint32_t page, PageBytes bytes) {
+  if (bytes->size() > mostBytes_)
     return;
   Rows row;
-  row.push_back({page, std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end())});
+  row.push_back({page, std::move(bytes)});
   Rows gone; // Outlives the lock.
   const std::lock_guard lock(mutex_);
   if (!places_.try_emplace(page, row.begin()).second)
     return;
-  bytes_ += bytes.size();
+  bytes_ += row.front().bytes->size();
   rows_.splice(rows_.begin(), row);
   gone = makeRoom();
 }
 
+PageBytes PageShelf::find(std::uint32_t page) {
+  const std::lock_guard lock(mutex_);
+  const auto place = places_.find(page);
+  if (place == places_.end())
+    return nullptr;
+  rows_.splice(rows_.begin(), rows_, place->second);
+  return place->second->bytes;
+}
+
 bool PageShelf::take(std::uint32_t page, std::span<std::byte> room) {
-  Bytes bytes;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto place = places_.find(page);
-    if (place == places_.end() || place->second->bytes->size() != room.size())
-      return false;
-    rows_.splice(rows_.begin(), rows_, place->second);
-    bytes = place->second->bytes;
-  }
+  const PageBytes bytes = find(page);
+  if (!bytes || bytes->size() != room.size())
+    return false;
   std::ranges::copy(*bytes, room.begin());
   return true;
 }

@@ -1,5 +1,5 @@
 // Pages that one tracer puts down and another takes.
-#include "voxc/Trace/PageShelf.h"
+#include "voxc/Volume/PageShelf.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Decoded pages that one tracer puts down and another takes: what is there needs not be read from the file.
+// Decoded pages that one reader puts down and another takes: what is there needs not be read from the file.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,9 @@
 
 namespace voxc {
 
+/// A decoded page, whole for as long as it is held.
+using PageBytes = std::shared_ptr<const std::vector<std::byte>>;
+
 /// At most so many bytes of pages; where there is no room, the page goes that was put or taken longest ago.
 /// All functions may be called by several threads. None waits for more than a look into a table: bytes are
 /// copied outside of the lock.
@@ -21,6 +24,10 @@ public:
 
   /// Keeps a copy of a page. One that is there already, or that is larger than the shelf, is left.
   void put(std::uint32_t page, std::span<const std::byte> bytes);
+  /// The same for one that others hold already: nothing is copied.
+  void put(std::uint32_t page, PageBytes bytes);
+  /// A page that is there, or null.
+  PageBytes find(std::uint32_t page);
   /// Copies a page into `room`, if it is there and has as many bytes; else false.
   bool take(std::uint32_t page, std::span<std::byte> room);
 
@@ -29,10 +36,9 @@ public:
   std::uint64_t bytes() const;
 
 private:
-  using Bytes = std::shared_ptr<const std::vector<std::byte>>;
   struct Row {
     std::uint32_t page;
-    Bytes bytes;
+    PageBytes bytes;
   };
   using Rows = std::list<Row>;
 

@@ -1,0 +1,30 @@
+// Shapes, voxel by voxel.
+#include "voxc/Volume/ShapeReader.h"
+
+#include "Decode.h"
+#include "PagedWords.h"
+
+namespace voxc {
+
+ShapeReader::ShapeReader(const Volume &volume)
+    : layout_(&volume.layout()), words_(volume.words(), layout_->log2Granule), extent_(volume.info().extent) {
+}
+
+ShapeReader::ShapeReader(const PagedVolume &volume, std::shared_ptr<PageShelf> shelf)
+    : pages_(std::make_unique<PagedWords>(volume, std::move(shelf))),
+      ownLayout_(std::make_unique<Layout>(layoutOf(volume.info().format))), layout_(ownLayout_.get()),
+      words_(*pages_, layout_->log2Granule), extent_(volume.info().extent) {}
+
+ShapeReader::~ShapeReader() = default;
+ShapeReader::ShapeReader(ShapeReader &&) noexcept = default;
+
+ShapeCube ShapeReader::at(Int3 voxel) const {
+  const Lookup found = lookUpShape(words_, *layout_, voxel);
+  return {found.value != 0, found.log2Side};
+}
+
+std::optional<Error> ShapeReader::problem() const { return pages_ ? pages_->problem() : std::nullopt; }
+
+std::uint64_t ShapeReader::pagesRead() const { return pages_ ? pages_->pagesRead() : 0; }
+
+} // namespace voxc
