@@ -54,7 +54,7 @@ Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &
   Rater rater(scene.priced());
   ExploreOptions options = options_.explore;
   options.seconds = kExploringShare * options_.budget;
-  if (!options_.formatsPath.empty()) {
+  if (!options_.formatList.empty()) {
     // They and no others: nothing is rewritten, nothing left out.
     options.mostFormats = seeds.size();
     options.kept = std::numeric_limits<double>::infinity();
@@ -142,14 +142,14 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   auto axes = makeSearchAxes(options_, scene);
   if (!axes)
     return axes.error();
-  auto seeds = readCandidates(options_.formatsPath, scene);
+  auto seeds = readCandidates(options_.formatList, scene);
   if (!seeds)
     return seeds.error();
   auto known = bench::readRecords(options_.folder);
   if (!known)
     return known.error();
   known_ = std::move(*known);
-  if (options_.formatsPath.empty())
+  if (options_.formatList.empty())
     addKnown(scene, *seeds);
   const SpeedModel model = speedModelFor(axes->devices.front().part.name);
   const Stopwatch exploring;

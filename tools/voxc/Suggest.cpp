@@ -32,9 +32,10 @@ public:
              "A file of rays in place of sampled ones; may be given several times")
         .takes("R.bin");
     command
-        .add("--formats", request_.formatsPath,
-             "A file of formats, one a line, in place of those that voxc knows")
-        .takes("FILE");
+        .add("--formats", request_.formatList,
+             "Choose from these in place of those that voxc knows: \"F;F;F\", or a file with one a line, a "
+             "label and a tab before it if you like")
+        .takes("LIST");
     command.addFlag("--all", all_, "List all formats that no other beats in both size and speed");
     addMemoryArguments(command, buildArguments_);
     addCommonOptions(command, common_);

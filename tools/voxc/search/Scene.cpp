@@ -2,14 +2,13 @@
 #include "search/Scene.h"
 
 #include "Building.h"
+#include "bench/FormatList.h"
 
 #include "voxc/Search/SceneValues.h"
-#include "voxc/Support/File.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
 #include <bit>
-#include <sstream>
 
 namespace voxc::tool {
 
@@ -101,25 +100,22 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
   return scene;
 }
 
-Expected<std::vector<Candidate>> readCandidates(const std::string &path, const Scene &scene) {
-  if (path.empty())
+Expected<std::vector<Candidate>> readCandidates(const std::string &list, const Scene &scene) {
+  if (list.empty())
     return candidatesFor(scene.shape.log2Side(), scene.traits);
-  Expected<std::string> text = readTextFile(path);
-  if (!text)
-    return text.error();
+  const auto lines = bench::readFormatList(list);
+  if (!lines)
+    return lines.error();
   std::vector<Candidate> candidates;
-  std::istringstream lines(*text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line.starts_with('#'))
-      continue;
+  for (const bench::FormatLine &line : *lines)
     for (const bool shortPointers : {false, true}) {
-      Expected<Candidate> candidate = makeCandidate(line, scene.traits, {.shortPointers = shortPointers});
+      Expected<Candidate> candidate =
+          makeCandidate(line.text, scene.traits, {.shortPointers = shortPointers});
       if (!candidate)
         return candidate.error();
       if (!shortPointers || candidate->format != candidates.back().format)
         candidates.push_back(std::move(*candidate));
     }
-  }
   return candidates;
 }
 

@@ -39,9 +39,9 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
                           const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
                           const Progress &progress, Json &figures);
 
-/// The formats of a file, one a line, each with and without short pointers if that differs; those that voxc
-/// suggest knows if `path` is "". Errors: a file that cannot be read, a line that is no format.
-Expected<std::vector<Candidate>> readCandidates(const std::string &path, const Scene &scene);
+/// The formats of a list (`bench::readFormatList`), each with and without short pointers if that differs;
+/// those that voxc suggest knows if `list` is "". Errors: those of lists, a line that is no format.
+Expected<std::vector<Candidate>> readCandidates(const std::string &list, const Scene &scene);
 
 /// Of each kind: more do not change which format it is.
 inline constexpr std::size_t kReplayedRays = 2048;

@@ -63,8 +63,11 @@ void SearchOptions::declare(const CommandLine &command) {
       .repeated()
       .takes("R.bin");
   addOrderArgument(command, rays.order);
-  command.add("--formats", formatsPath, "A file of formats, one a line, to choose from and nothing else")
-      .takes("FILE");
+  command
+      .add("--formats", formatList,
+           "Choose from these and nothing else: \"F;F;F\", or a file with one a line, a label and a tab "
+           "before it if you like")
+      .takes("LIST");
   command.addFlag("--all", all, "Measure all formats that are looked at, however little they promise");
   command
       .add("--max-levels", maxLevels,

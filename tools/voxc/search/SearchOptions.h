@@ -22,7 +22,7 @@ struct SearchOptions {
   double leastSpeed = 0;         ///< Million rays a second.
   std::string device, precision = "exact";
   bench::RayArguments rays;
-  std::string formatsPath; ///< "": all of the space.
+  std::string formatList; ///< "": all of the space.
   ExploreOptions explore;
   std::size_t maxLevels = 0; ///< 0: `explore.maxLevels`, but any number of those that it begins with.
   std::size_t check = 2000;

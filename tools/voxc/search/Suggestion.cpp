@@ -51,7 +51,7 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
       readScene(request.input, suggestion.arguments, request.memory, common, progress, figures);
   if (!scene)
     return scene.error();
-  Expected<std::vector<Candidate>> candidates = readCandidates(request.formatsPath, *scene);
+  Expected<std::vector<Candidate>> candidates = readCandidates(request.formatList, *scene);
   if (!candidates)
     return candidates.error();
   Expected<std::vector<RaySet>> rays = makeRays(request, *scene);

@@ -18,7 +18,7 @@ struct SuggestRequest {
   Wish wish;
   std::string device = "cpu";
   std::vector<std::string> rayFiles; ///< None: sampled rays.
-  std::string formatsPath;           ///< "": formats that voxc knows.
+  std::string formatList;            ///< "": formats that voxc knows.
   std::shared_ptr<WorkingMemory> memory;
 };
 
