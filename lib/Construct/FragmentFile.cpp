@@ -141,23 +141,32 @@ Expected<void> FragmentWriter::finish() {
 
 namespace {
 
-std::uint64_t checksumOf(Header header, std::span<const std::byte> body) {
+/// Files are summed by so much, which then goes: a merge opens many before it reads the first.
+constexpr std::size_t kSummedAtOnce = std::size_t{4} << 20;
+
+std::uint64_t checksumOf(Header header, const MappedFile &file) {
   header.checksum = 0;
   Checksum checksum;
-  checksum.add(body.data(), body.size());
+  for (auto body = file.bytes().subspan(sizeof(Header)); !body.empty();) {
+    const auto piece = body.first(std::min(body.size(), kSummedAtOnce));
+    checksum.add(piece.data(), piece.size());
+    file.letGo();
+    body = body.subspan(piece.size());
+  }
   checksum.add(&header, sizeof header);
   return checksum.digest();
 }
 
 /// What is wrong with a header, or nothing.
-std::string problemOf(const Header &header, std::span<const std::byte> bytes) {
+std::string problemOf(const Header &header, const MappedFile &file) {
+  const std::span<const std::byte> bytes = file.bytes();
   const std::uint64_t textBytes = std::uint64_t{header.irBytes} + header.provenanceBytes;
   if (header.version != kVersion || header.byteOrder != kByteOrder)
     return "is of another version or byte order; build it again with this voxc";
   if (textBytes > kMaxTextBytes || textBytes > bytes.size() - sizeof(Header) || header.count == 0 ||
       header.index >= header.count || header.log2Side < 0 || header.log2Side > kMaxLog2Extent)
     return "has a header that contradicts itself";
-  if (checksumOf(header, bytes.subspan(sizeof(Header))) != header.checksum)
+  if (checksumOf(header, file) != header.checksum)
     return "is damaged: its checksum does not match its contents";
   return {};
 }
@@ -254,7 +263,7 @@ Expected<FragmentReader> FragmentReader::open(const std::string &path) {
     std::memcpy(&header, bytes.data(), sizeof(Header));
   if (bytes.size() < sizeof(Header) || header.magic != kMagic)
     return broken("is not a fragment of a volume");
-  if (const std::string problem = problemOf(header, bytes); !problem.empty())
+  if (const std::string problem = problemOf(header, reader.file_); !problem.empty())
     return broken(problem);
 
   const auto *text = reinterpret_cast<const char *>(bytes.data()) + sizeof(Header);

@@ -113,8 +113,10 @@ Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
 void FragmentSet::sumBytes() {
   std::uint64_t sum = 0;
   for (const FragmentReader &reader : readers_)
-    for (const PartPlace &place : reader.places())
+    for (const PartPlace &place : reader.places()) {
       sums_.emplace_back(mortonCode(place.cube.low), sum += place.bytes);
+      memory_->relieve();
+    }
 }
 
 std::uint64_t FragmentSet::bytesIn(const Cube &cube) const {

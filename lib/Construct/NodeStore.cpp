@@ -184,6 +184,15 @@ void NodeStore::forget(unsigned level) {
   note(BlockRecord::Forget, level, 0);
 }
 
+void NodeStore::forgetAll() {
+  for (Level &level : levels_) {
+    level.leaves = NodeMap(memory_);
+    level.nodes = NodeMap(memory_);
+    level.kept = ScratchArray<KeptCell>(memory_);
+    level.grid = {};
+  }
+}
+
 std::uint32_t *NodeStore::allocate(unsigned level, std::uint64_t count) {
   if (failure_)
     return nullptr;

@@ -57,6 +57,8 @@ public:
   Ref intern(unsigned level, std::span<const std::uint32_t> words);
   Ref internLeaf(unsigned level, std::uint32_t value);
   void forget(unsigned level);
+  /// Gives back what finding words takes: nothing is interned any more.
+  void forgetAll();
 
   /// Zeroed memory for the one grid that a level fills at a time; null after a failure.
   std::uint32_t *allocate(unsigned level, std::uint64_t count);

@@ -10,6 +10,8 @@ namespace voxc {
 namespace {
 
 constexpr std::size_t kWordsAtATime = 4096;
+/// What a proof touches between two looks: shared nodes lie anywhere, each in a page of its own.
+constexpr std::uint64_t kBytesOfLooks = std::uint64_t{16} << 20;
 
 } // namespace
 
@@ -116,7 +118,7 @@ void VolumeBuild::appendValues(const Layout &layout) {
 Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) const {
   options_.progress.at("check", 0);
   const auto keepOn = [this] {
-    options_.memory->relieve();
+    options_.memory->relieve(kBytesOfLooks);
     return !options_.progress.stopped();
   };
   const auto voxels = checkStructure(info_.format, words, keepOn);
@@ -165,6 +167,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   if (store_->failure())
     return *store_->failure();
   words.setRoot(root);
+  store_->forgetAll();
   info_.voxels = voxels;
   const auto span = words.span();
   if (origin == Origin::Foreign)

@@ -146,7 +146,7 @@ private:
   };
 
   static constexpr int kLowestRemembered = 3;
-  static constexpr std::uint64_t kNodesBetweenLooks = 4096;
+  static constexpr std::uint64_t kNodesBetweenLooks = 1024;
 
   bool mayGoOn() {
     if (keepOn_ && ++looks_ % kNodesBetweenLooks == 0)

@@ -23,6 +23,8 @@ public:
   MappedFile &operator=(MappedFile &&) noexcept;
 
   std::span<const std::byte> bytes() const { return {data_, size_}; }
+  /// Lets all of its pages go out of this process, as after reading it once; what is read again comes back.
+  void letGo() const;
 
 private:
   MappedFile() = default;

@@ -1,0 +1,75 @@
+// Opening fragments: all of a file is looked at, and nothing of it stays in memory.
+#include "Construct/FragmentFile.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+namespace voxc {
+namespace {
+
+constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
+constexpr std::uint64_t kFragmentBytes = 48 * kMiB;
+
+/// Of this process.
+std::uint64_t residentBytes() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * 4096;
+}
+
+class FragmentFile : public testing::Test {
+protected:
+  FragmentFile() : path_(std::filesystem::path(testing::TempDir()) / "voxc-fragment-file.hvf") {}
+  ~FragmentFile() override { std::filesystem::remove(path_); }
+
+  /// One part that is one block of numbers.
+  void write() {
+    Fragment fragment;
+    fragment.cube = {{}, 6};
+    fragment.words.resize(kFragmentBytes / sizeof(std::uint32_t));
+    std::iota(fragment.words.begin(), fragment.words.end(), 0u);
+    fragment.blocks = {{BlockRecord::Append, 1, fragment.words.size() - 1}};
+    fragment.shared.resize(2);
+    FragmentInfo info{.volume = {}, .log2Side = 6};
+    info.volume.format = *parseFormat("G(6)");
+    info.volume.extent = {64, 64, 64};
+    auto writer = FragmentWriter::create(path_, info);
+    ASSERT_TRUE(writer) << writer.error().message;
+    ASSERT_TRUE(writer->add(fragment));
+    ASSERT_TRUE(writer->finish());
+  }
+
+  std::string path_;
+};
+
+TEST_F(FragmentFile, IsOpenedWithoutStayingInMemory) {
+  write();
+  const std::uint64_t before = residentBytes();
+  auto reader = FragmentReader::open(path_);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_LT(residentBytes(), before + kFragmentBytes / 3);
+  ASSERT_TRUE(reader->next());
+  const auto part = reader->take();
+  ASSERT_TRUE(part) << part.error().message;
+  ASSERT_EQ(part->words.size(), kFragmentBytes / sizeof(std::uint32_t));
+  EXPECT_EQ(part->words.back(), part->words.size() - 1);
+}
+
+TEST_F(FragmentFile, OfWhichAByteIsChangedIsRefused) {
+  write();
+  {
+    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(kFragmentBytes));
+    file.put('x');
+  }
+  const auto reader = FragmentReader::open(path_);
+  ASSERT_FALSE(reader);
+  EXPECT_NE(reader.error().message.find("its checksum does not match"), std::string::npos);
+}
+
+} // namespace
+} // namespace voxc
