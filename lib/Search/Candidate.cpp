@@ -89,10 +89,12 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
   applyPass(candidate, traits.oneColour         ? "constant-colour"
                        : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
                                                 : "values-apart");
-  if (choices.shortPointers)
+  if (choices.grids != SmallGrids::Pointed)
     for (const std::string &pass :
          {"short-pointers=" + std::to_string(traits.pointerBits), std::string("octant-counts")})
       applyPass(candidate, pass);
+  if (choices.grids == SmallGrids::ByOctants)
+    applyPass(candidate, "octant-masks");
   if (!choices.walk.empty())
     applyPass(candidate, std::string(choices.walk));
   return candidate;
@@ -101,7 +103,10 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
 FormatChoices choicesOf(const std::vector<std::string> &passes) {
   FormatChoices choices;
   for (const std::string &pass : passes) {
-    choices.shortPointers |= pass.starts_with("short-pointers");
+    if (pass.starts_with("short-pointers"))
+      choices.grids = SmallGrids::Numbered;
+    if (pass == "octant-masks") // Which stands behind it.
+      choices.grids = SmallGrids::ByOctants;
     if (const auto walk = std::ranges::find(searchedWalks(), pass); walk != searchedWalks().end())
       choices.walk = *walk;
   }
@@ -112,8 +117,8 @@ std::vector<Candidate> candidatesFor(int log2Side, const CandidateTraits &traits
   std::vector<Candidate> candidates;
   std::set<std::string> known;
   for (const std::string &text : textsFor(log2Side))
-    for (const bool shortPointers : {false, true})
-      if (auto candidate = makeCandidate(text, traits, {.shortPointers = shortPointers}))
+    for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered})
+      if (auto candidate = makeCandidate(text, traits, {.grids = grids}))
         if (known.insert(printIr(candidate->format)).second)
           candidates.push_back(std::move(*candidate));
   return candidates;

@@ -88,8 +88,11 @@ private:
 
   void choose() {
     Composition to = from_;
-    to.choices.shortPointers = !from_.choices.shortPointers;
-    found_.push_back(to);
+    for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered, SmallGrids::ByOctants})
+      if (grids != from_.choices.grids) {
+        to.choices.grids = grids;
+        found_.push_back(to);
+      }
     to = from_;
     for (const std::string_view walk : kWalks)
       if (walk != from_.choices.walk) {
@@ -157,8 +160,8 @@ std::vector<Composition> rewritesOf(const Composition &composition, std::size_t 
 
 int differences(const Composition &a, const Composition &b) {
   const Heights first(a), second(b);
-  int count = (a.choices.shortPointers != b.choices.shortPointers ? 1 : 0) +
-              (a.choices.walk != b.choices.walk ? kHeightsOfWalk : 0);
+  int count =
+      (a.choices.grids != b.choices.grids ? 1 : 0) + (a.choices.walk != b.choices.walk ? kHeightsOfWalk : 0);
   for (std::size_t i = 0; i < std::min(first.shapes.size(), second.shapes.size()); ++i)
     count += (first.shapes[i] != second.shapes[i]) + (first.begins[i] != second.begins[i]);
   return count;

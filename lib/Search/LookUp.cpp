@@ -26,8 +26,8 @@ double wordsRead(const LevelView &level, int layers, bool isEmpty) {
   }
   if (stratum.isInOctants()) // The array's begin, the head, octants, and cells where the octant has some.
     return isEmpty ? 5 : 6.5;
-  if (level.tellsGroups)
-    return level.tellsWhole() ? isEmpty ? 2 : 3 : 1;
+  if (level.tellsGroups) // A number is a field in two words, and leads on from where the array begins.
+    return !level.tellsWhole() ? 1 : isEmpty ? 2 : stratum.isIndexed() ? 5 : 3;
   if (stratum.slots->lookUpLoops)
     return 4; // The head and an entry: most probes find their cell, or a free entry, at once.
   if (stratum.slots->keepsEmpty)
@@ -40,7 +40,7 @@ Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
   if (!level.stratum.isGrid())
     return {empty, 1};
   if (level.tellsGroups)
-    return level.tellsWhole() && path.hasNothingAhead(bottom, at.octant())
+    return level.tellsWhole() && path.hasNothingAhead(bottom, at.octant(), level.stratum.isInOctants())
                ? Gap{bottom + 2, 1}
                : Gap{std::min(empty, bottom + 1), 1};
   if (level.stratum.skip == Skip::None)

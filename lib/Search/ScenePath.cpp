@@ -30,7 +30,7 @@ int ScenePath::find(Int3 voxel) {
   return found_ = -1;
 }
 
-bool ScenePath::hasNothingAhead(int bottom, unsigned octant) const {
+bool ScenePath::hasNothingAhead(int bottom, unsigned octant, bool byGroups) const {
   const std::array<int, 3> from = {last_.x >> bottom & 3, last_.y >> bottom & 3, last_.z >> bottom & 3};
   const auto isAhead = [&](unsigned group, unsigned cell) {
     bool ahead = true;
@@ -40,11 +40,24 @@ bool ScenePath::hasNothingAhead(int bottom, unsigned octant) const {
     }
     return ahead;
   };
+  const auto isGroupAhead = [&](unsigned group) {
+    bool ahead = true;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      ahead &= placeIn(octant, axis) != 0 ? 2 * placeIn(group, axis) + 1 >= from[axis]
+                                          : 2 * placeIn(group, axis) <= from[axis];
+    return ahead;
+  };
+  const unsigned own = static_cast<unsigned>(from[0] >> 1 | (from[1] & 2) | (from[2] & 2) << 1);
   const SceneDag::Node whole = dag_.node(bottom + 2, number(bottom + 2));
   std::uint32_t groups = whole.mask;
   for (const std::uint32_t child : whole.children) {
     const auto group = static_cast<unsigned>(std::countr_zero(groups));
     groups &= groups - 1;
+    if (byGroups && group != own) {
+      if (isGroupAhead(group))
+        return false;
+      continue;
+    }
     for (std::uint32_t cells = dag_.node(bottom + 1, child).mask; cells != 0; cells &= cells - 1)
       if (isAhead(group, static_cast<unsigned>(std::countr_zero(cells))))
         return false;

@@ -24,8 +24,9 @@ public:
   std::size_t number(int height) const { return numbers_[static_cast<std::size_t>(height)]; }
 
   /// True if the 4^3 cells of 2^bottom voxels a side around the voxel that was found have nothing where a ray
-  /// of this octant may still come to from it.
-  bool hasNothingAhead(int bottom, unsigned octant) const;
+  /// of this octant may still come to from it. `byGroups`: of the groups of 2^3 cells that it is not in, it
+  /// is told no more than whether they have something.
+  bool hasNothingAhead(int bottom, unsigned octant, bool byGroups) const;
 
   const SceneDag &dag() const { return dag_; }
 

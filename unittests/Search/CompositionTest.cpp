@@ -48,7 +48,8 @@ TEST(Composition, EachKindOfRewriteIsThere) {
   for (const char *text : {"D(4^3, 15) G(5)", "R(4^3) M(5^3)", "R(1^3) R(3^3) G(5)", "R(4^3) G(2) M(3^3)",
                            "R(4^3) M(3^3) G(2)", "G(9)", "R(9^3)", "R(3^3) G(6)", "R(5^3) G(4)"})
     EXPECT_TRUE(texts.contains(text)) << text;
-  EXPECT_TRUE(std::ranges::any_of(all, [](const Composition &to) { return to.choices.shortPointers; }));
+  for (const SmallGrids grids : {SmallGrids::Numbered, SmallGrids::ByOctants})
+    EXPECT_TRUE(std::ranges::any_of(all, [&](const Composition &to) { return to.choices.grids == grids; }));
   EXPECT_TRUE(
       std::ranges::any_of(all, [](const Composition &to) { return to.choices.walk == "direct-walk"; }));
 }

@@ -55,7 +55,7 @@ class ReplayTest : public testing::TestWithParam<Case> {};
 TEST_P(ReplayTest, CountsWhatKernelsCount) {
   Format format = *parseFormat(GetParam().format);
   std::vector<std::string> passes = GetParam().passes;
-  passes.emplace_back("occupancy"); // No words of colours.
+  passes.insert(passes.begin(), "occupancy"); // No words of colours.
   ASSERT_TRUE(runPasses(format, passes));
   auto source = *makeBuiltinSource("terrain", 1 << kLog2Side);
   const auto constructor = Constructor::compile(format);
@@ -89,7 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"G(4, 2) M(2^3)", {}}, Case{"G(6, 2)", {}}, Case{"G(6)", {"restart-sv"}},
                     Case{"S(2) G(4)", {"unroll-sv"}}, Case{"R(2^3) G(2) R(2^3)", {"direct-walk"}},
                     Case{"D(3^3, 6) G(3)", {"direct-walk"}}, Case{"R(2^3) H(4^3)", {}},
-                    Case{"R(3^3) D(3^3, 6)", {"flat-walk"}}),
+                    Case{"R(3^3) D(3^3, 6)", {"flat-walk"}},
+                    Case{"R(2^3) M(2^3) M(2^3)", {"share-grids", "short-pointers"}},
+                    Case{"M(2^3) M(2^3) M(2^3)", {"share-grids", "short-pointers", "octant-masks"}}),
     [](const auto &test) {
       std::string name = test.param.format;
       for (const std::string &pass : test.param.passes)

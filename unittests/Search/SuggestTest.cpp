@@ -24,7 +24,8 @@ TEST(Candidates, AllHaveTheSizeAndDiffer) {
 }
 
 TEST(Candidates, PassesAreThoseThatApply) {
-  const auto candidate = makeCandidate("G(6)", {.paletteBits = 5, .visible = true}, {.shortPointers = true});
+  const auto candidate =
+      makeCandidate("G(6)", {.paletteBits = 5, .visible = true}, {.grids = SmallGrids::Numbered});
   ASSERT_TRUE(candidate) << candidate.error().message;
   EXPECT_EQ(std::ranges::count(candidate->passes, "palette=5"), 1);
   EXPECT_EQ(std::ranges::count(candidate->passes, "octant-distances"), 0);
@@ -33,6 +34,16 @@ TEST(Candidates, PassesAreThoseThatApply) {
   ASSERT_TRUE(constant) << constant.error().message;
   EXPECT_EQ(std::ranges::count(constant->passes, "constant-colour"), 1);
   EXPECT_FALSE(makeCandidate("Q(6)", {}, {}));
+}
+
+TEST(Candidates, SmallGridsStandAsIsChosen) {
+  for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered, SmallGrids::ByOctants}) {
+    const auto candidate = makeCandidate("R(2^3) M(2^3) M(2^3)", {.pointerBits = 11}, {.grids = grids});
+    ASSERT_TRUE(candidate) << candidate.error().message;
+    EXPECT_EQ(std::ranges::count(candidate->passes, "short-pointers=11"), grids != SmallGrids::Pointed);
+    EXPECT_EQ(std::ranges::count(candidate->passes, "octant-masks"), grids == SmallGrids::ByOctants);
+    EXPECT_EQ(choicesOf(candidate->passes), FormatChoices{.grids = grids});
+  }
 }
 
 class SuggestTest : public testing::Test {

@@ -37,9 +37,16 @@ struct ShapedLevel {
   auto operator<=>(const ShapedLevel &) const = default;
 };
 
+/// How the grids of 4^3 voxels of the last level stand, where it has such.
+enum class SmallGrids {
+  Pointed,   ///< As they are; words lead to them.
+  Numbered,  ///< As they are, in an array; numbers of few bits lead to them.
+  ByOctants, ///< The same with a byte for each octant that is not empty.
+};
+
 /// What is chosen for a whole composition, beside the passes that make any format smaller or faster.
 struct FormatChoices {
-  bool shortPointers = false;
+  SmallGrids grids = SmallGrids::Pointed;
   std::string_view walk; ///< One of `searchedWalks`.
 
   auto operator<=>(const FormatChoices &) const = default;
@@ -70,7 +77,7 @@ std::optional<Composition> compositionOf(const Format &format);
 std::vector<Composition> rewritesOf(const Composition &composition, std::size_t maxLevels);
 
 /// How many heights two compositions of one side have in different shapes, or begin a level at in but one of
-/// them; other pointers count as one, another walk as several.
+/// them; other small grids count as one, another walk as several.
 int differences(const Composition &a, const Composition &b);
 
 } // namespace voxc

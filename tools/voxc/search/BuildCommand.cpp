@@ -10,10 +10,12 @@ namespace voxc::tool {
 
 namespace {
 
-/// True for passes that change the kernel alone, and so no byte of a volume.
-bool isWalk(const std::string &pass) {
+/// What a pass is called in a name; "" of those that all candidates for a scene have.
+std::string phraseOf(const std::string &pass) {
   const auto walks = searchedWalks();
-  return std::ranges::find(walks, pass) != walks.end();
+  if (std::ranges::find(walks, pass) != walks.end())
+    return pass;
+  return pass.starts_with("short-pointers") ? "short pointers" : pass == "octant-masks" ? "octant masks" : "";
 }
 
 } // namespace
@@ -22,10 +24,10 @@ std::string nameOf(const Candidate &candidate) {
   std::string name = candidate.text;
   const char *separator = " with ";
   for (const std::string &pass : candidate.passes) {
-    const bool isShort = pass.starts_with("short-pointers");
-    if (!isShort && !isWalk(pass))
+    const std::string phrase = phraseOf(pass);
+    if (phrase.empty())
       continue;
-    name += separator + (isShort ? "short pointers" : pass);
+    name += separator + phrase;
     separator = ", ";
   }
   return name;

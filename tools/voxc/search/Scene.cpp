@@ -108,12 +108,11 @@ Expected<std::vector<Candidate>> readCandidates(const std::string &list, const S
     return lines.error();
   std::vector<Candidate> candidates;
   for (const bench::FormatLine &line : *lines)
-    for (const bool shortPointers : {false, true}) {
-      Expected<Candidate> candidate =
-          makeCandidate(line.text, scene.traits, {.shortPointers = shortPointers});
+    for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered}) {
+      Expected<Candidate> candidate = makeCandidate(line.text, scene.traits, {.grids = grids});
       if (!candidate)
         return candidate.error();
-      if (!shortPointers || candidate->format != candidates.back().format)
+      if (grids == SmallGrids::Pointed || candidate->format != candidates.back().format)
         candidates.push_back(std::move(*candidate));
     }
   return candidates;
