@@ -9,28 +9,54 @@ namespace voxc {
 
 namespace {
 
+/// Enough to hide the way to memory; more and the first is forgotten before it is used.
+constexpr std::size_t kMostWaiting = 32;
+
 Error contradiction() { return Error::input("a fragment is broken: it has a pointer that leads nowhere"); }
 
 } // namespace
 
 bool Splice::isIndexed(const BlockRecord &block) const { return layout_.isIndexed(block.level - 1); }
 
-/// Returns where the block is now.
-std::uint32_t Splice::write(std::span<std::uint32_t> words, const BlockRecord &block) {
+/// Most blocks are looked for in tables that are far larger than what is near the processor. So some wait
+/// until the way to all of them was fetched. One that points to another that waits ends the waiting.
+void Splice::put(std::span<std::uint32_t> words, const BlockRecord &block, std::uint64_t place) {
   const std::size_t index = block.level - 1;
   const bool isLeaf = block.kind == BlockRecord::InternLeaf;
   // A block points only to what was written before it: the offsets from here on are still 0.
   const auto &moved = layout_.strata[index].isIndexed() ? newNumbers_ : newOffsets_;
-  const auto relocation = [&](Ref ref) { return ref < moved.size() ? moved[ref] : 0; };
+  const auto relocation = [&](Ref ref) {
+    if (ref >= moved.size())
+      return Ref{0};
+    if (moved[ref] == 0)
+      writeWaiting();
+    return moved[ref];
+  };
   if ((isIndexed(block) && words.size() != kIndexedWords) ||
       !relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index),
-                relocation)) {
-    store_.fail(contradiction());
-    return 0;
-  }
-  return isLeaf                              ? store_.internLeaf(block.level, words[0])
-         : block.kind == BlockRecord::Intern ? store_.intern(block.level, words)
-                                             : store_.append(block.level, words);
+                relocation))
+    return store_.fail(contradiction());
+  const bool isSought = block.kind == BlockRecord::Intern;
+  waiting_.push_back({block, words, place, isSought ? store_.fetch(block.level, words) : 0});
+  if (waiting_.size() == kMostWaiting)
+    writeWaiting();
+}
+
+void Splice::writeWaiting() {
+  for (const Waiting &waiting : waiting_)
+    if (waiting.block.kind == BlockRecord::Intern)
+      store_.fetchNode(waiting.block.level, waiting.hash);
+  for (const Waiting &waiting : waiting_)
+    (isIndexed(waiting.block) ? newNumbers_ : newOffsets_)[waiting.place] = write(waiting);
+  waiting_.clear();
+}
+
+/// Returns where the block is now.
+Ref Splice::write(const Waiting &waiting) {
+  const auto &[block, words, place, hash] = waiting;
+  return block.kind == BlockRecord::InternLeaf ? store_.internLeaf(block.level, words[0])
+         : block.kind == BlockRecord::Intern   ? store_.intern(block.level, words)
+                                               : store_.append(block.level, words);
 }
 
 void Splice::relocateResult(Fragment &fragment, std::size_t index) {
@@ -52,18 +78,22 @@ void Splice::relocateResult(Fragment &fragment, std::size_t index) {
 void Splice::join(Fragment &fragment) {
   newOffsets_.assign(fragment.words.size(), 0);
   newNumbers_ = {0};
+  waiting_.clear();
   std::uint64_t at = 1;
   for (const BlockRecord &block : fragment.blocks) {
     if (block.kind == BlockRecord::Forget) {
+      writeWaiting();
       store_.forget(block.level);
     } else if (isIndexed(block)) {
-      const std::uint64_t inArray = newNumbers_.size() * kIndexedWords;
-      newNumbers_.push_back(write(std::span(fragment.array).subspan(inArray, block.words), block));
+      const std::uint64_t number = newNumbers_.size();
+      newNumbers_.push_back(0);
+      put(std::span(fragment.array).subspan(number * kIndexedWords, block.words), block, number);
     } else {
-      newOffsets_[at] = write(std::span(fragment.words).subspan(at, block.words), block);
+      put(std::span(fragment.words).subspan(at, block.words), block, at);
       at += block.words;
     }
   }
+  writeWaiting();
   relocateResult(fragment, layout_.stratumOfPart(fragment.cube.log2Side));
 }
 

@@ -40,7 +40,17 @@ public:
   void join(Fragment &fragment);
 
 private:
-  std::uint32_t write(std::span<std::uint32_t> words, const BlockRecord &block);
+  /// A block that waits to be written, its pointers moved.
+  struct Waiting {
+    BlockRecord block;
+    std::span<std::uint32_t> words;
+    std::uint64_t place; ///< Where its new offset or number belongs.
+    std::uint32_t hash;  ///< Of one that may be there already.
+  };
+
+  void put(std::span<std::uint32_t> words, const BlockRecord &block, std::uint64_t place);
+  void writeWaiting();
+  Ref write(const Waiting &waiting);
   bool isIndexed(const BlockRecord &block) const;
   void relocateResult(Fragment &fragment, std::size_t index);
 
@@ -48,6 +58,7 @@ private:
   NodeStore &store_;
   std::vector<std::uint32_t> newOffsets_;
   std::vector<std::uint32_t> newNumbers_; ///< Of indexed sub-volumes.
+  std::vector<Waiting> waiting_;
 };
 
 } // namespace voxc

@@ -55,6 +55,15 @@ std::optional<std::uint32_t> NodeMap::find(std::uint32_t hash, std::span<const s
   return std::nullopt;
 }
 
+void NodeMap::fetchNode(std::uint32_t hash, std::span<const std::uint32_t> written) const {
+  if (used_ == 0)
+    return;
+  const Entry entry = entries_.data()[home(hash)];
+  const std::uint64_t offset = std::uint64_t{entry.offset} << log2Unit_;
+  if (entry.hash == hash && offset < written.size())
+    __builtin_prefetch(written.data() + offset);
+}
+
 Expected<void> NodeMap::insert(std::uint32_t hash, std::uint32_t offset) {
   if (log2Size_ == 0 || 4 * (used_ + 1) > std::uint64_t{3} << log2Size_)
     if (auto grown = grow(); !grown)

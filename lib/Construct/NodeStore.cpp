@@ -161,8 +161,7 @@ Ref NodeStore::intern(unsigned level, std::span<const std::uint32_t> words) {
   relieve();
   NodeMap &map = at(level).nodes;
   const std::uint32_t hash = NodeMap::hashOf(words);
-  const auto written = level == indexedLevel_ ? std::span(std::as_const(array_).span()) : words_.span();
-  if (const auto known = map.find(hash, words, written))
+  if (const auto known = map.find(hash, words, written(level)))
     return found(level, *known);
   return remember(BlockRecord::Intern, map, hash, level, words);
 }
@@ -176,6 +175,16 @@ Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
   if (const auto known = map.find(hash))
     return found(level, *known);
   return remember(BlockRecord::InternLeaf, map, hash, level, {&value, 1});
+}
+
+std::uint32_t NodeStore::fetch(unsigned level, std::span<const std::uint32_t> words) {
+  const std::uint32_t hash = NodeMap::hashOf(words);
+  at(level).nodes.fetch(hash);
+  return hash;
+}
+
+void NodeStore::fetchNode(unsigned level, std::uint32_t hash) {
+  at(level).nodes.fetchNode(hash, written(level));
 }
 
 void NodeStore::forget(unsigned level) {

@@ -56,6 +56,10 @@ public:
   Ref append(unsigned level, std::span<const std::uint32_t> words);
   Ref intern(unsigned level, std::span<const std::uint32_t> words);
   Ref internLeaf(unsigned level, std::uint32_t value);
+  /// Brings near what `intern` of these words will look at: all of a few, in turn, and then their nodes.
+  /// Returns their hash.
+  std::uint32_t fetch(unsigned level, std::span<const std::uint32_t> words);
+  void fetchNode(unsigned level, std::uint32_t hash);
   void forget(unsigned level);
   /// Gives back what finding words takes: nothing is interned any more.
   void forgetAll();
@@ -99,6 +103,10 @@ private:
   };
 
   Level &at(unsigned level) { return levels_[level - 1]; }
+  /// Where the blocks of a level lie.
+  std::span<const std::uint32_t> written(unsigned level) const {
+    return level == indexedLevel_ ? array_.span() : words_.span();
+  }
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
   void relieve();
   Error tooManyWords(unsigned level) const;

@@ -26,10 +26,10 @@ bool Masks::check(WordReader &words, bool lowest) const {
     return fail(words, "a node has no child");
   if (!shape_.hasLeaves)
     return true;
-  for (std::uint64_t child = 0; child < shape_.children; ++child) {
-    if (isLeaf(child) && !exists(child))
+  for (std::uint64_t i = 0; i < shape_.setWords(); ++i) {
+    if ((leaves(i) & ~word(i)) != 0)
       return fail(words, "a node has a leaf that is empty");
-    if (lowest && exists(child) && !isLeaf(child))
+    if (lowest && (word(i) & ~leaves(i)) != 0)
       return fail(words, "a node of cells has a child that is not a leaf");
   }
   return true;
