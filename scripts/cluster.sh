@@ -63,7 +63,7 @@ await_node() {
 }
 
 "$voxc" build "$format" "$input" --whole-level-dedup --threads 1 -o "$folder/whole.hvx" --quiet
-"$voxc" plan "$format" "$input" --whole-level-dedup --parts 24 -o "$plan" --quiet
+"$voxc" plan "$format" "$input" --whole-level-dedup --parts 24 --fan-in 8 -o "$plan" --quiet
 
 begin
 note_parts
@@ -152,7 +152,7 @@ if nsenter --mount --target "$(cat "$SLURM_LOOPBACK/node1.pid")" mountpoint --qu
   nsenter --mount --target "$(cat "$SLURM_LOOPBACK/node1.pid")" dd if=/dev/zero of="$scratch/full" bs=1M status=none 2> /dev/null || true
   rm -rf "$plan" "$plan.d" "$folder/p.hvx"
   "$voxc" build "D(8^3,6)" builtin:shell:256 -o "$folder/whole.hvx" --quiet
-  "$voxc" plan "D(8^3,6)" builtin:shell:256 --parts 9 -o "$plan" --quiet
+  "$voxc" plan "D(8^3,6)" builtin:shell:256 --parts 9 --fan-in 8 -o "$plan" --quiet
   begin --memory 16MiB --scratch "$scratch"
   note_parts
   finish "a full scratch on one node" --memory 16MiB --scratch "$scratch"

@@ -2,10 +2,13 @@
 """How many measurements a search of formats takes, beside random choice and beside evolution.
 
   search-baselines.py ALL FOUND    folders of voxc search: ALL of every format (--formats list --all), FOUND of a search
+  search-baselines.py BENCH        a folder of voxc bench, in which the frontier of a search was measured in turn with a list
 
 The formats of ALL are the world: to measure one is to look into its records, for random choice, for evolution and for
 the formats of FOUND, in the order in which that search took them. A format that ALL does not have counts with what FOUND
 measured, times the median ratio of the formats that both have.
+In BENCH, formats with labels are those of the list, and those without the search's; both may have been measured with
+several lists of passes.
 Evolution is NSGA-II (Deb et al. 2002) as DEAP has it (Debian: python3-deap). The area below the frontier is that of
 voxc search: log2 of bytes times million rays a second, up to 64 times the smallest; shares are of what all
 measurements of both folders reach together.
@@ -28,12 +31,13 @@ POPULATION = 20
 GENERATIONS = 150
 
 
-def read(folder):
-    """The formats of a search in the order in which they were measured: (name, passes) -> (bytes, rays/s)."""
+def read(folder, of_list=None):
+    """The formats of a folder in the order in which they were measured: (name, passes) -> (bytes, rays/s); of those with
+    labels, or without, alone if `of_list` says which."""
     times = {}
     for line in (Path(folder) / "results.jsonl").read_text().splitlines():
         record = json.loads(line)
-        if record["status"] != "measured":
+        if record["status"] != "measured" or of_list not in (None, bool(record["format"]["label"])):
             continue
         if sum(record["error"][kind] for kind in ("missed", "ghost", "wrong")):
             sys.exit(f"{record['format']['name']} has wrong rays")
@@ -133,6 +137,23 @@ def mean_shares(runs, world, most, whole):
     return {count: statistics.mean(shares) for count, shares in rows.items() if shares}
 
 
+def beside_list(folder):
+    """The area below the frontier of a list of formats, as a share of that of a search's formats."""
+    listed, found = read(folder, of_list=True), read(folder, of_list=False)
+    most = MOST * min(size for size, _ in (*listed.values(), *found.values()))
+    whole = area(found.values(), most)
+    smallest, fastest = min(size for size, _ in found.values()), max(rate for _, rate in found.values())
+    print("| Formats | Measured | Area, of the search's | Smallest, times | Fastest, times |\n|---|---:|---:|---:|---:|")
+    groups = {" ".join(passes): [] for _, *passes in listed}
+    for (_, *passes), value in listed.items():
+        groups[" ".join(passes)].append(value)
+    for name, values in (*groups.items(), ("with any of these", list(listed.values())), ("of the search", list(found.values()))):
+        size, rate = min(size for size, _ in values), max(rate for _, rate in values)
+        print(f"| {name} | {len(values)} | {area(values, most) / whole:.1%} | {size / smallest:.2f} | {rate / fastest:.2f} |")
+    best, value = max(listed.items(), key=lambda item: area([item[1]], most))
+    print(f"\nthe best of the list alone, {best[0]} with {', '.join(best[1:])}: {area([value], most) / whole:.1%}")
+
+
 def main(all_folder, found_folder):
     random.seed(1)
     everything, found = read(all_folder), read(found_folder)
@@ -158,6 +179,6 @@ def main(all_folder, found_folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    (beside_list if len(sys.argv) == 2 else main)(*sys.argv[1:])

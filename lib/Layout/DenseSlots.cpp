@@ -91,6 +91,19 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   });
 }
 
+std::uint64_t count(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  std::uint64_t count = 0;
+  const std::uint64_t end = node + leastWords(stratum);
+  for (std::uint64_t slot = node; slot < end; slot += static_cast<std::uint64_t>(stratum.slotWords())) {
+    if (stratum.isEmptySlot(words[slot]))
+      continue;
+    if (stratum.cellValue(words[slot]) == 0)
+      return 0;
+    ++count;
+  }
+  return count;
+}
+
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
               Relocation relocation) {
   for (std::size_t i = 0; i < words.size() && !holdsVoxels;
@@ -120,6 +133,7 @@ extern const SlotKind kDenseSlots = {.name = "dense",
                                      .leastWords = leastWords,
                                      .wordsWith = wordsWith,
                                      .size = size,
+                                     .count = count,
                                      .child = child,
                                      .visit = visit,
                                      .relocate = relocate};

@@ -52,6 +52,9 @@ public:
   }
   /// Leaves before `child` of a node that may have some.
   std::uint64_t earlierLeaves(std::uint64_t child) const { return sum(child, &Masks::leaves); }
+  /// A bit for each child of a node of 64 at most, and for each that is a leaf.
+  std::uint64_t all() const { return few(&Masks::word); }
+  std::uint64_t allLeaves() const { return shape_.hasLeaves ? few(&Masks::leaves) : 0; }
   /// Children that are not empty, as the masks' bits say.
   std::uint64_t count() const {
     std::uint64_t sum = 0;
@@ -86,6 +89,11 @@ private:
     for (std::uint64_t i = 0; i < child / 32; ++i)
       sum += bits((this->*set)(i));
     return sum;
+  }
+
+  std::uint64_t few(std::uint32_t (Masks::*set)(std::uint64_t) const) const {
+    const std::uint64_t first = (this->*set)(0);
+    return shape_.children > 32 ? first | std::uint64_t{(this->*set)(1)} << 32 : first;
   }
 
   /// Word i of the set of children, without what else it holds.

@@ -32,6 +32,10 @@ std::uint64_t leastWords(const Stratum &) { return kIndexedWords; }
 std::uint64_t wordsWith(const Stratum &, std::uint64_t, std::uint64_t) { return kIndexedWords; }
 std::uint64_t size(const WordReader &, const Stratum &, std::uint64_t) { return kIndexedWords; }
 
+std::uint64_t count(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  return static_cast<std::uint64_t>(std::popcount(maskOf(words, stratum, node)));
+}
+
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
   return checkOctantGrid(words, arrayOf(words, stratum), numberOf(words, stratum, node), stratum.ranked);
 }
@@ -78,6 +82,7 @@ extern const SlotKind kOctantSlots = {.name = "octants",
                                       .leastWords = leastWords,
                                       .wordsWith = wordsWith,
                                       .size = size,
+                                      .count = count,
                                       .child = child,
                                       .visit = visit,
                                       .relocate = relocate};

@@ -61,6 +61,21 @@ std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_
   return wordsWith(stratum, Masks(words, MaskShape(stratum), node).slots(), octants(words, stratum, node));
 }
 
+std::uint64_t count(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+  const MaskShape shape(stratum);
+  const std::uint64_t count = Masks(words, shape, node).count();
+  if (stratum.implied)
+    return count;
+  const auto step = static_cast<std::uint64_t>(stratum.slotWords());
+  const std::uint64_t begin = node + shape.words();
+  bool hasEmpty = false;
+  for (std::uint64_t slot = begin; slot < begin + count * step; slot += step) {
+    const std::uint64_t at = stratum.cells == Cells::Word ? words.wordOf(words[slot]) : slot;
+    hasEmpty |= at == 0 || stratum.cellValue(words[at]) == 0;
+  }
+  return hasEmpty ? 0 : count;
+}
+
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
   const MaskShape shape(stratum);
   return words.require(node, shape.words(), "a node's masks") &&
@@ -69,18 +84,26 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool l
          words.require(node, size(words, stratum, node) + (stratum.isIndexed() ? 1 : 0), "a node");
 }
 
+/// The bits of the cells of a grid of two masks, in Morton order: the bits of a cell's number are those of x,
+/// then of y, then of z, and three swaps of two of them make x, y, z, x, y, z.
+std::uint64_t inMortonOrder(std::uint64_t cells) {
+  const auto swap = [&](std::uint64_t mask, int distance) {
+    const std::uint64_t differ = (cells ^ cells >> distance) & mask;
+    cells ^= differ ^ differ << distance;
+  };
+  swap(0x0c0c'0c0c'0c0c'0c0c, 2);  // Bits 1 and 2 of a number.
+  swap(0x0000'f0f0'0000'f0f0, 12); // 2 and 4.
+  swap(0x0000'ff00'0000'ff00, 8);  // 3 and 4.
+  return cells;
+}
+
 /// How many voxels of a grid of voxels come before that of a bit: in Morton order in one of 4 x 4 x 4, whose
 /// colours are then like those next to them, and in the order of the bits in others.
 std::uint64_t voxelsBefore(const Masks &masks, const Stratum &stratum, std::uint64_t index) {
   if (!isOfTwoMasks(stratum))
     return masks.earlier(index);
-  const auto place = [](std::uint64_t i) {
-    return Int3{static_cast<int>(i & 3), static_cast<int>(i >> 2 & 3), static_cast<int>(i >> 4)};
-  };
-  std::uint64_t before = 0;
-  for (std::uint64_t code = 0; code < mortonCode(place(index)); ++code)
-    before += masks.exists(gridIndex(stratum.log2Shape, mortonCell(code))) ? 1 : 0;
-  return before;
+  const std::uint64_t before = (inMortonOrder(std::uint64_t{1} << index) - 1) & inMortonOrder(masks.all());
+  return static_cast<std::uint64_t>(std::popcount(before));
 }
 
 /// What a ranked stratum says of the voxels of a child, whose slot is at `slot` or, if it has none, would be.
@@ -160,16 +183,9 @@ private:
   std::uint64_t countBit_; ///< Of the first count, in the run of bits that begins with the numbers.
 };
 
-Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
-            std::uint64_t index) {
-  const Masks masks(words, shape, node);
-  if (!masks.exists(index)) // In Morton order, eight children in a row are a cube.
-    return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
-  const bool isLeaf = stratum.isGrid() || masks.isLeaf(index);
-  if (stratum.isIndexed())
-    return IndexedNode(words, stratum, masks, node).child(index);
-  const std::uint64_t slot =
-      node + shape.words() + masks.rank(index) * static_cast<std::uint64_t>(stratum.slotWords());
+/// The child of a bit that is set, whose slot is at `slot` or, if it has none, would be.
+Child childAt(const WordReader &words, const Stratum &stratum, const Masks &masks, std::uint64_t node,
+              std::uint64_t index, bool isLeaf, std::uint64_t slot) {
   const bool isInSlot = stratum.isGrid() || (isLeaf && stratum.cells == Cells::Slot);
   Child child = {true, isLeaf,
                  isLeaf && stratum.implied ? node
@@ -180,17 +196,45 @@ Child found(const WordReader &words, const Stratum &stratum, const MaskShape &sh
   return child;
 }
 
+Child found(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
+            std::uint64_t index) {
+  const Masks masks(words, shape, node);
+  if (!masks.exists(index)) // In Morton order, eight children in a row are a cube.
+    return {.log2Around = !stratum.isGrid() && shape.children > 8 && masks.isGroupEmpty(index) ? 1 : 0};
+  if (stratum.isIndexed())
+    return IndexedNode(words, stratum, masks, node).child(index);
+  const std::uint64_t slot =
+      node + shape.words() + masks.rank(index) * static_cast<std::uint64_t>(stratum.slotWords());
+  return childAt(words, stratum, masks, node, index, stratum.isGrid() || masks.isLeaf(index), slot);
+}
+
 Child child(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place) {
   return found(words, stratum, MaskShape(stratum), node, childIndex(stratum, place));
 }
 
+/// The children of a node of a tree, in the order of their bits, which is Morton order.
+void visitTree(const WordReader &words, const Stratum &stratum, const MaskShape &shape, std::uint64_t node,
+               ChildVisit visit) {
+  const Masks masks(words, shape, node);
+  const std::uint64_t leaves = masks.allLeaves();
+  std::uint64_t slot = node + shape.words();
+  for (std::uint64_t rest = masks.all(); rest != 0; rest &= rest - 1) {
+    const auto index = static_cast<std::uint64_t>(std::countr_zero(rest));
+    const bool isLeaf = (leaves >> index & 1) != 0;
+    visit(mortonCell(index), childAt(words, stratum, masks, node, index, isLeaf, slot));
+    slot += isLeaf && stratum.implied ? 0 : static_cast<std::uint64_t>(stratum.slotWords());
+  }
+}
+
 void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, ChildVisit visit) {
   const MaskShape shape(stratum);
-  if (!stratum.isGrid()) { // Their numbers are in Morton order.
-    const Masks masks(words, shape, node);
-    for (std::uint64_t index = 0; index < shape.children; ++index)
-      if (masks.exists(index))
-        visit(mortonCell(index), found(words, stratum, shape, node, index));
+  if (!stratum.isGrid() && shape.children <= 64)
+    return visitTree(words, stratum, shape, node, visit);
+  if (isOfTwoMasks(stratum)) {
+    for (std::uint64_t rest = inMortonOrder(Masks(words, shape, node).all()); rest != 0; rest &= rest - 1) {
+      const Int3 place = mortonCell(static_cast<std::uint64_t>(std::countr_zero(rest)));
+      visit(place, found(words, stratum, shape, node, gridIndex(stratum.log2Shape, place)));
+    }
     return;
   }
   forEachPlace(stratum, [&](Int3 place) {
@@ -257,6 +301,7 @@ extern const SlotKind kPackedSlots = {.name = "packed",
                                       .leastWords = leastWords,
                                       .wordsWith = wordsWith,
                                       .size = size,
+                                      .count = count,
                                       .child = child,
                                       .visit = visit,
                                       .relocate = relocate};

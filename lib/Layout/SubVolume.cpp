@@ -5,6 +5,8 @@
 #include "Masks.h"
 #include "Places.h"
 
+#include <array>
+
 namespace voxc {
 namespace {
 
@@ -52,22 +54,70 @@ private:
     const SlotKind &slots = *stratum_.slots;
     if (!slots.check(words_, stratum_, at, layer == 1))
       return;
-    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
-    slots.visit(words_, stratum_, at, [&](Int3 place, const Child &child) {
-      if (visitor_.done())
-        return;
-      const Cube cube = {low + place * (1 << log2Child), log2Child};
-      const Ranks below = {ranks.first + voxelsBefore(child, log2Child), child.voxels};
-      if (child.leaf && stratum_.implied)
-        visitor_.cells(cube, kOccupied, below);
-      else if (stratum_.isIndexed())
-        indexed(child.value, cube, below);
-      else if (child.leaf)
-        leaf(child.at, cube, below);
-      else if (layer > 1)
-        node(child.at, cube.low, layer - 1, below);
-    });
+    if (!(layer == 1 && isCounted(at)))
+      children(at, low, layer, ranks);
     visitor_.leaveNode();
+  }
+
+  /// True if the visitor has been told the number of the cells of a node of the lowest layer.
+  bool isCounted(std::uint64_t node) {
+    if (!stratum_.slots->count || !visitor_.countsCells())
+      return false;
+    const std::uint64_t count = stratum_.slots->count(words_, stratum_, node);
+    visitor_.countCells(count);
+    return count != 0;
+  }
+
+  /// A child of a node, and what it is of its parent.
+  struct Place {
+    Cube cube;
+    Child child;
+    Ranks ranks;
+  };
+
+  /// Nodes lie anywhere in memory, so the way to some siblings is begun before the first of them is entered.
+  void children(std::uint64_t at, Int3 low, int layer, Ranks ranks) {
+    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
+    std::array<Place, 8> waiting;
+    std::size_t count = 0;
+    const auto enterAll = [&] {
+      for (std::size_t i = 0; i < count && !visitor_.done(); ++i)
+        enter(waiting[i], layer);
+      count = 0;
+    };
+    stratum_.slots->visit(words_, stratum_, at, [&](Int3 place, const Child &child) {
+      const Cube cube = {low + place * (1 << log2Child), log2Child};
+      waiting[count] = {cube, child, {ranks.first + voxelsBefore(child, log2Child), child.voxels}};
+      foresee(waiting[count]);
+      if (++count == waiting.size())
+        enterAll();
+    });
+    enterAll();
+  }
+
+  void foresee(const Place &place) {
+    const Child &child = place.child;
+    if (child.leaf && (stratum_.implied || stratum_.cells == Cells::Slot))
+      return;
+    if (stratum_.isIndexed())
+      return visitor_.foreseeCell(child.value);
+    if (child.leaf && stratum_.isGrid())
+      return visitor_.foreseeCell(stratum_.cellValue(words_[child.at]));
+    words_.fetch(child.at);
+    if (!child.leaf)
+      visitor_.foreseeNode(child.at, place.cube.log2Side);
+  }
+
+  void enter(const Place &place, int layer) {
+    const auto &[cube, child, ranks] = place;
+    if (child.leaf && stratum_.implied)
+      visitor_.cells(cube, kOccupied, ranks);
+    else if (stratum_.isIndexed())
+      indexed(child.value, cube, ranks);
+    else if (child.leaf)
+      leaf(child.at, cube, ranks);
+    else if (layer > 1)
+      node(child.at, cube.low, layer - 1, ranks);
   }
 
   WordReader &words_;

@@ -126,7 +126,7 @@ Error OutputFile::cannotWrite() const {
 }
 
 Expected<void> OutputFile::write(const void *data, std::size_t size) {
-  if (std::fwrite(data, 1, size, file_) != size)
+  if (size > 0 && std::fwrite(data, 1, size, file_) != size)
     return cannotWrite();
   return {};
 }

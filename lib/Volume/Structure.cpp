@@ -5,44 +5,65 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
 #include <utility>
 
 namespace voxc {
 
 namespace {
 
-/// The voxels of nodes, by the word that each begins at: an open hash table.
+/// The voxels of nodes, by what refers to them: an open hash table.
 class NodeCounts {
 public:
-  /// Null if the node is not known.
-  const std::uint64_t *find(std::uint64_t offset) const {
+  /// 0 if the node is not known.
+  std::uint64_t find(Ref ref) const {
     if (entries_.empty())
-      return nullptr;
-    const Entry &entry = entries_[place(offset)];
-    return entry.offset == offset ? &entry.voxels : nullptr;
+      return 0;
+    const Entry &entry = entries_[place(ref)];
+    if (entry.ref != ref)
+      return 0;
+    return entry.voxels < kLarge ? entry.voxels : large_[entry.voxels - kLarge];
   }
 
-  /// `offset` is not 0 and not known yet.
-  void insert(std::uint64_t offset, std::uint64_t voxels) {
+  /// Brings near where the search for a node begins.
+  void fetch(Ref ref) const {
+    if (!entries_.empty())
+      __builtin_prefetch(&entries_[home(ref)]);
+  }
+
+  /// `ref` is not 0 and not known yet; it has at least one voxel.
+  void insert(Ref ref, std::uint64_t voxels) {
     if (3 * (used_ + 1) > 2 * entries_.size())
       grow();
-    entries_[place(offset)] = {voxels, offset};
+    std::uint64_t entry = voxels;
+    if (voxels >= kLarge) {
+      entry = kLarge + large_.size();
+      large_.push_back(voxels);
+    }
+    entries_[place(ref)] = {ref, static_cast<std::uint32_t>(entry)};
     ++used_;
   }
 
 private:
   struct Entry {
-    std::uint64_t voxels = 0;
-    std::uint64_t offset = 0; ///< 0: the entry is free.
+    Ref ref = 0; ///< 0: the entry is free.
+    std::uint32_t voxels = 0;
   };
 
-  /// Where the entry of an offset is, or belongs.
-  std::size_t place(std::uint64_t offset) const {
-    const std::size_t mask = entries_.size() - 1;
-    std::size_t at = offset * std::uint64_t{0x9e3779b97f4a7c15} >> 32 & mask;
-    while (entries_[at].offset != 0 && entries_[at].offset != offset)
-      at = (at + 1) & mask;
+  /// Numbers of voxels from here on stand in `large_`, and their entries say where.
+  static constexpr std::uint64_t kLarge = std::uint64_t{1} << 31;
+  /// Nodes that lie next to each other in the file are looked for at one time, so their entries do too.
+  static constexpr std::size_t kNeighbours = 16;
+
+  std::size_t home(Ref ref) const {
+    const std::uint64_t group = (ref / kNeighbours) * std::uint64_t{0x9e3779b97f4a7c15} >> 32;
+    return (group + ref % kNeighbours) & (entries_.size() - 1);
+  }
+
+  /// Where the entry of a reference is, or belongs.
+  std::size_t place(Ref ref) const {
+    std::size_t at = home(ref);
+    while (entries_[at].ref != 0 && entries_[at].ref != ref)
+      at = (at + 1) & (entries_.size() - 1);
     return at;
   }
 
@@ -50,12 +71,13 @@ private:
     const auto old =
         std::exchange(entries_, std::vector<Entry>(std::max<std::size_t>(2 * entries_.size(), 16)));
     for (const Entry &entry : old)
-      if (entry.offset != 0)
-        entries_[place(entry.offset)] = entry;
+      if (entry.ref != 0)
+        entries_[place(entry.ref)] = entry;
   }
 
   std::vector<Entry> entries_; ///< A power of two of them, or none.
   std::size_t used_ = 0;
+  std::vector<std::uint64_t> large_;
 };
 
 /// Walks all levels. A node may be shared across parents and heights, so its voxels are counted once a
@@ -64,8 +86,11 @@ private:
 class StructureCheck final : public SubVolumeVisitor {
 public:
   StructureCheck(const Layout &layout, std::span<const std::uint32_t> words, const KeepOn &keepOn)
-      : layout_(layout), words_(words, layout.log2Granule), keepOn_(keepOn), known_(layout.strata.size()),
-        gridWords_(layout.strata.size()) {}
+      : layout_(layout), words_(words, layout.log2Granule), keepOn_(keepOn),
+        gridWords_(layout.strata.size()) {
+    for (const Stratum &stratum : layout.strata)
+      known_.emplace_back(static_cast<std::size_t>(longest(stratum.log2Size())) + 1);
+  }
 
   Expected<std::uint64_t> run() {
     if (words_.size() < layout_.headWords() || words_.size() > layout_.maxWords())
@@ -95,9 +120,10 @@ public:
       return false;
     }
     checkFirst(ranks);
-    if (const std::uint64_t *voxels = known_[level_][height].find(offset)) {
-      voxels_ += *voxels;
-      checkCount(ranks, *voxels);
+    if (const std::uint64_t voxels =
+            isRemembered(level_, height) ? known(level_, height).find(refOf(offset)) : 0) {
+      voxels_ += voxels;
+      checkCount(ranks, voxels);
       return false;
     }
     if (!spendGrid(offset) || !mayGoOn())
@@ -116,9 +142,26 @@ public:
     if (voxels == 0)
       words_.fail("what level " + std::to_string(level_ + 1) + " has at word " + std::to_string(node.offset) +
                   " holds no voxel");
-    else if (node.height >= kLowestRemembered || isWhole(node))
-      known_[level_][node.height].insert(node.offset, voxels);
+    else if (isRemembered(level_, node.height))
+      known(level_, node.height).insert(refOf(node.offset), voxels);
   }
+
+  void foreseeNode(std::uint64_t offset, int height) override {
+    if (isRemembered(level_, height))
+      known(level_, height).fetch(refOf(offset));
+  }
+
+  void foreseeCell(std::uint32_t value) override {
+    if (layout_.holdsVoxels(level_))
+      return;
+    const int height = longest(layout_.strata[level_ + 1].log2Size());
+    words_.fetch(words_.wordOf(value));
+    if (isRemembered(level_ + 1, height))
+      known(level_ + 1, height).fetch(value);
+  }
+
+  bool countsCells() const override { return layout_.holdsVoxels(level_); }
+  void countCells(std::uint64_t count) override { voxels_ += count; }
 
   void cells(const Cube &cube, std::uint32_t value, Ranks ranks) override {
     // The cells of a grid of voxels have ranks in an order of their own, which its masks tell.
@@ -154,8 +197,14 @@ private:
     return !interrupted_;
   }
 
-  /// True for the highest node of a sub-volume.
-  bool isWhole(const Node &node) const { return node.height == longest(layout_.strata[level_].log2Size()); }
+  Ref refOf(std::uint64_t offset) const { return layout_.refOf(offset); }
+  NodeCounts &known(std::size_t level, int height) { return known_[level][static_cast<std::size_t>(height)]; }
+
+  /// Grids of an array are counted as soon as they are found again.
+  bool isRemembered(std::size_t level, int height) const {
+    return height >= kLowestRemembered ||
+           (height == longest(layout_.strata[level].log2Size()) && !layout_.isIndexed(level));
+  }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
   /// Those of an array have places of their own by their numbers.
@@ -213,8 +262,8 @@ private:
   const KeepOn &keepOn_;
   std::uint64_t looks_ = 0;
   bool interrupted_ = false;
-  std::vector<std::map<int, NodeCounts>> known_; ///< For each level, by height.
-  std::vector<std::uint64_t> gridWords_;         ///< For each level, the words of the grids entered.
+  std::vector<std::vector<NodeCounts>> known_; ///< For each level, by height.
+  std::vector<std::uint64_t> gridWords_;       ///< For each level, the words of the grids entered.
   std::vector<Node> entered_;
   std::size_t level_ = 0;
   std::uint64_t voxels_ = 0;         ///< Found so far,

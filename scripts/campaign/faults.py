@@ -244,7 +244,7 @@ def killed_plan(bench):
     """A disturbed build plan goes on. voxc submit --local, and the volume is that of a build in one go."""
     folder, plan = bench.folder / "plan", bench.folder / "v.plan"
     volume = folder / "v.hvx"
-    cut = [bench.voxc, "plan", FORMATS[0], SCENE, "--parts", "5", "--volume", str(volume), "-o", str(plan), "--quiet"]
+    cut = [bench.voxc, "plan", FORMATS[0], SCENE, "--parts", "5", "--fan-in", "2", "--volume", str(volume), "-o", str(plan), "--quiet"]
     shutil.rmtree(bench.folder / "v.plan.d", ignore_errors=True)
     subprocess.run(cut, check=True)
     if problem := goes_on(bench, [bench.voxc, "submit", str(plan), "--local", "2", "--quiet"], folder):

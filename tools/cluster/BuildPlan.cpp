@@ -12,7 +12,7 @@
 namespace voxc::tool::cluster {
 namespace {
 
-constexpr std::string_view kTitle = "voxc build plan 1\n";
+constexpr std::string_view kTitle = "voxc build plan 2\n";
 constexpr std::string_view kDigestKey = "digest ";
 constexpr std::size_t kDigestDigits = 16;
 constexpr std::uint64_t kMostParts = std::uint64_t{1} << 20;
@@ -40,6 +40,7 @@ std::string bodyOf(const BuildPlan &plan) {
     line("option", option);
   line("volume", plan.volume);
   line("compress", plan.compress ? "yes" : "no");
+  line("fan-in", std::to_string(plan.fanIn));
   line("extent", std::to_string(plan.extent.x) + " " + std::to_string(plan.extent.y) + " " +
                      std::to_string(plan.extent.z));
   line("cubes", std::to_string(plan.cubes.count) + " of side " + std::to_string(1 << plan.cubes.log2Side));
@@ -143,6 +144,9 @@ std::optional<BuildPlan> parseBody(std::string_view body) {
     plan.options.emplace_back(reader.value("option"));
   plan.volume = reader.value("volume");
   plan.compress = reader.value("compress") == "yes";
+  plan.fanIn = reader.numbers("fan-in", {})[0];
+  if (plan.fanIn < kLeastFanIn || plan.fanIn > kMostFanIn)
+    reader.fail();
   readCubes(reader, plan);
   if (!reader.failed())
     readRanges(reader, plan);

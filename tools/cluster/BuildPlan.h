@@ -31,18 +31,25 @@ struct InputFile {
   bool operator==(const InputFile &) const = default;
 };
 
+/// How many outputs a merge joins at most. Fewer make a merge look up again what those below it have looked up
+/// already; more do not fit the open files that systems allow.
+inline constexpr std::uint64_t kDefaultFanIn = 64;
+inline constexpr std::uint64_t kLeastFanIn = 2;
+inline constexpr std::uint64_t kMostFanIn = 512;
+
 struct BuildPlan {
   Format format;                ///< As it is stored, without walks.
   std::string input;            ///< As a command takes it, files by their absolute paths.
   std::vector<InputFile> files; ///< All that the input is read from.
   std::string volume;    ///< The file that is written in the end: absolute, or from the folder of the plan.
   bool compress = false; ///< The volume's pages.
+  std::uint64_t fanIn = kDefaultFanIn;
   std::vector<std::string> options; ///< Of the input: "resolution=2048".
   Int3 extent;                      ///< Of the input, in voxels.
   PartNumbers cubes;                ///< What ranges count.
   std::vector<CubeRange> ranges;    ///< Of each part. They follow one another and cover all cubes.
 
-  MergeTree tree() const { return MergeTree(ranges.size()); }
+  MergeTree tree() const { return MergeTree(ranges.size(), fanIn); }
   /// Which of the fragments of its level an item of the tree is, and what it has.
   FragmentShare shareOf(const WorkItem &item) const;
   /// The digest of the text: by it the outputs of a plan are known.

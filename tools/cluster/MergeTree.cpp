@@ -6,9 +6,9 @@
 
 namespace voxc::tool::cluster {
 
-MergeTree::MergeTree(std::uint64_t parts) : counts_{parts} {
+MergeTree::MergeTree(std::uint64_t parts, std::uint64_t fanIn) : fanIn_(fanIn), counts_{parts} {
   do
-    counts_.push_back((counts_.back() + kChildren - 1) / kChildren);
+    counts_.push_back((counts_.back() + fanIn_ - 1) / fanIn_);
   while (counts_.back() > 1);
 }
 
@@ -19,7 +19,7 @@ std::uint64_t MergeTree::merges() const {
 std::pair<std::uint64_t, std::uint64_t> MergeTree::partsOf(const WorkItem &item) const {
   const auto bound = [&](std::uint64_t index) {
     for (std::size_t level = 0; level < item.level; ++level)
-      index = std::min(index * kChildren, counts_.front());
+      index = std::min(index * fanIn_, counts_.front());
     return index;
   };
   return {bound(item.index), bound(item.index + 1)};
@@ -27,8 +27,8 @@ std::pair<std::uint64_t, std::uint64_t> MergeTree::partsOf(const WorkItem &item)
 
 std::vector<WorkItem> MergeTree::childrenOf(const WorkItem &item) const {
   std::vector<WorkItem> children;
-  const std::uint64_t end = std::min((item.index + 1) * kChildren, counts_[item.level - 1]);
-  for (std::uint64_t index = item.index * kChildren; index < end; ++index)
+  const std::uint64_t end = std::min((item.index + 1) * fanIn_, counts_[item.level - 1]);
+  for (std::uint64_t index = item.index * fanIn_; index < end; ++index)
     children.push_back({item.level - 1, index});
   return children;
 }

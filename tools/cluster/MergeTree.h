@@ -1,4 +1,4 @@
-// The tree in which the parts of a build plan are merged: eight a step.
+// The tree in which the parts of a build plan are merged, some in a step.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,9 @@ struct WorkItem {
 
 class MergeTree {
 public:
-  static constexpr std::uint64_t kChildren = 8;
-
-  /// The tree over so many parts, at least 1: a merge joins up to 8 items that follow one another.
-  explicit MergeTree(std::uint64_t parts);
+  /// The tree over so many parts, at least 1: a merge joins up to `fanIn` items that follow one another, at
+  /// least 2.
+  MergeTree(std::uint64_t parts, std::uint64_t fanIn);
 
   /// Levels, that of the parts among them: at least 2.
   std::size_t levels() const { return counts_.size(); }
@@ -41,6 +40,7 @@ public:
   WorkItem merge(std::uint64_t number) const;
 
 private:
+  std::uint64_t fanIn_;
   std::vector<std::uint64_t> counts_; ///< Of each level.
 };
 

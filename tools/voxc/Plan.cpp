@@ -39,6 +39,10 @@ public:
         .takes("N")
         .between(1u, 1u << 20)
         .showsDefault();
+    command.add("--fan-in", fanIn_, "Outputs that a merge joins at most")
+        .takes("N")
+        .between(kLeastFanIn, kMostFanIn)
+        .showsDefault();
     command.add("--volume", volume_, "Volume that is written in the end; default: the plan's name with .hvx")
         .takes("V.hvx");
     command.add("-o,--output", output_, "Build plan to write").takes("P.plan").required();
@@ -78,6 +82,7 @@ private:
     plan.volume = volume_.empty() ? fs::path(output_).filename().replace_extension(".hvx").string()
                                   : fs::absolute(volume_).lexically_normal().string();
     plan.compress = building_.means().compress;
+    plan.fanIn = fanIn_;
     const VoxelSource &source = *opened->input.source;
     plan.extent = source.extent();
     plan.cubes = partNumbersOf(source, plan.format);
@@ -134,6 +139,7 @@ private:
 
   Building building_;
   unsigned parts_ = 64;
+  std::uint64_t fanIn_ = kDefaultFanIn;
   std::string volume_;
   std::string output_;
   CommonOptions common_;

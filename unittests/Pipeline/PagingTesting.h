@@ -39,7 +39,9 @@ protected:
 /// A scene without much that repeats, so that there are many pages.
 inline HardScene noise(Int3 extent, int seed) {
   const auto voxel = [seed](Int3 c) {
-    std::uint32_t h = static_cast<std::uint32_t>(c.x * 73856093 ^ c.y * 19349663 ^ c.z * 83492791 ^ seed);
+    auto h = static_cast<std::uint32_t>(seed);
+    for (const int coordinate : {c.x, c.y, c.z})
+      h = (h ^ static_cast<std::uint32_t>(coordinate)) * 73856093u;
     h ^= h >> 15;
     h *= 0x2c1b3c6du;
     h ^= h >> 12;

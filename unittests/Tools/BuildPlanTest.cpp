@@ -66,8 +66,8 @@ TEST(EvenCut, givesEveryRunSomething) {
   EXPECT_THAT(cutEvenly(Numbers{0, 0}, 3), ElementsAre(2, 2, 2));
 }
 
-TEST(MergeTree, joinsEightAStep) {
-  const MergeTree tree(65);
+TEST(MergeTree, joinsSomeAStep) {
+  const MergeTree tree(65, 8);
   ASSERT_EQ(tree.levels(), 4u);
   EXPECT_EQ(tree.count(1), 9u);
   EXPECT_EQ(tree.count(2), 2u);
@@ -81,8 +81,13 @@ TEST(MergeTree, joinsEightAStep) {
   EXPECT_EQ(tree.merge(11), tree.root());
 }
 
+TEST(MergeTree, hasOneMergeOfAsManyPartsAsItJoins) {
+  EXPECT_EQ(MergeTree(64, 64).merges(), 1u);
+  EXPECT_EQ(MergeTree(65, 64).merges(), 3u);
+}
+
 TEST(MergeTree, hasOneMergeOfOnePart) {
-  const MergeTree tree(1);
+  const MergeTree tree(1, 8);
   EXPECT_EQ(tree.merges(), 1u);
   EXPECT_THAT(tree.childrenOf(tree.root()), ElementsAre(WorkItem{0, 0}));
 }
@@ -104,7 +109,7 @@ TEST(Slurm, timesAreDaysHoursMinutesAndSeconds) {
 }
 
 TEST(MissingWork, leavesOutWhatNothingAsksFor) {
-  const MergeTree tree(9);
+  const MergeTree tree(9, 8);
   const MissingWork all(tree, [](const WorkItem &) { return false; });
   EXPECT_EQ(all.count(), 9u + 2 + 1);
   // The first merge stands: its parts may be gone.

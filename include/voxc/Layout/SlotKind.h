@@ -78,6 +78,10 @@ struct SlotKind {
   /// How many words a checked node takes, those of its children apart.
   std::uint64_t (*size)(const WordReader &words, const Stratum &stratum, std::uint64_t node);
 
+  /// How many cells of a checked node, all of whose children are cells, are not empty; 0 if a value is that
+  /// of an empty one where masks tell another thing. Null: the visit tells.
+  std::uint64_t (*count)(const WordReader &words, const Stratum &stratum, std::uint64_t node) = nullptr;
+
   /// The child of a node at a place below the shape.
   Child (*child)(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place);
 

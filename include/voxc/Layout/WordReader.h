@@ -51,6 +51,14 @@ public:
       return words_[offset];
     return source_ && offset < source_->size() ? source_->at(offset) : 0;
   }
+  /// Brings near the words from an offset on, for a node that is read soon.
+  void fetch(std::uint64_t offset) const {
+    static constexpr std::uint64_t kMostNodes = 8; // Words that are enough for most nodes.
+    if (offset + kMostNodes > words_.size())
+      return;
+    __builtin_prefetch(words_.data() + offset);
+    __builtin_prefetch(words_.data() + offset + kMostNodes - 1);
+  }
   /// The word that a reference leads to.
   std::uint64_t wordOf(std::uint32_t ref) const { return std::uint64_t{ref} << log2Granule_; }
   /// True if words [offset, offset + count) exist; otherwise a problem is noted that names `what`.
@@ -76,6 +84,12 @@ public:
   /// A node (of a tree; a grid is one node) of 2^height cells a side is about to be read; false leaves it
   /// out.
   virtual bool enterNode(std::uint64_t offset, int height, Ranks ranks) = 0;
+  /// A node of 2^height cells a side, or the sub-volume in a cell of this value, is likely to be read soon.
+  virtual void foreseeNode(std::uint64_t /*offset*/, int /*height*/) {}
+  virtual void foreseeCell(std::uint32_t /*value*/) {}
+  /// True to be told how many cells a node without nodes below has, by `countCells`, and not each of them.
+  virtual bool countsCells() const { return false; }
+  virtual void countCells(std::uint64_t /*count*/) {}
   /// All of the node that was entered last, and not left yet, has been visited.
   virtual void leaveNode() {}
   /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.
