@@ -91,7 +91,9 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   });
 }
 
-std::uint64_t count(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
+std::uint64_t count(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) {
+  if (!check(words, stratum, node, layer == 1))
+    return 0;
   std::uint64_t count = 0;
   const std::uint64_t end = node + leastWords(stratum);
   for (std::uint64_t slot = node; slot < end; slot += static_cast<std::uint64_t>(stratum.slotWords())) {

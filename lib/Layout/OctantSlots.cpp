@@ -32,12 +32,14 @@ std::uint64_t leastWords(const Stratum &) { return kIndexedWords; }
 std::uint64_t wordsWith(const Stratum &, std::uint64_t, std::uint64_t) { return kIndexedWords; }
 std::uint64_t size(const WordReader &, const Stratum &, std::uint64_t) { return kIndexedWords; }
 
-std::uint64_t count(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
-  return static_cast<std::uint64_t>(std::popcount(maskOf(words, stratum, node)));
-}
-
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
   return checkOctantGrid(words, arrayOf(words, stratum), numberOf(words, stratum, node), stratum.ranked);
+}
+
+std::uint64_t count(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) {
+  return check(words, stratum, node, layer == 1)
+             ? static_cast<std::uint64_t>(std::popcount(maskOf(words, stratum, node)))
+             : 0;
 }
 
 /// The cell of a bit that is set.

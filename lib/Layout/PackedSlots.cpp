@@ -7,6 +7,7 @@
 #include "Fields.h"
 #include "Masks.h"
 #include "Places.h"
+#include "TreeCount.h"
 
 #include "voxc/Layout/OctantArray.h"
 
@@ -59,21 +60,6 @@ std::uint64_t octants(const WordReader &words, const Stratum &stratum, std::uint
 
 std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
   return wordsWith(stratum, Masks(words, MaskShape(stratum), node).slots(), octants(words, stratum, node));
-}
-
-std::uint64_t count(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
-  const MaskShape shape(stratum);
-  const std::uint64_t count = Masks(words, shape, node).count();
-  if (stratum.implied)
-    return count;
-  const auto step = static_cast<std::uint64_t>(stratum.slotWords());
-  const std::uint64_t begin = node + shape.words();
-  bool hasEmpty = false;
-  for (std::uint64_t slot = begin; slot < begin + count * step; slot += step) {
-    const std::uint64_t at = stratum.cells == Cells::Word ? words.wordOf(words[slot]) : slot;
-    hasEmpty |= at == 0 || stratum.cellValue(words[at]) == 0;
-  }
-  return hasEmpty ? 0 : count;
 }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool lowest) {
@@ -241,6 +227,41 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
     if (const Child child = found(words, stratum, shape, node, childIndex(stratum, place)); child.exists)
       visit(place, child);
   });
+}
+
+/// The cells of a grid of voxels; 0 if one has no value.
+std::uint64_t countGrid(const WordReader &words, const Stratum &stratum, const Masks &masks,
+                        std::uint64_t slots) {
+  bool isRight = true;
+  for (std::uint64_t slot = slots;
+       slot < slots + masks.slots() * static_cast<std::uint64_t>(stratum.slotWords());
+       slot += static_cast<std::uint64_t>(stratum.slotWords()))
+    isRight &= stratum.cellValue(words[slot]) != 0;
+  return isRight ? masks.count() : 0;
+}
+
+std::uint64_t count(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) {
+  const bool isTold = !stratum.isIndexed() && !(stratum.ranked && layer > 1);
+  if (!isTold || node == 0 || node >= words.size() || !check(words, stratum, node, layer == 1))
+    return 0;
+  const MaskShape shape(stratum);
+  const Masks masks(words, shape, node);
+  const std::uint64_t slots = node + shape.words();
+  if (stratum.isGrid())
+    return countGrid(words, stratum, masks, slots);
+  const auto target = [&](std::uint64_t slot) {
+    return words.wordOf(words[slots + slot * static_cast<std::uint64_t>(stratum.slotWords())]);
+  };
+  if (layer > 1 || stratum.cells == Cells::Word)
+    for (std::uint64_t i = 0; i < masks.slots(); ++i)
+      words.fetch(target(i));
+  return countTree(
+      stratum, masks, layer,
+      [&](std::uint64_t slot) {
+        const std::uint64_t at = stratum.cells == Cells::Word ? target(slot) : slots + slot;
+        return at != 0 && stratum.cellValue(words[at]) != 0;
+      },
+      [&](std::uint64_t slot) { return count(words, stratum, target(slot), layer - 1); });
 }
 
 bool relocateNumbers(std::span<std::uint32_t> words, const Stratum &stratum, Relocation relocation) {

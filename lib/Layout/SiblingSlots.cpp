@@ -2,6 +2,7 @@
 // stand together, in their order. The record of a leaf is [value, 0].
 #include "Masks.h"
 #include "Places.h"
+#include "TreeCount.h"
 
 namespace voxc {
 namespace {
@@ -49,6 +50,27 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   });
 }
 
+std::uint64_t count(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) {
+  if (node >= words.size() || !check(words, stratum, node, layer == 1))
+    return 0;
+  const MaskShape shape(stratum);
+  const Masks masks(words, shape, node + 1);
+  const std::uint64_t children = words.wordOf(words[node]);
+  const std::uint64_t step = recordWords(shape);
+  if (children == 0 || children + masks.count() * step > words.size())
+    return 0;
+  return countTree(
+      stratum, masks, layer,
+      [&](std::uint64_t child) {
+        const std::uint64_t at = children + child * step;
+        bool isLeaf = stratum.cellValue(words[at]) != 0;
+        for (std::uint64_t i = 1; i < step; ++i)
+          isLeaf &= words[at + i] == 0;
+        return isLeaf;
+      },
+      [&](std::uint64_t child) { return count(words, stratum, children + child * step, layer - 1); });
+}
+
 /// Records without masks are leaves, and their first word is a value.
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holdsVoxels,
               Relocation relocation) {
@@ -78,6 +100,7 @@ extern const SlotKind kSiblingSlots = {.name = "siblings",
                                        .leastWords = leastWords,
                                        .wordsWith = wordsWith,
                                        .size = size,
+                                       .count = count,
                                        .child = child,
                                        .visit = visit,
                                        .relocate = relocate};

@@ -49,21 +49,24 @@ private:
 
   void node(std::uint64_t at, Int3 low, int layer, Ranks ranks) {
     const int log2Side = longest(stratum_.log2Shape) * layer;
-    if (visitor_.done() || !visitor_.enterNode(at, log2Side, ranks))
+    if (visitor_.done())
+      return;
+    if (!stratum_.isGrid() && visitor_.countsCells(log2Side) && isCounted(at, layer))
+      return;
+    if (!visitor_.enterNode(at, log2Side, ranks))
       return;
     const SlotKind &slots = *stratum_.slots;
     if (!slots.check(words_, stratum_, at, layer == 1))
       return;
-    if (!(layer == 1 && isCounted(at)))
+    if (!(layer == 1 && visitor_.countsCells(0) && isCounted(at, layer)))
       children(at, low, layer, ranks);
     visitor_.leaveNode();
   }
 
-  /// True if the visitor has been told the number of the cells of a node of the lowest layer.
-  bool isCounted(std::uint64_t node) {
-    if (!stratum_.slots->count || !visitor_.countsCells())
-      return false;
-    const std::uint64_t count = stratum_.slots->count(words_, stratum_, node);
+  /// True if the visitor has been told the number of a node's cells.
+  bool isCounted(std::uint64_t node, int layer) {
+    const std::uint64_t count =
+        stratum_.slots->count ? stratum_.slots->count(words_, stratum_, node, layer) : 0;
     visitor_.countCells(count);
     return count != 0;
   }

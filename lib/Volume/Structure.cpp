@@ -160,7 +160,11 @@ public:
       known(level_ + 1, height).fetch(value);
   }
 
-  bool countsCells() const override { return layout_.holdsVoxels(level_); }
+  /// Nodes that are counted anew each time, unless their ranks must be compared.
+  bool countsCells(int height) const override {
+    return layout_.holdsVoxels(level_) &&
+           (height == 0 || (!isRemembered(level_, height) && layout_.values != Values::Apart));
+  }
   void countCells(std::uint64_t count) override { voxels_ += count; }
 
   void cells(const Cube &cube, std::uint32_t value, Ranks ranks) override {

@@ -78,9 +78,9 @@ struct SlotKind {
   /// How many words a checked node takes, those of its children apart.
   std::uint64_t (*size)(const WordReader &words, const Stratum &stratum, std::uint64_t node);
 
-  /// How many cells of a checked node, all of whose children are cells, are not empty; 0 if a value is that
-  /// of an empty one where masks tell another thing. Null: the visit tells.
-  std::uint64_t (*count)(const WordReader &words, const Stratum &stratum, std::uint64_t node) = nullptr;
+  /// How many cells are not empty in a node of this layer, which is checked with all that is below; 1 is the
+  /// lowest. 0 if something is wrong, or if only a visit tells. Null: only a visit ever tells.
+  std::uint64_t (*count)(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) = nullptr;
 
   /// The child of a node at a place below the shape.
   Child (*child)(const WordReader &words, const Stratum &stratum, std::uint64_t node, Int3 place);

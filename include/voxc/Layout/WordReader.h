@@ -87,8 +87,9 @@ public:
   /// A node of 2^height cells a side, or the sub-volume in a cell of this value, is likely to be read soon.
   virtual void foreseeNode(std::uint64_t /*offset*/, int /*height*/) {}
   virtual void foreseeCell(std::uint32_t /*value*/) {}
-  /// True to be told how many cells a node without nodes below has, by `countCells`, and not each of them.
-  virtual bool countsCells() const { return false; }
+  /// True to be told, by `countCells`, how many cells are not empty in a node of a tree of 2^height cells a
+  /// side, or, with 0, in one that was entered and has cells alone below, and not to be shown them.
+  virtual bool countsCells(int /*height*/) const { return false; }
   virtual void countCells(std::uint64_t /*count*/) {}
   /// All of the node that was entered last, and not left yet, has been visited.
   virtual void leaveNode() {}
