@@ -31,8 +31,8 @@ struct InputFile {
   bool operator==(const InputFile &) const = default;
 };
 
-/// How many outputs a merge joins at most. Fewer make a merge look up again what those below it have looked up
-/// already; more do not fit the open files that systems allow.
+/// How many outputs a merge joins at most. Fewer make a merge look up again what those below it have looked
+/// up already; more do not fit the open files that systems allow.
 inline constexpr std::uint64_t kDefaultFanIn = 64;
 inline constexpr std::uint64_t kLeastFanIn = 2;
 inline constexpr std::uint64_t kMostFanIn = 512;
