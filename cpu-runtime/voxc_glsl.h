@@ -135,6 +135,9 @@ template <typename T> VOXC_INLINE bool operator!=(const Vector3<T> &a, const Vec
 VOXC_INLINE uvec3 floatBitsToUint(const vec3 &v) {
   return {floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z)};
 }
+VOXC_INLINE ivec3 floatBitsToInt(const vec3 &v) {
+  return {floatBitsToInt(v.x), floatBitsToInt(v.y), floatBitsToInt(v.z)};
+}
 VOXC_INLINE vec3 uintBitsToFloat(const uvec3 &v) {
   return {uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z)};
 }
