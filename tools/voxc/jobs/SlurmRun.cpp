@@ -29,9 +29,9 @@ std::string quoted(const std::string &word) {
   return text + "'";
 }
 
-/// The line that a job of a level runs. Its number stands for a mark in the command's words.
+/// The line that a job of a level runs. In the command's words its number stands for what no word can hold.
 std::string commandLine(const Jobs &jobs, std::size_t level) {
-  constexpr char kMark = '\t';
+  constexpr char kMark = '\0';
   std::error_code ignored;
   const std::string folder = jobs.workingFolder();
   std::string line = folder.empty() ? "" : "cd " + quoted(folder) + " && ";
