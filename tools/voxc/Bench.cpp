@@ -7,16 +7,13 @@
 #include "common/ShellWord.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "jobs/JobOptions.h"
 #include "sweep/Machine.h"
 #include "sweep/SharedSweep.h"
 #include "sweep/Summary.h"
 #include "sweep/SweepArguments.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
-#include <string_view>
 
 namespace voxc::tool {
 
@@ -37,22 +34,15 @@ constexpr Action kActions[] = {
     {"report", "Make a page of the records of sweeps, and their figures as CSV", makeBenchReportCommand},
 };
 
-/// Options that say who measures, and not what; a share that is measured elsewhere is not told them.
-constexpr std::string_view kNotForShares[] = {"--local",   "--slurm",  "--partition", "--sbatch", "--poll",
-                                              "--no-wait", "--shares", "--share",     "--stats",  "--quiet"};
-
 class BenchCommand final : public Subcommand {
 public:
   void declare(const CommandLine &command) override;
   Expected<void> run() override;
 
 private:
-  void declareShares(const CommandLine &command);
   void declareActions(const CommandLine &command);
 
   Expected<void> checkUsage() const;
-  std::vector<std::string> givenWords() const;
-  std::vector<std::string> shareCommand() const;
   std::string commandText() const;
   Expected<void> runHere();
   Expected<void> runInShares();
@@ -60,30 +50,11 @@ private:
 
   SweepArguments arguments_;
   std::string folder_;
-  JobOptions jobs_;
-  std::string share_;
-  std::uint64_t shares_ = 0;
+  ShareOptions shares_;
   CommonOptions common_;
   std::vector<std::pair<CommandLine, std::unique_ptr<Subcommand>>> actions_;
   std::optional<CommandLine> command_;
 };
-
-void BenchCommand::declareShares(const CommandLine &command) {
-  const OptionGroup group(command, "Shares");
-  jobs_.declare(command);
-  command
-      .add("--shares", shares_,
-           "Shares that Slurm measures, each a job; default: as many as there are models, whose formats are "
-           "then "
-           "measured together")
-      .takes("N")
-      .between(std::uint64_t{1}, std::uint64_t{1000000})
-      .needs(command.option("--slurm"));
-  addShareArgument(command, share_);
-  const Option share = command.option("--share");
-  share.excludes(command.option("--local"));
-  share.excludes(command.option("--slurm"));
-}
 
 void BenchCommand::declareActions(const CommandLine &command) {
   for (const Action &action : kActions) {
@@ -101,7 +72,7 @@ void BenchCommand::declare(const CommandLine &command) {
            "Folder of results, cached volumes and pictures; an earlier run's is "
            "continued")
       .takes("DIR");
-  declareShares(command);
+  shares_.declare(command, "as many as there are models, whose formats are then measured together");
   addCommonOptions(command, common_);
   declareActions(command);
 }
@@ -112,30 +83,15 @@ Expected<void> BenchCommand::checkUsage() const {
   return makeOutputFolder(folder_);
 }
 
-/// The options that were given, with INPUT, so that a reader or a process can run the same.
-std::vector<std::string> BenchCommand::givenWords() const {
-  std::vector<std::string> words;
-  for (const bool areWords : {true, false})
-    for (const Option &option : command_->options())
-      if (option.isWord() == areWords)
-        std::ranges::copy(option.words(), std::back_inserter(words));
-  return words;
-}
-
+/// The options that were given, so that a reader can run the same.
 std::string BenchCommand::commandText() const {
   std::string text = "voxc bench";
-  for (const std::string &word : givenWords())
-    text += " " + shellWord(word);
+  for (const bool areWords : {true, false})
+    for (const Option &option : command_->options())
+      for (const std::string &word :
+           option.isWord() == areWords ? option.words() : std::vector<std::string>())
+        text += " " + shellWord(word);
   return text;
-}
-
-std::vector<std::string> BenchCommand::shareCommand() const {
-  std::vector<std::string> words{"bench"};
-  for (const Option &option : command_->options())
-    if (std::ranges::find(kNotForShares, option.name()) == std::end(kNotForShares))
-      std::ranges::copy(option.words(), std::back_inserter(words));
-  words.emplace_back("--quiet");
-  return words;
 }
 
 /// What the cells' processors were, for cells whose speed is a processor's, if they are of several kinds.
@@ -163,7 +119,7 @@ Expected<void> BenchCommand::tell(const std::vector<Cell> &cells, Json figures) 
   if (Expected<void> written = writeStatistics(common_.stats, figures); !written)
     return written;
   // Who joins the shares tells what failed.
-  if (shareOf(share_))
+  if (shares_.share())
     return {};
   if (const std::string processors = processorsOf(cells); !processors.empty() && !common_.quiet)
     printNote("note: speeds were measured on several kinds of processors, and are compared of one alone: " +
@@ -183,7 +139,7 @@ Expected<void> BenchCommand::runHere() {
     return axes.error();
   std::vector<Cell> cells = makeCells(*axes, madeBy(commandText()));
   SweepOptions options = arguments_.options(folder_);
-  if (const auto share = shareOf(share_)) {
+  if (const auto share = shares_.share()) {
     keepShare(cells, *share);
     options.records = shareFileName(sweepDigest(*axes), *share);
   }
@@ -201,27 +157,28 @@ Expected<void> BenchCommand::runInShares() {
   const auto axes = arguments_.readAxes(true);
   if (!axes)
     return axes.error();
-  const std::uint64_t usual = jobs_.bySlurm() ? axes->models.size() : jobs_.processes();
+  const std::vector<Cell> cells = makeCells(*axes, madeBy(commandText()));
   const SweepOptions options = arguments_.options(folder_);
-  auto sweep = SharedSweep::open(*axes, makeCells(*axes, madeBy(commandText())),
-                                 {.folder = folder_,
-                                  .shares = shares_ > 0 ? shares_ : usual,
-                                  .command = shareCommand(),
-                                  .retry = options.retry,
-                                  .again = options.again});
-  if (!sweep)
-    return sweep.error();
-  if (Expected<void> made = makeOutputFolder(sweep->folder()); !made)
-    return made;
+  const std::uint64_t count = shares_.count(axes->models.size());
+  SharedCells shared{{}, shareOfEach(cells, count), count, axes->devices, sweepDigest(*axes)};
+  for (const Cell &cell : cells)
+    shared.cells.push_back(cell.record.cell);
   ProgressBar bar(common_.quiet);
   Json figures;
-  if (auto done = jobs_.run(*sweep, arguments_.threads(), {bar.progress(), common_.quiet}, figures); !done)
-    return done;
+  const auto found =
+      measureInShares(std::move(shared), {folder_, shares_.command("bench"), options.retry, options.again},
+                      shares_, arguments_.threads(), {bar.progress(), common_.quiet}, figures);
   bar.clear();
-  if (!jobs_.waits())
-    return tellFigures(common_, figures);
-  const auto cells = sweep->join();
-  return cells ? tell(*cells, std::move(figures)) : cells.error();
+  if (!found)
+    return found.error();
+  std::vector<Cell> measured;
+  for (std::size_t i = 0; i < found->size(); ++i)
+    for (const Record &record : (*found)[i].records) {
+      measured.push_back(cells[i]);
+      measured.back().record = record;
+      measured.back().isKept = (*found)[i].isKept;
+    }
+  return found->empty() ? tellFigures(common_, figures) : tell(measured, std::move(figures));
 }
 
 Expected<void> BenchCommand::run() {
@@ -230,7 +187,7 @@ Expected<void> BenchCommand::run() {
       return action->run();
   if (Expected<void> usable = checkUsage(); !usable)
     return usable;
-  return jobs_.isGiven() ? runInShares() : runHere();
+  return shares_.areElsewhere() ? runInShares() : runHere();
 }
 
 } // namespace

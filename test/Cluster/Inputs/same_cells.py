@@ -1,11 +1,11 @@
-# same_cells.py A B: whether two folders hold records of the same cells, each once, and how many files of records the second has.
+# same_cells.py A B: whether two folders hold records of the same cells, and how many files of records the second has.
 import glob
 import json
 import sys
 
 
 def cells_of(folder):
-    return sorted(json.loads(line)["cell"] for path in glob.glob(folder + "/*.jsonl") for line in open(path))
+    return {json.loads(line)["cell"] for path in glob.glob(folder + "/*.jsonl") for line in open(path)}
 
 
 first, second = map(cells_of, sys.argv[1:])

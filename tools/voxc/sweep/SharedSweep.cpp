@@ -1,6 +1,8 @@
 // Which shares are left, and what came of them.
 #include "sweep/SharedSweep.h"
 
+#include "Outputs.h"
+
 #include "bench/Digest.h"
 
 #include <filesystem>
@@ -10,14 +12,13 @@ namespace voxc::tool::bench {
 
 namespace fs = std::filesystem;
 
-Expected<SharedSweep> SharedSweep::open(const SweepAxes &axes, std::vector<Cell> cells,
-                                        SharedSweepOptions options) {
+Expected<SharedSweep> SharedSweep::open(SharedCells cells, SharedSweepOptions options) {
   auto results = RecordWriter::open(options.folder + "/" + kResultsName);
   if (!results)
     return results.error();
-  SharedSweep sweep(axes, std::move(cells), std::move(options), std::move(*results));
+  SharedSweep sweep(std::move(cells), std::move(options), std::move(*results));
   // Those of this very sweep may be written to at this moment, and hold what it need not measure again.
-  const std::string own = shareFileEnding(sweep.digest_, sweep.options_.shares);
+  const std::string own = shareFileEnding(sweep.cells_.digest, sweep.cells_.count);
   if (Expected<void> joined = joinShares(sweep.options_.folder, own, sweep.results_); !joined)
     return joined.error();
   auto kept = sweep.finished();
@@ -28,7 +29,9 @@ Expected<SharedSweep> SharedSweep::open(const SweepAxes &axes, std::vector<Cell>
 }
 
 void SharedSweep::add(const Record &record, Records &records) const {
-  for (const SweepDevice &device : axes_->devices)
+  if (cells_.named.empty())
+    records[record.cell].push_back(record);
+  for (const SweepDevice &device : cells_.named)
     if (isMeant(device, record.device)) {
       Record asked = record;
       asked.device = device.part;
@@ -47,8 +50,8 @@ Expected<SharedSweep::Records> SharedSweep::finished() const {
   if (!options_.again && !options_.retry)
     return records;
   // What this sweep's shares found counts in any case.
-  for (std::uint64_t index = 0; index < options_.shares; ++index) {
-    const std::string path = options_.folder + "/" + shareFileName(digest_, {index, options_.shares});
+  for (std::uint64_t index = 0; index < cells_.count; ++index) {
+    const std::string path = options_.folder + "/" + shareFileName(cells_.digest, {index, cells_.count});
     const auto found = readRecordFile(path);
     if (!found)
       return found.error();
@@ -63,15 +66,15 @@ Expected<Jobs::Missing> SharedSweep::missing() const {
   if (!known)
     return known.error();
   std::set<std::uint64_t> left;
-  for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (!known->contains(cells_[i].record.cell))
-      left.insert(shares_[i]);
+  for (std::size_t i = 0; i < cells_.cells.size(); ++i)
+    if (!known->contains(cells_.cells[i]))
+      left.insert(cells_.shares[i]);
   return Missing{{left.begin(), left.end()}};
 }
 
 std::vector<std::string> SharedSweep::command(std::size_t, const std::string &numbers) const {
   std::vector<std::string> words = options_.command;
-  words.insert(words.end(), {"--share", numbers + "/" + std::to_string(options_.shares)});
+  words.insert(words.end(), {"--share", numbers + "/" + std::to_string(cells_.count)});
   return words;
 }
 
@@ -84,13 +87,13 @@ std::string SharedSweep::workingFolder() const {
 std::string SharedSweep::name() const {
   std::error_code ignored;
   Digest digest;
-  digest.add(digest_)
-      .add(std::to_string(options_.shares))
+  digest.add(cells_.digest)
+      .add(std::to_string(cells_.count))
       .add(fs::absolute(options_.folder, ignored).string());
   return "voxc-bench-" + digest.hex();
 }
 
-Expected<std::vector<Cell>> SharedSweep::join() {
+Expected<std::vector<SharedSweep::Found>> SharedSweep::join() {
   if (Expected<void> joined = joinShares(options_.folder, "", results_); !joined)
     return joined.error();
   const auto all = readRecords(options_.folder);
@@ -99,18 +102,23 @@ Expected<std::vector<Cell>> SharedSweep::join() {
   Records records;
   for (const Record &record : *all)
     add(record, records);
-  std::vector<Cell> cells;
-  for (const Cell &cell : cells_) {
-    const auto found = records.find(cell.record.cell);
-    if (found == records.end())
-      continue;
-    for (const Record &record : found->second) {
-      cells.push_back(cell);
-      cells.back().record = record;
-      cells.back().isKept = kept_.contains(cell.record.cell);
-    }
-  }
-  return cells;
+  std::vector<Found> found;
+  for (const std::string &cell : cells_.cells)
+    found.push_back({records[cell], kept_.contains(cell)});
+  return found;
+}
+
+Expected<std::vector<SharedSweep::Found>> measureInShares(SharedCells cells, SharedSweepOptions options,
+                                                          const ShareOptions &how, unsigned threads,
+                                                          const JobWatch &watch, Json &figures) {
+  auto sweep = SharedSweep::open(std::move(cells), std::move(options));
+  if (!sweep)
+    return sweep.error();
+  if (Expected<void> made = makeOutputFolder(sweep->folder()); !made)
+    return made.error();
+  if (auto done = how.jobs().run(*sweep, threads, watch, figures); !done)
+    return done.error();
+  return how.jobs().waits() ? sweep->join() : std::vector<SharedSweep::Found>();
 }
 
 } // namespace voxc::tool::bench

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "jobs/Jobs.h"
-#include "sweep/Shares.h"
+#include "sweep/ShareOptions.h"
 
 #include <map>
 #include <string>
@@ -10,25 +10,35 @@
 
 namespace voxc::tool::bench {
 
+struct SharedCells {
+  std::vector<std::string> cells;    ///< What each is known by, as records have it.
+  std::vector<std::uint64_t> shares; ///< In which each is.
+  std::uint64_t count = 1;           ///< Of shares.
+  /// What cells were made with that know devices by name: a record counts for one by any device that is
+  /// meant.
+  std::vector<SweepDevice> named;
+  std::string digest; ///< Of the sweep.
+};
+
 struct SharedSweepOptions {
-  std::string folder;                ///< It is there.
-  std::uint64_t shares = 1;          ///< How many.
-  std::vector<std::string> command;  ///< Words that measure one, but for --share.
+  std::string folder;                ///< Of the records. It is there.
+  std::vector<std::string> command;  ///< Words that measure a share, but for --share.
   bool retry = false, again = false; ///< As `SweepOptions`.
 };
 
-/// The cells have devices of `namedDevices`: where they are measured others are there than here. A cell is
-/// measured if there is a record of it by any device that its own stands for.
 class SharedSweep final : public Jobs {
 public:
-  /// Takes in the share files that earlier sweeps left. The axes must outlive it. Errors: `Input` for a
-  /// record file that is broken or in use, `Environment`.
-  static Expected<SharedSweep> open(const SweepAxes &axes, std::vector<Cell> cells,
-                                    SharedSweepOptions options);
+  /// Takes in the share files that other sweeps left. Errors: `Input` for a record file that is broken or in
+  /// use, `Environment`.
+  static Expected<SharedSweep> open(SharedCells cells, SharedSweepOptions options);
 
-  /// Joins the records of the shares to the others, and returns all cells with what is known of them: one for
-  /// each device that measured it. Errors: the same.
-  Expected<std::vector<Cell>> join();
+  /// What there is of a cell.
+  struct Found {
+    std::vector<Record> records; ///< One by each device.
+    bool isKept = false;         ///< It was there when this was opened.
+  };
+  /// Joins the records of the shares to the others, and returns what is known of each cell. Errors: the same.
+  Expected<std::vector<Found>> join();
 
   std::size_t levels() const override { return 1; }
   Expected<Missing> missing() const override;
@@ -43,22 +53,24 @@ public:
 private:
   using Records = std::map<std::string, std::vector<Record>>; ///< By the cells that they are of.
 
-  SharedSweep(const SweepAxes &axes, std::vector<Cell> cells, SharedSweepOptions options,
-              RecordWriter results)
-      : axes_(&axes), cells_(std::move(cells)), shares_(shareOfEach(cells_, options.shares)),
-        options_(std::move(options)), digest_(sweepDigest(axes)), results_(std::move(results)) {}
+  SharedSweep(SharedCells cells, SharedSweepOptions options, RecordWriter results)
+      : cells_(std::move(cells)), options_(std::move(options)), results_(std::move(results)) {}
   /// Adds a record to the cells that it is of.
   void add(const Record &record, Records &records) const;
   /// What there is of the cells and counts.
   Expected<Records> finished() const;
 
-  const SweepAxes *axes_;
-  std::vector<Cell> cells_;
-  std::vector<std::uint64_t> shares_; ///< Of each cell.
+  SharedCells cells_;
   SharedSweepOptions options_;
-  std::string digest_;
   RecordWriter results_;
   Records kept_; ///< What was finished when this was opened.
 };
+
+/// Hands the shares of a sweep over and waits for them, as the options say; then joins their records. Figures
+/// of the jobs are added. Nothing is found yet if the options say not to wait. Errors: those of `JobOptions`
+/// and `SharedSweep`.
+Expected<std::vector<SharedSweep::Found>> measureInShares(SharedCells cells, SharedSweepOptions options,
+                                                          const ShareOptions &how, unsigned threads,
+                                                          const JobWatch &watch, Json &figures);
 
 } // namespace voxc::tool::bench

@@ -4,7 +4,6 @@
 #include "bench/Digest.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <map>
 
@@ -14,23 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *kPrefix = "share-", *kEnding = ".jsonl";
-constexpr std::uint64_t kMostShares = 1 << 20;
-
-std::optional<Share> parseShare(std::string_view text) {
-  Share share;
-  const char *const end = text.data() + text.size();
-  const auto [slash, badIndex] = std::from_chars(text.data(), end, share.index);
-  if (badIndex != std::errc() || slash == end || *slash != '/')
-    return std::nullopt;
-  const auto [rest, badCount] = std::from_chars(slash + 1, end, share.count);
-  if (badCount != std::errc() || rest != end || share.index >= share.count || share.count > kMostShares)
-    return std::nullopt;
-  return share;
-}
-
-std::string shareProblem(const std::string &text) {
-  return parseShare(text) ? std::string() : "'" + text + "' is no share; write I/N with I from 0 to N - 1";
-}
 
 /// By what the volume of a cell is known.
 std::string volumeOf(const Cell &cell) {
@@ -43,16 +25,6 @@ std::string volumeOf(const Cell &cell) {
 }
 
 } // namespace
-
-void addShareArgument(const CommandLine &command, std::string &text) {
-  command
-      .add("--share", text,
-           "Measure the share I of N alone, I from 0; others may measure the others meanwhile")
-      .takes("I/N")
-      .check(shareProblem);
-}
-
-std::optional<Share> shareOf(const std::string &text) { return parseShare(text); }
 
 std::vector<std::uint64_t> shareOfEach(const std::vector<Cell> &cells, std::uint64_t count) {
   std::map<std::string, std::uint64_t> volumes; // By their places in the order of cells.

@@ -4,10 +4,8 @@
 #include "sweep/Cells.h"
 
 #include "bench/RecordFile.h"
-#include "common/CommandLine.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +15,6 @@ namespace voxc::tool::bench {
 struct Share {
   std::uint64_t index = 0, count = 1;
 };
-
-/// Adds --share I/N, whose text goes to `text`, to a command.
-void addShareArgument(const CommandLine &command, std::string &text);
-/// The share that a text names; none for "". Trusts that the option took the text.
-std::optional<Share> shareOf(const std::string &text);
 
 /// For each cell the index of its share. Shares are runs of the cells' order, so that formats which are
 /// compared stay together, of as many volumes each as can be. Cells that share a volume have one share.
