@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds volumes by plans under a Slurm of its own (scripts/slurm-loopback.sh) and hurts it on the way: each time one voxc submit
-# must finish with the bytes of one build, and no part that stood may have been built again. Part of ./check --full; takes about
-# four minutes without a model, most of them waits for Slurm.
+# must finish with the bytes of one build, and no part that stood may have been built again. At the end a sweep is measured in
+# shares, of which one is killed: it must come to the cells of one process. Part of ./check --full; takes about four minutes without
+# a model, most of them waits for Slurm.
 #
 # Usage: scripts/slurm-loopback.sh scripts/cluster.sh BUILD [FORMAT INPUT]
 set -euo pipefail
@@ -145,6 +146,23 @@ printf "\\x$(printf %x $((byte ^ 16)))" | dd of="${hurt[1]}" bs=1 seek=5000 conv
 for output in "${hurt[@]}"; do sed -i "/ ${output##*/}\$/d" "$folder/stood.txt"; done
 kill -CONT "$task"
 finish "an output cut short, and one with a wrong bit"
+
+# A share is killed when it has measured something; what it and the others have measured is kept.
+sweep() {
+  "$voxc" bench builtin:terrain:128 builtin:shell:64 --formats 'R(2^3) G(5);G(7);R(4^3) G(3);S(7)' --devices cpu --threads 1 --size 320x180 --repeat 40 \
+    --check 100 --quiet "$@"
+}
+cells() { grep -ho '"cell":"[0-9a-f]*"' "$folder/$1"/*.jsonl | sort; }
+share_runs() { share="$(pgrep -o -f -- "$folder/shared .*--share")" && ls "$folder"/shared/share-*.jsonl &> /dev/null; }
+sweep -o "$folder/alone" > /dev/null
+sweep -o "$folder/shared" --slurm --shares 4 --poll 0.5 --no-wait
+end=$((SECONDS + 60))
+until share_runs; do [ $SECONDS -lt $end ] || fail "no share ran"; done
+kill -9 "$share"
+sweep -o "$folder/shared" --slurm --shares 4 --poll 0.5 > /dev/null
+[ "$(cells alone)" = "$(cells shared)" ] || fail "a sweep in shares has other cells than one of one process"
+[ "$(find "$folder/shared" -name '*.jsonl' | wc -l)" = 1 ] || fail "records of shares are left"
+echo "cluster: a sweep in shares, one of them killed: the $(cells shared | wc -l) cells of one process"
 
 # The last merge of a grid does not fit into its memory, and the first node has no room for the rest.
 readonly scratch="$SLURM_LOOPBACK/scratch"

@@ -90,6 +90,16 @@ Expected<std::vector<Record>> readRecords(const std::string &folder) {
   return list.take();
 }
 
+Expected<std::vector<Record>> readRecordFile(const std::string &path) {
+  RecordList list;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    return list.take();
+  if (Expected<void> added = list.addFile(path); !added)
+    return added.error();
+  return list.take();
+}
+
 Expected<RecordWriter> RecordWriter::open(const std::string &path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor < 0)
@@ -127,14 +137,34 @@ Expected<void> RecordWriter::removeCutLine() {
 }
 
 Expected<void> RecordWriter::append(const Record &record) {
-  const std::string line = toJson(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  for (std::size_t done = 0; done < line.size();) {
-    const ssize_t written = ::write(descriptor_, line.data() + done, line.size() - done);
+  return appendText(toJson(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Expected<void> RecordWriter::appendText(const std::string &lines) {
+  for (std::size_t done = 0; done < lines.size();) {
+    const ssize_t written = ::write(descriptor_, lines.data() + done, lines.size() - done);
     if (written < 0 && errno != EINTR)
       return cannotWrite(path_);
     done += written < 0 ? 0 : static_cast<std::size_t>(written);
   }
   return ::fdatasync(descriptor_) == 0 ? Expected<void>() : cannotWrite(path_);
+}
+
+Expected<void> RecordWriter::take(const std::string &path) {
+  // While it is open here no other process writes to it, and its last line is whole.
+  const Expected<RecordWriter> source = open(path);
+  if (!source)
+    return source.error().kind == ErrorKind::Input ? Expected<void>() : source.error();
+  const Expected<std::string> lines = readTextFile(path);
+  if (!lines)
+    return lines.error();
+  // In this order: what is cut short here leaves the records in two files, which is as good as in one.
+  if (Expected<void> appended = appendText(*lines); !appended)
+    return appended;
+  std::error_code failure;
+  fs::remove(path, failure);
+  return failure ? Error::environment("cannot remove '" + path + "': " + failure.message())
+                 : Expected<void>();
 }
 
 } // namespace voxc::tool::bench

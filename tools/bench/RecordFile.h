@@ -16,6 +16,9 @@ inline constexpr const char *kResultsName = "results.jsonl";
 /// `Input` for a folder or file that cannot be read and a line that is no record, by file and line.
 Expected<std::vector<Record>> readRecords(const std::string &folder);
 
+/// The same of one file; none if there is no such file.
+Expected<std::vector<Record>> readRecordFile(const std::string &path);
+
 /// The one writer of a file of records.
 class RecordWriter {
 public:
@@ -29,9 +32,14 @@ public:
   /// Appends a line in one piece, on the disk when this returns. Error: `Environment`.
   Expected<void> append(const Record &record);
 
+  /// Moves the records of another file to the end of this one and removes that file; one that another process
+  /// is writing to is left as it is. Error: `Environment`.
+  Expected<void> take(const std::string &path);
+
 private:
   RecordWriter(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {}
   Expected<void> removeCutLine();
+  Expected<void> appendText(const std::string &lines);
 
   int descriptor_;
   std::string path_;

@@ -114,6 +114,24 @@ bool Option::takesValue() const { return option_->get_items_expected_max() > 0; 
 std::size_t Option::count() const { return option_->count(); }
 std::vector<std::string> Option::written() const { return option_->results(); }
 
+std::vector<std::string> Option::words() const {
+  if (count() == 0)
+    return {};
+  if (!takesValue())
+    return {name()};
+  const char delimiter = option_->get_delimiter();
+  std::vector<std::string> words;
+  for (const std::string &value : written())
+    if (words.empty() || delimiter == '\0') {
+      if (!isWord())
+        words.push_back(name());
+      words.push_back(value);
+    } else {
+      words.back() += delimiter + value;
+    }
+  return words;
+}
+
 namespace {
 
 std::vector<Option> handlesOf(const std::vector<CLI::Option *> &options) {

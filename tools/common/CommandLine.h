@@ -76,6 +76,8 @@ public:
   std::size_t count() const;
   /// These values, as they were written.
   std::vector<std::string> written() const;
+  /// The words that give it these values again: "--bounds", "0,0,0,9,9,9". None if it was not given.
+  std::vector<std::string> words() const;
 
 private:
   friend class CommandLine;

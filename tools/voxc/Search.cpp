@@ -9,6 +9,7 @@
 #include "report/Cells.h"
 #include "report/Report.h"
 #include "search/KeptWeights.h"
+#include "search/SearchCells.h"
 #include "search/SearchRays.h"
 #include "search/SearchReport.h"
 #include "sweep/Machine.h"
@@ -36,6 +37,8 @@ private:
   Explored foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
                     std::vector<Candidate> seeds) const;
   Expected<void> search(Scene &scene, Json &figures);
+  Expected<void> measureElsewhere(const Explored &explored, const std::vector<Candidate> &seeds,
+                                  bench::SweepAxes &axes, Json &figures);
   Expected<void> measure(Scene &scene, bench::SweepAxes &axes, Explored explored, const SpeedModel &model,
                          Json &figures);
   Expected<void> tell(const SearchResult &result, Json &figures);
@@ -47,6 +50,7 @@ private:
   Stopwatch watch_;
   std::shared_ptr<WorkingMemory> memory_;
   std::vector<bench::Record> known_; ///< What earlier searches found.
+  std::string recordsName_ = bench::kResultsName;
 };
 
 Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
@@ -89,9 +93,12 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
   const double mostBytes = kSizesOfUse * static_cast<double>(smallest->bytes());
   const std::size_t kept = explored.formats.size();
   Race race(std::move(explored.formats), model, {.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
-  auto writer = bench::RecordWriter::open(options_.folder + "/" + bench::kResultsName);
+  auto writer = bench::RecordWriter::open(options_.folder + "/" + recordsName_);
   if (!writer)
     return writer.error();
+  if (!options_.shares.share())
+    if (Expected<void> joined = bench::joinShares(options_.folder, "", *writer); !joined)
+      return joined;
   auto arena = Arena::create(scene, axes,
                              {.threads = threadsOf(options_.building),
                               .check = options_.check,
@@ -101,14 +108,18 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
                              memory_, progress_);
   if (!arena)
     return arena.error();
-  ContestOptions contestOptions{.seconds = options_.budget - watch_.seconds()};
+  // What others took for their shares is not of this budget.
+  ContestOptions contestOptions{.seconds = options_.budget -
+                                           (options_.shares.areElsewhere() ? 0 : watch_.seconds())};
   if (options_.all)
     contestOptions.leastGain = -1;
+  if (options_.shares.share())
+    contestOptions.lastRounds = 0;
   Contest contest(race, *arena, *writer, contestOptions);
   contest.takeKnown(known_);
   const Expected<void> measured = contest.run(progress_);
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
-  if (!measured && (!isInterrupted || contest.findings().empty()))
+  if ((!measured && (!isInterrupted || contest.findings().empty())) || options_.shares.share())
     return measured;
   Expected<void> told = tell({.input = options_.input,
                               .arguments = options_.inputArguments,
@@ -135,6 +146,23 @@ void SearchCommand::addKnown(const Scene &scene, std::vector<Candidate> &seeds) 
         seeds.push_back(std::move(*candidate));
 }
 
+/// Has the formats measured in shares. What is known then is as if it had been measured here.
+Expected<void> SearchCommand::measureElsewhere(const Explored &explored, const std::vector<Candidate> &seeds,
+                                               bench::SweepAxes &axes, Json &figures) {
+  constexpr std::size_t kFormatsOfShare = 16;
+  const std::uint64_t count = options_.shares.count((seeds.size() + kFormatsOfShare - 1) / kFormatsOfShare);
+  const auto found = bench::measureInShares(
+      sharedCells(explored.formats, seeds, count, axes), {options_.folder, options_.shares.command("search")},
+      options_.shares, options_.building.threads, {progress_, options_.common.quiet}, figures);
+  if (!found)
+    return found.error();
+  auto known = bench::readRecords(options_.folder);
+  if (!known)
+    return known.error();
+  known_ = std::move(*known);
+  return {};
+}
+
 Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   if (!scene.colours)
     return Error::environment("the scene with its colours takes more than the memory that may be used; "
@@ -151,14 +179,24 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   known_ = std::move(*known);
   if (options_.formatList.empty())
     addKnown(scene, *seeds);
+  if (const auto share = options_.shares.share()) {
+    recordsName_ = bench::shareFileName(searchDigest(*seeds, *axes), *share);
+    keepShare(*seeds, *share);
+  }
   const SpeedModel model = speedModelFor(axes->devices.front().part.name);
   const Stopwatch exploring;
-  Explored explored = foretell(scene, replayedRays(scene, *axes), model, std::move(*seeds));
+  Explored explored = foretell(scene, replayedRays(scene, *axes), model, *seeds);
   figures["explore_seconds"] = exploring.seconds();
   if (progress_.stopped())
     return Error::interrupted();
   if (explored.formats.empty())
     return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
+  if (options_.shares.areElsewhere()) {
+    if (Expected<void> measured = measureElsewhere(explored, *seeds, *axes, figures); !measured)
+      return measured;
+    if (!options_.shares.jobs().waits())
+      return writeStatistics(options_.common.stats, figures);
+  }
   return measure(scene, *axes, std::move(explored), model, figures);
 }
 

@@ -1,11 +1,11 @@
 // voxc status: what stands of a build plan, and what waits or runs.
 #include "Figures.h"
-#include "SlurmRun.h"
+#include "PlanRun.h"
 #include "Subcommand.h"
 
 #include "cluster/NumberList.h"
 #include "common/Statistics.h"
-#include "common/Terminal.h"
+#include "jobs/SlurmRun.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -29,41 +29,42 @@ public:
     auto plan = loadPlan(path);
     if (!plan)
       return plan.error();
-    ProgressBar bar(common_.quiet);
-    const PlanRun run{path, *plan, PlanFiles(*plan, path), {}, common_, bar.progress()};
+    const PlanRun run(path, std::move(*plan), {});
     std::vector<QueuedJob> queue;
     if (bySlurm_) {
-      auto asked = slurmOf(run, {}).queue(plan->tree().levels());
+      auto asked = slurmOf(run, {}).queue(run.levels());
       if (!asked)
         return asked.error();
       queue = std::move(*asked);
     }
-    const MissingWork missing = run.missing();
-    bar.clear();
-    const Json figures = figuresOf(run, missing, queue);
+    const auto missing = run.missing();
+    if (!missing)
+      return missing.error();
+    const Json figures = figuresOf(run, *missing, queue);
     if (tellsOnStdout(common_))
       print(figures);
     return writeStatistics(common_.stats, figures);
   }
 
 private:
-  static Json figuresOf(const PlanRun &run, const MissingWork &missing, const std::vector<QueuedJob> &queue) {
+  static Json figuresOf(const PlanRun &run, const Jobs::Missing &missing,
+                        const std::vector<QueuedJob> &queue) {
     Json figures;
-    figures["digest"] = run.files.digest();
-    figures["volume"] = run.files.output(run.plan.tree().root());
-    figures["complete"] = missing.empty();
-    for (std::size_t level = 0; level < missing.levels(); ++level) {
+    const MergeTree tree = run.plan().tree();
+    figures["digest"] = run.files().digest();
+    figures["volume"] = run.files().output(tree.root());
+    figures["complete"] = countOf(missing) == 0;
+    for (std::size_t level = 0; level < missing.size(); ++level) {
       std::uint64_t waiting = 0;
       std::uint64_t running = 0;
       for (const QueuedJob &job : queue)
         if (job.level == level)
           ++(job.isRunning ? running : waiting);
-      figures["levels"].push_back(
-          {{"items", run.plan.tree().count(level)},
-           {"missing", missing.at(level).size()},
-           {"waiting", waiting},
-           {"running", running},
-           {"missing_list", numberListText(run.numbersOf(level, missing.at(level)))}});
+      figures["levels"].push_back({{"items", tree.count(level)},
+                                   {"missing", missing[level].size()},
+                                   {"waiting", waiting},
+                                   {"running", running},
+                                   {"missing_list", numberListText(missing[level])}});
     }
     return figures;
   }

@@ -41,6 +41,28 @@ TEST(CommandLine, GivesValuesToTheirVariables) {
   EXPECT_TRUE(isQuick);
 }
 
+TEST(CommandLine, TellsTheWordsThatGiveTheSame) {
+  const CommandLine command;
+  std::vector<double> bounds;
+  std::vector<std::string> inputs, formats, devices;
+  bool isQuick = false, waits = true;
+  command.add("INPUT", inputs, "");
+  const Option box = command.add("-b,--bounds", bounds, "").list().values(3);
+  const Option list = command.add("--formats", formats, "").repeated();
+  const Option names = command.add("--devices", devices, "").repeated().list();
+  const Option quick = command.addFlag("--quick", isQuick, "");
+  const Option patient = command.addFlag("!--no-wait", waits, "");
+  EXPECT_EQ(problemOf(command, {"a b.obj", "--bounds=-1,2,3", "--formats", "A;B", "--formats=C,D", "--quick",
+                                "--devices=cpu,x", "--devices", "y"}),
+            "");
+  EXPECT_THAT(command.option("INPUT").words(), ElementsAre("a b.obj"));
+  EXPECT_THAT(box.words(), ElementsAre("--bounds", "-1,2,3"));
+  EXPECT_THAT(list.words(), ElementsAre("--formats", "A;B", "--formats", "C,D"));
+  EXPECT_THAT(names.words(), ElementsAre("--devices", "cpu,x,y"));
+  EXPECT_THAT(quick.words(), ElementsAre("--quick"));
+  EXPECT_THAT(patient.words(), ElementsAre());
+}
+
 TEST(CommandLine, RefusesValuesThatAreNotAllowed) {
   const CommandLine command;
   std::string up;

@@ -206,5 +206,27 @@ TEST_F(RecordFileTest, onlyOneWriterAtATime) {
   EXPECT_THAT(second.error().message, HasSubstr("another voxc"));
 }
 
+TEST_F(RecordFileTest, takesTheRecordsOfAnotherFile) {
+  write("share.jsonl", lineOf(makeRecord("b")) + lineOf(makeRecord("c")) + "{\"schema\"");
+  auto writer = RecordWriter::open(path(kResultsName));
+  ASSERT_TRUE(writer && writer->append(makeRecord("a")));
+  ASSERT_TRUE(writer->take(path("share.jsonl")));
+  EXPECT_EQ(*readTextFile(path(kResultsName)),
+            lineOf(makeRecord("a")) + lineOf(makeRecord("b")) + lineOf(makeRecord("c")));
+  EXPECT_FALSE(readTextFile(path("share.jsonl"))) << "it should be gone";
+}
+
+TEST_F(RecordFileTest, leavesAFileThatIsWritten) {
+  auto writer = RecordWriter::open(path(kResultsName));
+  auto other = RecordWriter::open(path("share.jsonl"));
+  ASSERT_TRUE(writer && other && other->append(makeRecord("b")));
+  ASSERT_TRUE(writer->take(path("share.jsonl")));
+  EXPECT_EQ(*readTextFile(path(kResultsName)), "");
+  const auto records = readRecordFile(path("share.jsonl"));
+  ASSERT_TRUE(records);
+  EXPECT_EQ(records->size(), 1u);
+  EXPECT_TRUE(readRecordFile(path("none.jsonl"))->empty());
+}
+
 } // namespace
 } // namespace voxc::tool::bench

@@ -5,6 +5,7 @@
 
 #include "bench/Digest.h"
 #include "common/Files.h"
+#include "search/SearchCells.h"
 #include "sweep/Group.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Search/SceneSource.h"
@@ -87,12 +88,7 @@ Expected<Arena> Arena::create(const Scene &scene, bench::SweepAxes &axes, ArenaO
 }
 
 std::vector<Record> Arena::recordsOf(const RatedFormat &format) const {
-  auto made = bench::makeFormats({{"", format.candidate.text}}, {format.candidate.passes});
-  axes_->formats = made ? std::move(*made) : std::vector<bench::SweepFormat>();
-  std::vector<Record> records;
-  for (bench::Cell &cell : bench::makeCells(*axes_, options_.madeBy))
-    records.push_back(std::move(cell.record));
-  return records;
+  return tool::recordsOf(format.candidate, *axes_, options_.madeBy);
 }
 
 std::string Arena::volumePath(const RatedFormat &format) const {

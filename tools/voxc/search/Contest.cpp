@@ -130,7 +130,7 @@ void Contest::forgetBeaten() const {
 double Contest::reserve() const {
   const double each =
       measuredCount_ == 0 ? kUsualSeconds : measuredSeconds_ / static_cast<double>(measuredCount_);
-  return kLastCost * each * static_cast<double>(nearFrontier(kNear).size());
+  return options_.lastRounds == 0 ? 0 : kLastCost * each * static_cast<double>(nearFrontier(kNear).size());
 }
 
 Expected<void> Contest::measureFrontier(const Progress &progress) {
@@ -160,8 +160,8 @@ Expected<void> Contest::run(const Progress &progress) {
       return measured;
     forgetBeaten();
   }
-  if (measuredCount_ == 0)
-    return {}; // All is known from before.
+  if (options_.lastRounds == 0 || (measuredCount_ == 0 && !last_.empty()))
+    return {}; // Not asked for, or all is known from before.
   progress.at("measure the frontier", 1);
   if (Expected<void> measured = measureFrontier(stop); !measured)
     return measured;

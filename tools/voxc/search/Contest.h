@@ -19,7 +19,7 @@ struct ContestOptions {
   double seconds = 0;        ///< Wall time that may pass until the end, from the contest's beginning.
   std::size_t together = 4;  ///< Formats of a batch.
   unsigned rounds = 3;       ///< In which each is traced.
-  unsigned lastRounds = 7;   ///< The same of the frontier.
+  unsigned lastRounds = 7;   ///< The same of the frontier; 0: what is best is not measured once more.
   double leastGain = 0.0001; ///< Of the area below the frontier, that a format must promise; below 0: none.
 };
 

@@ -88,6 +88,7 @@ void SearchOptions::declare(const CommandLine &command) {
       .takes("N")
       .between(1u, 1024u);
   addMemoryArguments(command, building);
+  shares.declare(command, "one for every 16 formats");
   addCommonOptions(command, common);
 }
 
@@ -95,6 +96,8 @@ Expected<void> SearchOptions::read() {
   budget = secondsOf(budgetText_);
   if (budget <= 0)
     return Error::usage("--budget '" + budgetText_ + "' is no time; it should be such as 90s, 5m or 2h");
+  if ((shares.areElsewhere() || shares.share()) && !(all && !formatList.empty()))
+    return Error::usage("shares measure all formats of a list; give --formats LIST and --all with them");
   wish = {objectiveOf(objective_), std::min(maxWordsOf(building), kMaxWords) * sizeof(std::uint32_t)};
   // Several volumes of a batch lie in memory together, on a device too.
   constexpr std::uint64_t kShare = 12;

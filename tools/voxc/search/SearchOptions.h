@@ -6,6 +6,7 @@
 
 #include "common/Command.h"
 #include "sweep/RaySet.h"
+#include "sweep/ShareOptions.h"
 #include "voxc/Search/Explore.h"
 #include "voxc/Search/Suggest.h"
 
@@ -26,7 +27,8 @@ struct SearchOptions {
   ExploreOptions explore;
   std::size_t maxLevels = 0; ///< 0: `explore.maxLevels`, but any number of those that it begins with.
   std::size_t check = 2000;
-  bool all = false; ///< Measure whatever is looked at.
+  bool all = false;           ///< Measure whatever is looked at.
+  bench::ShareOptions shares; ///< Only of the formats of a list, all of which are measured.
   std::uint32_t seed = 1;
   BuildArguments building;
   CommonOptions common;

@@ -7,6 +7,7 @@
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <thread>
@@ -117,6 +118,21 @@ Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &n
     devices.push_back({name, std::move(part)});
   }
   return devices;
+}
+
+std::vector<SweepDevice> namedDevices(const std::vector<std::string> &names, unsigned threads) {
+  std::vector<SweepDevice> devices;
+  for (const std::string &name : names)
+    devices.push_back({name, {name, "", "", threads > 0 ? Count(threads) : std::nullopt, ""}});
+  return devices;
+}
+
+bool isMeant(const SweepDevice &asked, const DevicePart &device) {
+  const Count &threads = asked.part.threads;
+  if (threads && device.threads && *threads != *device.threads)
+    return false;
+  const auto equal = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return asked.asked.empty() || !std::ranges::search(device.name, asked.asked, equal).empty();
 }
 
 std::vector<Cell> makeCells(const SweepAxes &axes, const MadeByPart &madeBy) {

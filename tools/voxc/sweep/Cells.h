@@ -67,6 +67,13 @@ Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &li
 /// processor; 0: all. Error: `Environment`.
 Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &names, unsigned threads);
 
+/// Devices as they are asked for, for a machine that need not have them. `threads`: as above, but 0 leaves
+/// open how many.
+std::vector<SweepDevice> namedDevices(const std::vector<std::string> &names, unsigned threads);
+
+/// True if a device of a record is one that `asked` of `namedDevices` stands for.
+bool isMeant(const SweepDevice &asked, const DevicePart &device);
+
 /// The cells in the order of models, formats, rays, precisions, devices; of equal ones the first alone. The
 /// axes must outlive them.
 std::vector<Cell> makeCells(const SweepAxes &axes, const MadeByPart &madeBy);

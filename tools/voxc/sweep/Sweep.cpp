@@ -3,8 +3,11 @@
 
 #include "Outputs.h"
 
+#include "sweep/Shares.h"
+
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <tuple>
 
 namespace voxc::tool::bench {
@@ -94,27 +97,38 @@ Expected<Sweep> Sweep::open(const SweepAxes &axes, std::vector<Cell> cells, Swee
     for (const RaySet &rays : model.rays)
       if (Expected<void> kept = keepRays(rays, options.folder + "/cache"); !kept)
         return kept.error();
-  auto writer = RecordWriter::open(options.folder + "/" + kResultsName);
+  const std::string path = options.folder + "/" + options.records;
+  const bool isShare = options.records != kResultsName;
+  auto writer = RecordWriter::open(path);
   if (!writer)
     return writer.error();
+  if (Expected<void> joined = isShare ? Expected<void>() : joinShares(options.folder, "", *writer); !joined)
+    return joined.error();
   const auto records = readRecords(options.folder);
   if (!records)
     return records.error();
+  const auto own = isShare ? readRecordFile(path) : std::vector<Record>();
+  if (!own)
+    return own.error();
   Sweep sweep(axes, std::move(cells), std::move(options), std::move(*writer));
-  sweep.takeKnown(*records);
+  sweep.takeKnown(*records, *own);
   return sweep;
 }
 
-void Sweep::takeKnown(const std::vector<Record> &records) {
+void Sweep::takeKnown(const std::vector<Record> &records, const std::vector<Record> &own) {
   std::map<std::string, const Record *> known;
   for (const Record &record : records)
     known[record.cell] = &record;
+  std::set<std::string> isOwn;
+  for (const Record &record : own)
+    isOwn.insert(record.cell);
   for (Cell &cell : cells_) {
     const auto before = known.find(cell.record.cell);
     if (before == known.end())
       continue;
     cell.before = *before->second;
-    cell.pending = cell.before->isMeasured() ? options_.again : options_.retry;
+    cell.pending =
+        !isOwn.contains(cell.record.cell) && (cell.before->isMeasured() ? options_.again : options_.retry);
     cell.isKept = !cell.pending;
     if (cell.isKept)
       cell.record = *cell.before;

@@ -24,6 +24,9 @@ struct SweepOptions {
   std::uint64_t groupBytes = 0; ///< Memory that the volumes and rays of a group may take.
   bool retry = false;           ///< Try failed cells again.
   bool again = false;           ///< Measure finished cells again.
+  /// The file that records go to. That of a share holds what this sweep measured, which is kept in any case;
+  /// without shares, those that were left are joined first.
+  std::string records = kResultsName;
 };
 
 class Sweep {
@@ -49,7 +52,8 @@ private:
   Sweep(const SweepAxes &axes, std::vector<Cell> cells, SweepOptions options, RecordWriter writer)
       : axes_(&axes), cells_(std::move(cells)), options_(std::move(options)), writer_(std::move(writer)),
         cache_((options_.folder + "/cache"), options_.build) {}
-  void takeKnown(const std::vector<Record> &records);
+  /// What earlier runs found, and what this sweep did.
+  void takeKnown(const std::vector<Record> &records, const std::vector<Record> &own);
 
   Expected<void> runModel(const SweepModel &model);
   Expected<std::vector<Ready>> buildModel(const SweepModel &model);

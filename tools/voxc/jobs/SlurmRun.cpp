@@ -1,7 +1,8 @@
 // Arrays with dependencies, and waiting for them.
-#include "SlurmRun.h"
+#include "jobs/SlurmRun.h"
 
 #include "cluster/NumberList.h"
+#include "common/Command.h"
 
 #include <algorithm>
 #include <chrono>
@@ -28,12 +29,23 @@ std::string quoted(const std::string &word) {
   return text + "'";
 }
 
-/// The line that a job of a level runs.
-std::string commandLine(const PlanRun &run, std::size_t level) {
+/// The line that a job of a level runs. In the command's words its number stands for what no word can hold.
+std::string commandLine(const Jobs &jobs, std::size_t level) {
+  constexpr char kMark = '\0';
   std::error_code ignored;
-  std::string line = "exec " + quoted(std::filesystem::read_symlink("/proc/self/exe", ignored).string());
-  for (const std::string &word : run.command(level, "\t"))
-    line += word == "\t" ? " \"$SLURM_ARRAY_TASK_ID\"" : " " + quoted(word);
+  const std::string folder = jobs.workingFolder();
+  std::string line = folder.empty() ? "" : "cd " + quoted(folder) + " && ";
+  line += "exec " + quoted(std::filesystem::read_symlink("/proc/self/exe", ignored).string());
+  for (const std::string &word : jobs.command(level, std::string(1, kMark))) {
+    const std::size_t mark = word.find(kMark);
+    if (mark == word.npos) {
+      line += " " + quoted(word);
+      continue;
+    }
+    const std::string before = word.substr(0, mark), behind = word.substr(mark + 1);
+    line += (before.empty() ? " " : " " + quoted(before)) + "\"$SLURM_ARRAY_TASK_ID\"" +
+            (behind.empty() ? "" : quoted(behind));
+  }
   return line;
 }
 
@@ -48,13 +60,13 @@ std::vector<std::string> arraysOf(const std::vector<QueuedJob> &queue, std::size
 
 /// Hands over what no job of the queue does, for nodes other than `avoid`; adds the arrays that there are
 /// then to `arrays`. Returns how many jobs.
-Expected<std::uint64_t> handOver(const PlanRun &run, const Slurm &slurm, const MissingWork &missing,
+Expected<std::uint64_t> handOver(const Jobs &jobs, const Slurm &slurm, const Jobs::Missing &missing,
                                  const std::vector<QueuedJob> &queue, const std::vector<std::string> &avoid,
                                  std::set<std::string> &arrays) {
-  std::uint64_t jobs = 0;
+  std::uint64_t count = 0;
   std::vector<std::string> below;
-  for (std::size_t level = 0; level < missing.levels(); ++level) {
-    std::vector<std::uint64_t> numbers = run.numbersOf(level, missing.at(level));
+  for (std::size_t level = 0; level < missing.size(); ++level) {
+    std::vector<std::uint64_t> numbers = missing[level];
     std::erase_if(numbers, [&](std::uint64_t number) {
       return std::ranges::any_of(
           queue, [&](const QueuedJob &job) { return job.level == level && job.number == number; });
@@ -62,28 +74,28 @@ Expected<std::uint64_t> handOver(const PlanRun &run, const Slurm &slurm, const M
     std::vector<std::string> here = arraysOf(queue, level);
     if (!numbers.empty()) {
       const auto array = slurm.submit(
-          {level, numberListText(numbers), below, avoid, commandLine(run, level), run.files.folder()});
+          {level, numberListText(numbers), below, avoid, commandLine(jobs, level), jobs.folder()});
       if (!array)
         return array.error();
       here.push_back(*array);
-      jobs += numbers.size();
+      count += numbers.size();
     }
     arrays.insert(here.begin(), here.end());
     below = std::move(here);
   }
-  return jobs;
+  return count;
 }
 
 class Waiting {
 public:
-  Waiting(const PlanRun &run, const SlurmMeans &means, const Slurm &slurm)
-      : run_(run), means_(means), slurm_(slurm) {}
+  Waiting(const Jobs &jobs, const SlurmMeans &means, const JobWatch &watch, const Slurm &slurm)
+      : jobs_(jobs), means_(means), watch_(watch), slurm_(slurm) {}
 
-  /// Waits until no job of the plan waits or runs.
+  /// Waits until no job of the work waits or runs.
   Expected<void> forAll(std::uint64_t all) const {
     int silence = 0;
     for (;;) {
-      const auto queue = slurm_.queue(run_.plan.tree().levels());
+      const auto queue = slurm_.queue(jobs_.levels());
       if (queue && queue->empty())
         return {};
       if (!queue && ++silence > kMostSilence)
@@ -92,7 +104,7 @@ public:
         silence = 0;
         slurm_.release(*queue);
         const std::uint64_t left = std::min<std::uint64_t>(queue->size(), all);
-        run_.progress.at("jobs", 1 - static_cast<double>(left) / static_cast<double>(all), all - left);
+        watch_.progress.at("jobs", 1 - static_cast<double>(left) / static_cast<double>(all), all - left);
       }
       if (auto slept = sleep(); !slept)
         return slept;
@@ -104,15 +116,16 @@ private:
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(means_.pollSeconds);
     do {
-      if (run_.progress.stopped())
+      if (watch_.progress.stopped())
         return Error::interrupted();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     } while (Clock::now() < end);
     return {};
   }
 
-  const PlanRun &run_;
+  const Jobs &jobs_;
   const SlurmMeans &means_;
+  const JobWatch &watch_;
   const Slurm &slurm_;
 };
 
@@ -149,58 +162,61 @@ std::vector<std::string> nodesThatFail(const std::vector<JobAccount> &accounts) 
 }
 
 /// Why work is left, as far as Slurm can say.
-Error whatFailed(const PlanRun &run, const MissingWork &missing, const std::vector<JobAccount> &accounts) {
-  std::string jobs;
+Error whatFailed(const Jobs &jobs, std::uint64_t missing, const std::vector<JobAccount> &accounts) {
+  std::string failed;
   for (const JobAccount &account : accounts)
     if (!account.state.starts_with("COMPLETED"))
-      jobs += (jobs.empty() ? "; " : ", ") + account.job + " " + account.state;
-  return Error::environment(std::to_string(missing.count()) +
-                            " of the plan's outputs are still missing, and no job "
-                            "made any of them" +
-                            jobs + "; logs lie in '" + run.files.folder() + "'");
+      failed += (failed.empty() ? "; " : ", ") + account.job + " " + account.state;
+  return Error::environment(std::to_string(missing) + " of " + jobs.allName() +
+                            " are still missing, and no job made any of them" + failed + "; logs lie in '" +
+                            jobs.folder() + "'");
 }
 
 } // namespace
 
-Slurm slurmOf(const PlanRun &run, const SlurmMeans &means) {
-  return Slurm("voxc-" + run.files.digest(), means.options);
-}
+Slurm slurmOf(const Jobs &jobs, const SlurmMeans &means) { return Slurm(jobs.name(), means.options); }
 
-Expected<void> runBySlurm(const PlanRun &run, const SlurmMeans &means, Json &figures) {
-  const Slurm slurm = slurmOf(run, means);
+Expected<void> runBySlurm(const Jobs &jobs, const SlurmMeans &means, const JobWatch &watch, Json &figures) {
+  const Slurm slurm = slurmOf(jobs, means);
   std::set<std::string> arrays;
   std::vector<std::string> avoid;
   std::uint64_t submitted = 0;
   for (bool isFirst = true;; isFirst = false) {
     // In this order: what ends meanwhile stands, and is not handed over twice.
-    const auto queue = slurm.queue(run.plan.tree().levels());
+    const auto queue = slurm.queue(jobs.levels());
     if (!queue)
       return queue.error();
-    const MissingWork missing = run.missing();
+    const auto missing = jobs.missing();
+    if (!missing)
+      return missing.error();
+    const std::uint64_t count = countOf(*missing);
     if (isFirst)
-      figures["missing"] = missing.count();
-    else if (!missing.empty() && !run.common.quiet)
-      printNote("note: " + std::to_string(missing.count()) +
-                " outputs are still missing, and are asked for again");
-    if (missing.empty())
+      figures["missing"] = count;
+    else if (count > 0 && !watch.quiet)
+      printNote("note: " + std::to_string(count) + " of " + jobs.allName() +
+                " are still missing, and are asked for again");
+    if (count == 0)
       break;
     std::set<std::string> round;
-    const auto jobs = handOver(run, slurm, missing, *queue, avoid, round);
-    if (!jobs)
-      return jobs.error();
+    const auto handed = handOver(jobs, slurm, *missing, *queue, avoid, round);
+    if (!handed)
+      return handed.error();
     arrays.insert(round.begin(), round.end());
-    submitted += *jobs;
+    submitted += *handed;
     figures["submitted"] = submitted;
     if (!means.wait)
       return {};
-    if (auto waited = Waiting(run, means, slurm).forAll(missing.count()); !waited)
+    if (auto waited = Waiting(jobs, means, watch, slurm).forAll(count); !waited)
       return waited;
     // What failed wherever it ran may do on another node: once, if nothing else was done meanwhile.
     const std::vector<JobAccount> accounts = slurm.accounts({round.begin(), round.end()});
     const bool wasElsewhere = !avoid.empty();
     avoid = nodesThatFail(accounts);
-    if (const MissingWork left = run.missing(); left == missing && (wasElsewhere || avoid.empty()))
-      return whatFailed(run, left, accounts);
+    const auto left = jobs.missing();
+    if (!left)
+      return left.error();
+    if (*left == *missing && (wasElsewhere || avoid.empty()))
+      return whatFailed(jobs, countOf(*left), accounts);
   }
   addAccounts(figures, slurm.accounts({arrays.begin(), arrays.end()}));
   return {};

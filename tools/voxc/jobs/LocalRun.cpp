@@ -1,0 +1,97 @@
+// Processes of this program, each with a share of what is missing.
+#include "jobs/LocalRun.h"
+
+#include "cluster/NumberList.h"
+#include "common/Command.h"
+#include "sweep/Child.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace voxc::tool {
+
+namespace {
+
+using Numbers = std::vector<std::uint64_t>;
+
+/// Deals items out to so many lists, the dearest first, each to the list that has the least.
+std::vector<Numbers> deal(const Jobs &jobs, std::size_t level, Numbers numbers, std::size_t lists) {
+  const auto costOf = [&](std::uint64_t number) { return jobs.costOf(level, number); };
+  std::ranges::stable_sort(numbers, std::ranges::greater(), costOf);
+  std::vector<Numbers> dealt(std::min(lists, numbers.size()));
+  Numbers costs(dealt.size());
+  for (const std::uint64_t number : numbers) {
+    const auto least = static_cast<std::size_t>(std::ranges::min_element(costs) - costs.begin());
+    dealt[least].push_back(number);
+    costs[least] += costOf(number);
+  }
+  for (Numbers &list : dealt)
+    std::ranges::sort(list);
+  return dealt;
+}
+
+/// Runs a level; returns the first failure of a process, if there was one.
+Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &missing, unsigned processes,
+                        const JobWatch &watch) {
+  const auto lists = deal(jobs, level, missing, processes);
+  std::mutex mutex;
+  std::optional<Error> failure;
+  std::vector<std::thread> threads;
+  for (const Numbers &list : lists)
+    threads.emplace_back([&, numbers = cluster::numberListText(list)] {
+      const auto report =
+          bench::runChild(jobs.command(level, numbers), Progress{{}, watch.progress.stop}, [] {});
+      const std::lock_guard lock(mutex);
+      if (!report)
+        failure = report.error();
+      else if (!report->succeeded && !failure)
+        failure = Error::environment(jobs.itemName(level) + " of " + numbers + " failed: " + report->failure);
+    });
+  for (std::thread &thread : threads)
+    thread.join();
+  return failure ? *failure : Expected<void>();
+}
+
+/// Runs the levels one after the other, up to the first that fails.
+Expected<void> runLevels(const Jobs &jobs, const Jobs::Missing &missing, unsigned processes,
+                         const JobWatch &watch) {
+  for (std::size_t level = 0; level < missing.size(); ++level) {
+    watch.progress.at(jobs.itemName(level), static_cast<double>(level) / static_cast<double>(missing.size()));
+    if (missing[level].empty())
+      continue;
+    if (auto done = runLevel(jobs, level, missing[level], processes, watch); !done)
+      return done;
+  }
+  return {};
+}
+
+} // namespace
+
+Expected<void> runLocally(const Jobs &jobs, unsigned processes, const JobWatch &watch, Json &figures) {
+  auto missing = jobs.missing();
+  if (!missing)
+    return missing.error();
+  figures["missing"] = countOf(*missing);
+  std::uint64_t rounds = 0;
+  for (; countOf(*missing) > 0; ++rounds) {
+    const Expected<void> done = runLevels(jobs, *missing, processes, watch);
+    if (!done && done.error().kind == ErrorKind::Interrupted)
+      return done;
+    auto left = jobs.missing();
+    if (!left)
+      return left.error();
+    if (*left == *missing)
+      return done ? Error::environment(std::to_string(countOf(*left)) + " of " + jobs.allName() +
+                                       " are still missing, though no process failed")
+                  : done;
+    if (!done && !watch.quiet)
+      printNote("note: " + done.error().message + "; what is missing is done again");
+    missing = std::move(left);
+  }
+  figures["rounds"] = rounds;
+  return {};
+}
+
+} // namespace voxc::tool
