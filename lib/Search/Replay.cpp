@@ -35,9 +35,13 @@ struct Packet {
     std::vector<std::uint64_t> loops, places;
   } path;
 
-  explicit Packet(std::size_t levels) {
-    path.loops.resize(levels);
-    path.places.resize(levels);
+  bool isPlain; ///< All levels are grids that one loop walks: of their turns nothing is counted.
+
+  Packet(const std::vector<LevelView> &levels, const Plan &plan)
+      : isPlain((plan.walk == Walk::Direct || levels.size() == 1) &&
+                std::ranges::all_of(plan.layout.strata, &Stratum::isGrid)) {
+    path.loops.resize(levels.size());
+    path.places.resize(levels.size());
   }
 
   void clear() {
@@ -105,6 +109,8 @@ private:
   /// Adds what a look-up in a level costs beyond those that other rays of the packet make in the same turn of
   /// the loops for this level and those above.
   void addToPacket(std::size_t index, int layers) {
+    if (packet_.isPlain)
+      return;
     auto &[loops, places] = packet_.path;
     // A direct walk has one loop, and goes through all levels in each turn; else each level's is in that
     // above.
@@ -190,7 +196,7 @@ RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) 
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
     levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
   RayCost cost;
-  Packet packet(levels.size());
+  Packet packet(levels, plan);
   const std::size_t packets = all.size() / kReplayPacket;
   for (std::size_t first = 0; first < packets * kReplayPacket; first += kReplayPacket) {
     std::size_t most = 0;
