@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """How many measurements a search of formats takes, beside random choice and beside evolution.
 
-  search-baselines.py ALL FOUND    folders of voxc search: ALL of every format (--formats list --all), FOUND of a search
+  search-baselines.py ALL FOUND    folders of voxc search: ALL of every format (--formats list --all), FOUND of a search;
+                                   or ALL is a table of such records, as docs/evaluation/exhaustive-sponza-512.csv
   search-baselines.py BENCH        a folder of voxc bench, in which the frontier of a search was measured in turn with a list
 
 The formats of ALL are the world: to measure one is to look into its records, for random choice, for evolution and for
@@ -13,6 +14,7 @@ Evolution is NSGA-II (Deb et al. 2002) as DEAP has it (Debian: python3-deap). Th
 voxc search: log2 of bytes times million rays a second, up to 64 times the smallest; shares are of what all
 measurements of both folders reach together.
 """
+import csv
 import json
 import math
 import random
@@ -45,6 +47,14 @@ def read(folder, of_list=None):
         sets = times.setdefault(key, (record["volume"]["bytes"], {}))[1]
         sets[record["rays"]["digest"]] = 1 / record["speed"]["mrays_per_cpu_s"]["median"]
     return {key: (size, len(sets) / sum(sets.values())) for key, (size, sets) in times.items()}
+
+
+def read_table(path):
+    """The same of a table of records."""
+    with open(path, newline="") as file:
+        return {(row["format"], *row["passes"].split()):
+                (4 * int(row["words"]), 2 / sum(1 / float(row["mrays_" + rays]) for rays in ("overview", "bounced")))
+                for row in csv.DictReader(file)}
 
 
 def in_world(found, everything):
@@ -156,7 +166,8 @@ def beside_list(folder):
 
 def main(all_folder, found_folder):
     random.seed(1)
-    everything, found = read(all_folder), read(found_folder)
+    everything = (read_table if all_folder.endswith(".csv") else read)(all_folder)
+    found = read(found_folder)
     world = {parse(key[0]): value for key, value in everything.items()}
     ours = in_world(found, everything)
     most = MOST * min(size for size, _ in (*everything.values(), *ours))

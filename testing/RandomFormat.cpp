@@ -83,8 +83,8 @@ Format withValuesApart(const Format &format) {
   return diagnostics.hasErrors() ? format : apart;
 }
 
-Format randomFormat(std::mt19937 &random, int log2Side) {
-  Format format = *parseFormat(randomFormatText(random, log2Side));
+Format withRandomPasses(std::mt19937 &random, Format format) {
+  const int log2Side = longest(format.log2Extent());
   const auto run = [&](const Pass &pass) {
     Diagnostics diagnostics; // What does not apply leaves the format as it is.
     pass.run(format, diagnostics);
@@ -110,6 +110,10 @@ Format randomFormat(std::mt19937 &random, int log2Side) {
   if (random() % 2 != 0)
     run(*findPass("shared-stack"));
   return format;
+}
+
+Format randomFormat(std::mt19937 &random, int log2Side) {
+  return withRandomPasses(random, *parseFormat(randomFormatText(random, log2Side)));
 }
 
 } // namespace voxc::test

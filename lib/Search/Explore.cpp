@@ -11,17 +11,18 @@
 namespace voxc {
 namespace {
 
-/// The first packets of each set.
+/// Some packets of each set.
 std::vector<RaySet> fewOf(std::span<const RaySet> rays, std::size_t count) {
   std::vector<RaySet> few;
   for (const RaySet &set : rays) {
-    // Packets from all over the set, as they stand for the whole of a picture.
+    // From all over the set, in which those whose rays go far stand last.
     const std::size_t packets = set.rays.size() / kReplayPacket;
     const std::size_t wanted =
         std::clamp<std::size_t>(count / kReplayPacket, 1, std::max<std::size_t>(packets, 1));
     RaySet some{set.name, {}, set.isBinned};
     for (std::size_t i = 0; i < std::min(wanted, packets); ++i) {
-      const auto first = set.rays.begin() + static_cast<std::ptrdiff_t>(i * packets / wanted * kReplayPacket);
+      const auto first = set.rays.begin() +
+                         static_cast<std::ptrdiff_t>((2 * i + 1) * packets / (2 * wanted) * kReplayPacket);
       some.rays.insert(some.rays.end(), first, first + kReplayPacket);
     }
     few.push_back(std::move(some));

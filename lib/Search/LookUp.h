@@ -6,6 +6,9 @@
 
 #include "voxc/Plan/Plan.h"
 
+#include <cstdint>
+#include <optional>
+
 namespace voxc {
 
 struct LevelView {
@@ -18,6 +21,8 @@ struct LevelView {
   int top;          ///< and sub-volumes 2^top.
   int branch;       ///< Nodes have 2^branch children an axis.
   bool tellsGroups; ///< Masks of 4^3 cells tell of empty ones around.
+  bool isMasked;    ///< Other masks: a bit for each cell, and
+  bool isCounted;   ///< behind each word how many bits come before it, where there are many.
 
   /// They tell too if all of the 4^3 cells that lie ahead are empty: of voxels, half a mask alone is read.
   bool tellsWhole() const { return tellsGroups && (bottom > 0 || stratum.isInOctants()); }
@@ -29,6 +34,13 @@ struct LevelView {
 /// Different words that a look-up reads, which finds an empty cell or one with a voxel or more levels in it;
 /// `layers` of a tree are gone down.
 double wordsRead(const LevelView &level, int layers, bool isEmpty);
+
+/// A number for the cache line that a look-up in a grid begins to read at, among those of its sub-volume, as
+/// far as its words are laid out by the numbers of cells.
+std::uint64_t lineOf(const LevelView &level, Int3 voxel);
+
+/// The same of the slot of a cell that is not empty, where it is likely to lie on another line.
+std::optional<std::uint64_t> slotLineOf(const LevelView &level, Int3 voxel);
 
 /// What the level says of the position, which is empty in a cube of 2^empty voxels a side, to a walk that
 /// goes from cube to cube. Of an L1 distance, a cube in it if `asCube`, else the distance as the count.

@@ -7,6 +7,7 @@
 
 #include "LineSet.h"
 #include "LookUp.h"
+#include "PacketTurns.h"
 
 #include "voxc/Layout/SlotKind.h"
 
@@ -19,15 +20,33 @@ namespace voxc {
 
 namespace {
 
+std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
+  a = (a ^ (b + 0x9e3779b97f4a7c15u)) * 0xd6e8feb86659fd93u;
+  return a ^ a >> 29;
+}
+
 /// What the rays of a packet have done in common so far.
 struct Packet {
-  LineSet lines; ///< That any has read.
-  /// Turn by turn, and level by level within one: the most layers that any has gone down.
-  std::vector<int> layers;
+  LineSet lines;     ///< That any has read.
+  PacketTurns turns; ///< In which any has been.
+  /// Of the ray's last look-up in each level: its turn of the level's loop since that was entered, and a
+  /// number that stands for the turns of all loops down to it.
+  struct {
+    std::vector<std::uint64_t> loops, places;
+  } path;
+
+  bool isPlain; ///< All levels are grids that one loop walks: of their turns nothing is counted.
+
+  Packet(const std::vector<LevelView> &levels, const Plan &plan)
+      : isPlain((plan.walk == Walk::Direct || levels.size() == 1) &&
+                std::ranges::all_of(plan.layout.strata, &Stratum::isGrid)) {
+    path.loops.resize(levels.size());
+    path.places.resize(levels.size());
+  }
 
   void clear() {
     lines.clear();
-    layers.clear();
+    turns.clear();
   }
 };
 
@@ -37,8 +56,12 @@ public:
   ReplayedWalk(const SceneDag &dag, Packet &packet, const Plan &plan, const std::vector<LevelView> &levels,
                const Ray &ray, RayCost &cost)
       : packet_(packet), levels_(levels), isDirect_(plan.walk == Walk::Direct),
-        countsVisits_(plan.walk == Walk::Nested), at_(ray, 1 << levels.front().top),
-        path_(dag, levels.front().top), height_(levels.front().top), cost_(cost) {}
+        countsVisits_(plan.walk == Walk::Nested),
+        isApart_(plan.layout.values == Values::Apart && kindOf(plan.layout.payload).varies),
+        at_(ray, 1 << levels.front().top), path_(dag, levels.front().top), height_(levels.front().top),
+        cost_(cost) {
+    packet_.path.loops.front() = 0;
+  }
 
   /// Adds what the ray costs. Returns its turns.
   std::size_t run() {
@@ -50,8 +73,10 @@ public:
       ++turns_;
       const int empty = path_.find(at_.voxel());
       lookUp(empty);
-      if (empty < 0)
+      if (empty < 0) {
+        cost_.colours += isApart_ ? 1 : 0;
         break;
+      }
       step(empty);
     }
     return turns_;
@@ -69,10 +94,10 @@ private:
       const int from = resumes ? std::min(height_, level.top) : level.top;
       const int layers = level.layers(from, isEmpty ? empty : level.bottom);
       cost_.layers += layers;
-      cost_.packetLayers += kReplayPacket * deeper(i, layers);
+      addToPacket(i, layers);
       cost_.probes += level.stratum.slots && level.stratum.slots->lookUpLoops ? 1 : 0;
       cost_.words += wordsRead(level, layers, isEmpty);
-      cost_.lines += linesRead(i, from, layers);
+      cost_.lines += linesRead(i, from, layers, isEmpty);
       level_ = i;
       if (isEmpty || isVoxel)
         break;
@@ -81,36 +106,43 @@ private:
     cost_.switches += isDirect_ ? 0 : visits - 1;
   }
 
-  /// By how many layers the packet goes deeper into the level in this turn than it would without this ray.
-  int deeper(std::size_t index, int layers) {
-    const std::size_t place = (turns_ - 1) * levels_.size() + index;
-    if (place >= packet_.layers.size())
-      packet_.layers.resize(turns_ * levels_.size());
-    int &most = packet_.layers[place];
-    return std::max(layers - std::exchange(most, std::max(most, layers)), 0);
+  /// Adds what a look-up in a level costs beyond those that other rays of the packet make in the same turn of
+  /// the loops for this level and those above.
+  void addToPacket(std::size_t index, int layers) {
+    if (packet_.isPlain)
+      return;
+    auto &[loops, places] = packet_.path;
+    // A direct walk has one loop, and goes through all levels in each turn; else each level's is in that
+    // above.
+    const bool loopsHere = !isDirect_ || index == 0;
+    places[index] = mix(index == 0 ? 0 : places[index - 1], loopsHere ? ++loops[index] : 0);
+    if (index + 1 < levels_.size())
+      loops[index + 1] = 0;
+    const PacketTurns::Added added = packet_.turns.add(places[index], layers);
+    cost_.packetLayers += kReplayPacket * added.layers;
+    if (!added.isFirst)
+      return;
+    cost_.packetTrees += levels_[index].stratum.isGrid() ? 0 : kReplayPacket;
+    cost_.packetSwitches += isDirect_ || index == level_ ? 0 : kReplayPacket;
   }
 
   /// Lines that no ray of the packet has read: those of the nodes from a height down, or of the cell of a
   /// grid.
-  int linesRead(std::size_t index, int from, int layers) {
+  int linesRead(std::size_t index, int from, int layers, bool isEmpty) {
     const LevelView &level = levels_[index];
     const auto node = [&](int height) {
       return (std::uint64_t{path_.number(height)} << 10 | static_cast<std::uint64_t>(height) << 4 | index);
     };
+    const auto add = [&](std::uint64_t line) { return packet_.lines.add(line) ? 1 : 0; };
     if (!level.stratum.isGrid()) {
       int lines = 0;
       for (int layer = 0; layer < layers; ++layer)
-        lines += packet_.lines.add(node(from - layer * level.branch)) ? 1 : 0;
+        lines += add(node(from - layer * level.branch));
       return lines;
     }
-    const Int3 voxel = at_.voxel();
-    const auto row = [&](int place) {
-      return static_cast<std::uint64_t>(place >> level.bottom & ((1 << (level.top - level.bottom)) - 1));
-    };
-    const std::uint64_t cell =
-        level.tellsGroups ? 0
-                          : (row(voxel.x) >> kLog2LineWords) + (row(voxel.y) << 16) + (row(voxel.z) << 32);
-    return packet_.lines.add(node(level.top) ^ cell << 20) ? 1 : 0;
+    const std::uint64_t grid = mix(node(level.top), 0);
+    const auto slot = isEmpty ? std::nullopt : slotLineOf(level, at_.voxel());
+    return add(mix(grid, 2 * lineOf(level, at_.voxel()))) + (slot ? add(mix(grid, 2 * *slot + 1)) : 0);
   }
 
   /// Leaves what is empty, for the level that the walk goes on from.
@@ -144,12 +176,11 @@ private:
     }
   }
 
-  static constexpr int kLog2LineWords = 4;
-
   Packet &packet_;
   const std::vector<LevelView> &levels_;
   bool isDirect_;
   bool countsVisits_; ///< Look-ups are counted level by level, else turn by turn.
+  bool isApart_;      ///< Colours are.
   RayPosition at_;
   ScenePath path_;
   std::size_t turns_ = 0;
@@ -165,7 +196,7 @@ RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) 
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
     levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
   RayCost cost;
-  Packet packet;
+  Packet packet(levels, plan);
   const std::size_t packets = all.size() / kReplayPacket;
   for (std::size_t first = 0; first < packets * kReplayPacket; first += kReplayPacket) {
     std::size_t most = 0;
@@ -179,8 +210,10 @@ RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) 
   }
   const auto rays = static_cast<double>(std::max<std::size_t>(packets * kReplayPacket, 1));
   for (double *part : {&cost.lookups, &cost.turns, &cost.words, &cost.layers, &cost.packetLayers,
-                       &cost.probes, &cost.marches, &cost.waits, &cost.switches, &cost.lines})
+                       &cost.packetTrees, &cost.probes, &cost.marches, &cost.waits, &cost.switches,
+                       &cost.packetSwitches, &cost.lines, &cost.colours})
     *part /= rays;
+  cost.levels = static_cast<double>(levels.size());
   return cost;
 }
 

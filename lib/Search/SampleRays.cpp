@@ -12,6 +12,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <span>
 #include <utility>
 
 namespace voxc {
@@ -31,6 +32,21 @@ std::optional<Int3> beforeHit(const SceneDag &dag, const Ray &ray) {
     at.leave({empty > 2 ? empty - 2 : 0, 1});
   }
   return std::nullopt;
+}
+
+/// Empty cubes of the scene's graph, each as large as it can be, and the voxel that is hit.
+int cubesCrossed(const SceneDag &dag, const Ray &ray) {
+  RayPosition at(ray, 1 << dag.log2Side());
+  ScenePath path(dag, dag.log2Side());
+  int cubes = 0;
+  for (const int most = 3 << dag.log2Side(); at.isInside() && cubes < most;) {
+    ++cubes;
+    const int empty = path.find(at.voxel());
+    if (empty < 0)
+      break;
+    at.leave({empty, 1});
+  }
+  return cubes;
 }
 
 /// A number that has nothing in common with the widths of pictures.
@@ -94,6 +110,30 @@ RaySet samplePackets(std::string name, std::vector<Ray> rays, std::size_t count,
     for (std::size_t i = 0; i < kReplayPacket; ++i)
       set.rays.push_back(rays[places[rays.size() / packets * packet + i]]);
   return set;
+}
+
+RaySet typicalPackets(const SceneDag &dag, const RaySet &set, std::size_t count) {
+  const std::size_t packets = set.rays.size() / kReplayPacket, wanted = count / kReplayPacket;
+  if (packets <= wanted)
+    return set;
+  const auto raysOf = [&](std::size_t packet) {
+    return std::span(set.rays).subspan(packet * kReplayPacket, kReplayPacket);
+  };
+  std::vector<std::pair<int, std::size_t>> order; // Cubes that are crossed, and the packet.
+  for (std::size_t packet = 0; packet < packets; ++packet) {
+    int cubes = 0;
+    for (const Ray &ray : raysOf(packet))
+      cubes += cubesCrossed(dag, ray);
+    order.emplace_back(cubes, packet);
+  }
+  std::ranges::sort(order);
+  RaySet typical{set.name, {}, set.isBinned};
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const auto rays =
+        raysOf(order[(2 * i + 1) * packets / (2 * wanted)].second); // Amid as many that are alike.
+    typical.rays.insert(typical.rays.end(), rays.begin(), rays.end());
+  }
+  return typical;
 }
 
 } // namespace voxc

@@ -13,13 +13,15 @@ constexpr double kMebibyte = 1 << 20;
 constexpr double kNear = 2;
 constexpr int kSweeps = 4000;
 /// How strongly a model is drawn to its prior: as by so many samples.
-constexpr double kPriorWeight = 0.02;
+constexpr double kPriorWeight = 0.013;
+/// Nanoseconds: a part that a prior does not have is drawn to 0 as if it had so much of it.
+constexpr double kNoShare = 0.5;
 
-/// In the order of `SpeedTerm`; docs/search.md tells from what they were fitted, and how well. No L1
-/// distances were among that, so that the weight of a march is a guess; no candidate of `candidatesFor` has
-/// any.
-constexpr SpeedModel kCpu{{26, 62, 2.0, 0.11, 5.0, 0.65, 2, 29, 0.57, 1.2}};
-constexpr SpeedModel kLavapipe{{37, 67, 7.2, 2.8, 11, 2.1, 5, 46, 0.91, 5.7}};
+/// In the order of `SpeedTerm`, fitted by scripts/fit-speeds.py; docs/search.md tells from what, and how
+/// well. No L1 distances were among that, so that the weight of a march is a guess; no candidate of
+/// `candidatesFor` has any.
+constexpr SpeedModel kCpu{{17, 23, 2.7, 0, 0.31, 0.37, 0.86, 0.037, 2.3, 2, 24, 0, 3.8, 0.43, 0.63}};
+constexpr SpeedModel kLavapipe{{25, 68, 9.6, 12, 5.7, 0.76, 8.4, 1.8, 4.6, 5, 0, 14, 2.0, 0.26, 4.5}};
 
 } // namespace
 
@@ -27,12 +29,17 @@ SpeedTerms speedTerms(const RayCost &cost, std::uint64_t bytes) {
   const double far = std::log2(1 + static_cast<double>(bytes) / kMebibyte);
   return {1,
           cost.binned,
+          cost.levels,
+          cost.colours,
           cost.turns,
           cost.words,
           cost.probes,
           cost.packetLayers,
+          cost.packetTrees,
           cost.marches,
           cost.switches,
+          cost.packetSwitches,
+          cost.lines,
           cost.waits * far,
           cost.lines * std::max(far - kNear, 0.0)};
 }
@@ -54,10 +61,11 @@ SpeedModel fitSpeedModel(std::span<const SpeedSample> samples, const SpeedModel 
         products[i][j] += a * sample.terms[j] / sample.nanoseconds;
     }
   SpeedModel model = prior;
-  for (std::size_t i = 0; i < kTerms; ++i) {
+  const bool isKnown = prior.nanoseconds != SpeedTerms{};
+  for (std::size_t i = 0; i < kTerms && isKnown; ++i) {
     // A term's own share of the prior is let go the more easily the larger it is.
-    const double scale =
-        prior.nanoseconds[i] > 0 ? kPriorWeight / (prior.nanoseconds[i] * prior.nanoseconds[i]) : 0;
+    const double share = prior.nanoseconds[i] > 0 ? prior.nanoseconds[i] : kNoShare;
+    const double scale = kPriorWeight / (share * share);
     products[i][i] += scale;
     targets[i] += scale * prior.nanoseconds[i];
   }

@@ -28,6 +28,13 @@ constexpr double kSizesOfUse = 64;
 /// Of the budget, that foretelling may take.
 constexpr double kExploringShare = 0.25;
 
+std::vector<std::string> namesOf(const std::vector<bench::RaySet> &sets) {
+  std::vector<std::string> names;
+  for (const bench::RaySet &set : sets)
+    names.push_back(set.part.name);
+  return names;
+}
+
 class SearchCommand final : public Subcommand {
 public:
   void declare(const CommandLine &command) override { options_.declare(command); }
@@ -125,6 +132,7 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
                               .arguments = options_.inputArguments,
                               .device = axes.devices.front().part.name,
                               .wish = options_.wish,
+                              .rays = namesOf(axes.models.front().rays),
                               .rated = explored.rated,
                               .kept = kept,
                               .seconds = watch_.seconds(),

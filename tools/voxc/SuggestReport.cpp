@@ -2,6 +2,7 @@
 #include "SuggestReport.h"
 
 #include "search/BuildCommand.h"
+#include "search/RatedFigures.h"
 
 #include <algorithm>
 #include <array>
@@ -85,23 +86,9 @@ void addSuggestFigures(Json &figures, const Suggestion &suggestion) {
   const std::vector<bool> frontier = frontierOf(suggestion.rated);
   Json formats = Json::array();
   for (std::size_t i = 0; i < suggestion.rated.size(); ++i) {
-    const RatedFormat &format = suggestion.rated[i];
-    Json entry;
-    entry["format"] = format.candidate.text;
-    entry["passes"] = format.candidate.passes;
-    entry["words"] = format.price.words();
-    entry["level_words"] = format.price.levelWords;
-    entry["exact"] = format.price.exact;
+    Json entry = ratedFigures(suggestion.rated[i], suggestion.rays);
     entry["frontier"] = bool(frontier[i]);
     entry["chosen"] = i == *suggestion.choice;
-    for (std::size_t set = 0; set < suggestion.rays.size(); ++set) {
-      const RayCost &cost = format.costs[set];
-      entry["rays"][suggestion.rays[set]] = {
-          {"lookups", cost.lookups},   {"turns", cost.turns},   {"waits", cost.waits},
-          {"words", cost.words},       {"layers", cost.layers}, {"marches", cost.marches},
-          {"switches", cost.switches}, {"lines", cost.lines},   {"packet_layers", cost.packetLayers},
-          {"probes", cost.probes},     {"binned", cost.binned}, {"nanoseconds", format.nanoseconds[set]}};
-    }
     formats.push_back(std::move(entry));
   }
   figures["formats"] = std::move(formats);

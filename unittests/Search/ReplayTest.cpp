@@ -76,6 +76,10 @@ TEST_P(ReplayTest, CountsWhatKernelsCount) {
   EXPECT_GE(cost.waits, cost.turns);
   EXPECT_GE(cost.packetLayers, cost.layers);
   EXPECT_LE(cost.packetLayers, cost.layers * static_cast<double>(kReplayPacket));
+  EXPECT_GE(cost.packetSwitches, cost.switches);
+  EXPECT_LE(cost.packetSwitches, cost.switches * static_cast<double>(kReplayPacket));
+  EXPECT_EQ(cost.packetTrees > 0, cost.layers > 0);
+  EXPECT_LE(cost.lines, cost.words);
   EXPECT_EQ(cost.probes > 0, std::string(GetParam().format).find('H') != std::string::npos);
 }
 
@@ -89,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"G(4, 2) M(2^3)", {}}, Case{"G(6, 2)", {}}, Case{"G(6)", {"restart-sv"}},
                     Case{"S(2) G(4)", {"unroll-sv"}}, Case{"R(2^3) G(2) R(2^3)", {"direct-walk"}},
                     Case{"D(3^3, 6) G(3)", {"direct-walk"}}, Case{"R(2^3) H(4^3)", {}},
+                    Case{"M(4^3) M(2^3)", {}}, Case{"M(3^3) R(3^3)", {}}, Case{"R(1^3) M(5^3)", {}},
                     Case{"R(3^3) D(3^3, 6)", {"flat-walk"}},
                     Case{"R(2^3) M(2^3) M(2^3)", {"share-grids", "short-pointers"}},
                     Case{"M(2^3) M(2^3) M(2^3)", {"share-grids", "short-pointers", "octant-masks"}}),

@@ -1,5 +1,8 @@
 // Rays that are replayed: packets of those that were given, in the order in which a tracer takes them.
 #include "voxc/Search/SampleRays.h"
+#include "voxc/Plan/Plan.h"
+#include "voxc/Search/Replay.h"
+#include "voxc/Source/Sources.h"
 
 #include <gtest/gtest.h>
 
@@ -33,9 +36,9 @@ double changesOf(const std::vector<Ray> &rays) {
 
 TEST(SampleRays, ScatteredRaysAreBinnedAsATracerBinsThem) {
   const std::vector<Ray> rays = scatteredRays(1 << 16);
-  const RaySet binned = samplePackets("any", rays, 1000, 64, RayOrder::Auto);
+  const RaySet binned = samplePackets("any", rays, 1007, 64, RayOrder::Auto);
   EXPECT_TRUE(binned.isBinned);
-  EXPECT_EQ(binned.rays.size(), 992u);
+  EXPECT_EQ(binned.rays.size(), 1000u);
   EXPECT_LT(changesOf(binned.rays), 0.05);
   const auto order = binnedOrder(RaySpan(rays), 64, 1);
   for (std::size_t i = 0; i < kReplayPacket; ++i)
@@ -49,13 +52,31 @@ TEST(SampleRays, AsGivenIsAsGiven) {
   EXPECT_GT(changesOf(given.rays), 1);
   // From all over the rays, packet by packet.
   for (std::size_t i = 0; i < kReplayPacket; ++i)
-    EXPECT_EQ(std::memcmp(&given.rays[given.rays.size() - kReplayPacket + i], &rays[(1 << 16) / 62 * 61 + i],
-                          sizeof(Ray)),
+    EXPECT_EQ(std::memcmp(&given.rays[given.rays.size() - kReplayPacket + i],
+                          &rays[(1 << 16) / 125 * 124 + i], sizeof(Ray)),
               0);
 }
 
 TEST(SampleRays, FewRaysAreNotBinned) {
   EXPECT_FALSE(samplePackets("few", scatteredRays(1 << 10), 1000, 64, RayOrder::Auto).isBinned);
+}
+
+/// Turns of a ray in an octree of the scene, on average.
+double turnsOf(const SceneDag &dag, const std::vector<Ray> &rays) {
+  return replay(dag, rays, *makePlan(*parseFormat("S(6)"), kCpuPlan)).turns;
+}
+
+TEST(SampleRays, TypicalPacketsTellWhatAllCost) {
+  const SceneDag dag = *SceneDag::build(**makeBuiltinSource("terrain", 64), {});
+  const RaySet all = samplePackets("any", scatteredRays(1 << 16), 1 << 16, 64, RayOrder::Auto);
+  const RaySet typical = typicalPackets(dag, all, 260);
+  EXPECT_EQ(typical.rays.size(), 256u);
+  EXPECT_TRUE(typical.isBinned);
+  EXPECT_NEAR(turnsOf(dag, typical.rays) / turnsOf(dag, all.rays), 1, 0.02);
+  // Those that go far stand last.
+  const std::vector<Ray> first(typical.rays.begin(), typical.rays.begin() + 64);
+  EXPECT_LT(turnsOf(dag, first), 0.8 * turnsOf(dag, all.rays));
+  EXPECT_EQ(typicalPackets(dag, typical, 1000).rays.size(), 256u);
 }
 
 } // namespace

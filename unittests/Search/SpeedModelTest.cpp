@@ -20,6 +20,10 @@ RayCost randomCost(std::mt19937 &random) {
   cost.switches = some(random);
   cost.lines = some(random);
   cost.packetLayers = cost.layers * (1 + some(random) / 10);
+  cost.packetTrees = some(random);
+  cost.packetSwitches = cost.switches * (1 + some(random) / 10);
+  cost.colours = some(random) / 20;
+  cost.levels = 1 + random() % 4;
   cost.probes = some(random);
   cost.binned = random() % 2;
   return cost;

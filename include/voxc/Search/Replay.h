@@ -11,25 +11,29 @@
 
 namespace voxc {
 
-/// Of one ray, on average.
+/// Of one ray, on average. "As a packet goes": what the rays of a packet do in the same turn of the same
+/// loops, they do at once.
 struct RayCost {
-  double lookups = 0; ///< As kernels count them (`TraceOptions::countSteps`).
-  double turns = 0;   ///< Steps over what is empty, and one for the voxel that is hit.
-  double words = 0;   ///< Words of nodes that are read; those of a hit's colour are not among them.
-  double layers = 0;  ///< Layers of trees that are gone down.
-  double packetLayers =
-      0;              ///< As a packet goes: in each turn, of each level, as many as the ray with the most.
-  double probes = 0;  ///< Look-ups in hash grids.
-  double marches = 0; ///< Steps from cell to cell within an L1 distance.
-  double waits = 0;   ///< Turns of the ray of a packet that has the most.
-  double switches =
-      0;            ///< Look-ups beyond those of turns: changes of level, where levels are walked one by one.
-  double lines = 0; ///< Different cache lines that a packet reads, its share of them.
+  double lookups = 0;        ///< As kernels count them (`TraceOptions::countSteps`).
+  double turns = 0;          ///< Steps over what is empty, and one for the voxel that is hit.
+  double words = 0;          ///< Words of nodes that are read; those of a hit's colour are not among them.
+  double layers = 0;         ///< Layers of trees that are gone down.
+  double packetLayers = 0;   ///< The same as a packet goes: as many as the ray with the most.
+  double packetTrees = 0;    ///< Look-ups in trees, as a packet goes.
+  double probes = 0;         ///< Look-ups in hash grids.
+  double marches = 0;        ///< Steps from cell to cell within an L1 distance.
+  double waits = 0;          ///< Turns of the ray of a packet that has the most.
+  double switches = 0;       ///< Look-ups beyond those of turns: changes of level, where levels are walked
+                             ///< one by one,
+  double packetSwitches = 0; ///< and the same as a packet goes.
+  double lines = 0;          ///< Different cache lines that a packet reads, its share of them.
+  double colours = 0;        ///< Hits whose colour is looked up apart from the voxel.
+  double levels = 0;         ///< Levels of the format.
   double binned = 0; ///< 1 if a tracer sorts the rays first (`RaySet::isBinned`), else 0; `replay` leaves it.
 };
 
-/// Rays of a packet: neighbours, which wait for each other.
-inline constexpr std::size_t kReplayPacket = 16;
+/// Rays of a packet: neighbours, which wait for each other; as many as a vector of 256 bits holds.
+inline constexpr std::size_t kReplayPacket = 8;
 
 /// What rays cost in kernels of a plan that has been through all passes; packet after packet, and what is
 /// left over is left out. Positions are of float64, so a ray that float64 cannot tell from its neighbour may

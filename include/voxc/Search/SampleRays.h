@@ -14,7 +14,7 @@
 
 namespace voxc {
 
-/// `count` rays of a camera's picture (rounded down to packets of 16 neighbours), packets spread evenly over
+/// `count` rays of a camera's picture (rounded down to packets of neighbours), packets spread evenly over
 /// it.
 std::vector<Ray> sampleCamera(const Camera &camera, std::size_t count);
 
@@ -27,5 +27,10 @@ std::vector<Ray> sampleBounces(const SceneDag &dag, const std::vector<Ray> &rays
 /// volume whose longest edge has `edge` voxels: neighbours are then those that wait for each other. `Auto` is
 /// that of a processor. Precondition: a packet of rays at least.
 RaySet samplePackets(std::string name, std::vector<Ray> rays, std::size_t count, int edge, RayOrder order);
+
+/// `count` of the set's rays (rounded down to packets): packets whose rays cross few cubes of the scene and
+/// packets whose rays cross many as they are among all, which tells the cost of all better than as many
+/// others would. They stand in this order. The whole set if it has no more.
+RaySet typicalPackets(const SceneDag &dag, const RaySet &set, std::size_t count);
 
 } // namespace voxc

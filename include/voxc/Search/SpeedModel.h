@@ -15,18 +15,23 @@ namespace voxc {
 
 /// What the time of a ray is a sum of.
 enum class SpeedTerm : std::size_t {
-  Ray,      ///< Once a ray.
-  Binning,  ///< `RayCost::binned`.
-  Turns,    ///< `RayCost::turns`.
-  Words,    ///< `RayCost::words`.
-  Probes,   ///< `RayCost::probes`.
-  Layers,   ///< `RayCost::packetLayers`.
-  Marches,  ///< `RayCost::marches`.
-  Switches, ///< `RayCost::switches`.
-  FarWaits, ///< `RayCost::waits`, times log2(1 + the volume's bytes / 1 MiB): memory is farther away.
-  FarLines, ///< `RayCost::lines`, times what that logarithm is above 2: beyond what caches hold.
+  Ray,            ///< Once a ray.
+  Binning,        ///< `RayCost::binned`.
+  Levels,         ///< `RayCost::levels`.
+  Colours,        ///< `RayCost::colours`.
+  Turns,          ///< `RayCost::turns`.
+  Words,          ///< `RayCost::words`.
+  Probes,         ///< `RayCost::probes`.
+  Layers,         ///< `RayCost::packetLayers`.
+  Trees,          ///< `RayCost::packetTrees`.
+  Marches,        ///< `RayCost::marches`.
+  Switches,       ///< `RayCost::switches`.
+  PacketSwitches, ///< `RayCost::packetSwitches`.
+  Lines,          ///< `RayCost::lines`.
+  FarWaits,       ///< `RayCost::waits`, times log2(1 + the volume's bytes / 1 MiB): memory is farther away.
+  FarLines,       ///< `RayCost::lines`, times what that logarithm is above 2: beyond what caches hold.
 };
-inline constexpr std::size_t kSpeedTerms = 10;
+inline constexpr std::size_t kSpeedTerms = 15;
 
 using SpeedTerms = std::array<double, kSpeedTerms>;
 

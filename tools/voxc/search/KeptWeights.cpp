@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Weights of another list of terms are of no use.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// Empty without a home.
 fs::path keptPath() {

@@ -44,6 +44,8 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
 Expected<std::vector<Candidate>> readCandidates(const std::string &list, const Scene &scene);
 
 /// Of each kind: more do not change which format it is.
-inline constexpr std::size_t kReplayedRays = 2048;
+inline constexpr std::size_t kReplayedRays = 4096;
+/// Of each kind, among which those are chosen.
+inline constexpr std::size_t kConsideredRays = 8 * kReplayedRays;
 
 } // namespace voxc::tool

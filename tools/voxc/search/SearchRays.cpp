@@ -37,11 +37,12 @@ std::vector<RaySet> replayedRays(const Scene &scene, const bench::SweepAxes &axe
     RayOrder order = rayOrderFrom(set.part.order.value_or(kAutoOrder));
     if (order == RayOrder::Auto && (set.camera || !isProcessor))
       order = RayOrder::Given;
-    if (set.camera && order == RayOrder::Given)
-      sets.push_back({set.part.name, sampleCamera(set.camera(scene.extent), kReplayedRays)});
-    else
-      sets.push_back(samplePackets(set.part.name, set.raysFor(scene.extent), kReplayedRays,
-                                   std::max({scene.extent.x, scene.extent.y, scene.extent.z}), order));
+    const RaySet considered =
+        set.camera && order == RayOrder::Given
+            ? RaySet{set.part.name, sampleCamera(set.camera(scene.extent), kConsideredRays)}
+            : samplePackets(set.part.name, set.raysFor(scene.extent), kConsideredRays,
+                            std::max({scene.extent.x, scene.extent.y, scene.extent.z}), order);
+    sets.push_back(typicalPackets(scene.shape, considered, kReplayedRays));
   }
   return sets;
 }

@@ -2,6 +2,7 @@
 #include "search/SearchReport.h"
 
 #include "search/BuildCommand.h"
+#include "search/RatedFigures.h"
 
 #include <algorithm>
 #include <array>
@@ -177,6 +178,9 @@ void addSearchFigures(Json &figures, const SearchResult &result) {
                     {"chosen", choice == i}});
   }
   figures["frontier"] = std::move(rows);
+  figures["formats"] = Json::array();
+  for (const RatedFormat &format : result.race.formats())
+    figures["formats"].push_back(ratedFigures(format, result.rays));
 }
 
 } // namespace voxc::tool

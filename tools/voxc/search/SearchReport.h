@@ -8,6 +8,7 @@
 #include "voxc/Search/Suggest.h"
 
 #include <string>
+#include <vector>
 
 namespace voxc::tool {
 
@@ -16,8 +17,9 @@ struct SearchResult {
   InputArguments arguments; ///< As they were looked at.
   std::string device;
   Wish wish;
-  std::size_t rated = 0; ///< Formats of which size and speed were foretold,
-  std::size_t kept = 0;  ///< and those that came near the frontier.
+  std::vector<std::string> rays; ///< Names of the sets.
+  std::size_t rated = 0;         ///< Formats of which size and speed were foretold,
+  std::size_t kept = 0;          ///< and those that came near the frontier.
   double seconds = 0;
   const Race &race;
   const Contest &contest;
@@ -30,7 +32,7 @@ std::optional<std::size_t> chosen(const SearchResult &result);
 /// the wish asks for.
 std::string searchReport(const SearchResult &result);
 
-/// Adds all that was measured, and how well it was foretold.
+/// Adds what was measured, how well it was foretold, and what the formats cost that came near the frontier.
 void addSearchFigures(Json &figures, const SearchResult &result);
 
 } // namespace voxc::tool

@@ -28,14 +28,16 @@ Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scen
     if (rays->size() < kReplayPacket)
       return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
                           std::to_string(kReplayPacket) + " or more tell what a packet costs");
-    sets.push_back(samplePackets(path, std::move(*rays), kReplayedRays, edge, RayOrder::Auto));
+    sets.push_back(samplePackets(path, std::move(*rays), kConsideredRays, edge, RayOrder::Auto));
   }
   if (sets.empty()) {
-    sets.push_back({"camera", sampleCamera(frameExtent(scene.extent, kWidth, kHeight), kReplayedRays)});
+    sets.push_back({"camera", sampleCamera(frameExtent(scene.extent, kWidth, kHeight), kConsideredRays)});
     std::vector<Ray> bounces = sampleBounces(scene.shape, sets.front().rays, kBounces, 1);
     if (!bounces.empty()) // Something is seen.
-      sets.push_back(samplePackets("bounced", std::move(bounces), kReplayedRays, edge, RayOrder::Auto));
+      sets.push_back(samplePackets("bounced", std::move(bounces), kConsideredRays, edge, RayOrder::Auto));
   }
+  for (RaySet &set : sets)
+    set = typicalPackets(scene.shape, set, kReplayedRays);
   return sets;
 }
 
