@@ -11,6 +11,8 @@ namespace {
 
 /// Enough to hide the way to memory; more and the first is forgotten before it is used.
 constexpr std::size_t kMostWaiting = 32;
+/// Blocks ahead of the one that is put, of which single leaves are fetched.
+constexpr std::size_t kLeavesAhead = 24;
 
 Error contradiction() { return Error::input("a fragment is broken: it has a pointer that leads nowhere"); }
 
@@ -19,7 +21,8 @@ Error contradiction() { return Error::input("a fragment is broken: it has a poin
 bool Splice::isIndexed(const BlockRecord &block) const { return layout_.isIndexed(block.level - 1); }
 
 /// Most blocks are looked for in tables that are far larger than what is near the processor. So some wait
-/// until the way to all of them was fetched. One that points to another that waits ends the waiting.
+/// until the way to all of them was fetched. One that points to another that waits ends the waiting; most
+/// point to single leaves, which therefore do not wait if they are known.
 void Splice::put(std::span<std::uint32_t> words, const BlockRecord &block, std::uint64_t place) {
   const std::size_t index = block.level - 1;
   const bool isLeaf = block.kind == BlockRecord::InternLeaf;
@@ -36,6 +39,12 @@ void Splice::put(std::span<std::uint32_t> words, const BlockRecord &block, std::
       !relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index),
                 relocation))
     return store_.fail(contradiction());
+  // What is known is not written, so that its order among those that wait does not matter.
+  if (isLeaf)
+    if (const auto known = store_.knownLeaf(block.level, words[0])) {
+      newPlace(block, place) = *known;
+      return;
+    }
   const bool isSought = block.kind == BlockRecord::Intern;
   waiting_.push_back({block, words, place, isSought ? store_.fetch(block.level, words) : 0});
   if (waiting_.size() == kMostWaiting)
@@ -47,7 +56,7 @@ void Splice::writeWaiting() {
     if (waiting.block.kind == BlockRecord::Intern)
       store_.fetchNode(waiting.block.level, waiting.hash);
   for (const Waiting &waiting : waiting_)
-    (isIndexed(waiting.block) ? newNumbers_ : newOffsets_)[waiting.place] = write(waiting);
+    newPlace(waiting.block, waiting.place) = write(waiting);
   waiting_.clear();
 }
 
@@ -55,7 +64,7 @@ void Splice::writeWaiting() {
 Ref Splice::write(const Waiting &waiting) {
   const auto &[block, words, place, hash] = waiting;
   return block.kind == BlockRecord::InternLeaf ? store_.internLeaf(block.level, words[0])
-         : block.kind == BlockRecord::Intern   ? store_.intern(block.level, words)
+         : block.kind == BlockRecord::Intern   ? store_.intern(block.level, words, hash)
                                                : store_.append(block.level, words);
 }
 
@@ -75,12 +84,27 @@ void Splice::relocateResult(Fragment &fragment, std::size_t index) {
       relocate(cell.value);
 }
 
+/// Brings near what single leaves some blocks ahead will be looked for by.
+void Splice::fetchLeaves(const Fragment &fragment, std::size_t endBlock) {
+  for (; ahead_.block < std::min(endBlock, fragment.blocks.size()); ++ahead_.block) {
+    const BlockRecord &block = fragment.blocks[ahead_.block];
+    if (block.kind == BlockRecord::Forget || isIndexed(block))
+      continue;
+    if (block.kind == BlockRecord::InternLeaf)
+      store_.fetchLeaf(block.level, fragment.words[ahead_.at]);
+    ahead_.at += block.words;
+  }
+}
+
 void Splice::join(Fragment &fragment) {
   newOffsets_.assign(fragment.words.size(), 0);
   newNumbers_ = {0};
   waiting_.clear();
+  ahead_ = {};
   std::uint64_t at = 1;
-  for (const BlockRecord &block : fragment.blocks) {
+  for (std::size_t i = 0; i < fragment.blocks.size(); ++i) {
+    const BlockRecord &block = fragment.blocks[i];
+    fetchLeaves(fragment, i + kLeavesAhead);
     if (block.kind == BlockRecord::Forget) {
       writeWaiting();
       store_.forget(block.level);

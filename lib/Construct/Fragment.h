@@ -50,8 +50,13 @@ private:
 
   void put(std::span<std::uint32_t> words, const BlockRecord &block, std::uint64_t place);
   void writeWaiting();
+  void fetchLeaves(const Fragment &fragment, std::size_t endBlock);
   Ref write(const Waiting &waiting);
   bool isIndexed(const BlockRecord &block) const;
+  /// Where what a block becomes is kept: its new offset, or its number.
+  std::uint32_t &newPlace(const BlockRecord &block, std::uint64_t place) {
+    return (isIndexed(block) ? newNumbers_ : newOffsets_)[place];
+  }
   void relocateResult(Fragment &fragment, std::size_t index);
 
   const Layout &layout_;
@@ -59,6 +64,10 @@ private:
   std::vector<std::uint32_t> newOffsets_;
   std::vector<std::uint32_t> newNumbers_; ///< Of indexed sub-volumes.
   std::vector<Waiting> waiting_;
+  struct {
+    std::size_t block = 0;
+    std::uint64_t at = 1; ///< Of its words.
+  } ahead_;               ///< Up to where leaves were fetched.
 };
 
 } // namespace voxc

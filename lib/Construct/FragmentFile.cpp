@@ -319,6 +319,7 @@ Expected<Fragment> FragmentReader::take() {
       !reader.read(fragment.cells, header.cells) || !reader.read(fragment.values, header.values) ||
       !reader.read(fragment.shared, levels + 1))
     return broken;
+  fragment.blocks.reserve(blocks.size());
   for (const std::uint64_t block : blocks)
     fragment.blocks.push_back(unpack(block));
   if (!covers(fragment, layoutOf(info_.volume.format)) || header.node[0] > construct::Node::Inner)

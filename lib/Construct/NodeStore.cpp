@@ -155,26 +155,28 @@ Ref NodeStore::remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash
   return place;
 }
 
-Ref NodeStore::intern(unsigned level, std::span<const std::uint32_t> words) {
+Ref NodeStore::intern(unsigned level, std::span<const std::uint32_t> words, std::uint32_t hash) {
   if (failure_)
     return 1;
   relieve();
   NodeMap &map = at(level).nodes;
-  const std::uint32_t hash = NodeMap::hashOf(words);
   if (const auto known = map.find(hash, words, written(level)))
     return found(level, *known);
   return remember(BlockRecord::Intern, map, hash, level, words);
 }
 
-Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
+std::optional<Ref> NodeStore::knownLeaf(unsigned level, std::uint32_t value) {
   if (failure_)
-    return 1;
+    return Ref{1};
+  const auto known = at(level).leaves.find(NodeMap::hashOf(value));
+  return known ? std::optional(found(level, *known)) : std::nullopt;
+}
+
+Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
+  if (const auto known = knownLeaf(level, value))
+    return *known;
   relieve();
-  NodeMap &map = at(level).leaves;
-  const std::uint32_t hash = NodeMap::hashOf(value);
-  if (const auto known = map.find(hash))
-    return found(level, *known);
-  return remember(BlockRecord::InternLeaf, map, hash, level, {&value, 1});
+  return remember(BlockRecord::InternLeaf, at(level).leaves, NodeMap::hashOf(value), level, {&value, 1});
 }
 
 std::uint32_t NodeStore::fetch(unsigned level, std::span<const std::uint32_t> words) {

@@ -54,12 +54,20 @@ public:
 
   /// What leads to the words, which are new or, if interned, may have been there. 1 after a failure.
   Ref append(unsigned level, std::span<const std::uint32_t> words);
-  Ref intern(unsigned level, std::span<const std::uint32_t> words);
+  Ref intern(unsigned level, std::span<const std::uint32_t> words) {
+    return intern(level, words, NodeMap::hashOf(words));
+  }
+  /// The same with the hash of the words.
+  Ref intern(unsigned level, std::span<const std::uint32_t> words, std::uint32_t hash);
   Ref internLeaf(unsigned level, std::uint32_t value);
+  /// What leads to a leaf that was interned before, if it was; 1 after a failure.
+  std::optional<Ref> knownLeaf(unsigned level, std::uint32_t value);
   /// Brings near what `intern` of these words will look at: all of a few, in turn, and then their nodes.
   /// Returns their hash.
   std::uint32_t fetch(unsigned level, std::span<const std::uint32_t> words);
   void fetchNode(unsigned level, std::uint32_t hash);
+  /// The same for `knownLeaf`.
+  void fetchLeaf(unsigned level, std::uint32_t value) { at(level).leaves.fetch(NodeMap::hashOf(value)); }
   void forget(unsigned level);
   /// Gives back what finding words takes: nothing is interned any more.
   void forgetAll();

@@ -49,10 +49,12 @@ Expected<Task> readTask(const std::string &path, const std::string &numbers, std
   return task;
 }
 
-/// A box around the cubes of the parts.
+/// A box around the cubes of the parts, as far as they lie in the input; it is empty if none does.
 std::array<Int3, 2> boxOf(const Task &task) {
   std::array<Int3, 2> box = {task.plan.extent, Int3{}};
   const auto add = [&](Int3 low, std::int64_t side) {
+    if (!contains(task.plan.extent, low))
+      return;
     for (int axis = 0; axis < 3; ++axis) {
       box[0][axis] = std::min(box[0][axis], low[axis]);
       box[1][axis] = std::max(
@@ -72,6 +74,8 @@ std::array<Int3, 2> boxOf(const Task &task) {
       at += std::uint64_t{1} << 3 * log2Cubes;
     }
   }
+  for (int axis = 0; axis < 3; ++axis)
+    box[1][axis] = std::max(box[1][axis], box[0][axis]);
   return box;
 }
 
