@@ -117,7 +117,7 @@ std::vector<Candidate> candidatesFor(int log2Side, const CandidateTraits &traits
   std::vector<Candidate> candidates;
   std::set<std::string> known;
   for (const std::string &text : textsFor(log2Side))
-    for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered})
+    for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered, SmallGrids::ByOctants})
       if (auto candidate = makeCandidate(text, traits, {.grids = grids}))
         if (known.insert(printIr(candidate->format)).second)
           candidates.push_back(std::move(*candidate));
