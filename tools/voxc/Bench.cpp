@@ -122,8 +122,9 @@ Expected<void> BenchCommand::tell(const std::vector<Cell> &cells, Json figures) 
   if (shares_.share())
     return {};
   if (const std::string processors = processorsOf(cells); !processors.empty() && !common_.quiet)
-    printNote("note: speeds were measured on several kinds of processors, and are compared of one alone: " +
-              processors);
+    printNote(
+        "note: speeds were measured on several kinds of processors, and only those of one kind compare: " +
+        processors);
   if (!common_.quiet)
     printNote("'voxc bench report " + folder_ + "' makes a page of these records");
   if (failed > 0)

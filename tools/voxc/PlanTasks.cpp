@@ -49,34 +49,28 @@ Expected<Task> readTask(const std::string &path, const std::string &numbers, std
   return task;
 }
 
-/// A box around the cubes of the parts, as far as they lie in the input; it is empty if none does.
-std::array<Int3, 2> boxOf(const Task &task) {
-  std::array<Int3, 2> box = {task.plan.extent, Int3{}};
-  const auto add = [&](Int3 low, std::int64_t side) {
-    if (!contains(task.plan.extent, low))
-      return;
-    for (int axis = 0; axis < 3; ++axis) {
-      box[0][axis] = std::min(box[0][axis], low[axis]);
-      box[1][axis] = std::max(
-          box[1][axis], static_cast<int>(std::min<std::int64_t>(low[axis] + side, task.plan.extent[axis])));
-    }
-  };
+/// The cubes of the parts, the largest aligned ones that make them up, as far as they lie in the input.
+std::vector<std::array<Int3, 2>> boxesOf(const Task &task) {
+  std::vector<std::array<Int3, 2>> boxes;
+  const int log2Side = task.plan.cubes.log2Side;
   for (const WorkItem &item : task.missing) {
-    // The largest aligned cubes that make up the range.
     const FragmentShare share = task.plan.shareOf(item);
     for (std::uint64_t at = share.begin; at < share.end;) {
       int log2Cubes = 0;
       while (at % (std::uint64_t{8} << 3 * log2Cubes) == 0 &&
              at + (std::uint64_t{8} << 3 * log2Cubes) <= share.end)
         ++log2Cubes;
-      const int log2Side = task.plan.cubes.log2Side;
-      add(mortonCell(at) * (1 << log2Side), std::int64_t{1} << (log2Cubes + log2Side));
+      const Int3 low = mortonCell(at) * (1 << log2Side);
+      const int side = 1 << (log2Cubes + log2Side);
+      if (contains(task.plan.extent, low))
+        boxes.push_back({low, low + Int3{side, side, side}});
       at += std::uint64_t{1} << 3 * log2Cubes;
     }
   }
-  for (int axis = 0; axis < 3; ++axis)
-    box[1][axis] = std::max(box[1][axis], box[0][axis]);
-  return box;
+  // None would be all.
+  if (boxes.empty())
+    boxes.push_back({Int3{}, Int3{}});
+  return boxes;
 }
 
 Expected<Input> openPlanned(const Task &task, const BuildOptions &options) {
@@ -92,7 +86,7 @@ Expected<Input> openPlanned(const Task &task, const BuildOptions &options) {
   inputOptions.memory = options.memory;
   inputOptions.threads = options.threads;
   if (!inputOptions.crop && inputOptions.interior == Interior::Keep)
-    inputOptions.region = boxOf(task);
+    inputOptions.regions = boxesOf(task);
   auto input = openInput(task.plan.input, inputOptions);
   if (!input)
     return input;

@@ -241,17 +241,18 @@ TEST(MeshSource, HasAllVoxelsOfTheRegionThatIsAskedFor) {
     options.zUp = zUp;
     const Voxels all = voxelized(scene, options);
     for (int i = 0; i < test::rounds(8); ++i) {
-      std::array<Int3, 2> region;
-      for (int axis = 0; axis < 3; ++axis) {
-        region[0][axis] = static_cast<int>(random() % 100);
-        region[1][axis] = region[0][axis] + 1 + static_cast<int>(random() % 40);
-      }
-      options.region = region;
+      options.regions.resize(1 + random() % 3);
+      for (auto &[low, high] : options.regions)
+        for (int axis = 0; axis < 3; ++axis) {
+          low[axis] = static_cast<int>(random() % 100);
+          high[axis] = low[axis] + 1 + static_cast<int>(random() % 40);
+        }
       const auto inside = [&](const Voxels &voxels) {
         Voxels those;
         for (const auto &voxel : voxels) {
           const Int3 cell = mortonCell(voxel.first);
-          if (contains(region[1] - region[0], cell - region[0]))
+          if (std::ranges::any_of(options.regions,
+                                  [&](const auto &box) { return contains(box[1] - box[0], cell - box[0]); }))
             those.insert(those.end(), voxel);
         }
         return those;

@@ -49,9 +49,10 @@ struct InputOptions {
                                        ///< a mesh `fillMesh`.
   std::uint32_t fillWord = 0xffffffff; ///< Of the voxels that are added to the inside.
   bool crop = false; ///< Moves the smallest box around all voxels to the origin; then it must fit.
-  /// Only voxels in [region[0], region[1]) will be asked for: others may look empty, which lets a mesh be
-  /// opened sooner. It must not be given where the inside is changed or the border cropped.
-  std::optional<std::array<Int3, 2>> region;
+  /// Only voxels in boxes [box[0], box[1]) of these will be asked for, unless there is none: others may look
+  /// empty, which lets a mesh be opened sooner. None may be given where the inside is changed or the border
+  /// cropped.
+  std::vector<std::array<Int3, 2>> regions;
   unsigned threads = 1;   ///< That find the inside; 0: as many as the machine has.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.

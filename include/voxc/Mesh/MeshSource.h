@@ -23,8 +23,9 @@ struct VoxelizeOptions {
   std::optional<std::array<double, 6>> bounds; ///< Crops, before the turn; default: the triangles' box.
   bool zUp = false;                            ///< Turns +z to +y (a rotation about x).
   Coverage coverage = Coverage::Conservative;
-  /// Only voxels in [region[0], region[1]) will be asked for: all others may look empty. Default: any.
-  std::optional<std::array<Int3, 2>> region;
+  /// Only voxels in boxes [box[0], box[1]) of these will be asked for, unless there is none: all others may
+  /// look empty.
+  std::vector<std::array<Int3, 2>> regions;
   Progress progress;
 };
 

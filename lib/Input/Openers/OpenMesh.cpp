@@ -19,7 +19,7 @@ constexpr std::array<const char *, 2> kCoverageNames{"conservative", "thin"};
 
 VoxelizeOptions voxelizeOptions(const InputOptions &options) {
   return {options.resolution, modelExtent(options), options.bounds,  options.zUp,
-          options.coverage,   options.region,       options.progress};
+          options.coverage,   options.regions,      options.progress};
 }
 
 Expected<std::unique_ptr<VoxelSource>> voxelize(const std::shared_ptr<const TriangleScene> &scene,

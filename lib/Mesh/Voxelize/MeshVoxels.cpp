@@ -4,6 +4,7 @@
 #include "Mesh/Voxelize/RegionFilter.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,14 +16,18 @@ namespace {
 constexpr std::uint64_t kStep = 64;
 constexpr std::uint64_t kProgressStep = 1 << 14;
 
-/// The chunks that will be asked for.
-CellRange chunksOf(Int3 extent, const std::optional<std::array<Int3, 2>> &region, int log2Chunk) {
-  CellRange chunks{{}, ((extent - Int3{1, 1, 1}) >> log2Chunk) + Int3{1, 1, 1}};
-  for (int axis = 0; region && axis < 3; ++axis) {
-    const int last = ((*region)[1][axis] - 1) >> log2Chunk;
-    chunks.low[axis] = std::max((*region)[0][axis] >> log2Chunk, 0);
-    chunks.high[axis] = std::min(last + 1, chunks.high[axis]);
-  }
+/// A box around the chunks that will be asked for.
+CellRange chunksOf(Int3 extent, std::span<const std::array<Int3, 2>> regions, int log2Chunk) {
+  const CellRange all{{}, ((extent - Int3{1, 1, 1}) >> log2Chunk) + Int3{1, 1, 1}};
+  if (regions.empty())
+    return all;
+  CellRange chunks{all.high, all.low};
+  for (const auto &[low, high] : regions)
+    for (int axis = 0; axis < 3; ++axis) {
+      const int last = (high[axis] - 1) >> log2Chunk;
+      chunks.low[axis] = std::min(chunks.low[axis], std::max(low[axis] >> log2Chunk, 0));
+      chunks.high[axis] = std::max(chunks.high[axis], std::min(last + 1, all.high[axis]));
+    }
   return chunks;
 }
 
@@ -85,8 +90,8 @@ Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<con
   const CellShape shape = options.coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits);
   auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
                                            shape, tuning.log2Chunk, options.progress);
-  const Region region{chunksOf(mesh->model.extent(), options.region, log2Bin),
-                      trianglesNear(options.region, *mesh->scene, mesh->model)};
+  const Region region{chunksOf(mesh->model.extent(), options.regions, log2Bin),
+                      trianglesNear(options.regions, *mesh->scene, mesh->model)};
   if (auto filled = fill(mesh->bins, *mesh, region); !filled)
     return filled.error();
   return std::shared_ptr<const MeshVoxels>(std::move(mesh));

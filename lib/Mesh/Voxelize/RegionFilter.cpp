@@ -1,6 +1,9 @@
 // Boxes of parts, moved to where their instances stand.
 #include "Mesh/Voxelize/RegionFilter.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace voxc {
 namespace {
 
@@ -36,9 +39,9 @@ bool areApart(const Bounds &box, const std::array<Int3, 2> &region) {
 } // namespace
 
 std::vector<std::pair<std::uint64_t, std::uint64_t>>
-trianglesNear(const std::optional<std::array<Int3, 2>> &region, const TriangleScene &scene,
+trianglesNear(std::span<const std::array<Int3, 2>> regions, const TriangleScene &scene,
               const MeshModel &model) {
-  if (!region)
+  if (regions.empty())
     return {{0, model.numbers.size()}};
   std::vector<std::optional<Bounds>> boxes(scene.parts.size());
   std::vector<std::pair<std::uint64_t, std::uint64_t>> runs;
@@ -47,7 +50,8 @@ trianglesNear(const std::optional<std::array<Int3, 2>> &region, const TriangleSc
     std::optional<Bounds> &box = boxes[instance.part];
     if (!box)
       box = boxOf(scene.parts[instance.part]);
-    if (!areApart(boxInVoxels(*box, instance.toModel, model.grid.frame()), *region))
+    const Bounds there = boxInVoxels(*box, instance.toModel, model.grid.frame());
+    if (!std::ranges::all_of(regions, [&](const auto &region) { return areApart(there, region); }))
       runs.emplace_back(model.numbers.first(i), model.numbers.first(i + 1));
   }
   return runs;

@@ -89,7 +89,7 @@ std::string SharedSweep::name() const {
   Digest digest;
   digest.add(cells_.digest)
       .add(std::to_string(cells_.count))
-      .add(fs::absolute(options_.folder, ignored).string());
+      .add(fs::canonical(options_.folder, ignored).string());
   return "voxc-bench-" + digest.hex();
 }
 
