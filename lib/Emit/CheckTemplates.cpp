@@ -67,9 +67,10 @@ int main() {
     if (!kind.blocks.empty())
       demand("shaders-runtime", shaderFiles(), "values/" + std::string(kind.blocks) + ".glsl");
   }
-  for (const SlotKind *kind : slotKinds()) {
-    demand("shaders-runtime", shaderFiles(), "slots/" + std::string(kind->name) + ".glsl");
-    demand("construct-runtime", constructFiles(), "slots/" + std::string(kind->name) + ".cpp");
-  }
+  for (const SlotKind *kind : slotKinds())
+    for (const std::string_view name : {kind->name, kind->gridFiles.empty() ? kind->name : kind->gridFiles}) {
+      demand("shaders-runtime", shaderFiles(), "slots/" + std::string(name) + ".glsl");
+      demand("construct-runtime", constructFiles(), "slots/" + std::string(name) + ".cpp");
+    }
   return problems == 0 ? 0 : 1;
 }

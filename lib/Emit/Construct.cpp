@@ -37,7 +37,7 @@ std::string constants(const Plan &plan, std::size_t index) {
 /// The runtime files of a level's construction, in the order in which they are printed.
 std::vector<std::string> filesOf(const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
-  const std::string slots = "slots/" + std::string(stratum.slots->name) + ".cpp";
+  const std::string slots = "slots/" + std::string(runtimeFilesOf(stratum)) + ".cpp";
   if (stratum.isGrid() && stratum.skip != Skip::None)
     return {"distances/" + std::string(toString(stratum.skip)) + ".cpp", slots, "part/grid.cpp"};
   if (stratum.isGrid())

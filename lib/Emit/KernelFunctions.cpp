@@ -127,7 +127,7 @@ private:
     constants(index);
     if (plan_.traversals[index].descent == Descent::Single)
       return;
-    leaf(index, "slots/" + std::string(stratum.slots->name) + ".glsl");
+    leaf(index, "slots/" + std::string(runtimeFilesOf(stratum)) + ".glsl");
     text_ += "\n";
   }
 

@@ -312,6 +312,7 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
+                                      .gridFiles = "masked",
                                       .tellsByMasks = true,
                                       .ranks = true,
                                       .indexes = true,

@@ -1,5 +1,6 @@
 // The table of slot kinds: each way in which a node keeps its children is described once. A kind is a file of
-// lib/Layout and one of its name in shaders-runtime/slots and in construct-runtime/slots.
+// lib/Layout and one of its name in shaders-runtime/slots and in construct-runtime/slots; where it serves
+// grids and trees, these have a file each.
 #pragma once
 
 #include "voxc/Layout/Stratum.h"
@@ -41,6 +42,8 @@ using Relocation = FunctionRef<Ref(Ref)>;
 struct SlotKind {
   std::string_view name; ///< In plan text, and of its runtime files.
   std::string_view summary;
+  /// The name of its runtime files for grids, if those of its own name are for trees alone.
+  std::string_view gridFiles = {};
   /// Empty children have slots too, which may tell distances; where they have none, a first value stands at
   /// a known place.
   bool keepsEmpty = false;
@@ -99,6 +102,12 @@ std::span<const SlotKind *const> slotKinds();
 
 /// The kind of this name, or null.
 const SlotKind *findSlotKind(std::string_view name);
+
+/// The name of the runtime files for the nodes of a stratum.
+inline std::string_view runtimeFilesOf(const Stratum &stratum) {
+  const SlotKind &kind = *stratum.slots;
+  return stratum.isGrid() && !kind.gridFiles.empty() ? kind.gridFiles : kind.name;
+}
 
 /// `tellsGap` and `findsValueLater` of kinds that never do.
 inline bool never(const Stratum &) { return false; }
