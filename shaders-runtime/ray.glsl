@@ -119,19 +119,6 @@ bool is_same_cube(ivec3 a, ivec3 b, int log2_side) {
 // The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
 ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
 
-${real} min_of(${real3} v) { return min(min(v.x, v.y), v.z); }
-
-%if by-bits
-// The less and the greater of two float32 numbers, by their bits: one instruction where others would look for NaN. Of two that
-// are negative, which no t is but by rounding, it is the other one.
-float lesser(float a, float b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
-float greater(float a, float b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
-%else
-// The less and the greater of two numbers, none of which is NaN.
-${real} lesser(${real} a, ${real} b) { return b < a ? b : a; }
-${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
-%end
-
 // The number of the ray's octant: a bit for each coordinate that rises, that of x lowest.
 int octant_of(const Ray ray) { return (ray.ahead.x & 1) | (ray.ahead.y & 2) | (ray.ahead.z & 4); }
 

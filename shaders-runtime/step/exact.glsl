@@ -1,5 +1,16 @@
 // Steps that are exact for every ray: ${real-name} where its error bound decides, integers elsewhere.
 
+%if by-bits
+// The less and the greater of two float32 numbers, by their bits: one instruction where others would look for NaN. Of two that
+// are negative, which no t is but by rounding, it is the other one.
+float lesser(float a, float b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
+float greater(float a, float b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
+%else
+// The less and the greater of two numbers, none of which is NaN.
+${real} lesser(${real} a, ${real} b) { return b < a ? b : a; }
+${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
+%end
+
 // How the ray leaves cells through the first of the faces ahead. Not sure if ${real-name} cannot tell which that is.
 Exit leave(const Ray ray, ${real3} face) {
   ${real3} t = (face - ray.origin) * ray.inverse;
@@ -29,7 +40,7 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
   ivec3 corner = corner_of(ray, walk.cell, gap);
   ivec3 face = corner + (ray.ahead & side);
   ${real3} t = times_of(ray, face);
-  ${real} earliest = min_of(t);
+  ${real} earliest = min(min(t.x, t.y), t.z);
   bvec3 may_be_first = lessThanEqual(t, ${real3}(earliest + (earliest * ROUNDINGS + ray.slack)));
   ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
   int axes = bits.x | bits.y << 1 | bits.z << 2;
