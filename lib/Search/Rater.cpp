@@ -7,6 +7,13 @@
 #include <numeric>
 
 namespace voxc {
+namespace {
+
+/// How many times as long a ray takes through grids by octants. Replays tell what is read of their masks, and
+/// not the work to find a place in them: 1.1 to 1.4 where it was measured (docs/performance.md).
+constexpr double kOctantsCost = 1.2;
+
+} // namespace
 
 double RatedFormat::time() const {
   return std::accumulate(nanoseconds.begin(), nanoseconds.end(), 0.0) /
@@ -14,8 +21,11 @@ double RatedFormat::time() const {
 }
 
 void predictAgain(RatedFormat &format, const SpeedModel &model) {
+  const bool isByOctants =
+      std::ranges::any_of(layoutOf(format.candidate.format).strata, &Stratum::isInOctants);
   for (std::size_t i = 0; i < format.costs.size(); ++i)
-    format.nanoseconds[i] = model.predict(speedTerms(format.costs[i], format.bytes()));
+    format.nanoseconds[i] =
+        model.predict(speedTerms(format.costs[i], format.bytes())) * (isByOctants ? kOctantsCost : 1);
 }
 
 Rater::Rater(const PricedScene &scene) : scene_(scene), shapes_(scene.shape) {

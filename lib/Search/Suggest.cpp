@@ -12,13 +12,8 @@ namespace {
 /// Of the logarithm of bytes beside that of time.
 constexpr double kSizeWeight = 0.5;
 
-/// How many times as long a ray takes through grids by octants. Replays tell what is read of their masks, and
-/// not the work to find a place in them: 1.1 to 1.4 where it was measured (docs/performance.md).
-constexpr double kOctantsCost = 1.2;
-
 double regret(const RatedFormat &rated, Wish::Objective objective) {
-  const bool isByOctants = choicesOf(rated.candidate.passes).grids == SmallGrids::ByOctants;
-  const double time = std::log2(rated.time() * (isByOctants ? kOctantsCost : 1));
+  const double time = std::log2(rated.time());
   const double bytes = std::log2(static_cast<double>(rated.bytes()));
   // What does not matter still decides between equals.
   constexpr double kHint = 1e-6;

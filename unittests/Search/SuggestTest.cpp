@@ -96,6 +96,17 @@ TEST_F(SuggestTest, WishesAreKept) {
   EXPECT_FALSE(choose({}, {}));
 }
 
+TEST_F(SuggestTest, GridsByOctantsAreSmallerAndTakeLonger) {
+  std::vector<Candidate> candidates;
+  for (const SmallGrids grids : {SmallGrids::Numbered, SmallGrids::ByOctants})
+    candidates.push_back(
+        *makeCandidate("M(2^3) M(2^3) M(2^3)", {.oneColour = true, .pointerBits = 12}, {.grids = grids}));
+  const auto rated = rateFormats({dag_}, std::move(candidates), rays_, defaultSpeedModel("cpu"), {});
+  ASSERT_EQ(rated.size(), 2u);
+  EXPECT_LT(rated[1].bytes(), rated[0].bytes());
+  EXPECT_GT(rated[1].time(), 1.1 * rated[0].time());
+}
+
 TEST_F(SuggestTest, ColoursInPlaceNeedTheirGraph) {
   const auto in = [](const std::vector<RatedFormat> &rated, const char *text) {
     return std::ranges::find(rated, text, [](const RatedFormat &format) { return format.candidate.text; }) !=
