@@ -32,8 +32,8 @@ public:
 
 private:
   static constexpr int kLog2Entries = 12;
-  static constexpr std::uint64_t kLayers =
-      31; ///< Bits of an entry that tell the layers, of which there are 21 at most.
+  /// Bits of an entry that tell the layers, of which there are 21 at most.
+  static constexpr std::uint64_t kLayers = 31;
   static constexpr int kNone = -1;
 
   std::uint64_t packet_ = 1;

@@ -16,13 +16,4 @@ void MissingWork::look(const MergeTree &tree, const WorkItem &item, const Stands
       look(tree, child, stands);
 }
 
-bool MissingWork::empty() const { return count() == 0; }
-
-std::uint64_t MissingWork::count() const {
-  std::uint64_t count = 0;
-  for (const auto &level : levels_)
-    count += level.size();
-  return count;
-}
-
 } // namespace voxc::tool::cluster

@@ -20,11 +20,6 @@ public:
 
   const std::vector<std::uint64_t> &at(std::size_t level) const { return levels_[level]; }
   std::size_t levels() const { return levels_.size(); }
-  bool empty() const;
-  /// Items of all levels.
-  std::uint64_t count() const;
-
-  bool operator==(const MissingWork &) const = default;
 
 private:
   void look(const MergeTree &tree, const WorkItem &item, const Stands &stands);

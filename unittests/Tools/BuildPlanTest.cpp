@@ -17,6 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 using Numbers = std::vector<std::uint64_t>;
 
@@ -111,14 +112,18 @@ TEST(Slurm, timesAreDaysHoursMinutesAndSeconds) {
 TEST(MissingWork, leavesOutWhatNothingAsksFor) {
   const MergeTree tree(9, 8);
   const MissingWork all(tree, [](const WorkItem &) { return false; });
-  EXPECT_EQ(all.count(), 9u + 2 + 1);
+  EXPECT_THAT(all.at(0), SizeIs(9));
+  EXPECT_THAT(all.at(1), SizeIs(2));
+  EXPECT_THAT(all.at(2), SizeIs(1));
   // The first merge stands: its parts may be gone.
   const MissingWork some(
       tree, [](const WorkItem &item) { return item == WorkItem{1, 0} || item == WorkItem{0, 8}; });
   EXPECT_THAT(some.at(0), IsEmpty());
   EXPECT_THAT(some.at(1), ElementsAre(1));
   EXPECT_THAT(some.at(2), ElementsAre(0));
-  EXPECT_TRUE(MissingWork(tree, [](const WorkItem &) { return true; }).empty());
+  const MissingWork none(tree, [](const WorkItem &) { return true; });
+  for (std::size_t level = 0; level < none.levels(); ++level)
+    EXPECT_THAT(none.at(level), IsEmpty());
 }
 
 BuildPlan samplePlan() {

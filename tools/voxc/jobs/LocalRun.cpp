@@ -3,7 +3,7 @@
 
 #include "cluster/NumberList.h"
 #include "common/Command.h"
-#include "sweep/Child.h"
+#include "jobs/Child.h"
 
 #include <algorithm>
 #include <mutex>
@@ -41,8 +41,7 @@ Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &miss
   std::vector<std::thread> threads;
   for (const Numbers &list : lists)
     threads.emplace_back([&, numbers = cluster::numberListText(list)] {
-      const auto report =
-          bench::runChild(jobs.command(level, numbers), Progress{{}, watch.progress.stop}, [] {});
+      const auto report = runChild(jobs.command(level, numbers), Progress{{}, watch.progress.stop}, [] {});
       const std::lock_guard lock(mutex);
       if (!report)
         failure = report.error();

@@ -4,6 +4,7 @@
 #include "sweep/Machine.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace voxc::tool::bench {
@@ -20,9 +21,16 @@ std::vector<std::string> split(const std::string &text, char separator) {
   return parts;
 }
 
-/// Numbers and UUIDs of devices, which are those of one machine.
+/// Numbers and UUIDs of devices, which are those of one machine. Some names, such as "ada", have the digits
+/// of a UUID, but not as many.
 bool isOfOneMachine(const std::string &device) {
-  return !device.empty() && device.find_first_not_of("0123456789abcdefABCDEF-") == device.npos;
+  constexpr std::ptrdiff_t kUuidDigits = 32;
+  const auto isDigit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const auto isOfUuid = [](unsigned char c) { return std::isxdigit(c) != 0 || c == '-'; };
+  const bool isNumber = !device.empty() && std::ranges::all_of(device, isDigit);
+  const bool isUuid = std::ranges::all_of(device, isOfUuid) &&
+                      std::ssize(device) - std::ranges::count(device, '-') == kUuidDigits;
+  return isNumber || isUuid;
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Building volumes and finding them again.
 #include "sweep/VolumeCache.h"
 
-#include "sweep/Child.h"
+#include "jobs/Child.h"
 
 #include "bench/Digest.h"
 #include "common/Files.h"

@@ -1,5 +1,5 @@
 // Running a child process.
-#include "sweep/Child.h"
+#include "jobs/Child.h"
 
 #include <cerrno>
 #include <csignal>
@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace voxc::tool::bench {
+namespace voxc::tool {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
@@ -135,4 +135,4 @@ Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const 
   return report;
 }
 
-} // namespace voxc::tool::bench
+} // namespace voxc::tool

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace voxc::tool::bench {
+namespace voxc::tool {
 
 /// How a child ended.
 struct ChildReport {
@@ -22,4 +22,4 @@ struct ChildReport {
 Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const Progress &progress,
                                const std::function<void()> &poll);
 
-} // namespace voxc::tool::bench
+} // namespace voxc::tool
