@@ -116,14 +116,26 @@ private:
     return near;
   }
 
+  /// Replays all rays for what comes near the frontier, the nearest first, for as long as exploring may have
+  /// taken: what there is no time for keeps what few rays said of it.
+  void replayNear(std::span<const double> far, std::span<const RaySet> rays) {
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < far.size(); ++i)
+      if (far[i] <= options_.replayed)
+        near.push_back(i);
+    std::ranges::stable_sort(near, {}, [&](std::size_t i) { return far[i]; });
+    const double end = watch_.seconds() + options_.seconds;
+    for (const std::size_t i : near)
+      if (!progress_.stopped() && watch_.seconds() <= end)
+        rater_.replayAgain(formats_[i].format, rays, model_);
+  }
+
   void keep(std::span<const RaySet> rays) {
     const std::vector<double> far = distances();
+    replayNear(far, rays);
     for (std::size_t i = 0; i < far.size(); ++i)
-      if (far[i] <= options_.kept) {
-        if (far[i] <= options_.replayed)
-          rater_.replayAgain(formats_[i].format, rays, model_);
+      if (far[i] <= options_.kept)
         explored_.formats.push_back(std::move(formats_[i].format));
-      }
   }
 
   struct Known {

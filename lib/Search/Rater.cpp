@@ -21,11 +21,9 @@ double RatedFormat::time() const {
 }
 
 void predictAgain(RatedFormat &format, const SpeedModel &model) {
-  const bool isByOctants =
-      std::ranges::any_of(layoutOf(format.candidate.format).strata, &Stratum::isInOctants);
   for (std::size_t i = 0; i < format.costs.size(); ++i)
     format.nanoseconds[i] =
-        model.predict(speedTerms(format.costs[i], format.bytes())) * (isByOctants ? kOctantsCost : 1);
+        model.predict(speedTerms(format.costs[i], format.bytes())) * (format.isByOctants ? kOctantsCost : 1);
 }
 
 Rater::Rater(const PricedScene &scene) : scene_(scene), shapes_(scene.shape) {
@@ -43,6 +41,7 @@ std::optional<RatedFormat> Rater::rate(Candidate candidate, std::span<const RayS
   if (!price || price->words() > std::min(layout.maxWords(), maxBytes / sizeof(std::uint32_t)))
     return std::nullopt;
   RatedFormat format{std::move(candidate), std::move(*price), {}, {}};
+  format.isByOctants = std::ranges::any_of(layout.strata, &Stratum::isInOctants);
   replayAgain(format, rays, model);
   return format.costs.size() == rays.size() ? std::optional(std::move(format)) : std::nullopt;
 }

@@ -15,7 +15,8 @@ namespace voxc {
 struct ExploreOptions {
   std::size_t maxLevels = 4;
   std::size_t mostFormats = 6000; ///< That are rated, but for seeds.
-  /// Wall time that rating may take. If it ends the exploring, what was found depends on the machine.
+  /// Wall time that rating may take, and as much again for replaying all rays. If it ends the exploring, what
+  /// was found depends on the machine.
   double seconds = std::numeric_limits<double>::infinity();
   /// Rays of each set that are replayed; those of all are, where a format comes near the frontier.
   std::size_t sampledRays = 192;

@@ -27,8 +27,8 @@ struct RatedFormat {
   Candidate candidate;
   Price price;
   std::vector<RayCost> costs;      ///< Of each set of rays.
-  std::vector<double> nanoseconds; ///< A ray of each set takes so many, as the model has it; more by
-                                   ///< octants, whose work it does not see.
+  std::vector<double> nanoseconds; ///< A ray of each set takes so many, as the model has it.
+  bool isByOctants = false;        ///< Some grid is: then it takes more than the model's counts tell.
 
   std::uint64_t bytes() const { return 4 * price.words(); }
   /// The mean of all sets.
