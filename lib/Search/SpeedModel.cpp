@@ -20,8 +20,8 @@ constexpr double kNoShare = 0.5;
 /// In the order of `SpeedTerm`, fitted by scripts/fit-speeds.py; docs/search.md tells from what, and how
 /// well. No L1 distances were among that, so that the weight of a march is a guess; no candidate of
 /// `candidatesFor` has any.
-constexpr SpeedModel kCpu{{17, 23, 2.7, 0, 0.31, 0.37, 0.86, 0.037, 2.3, 2, 24, 0, 3.8, 0.43, 0.63}};
-constexpr SpeedModel kLavapipe{{25, 68, 9.6, 12, 5.7, 0.76, 8.4, 1.8, 4.6, 5, 0, 14, 2.0, 0.26, 4.5}};
+constexpr SpeedModel kCpu{{19, 25, 2.6, 0, 0.80, 0.34, 1.1, 0.27, 1.6, 2, 25, 0, 2.5, 0.38, 0.80}};
+constexpr SpeedModel kLavapipe{{26, 55, 9.7, 32, 5.5, 0.97, 7.4, 1.6, 4.9, 5, 0, 14, 2.6, 0.10, 4.5}};
 
 } // namespace
 

@@ -57,8 +57,8 @@ TEST(SpeedModel, FewSamplesMoveThePrior) {
   SpeedModel twice = defaultSpeedModel("cpu");
   for (double &part : twice.nanoseconds)
     part *= 2;
-  const SpeedModel found = fitSpeedModel(samplesOf(twice, 6), defaultSpeedModel("cpu"));
-  for (const SpeedSample &sample : samplesOf(twice, 6))
+  const SpeedModel found = fitSpeedModel(samplesOf(twice, 8), defaultSpeedModel("cpu"));
+  for (const SpeedSample &sample : samplesOf(twice, 8))
     EXPECT_NEAR(found.predict(sample.terms) / sample.nanoseconds, 1, 0.1);
 }
 
