@@ -13,6 +13,11 @@ if [ $# -eq 0 ]; then
   targets=($(ls fuzz/seeds))
 fi
 
+# Many fuzzers write a file and read it: in memory 20 times as often as on a disk.
+if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ]; then
+  export TMPDIR=/dev/shm
+fi
+
 for target in "${targets[@]}"; do
   say "Fuzzing $target for $seconds s"
   corpus=build/fuzz/corpus/$target
