@@ -1,12 +1,18 @@
-// Whatever words pass the structure check, kernels find in every cell what lookups find there.
+// Whatever words pass the structure check, kernels find in every cell what lookups find there, and a device
+// finds on every ray what this processor does. The validation layer's GPU-assisted checks look at every
+// access of the device if VK_LAYER_ENABLES asks for them.
 #include "TestLength.h"
 
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 
 #include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
 
 namespace voxc {
 namespace {
@@ -54,6 +60,14 @@ int differences(const Volume &volume, const CpuKernel &kernel, const std::vector
   return different;
 }
 
+Volume volumeOf(const Format &format, std::uint64_t voxels, Words words) {
+  VolumeInfo info;
+  info.format = storageFormat(format);
+  info.extent = format.extent();
+  info.voxels = voxels;
+  return {std::move(info), std::move(words)};
+}
+
 TEST(HostileKernel, FindsInEveryCellWhatLookupsFind) {
   std::mt19937 random(3);
   int passed = 0;
@@ -72,14 +86,87 @@ TEST(HostileKernel, FindsInEveryCellWhatLookupsFind) {
       if (!voxels)
         continue;
       ++passed;
-      VolumeInfo info;
-      info.format = storageFormat(format);
-      info.extent = format.extent();
-      info.voxels = *voxels;
-      ASSERT_EQ(differences(Volume(std::move(info), std::move(words)), *kernel, rays), 0) << printIr(format);
+      ASSERT_EQ(differences(volumeOf(format, *voxels, std::move(words)), *kernel, rays), 0)
+          << printIr(format);
     }
   }
   EXPECT_GT(passed, 200);
+}
+
+/// Rays from around a volume of `side` voxels into it.
+std::vector<Ray> raysInto(int side, std::mt19937 &random) {
+  std::uniform_real_distribution<float> around(-side, 2 * side), inside(0, side);
+  std::vector<Ray> rays(256);
+  for (Ray &ray : rays)
+    for (int axis = 0; axis < 3; ++axis) {
+      ray.origin[axis] = around(random);
+      ray.direction[axis] = inside(random) - ray.origin[axis];
+    }
+  return rays;
+}
+
+/// Traces on both; the volume takes the place of the one before.
+class BothTracers {
+public:
+  BothTracers(Device &device, const Format &format, Addressing addressing,
+              std::shared_ptr<const Volume> volume)
+      : volume_(std::move(volume)) {
+    const auto cpu = compileCpuKernel(format);
+    const auto kernel = compileKernel(format, {addressing, device.info().loops, device.info().arithmetic});
+    tracers_[0] = std::move(*createCpuTracer(*cpu, *volume_, 1));
+    tracers_[1] = std::move(*createTracer(device, *kernel, *volume_, 1));
+  }
+
+  bool agreeOn(std::shared_ptr<const Volume> volume, const std::vector<Ray> &rays) {
+    std::vector<Hit> hits[2];
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_TRUE(tracers_[i]->update(*volume_, *volume));
+      hits[i].resize(rays.size());
+      EXPECT_TRUE(tracers_[i]->trace(rays, hits[i]));
+    }
+    volume_ = std::move(volume);
+    return std::memcmp(hits[0].data(), hits[1].data(), rays.size() * sizeof(Hit)) == 0;
+  }
+
+private:
+  std::shared_ptr<const Volume> volume_;
+  std::unique_ptr<Tracer> tracers_[2];
+};
+
+/// Flips bits of a volume, all of them or evenly spread ones, and counts those that pass the structure check.
+int flipBits(Device &device, const Format &format, Addressing addressing, std::mt19937 &random) {
+  const auto scenes = test::hardScenes(format.extent());
+  auto built = Constructor::compile(format)->build(*scenes[random() % scenes.size()].source());
+  const auto sound = std::make_shared<const Volume>(std::move(built->volume));
+  const std::vector<Ray> rays = raysInto(format.extent().x, random);
+  BothTracers tracers(device, format, addressing, sound);
+  const std::size_t bits = sound->words().size() * 32;
+  const std::size_t step = std::max<std::size_t>(1, bits / test::rounds(500));
+  int passed = 0;
+  for (std::size_t bit = 0; bit < bits; bit += step) {
+    Words words(sound->words().begin(), sound->words().end());
+    words[bit / 32] ^= 1u << bit % 32;
+    const auto voxels = checkStructure(format, words);
+    if (!voxels)
+      continue;
+    ++passed;
+    EXPECT_TRUE(
+        tracers.agreeOn(std::make_shared<const Volume>(volumeOf(format, *voxels, std::move(words))), rays))
+        << printIr(format) << " bit " << bit;
+  }
+  return passed;
+}
+
+TEST(HostileKernel, HasTheHitsOfThisProcessorOnADevice) {
+  auto device = Device::open();
+  if (!device)
+    GTEST_SKIP() << device.error().message;
+  std::mt19937 random(4);
+  int passed = 0;
+  for (int i = 0; i < test::rounds(12); ++i)
+    passed += flipBits(*device, test::randomFormat(random, 3),
+                       i % 3 == 0 ? Addressing::Texels : Addressing::Buffer, random);
+  EXPECT_GT(passed, 1000);
 }
 
 } // namespace
