@@ -1,23 +1,16 @@
 // Memory within a bound: contents survive wherever they lie, and the process stays small.
+#include "ResidentMemory.h"
+
 #include "voxc/Support/WorkingMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace voxc {
 namespace {
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
-
-std::uint64_t residentBytes() {
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t total = 0;
-  std::uint64_t resident = 0;
-  file >> total >> resident;
-  return resident * 4096;
-}
 
 TEST(WorkingMemory, IsZeroInMemoryAndInTheFile) {
   const auto memory = WorkingMemory::create(4 * kMiB);
@@ -33,7 +26,7 @@ TEST(WorkingMemory, IsZeroInMemoryAndInTheFile) {
 }
 
 TEST(WorkingMemory, StaysWithinItsBoundAndLosesNothing) {
-  const std::uint64_t before = residentBytes();
+  const std::uint64_t before = test::residentBytes();
   const auto memory = WorkingMemory::create(16 * kMiB);
   ScratchArray<std::uint64_t> numbers(memory);
   constexpr std::uint64_t kCount = 8 * kMiB; // 64 MiB
@@ -43,17 +36,17 @@ TEST(WorkingMemory, StaysWithinItsBoundAndLosesNothing) {
     if (i % 512 == 0)
       memory->relieve();
     if (i % 65536 == 0)
-      peak = std::max(peak, residentBytes() - before);
+      peak = std::max(peak, test::residentBytes() - before);
   }
   for (std::uint64_t i = 0; i < kCount; ++i) {
     ASSERT_EQ(numbers[i], i * i);
     if (i % 512 == 0)
       memory->relieve();
     if (i % 65536 == 0)
-      peak = std::max(peak, residentBytes() - before);
+      peak = std::max(peak, test::residentBytes() - before);
   }
   EXPECT_GT(memory->scratchPeak(), 48 * kMiB);
-  EXPECT_LT(peak, 24 * kMiB);
+  EXPECT_LT(peak, 24 * kMiB + test::shadowBytes(kCount * sizeof(std::uint64_t)));
 }
 
 TEST(WorkingMemory, WhatIsCutOffAnArrayComesBackAsZero) {
