@@ -5,6 +5,7 @@
 
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
+#include "testing/RandomRays.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
@@ -93,18 +94,6 @@ TEST(HostileKernel, FindsInEveryCellWhatLookupsFind) {
   EXPECT_GT(passed, 200);
 }
 
-/// Rays from around a volume of `side` voxels into it.
-std::vector<Ray> raysInto(int side, std::mt19937 &random) {
-  std::uniform_real_distribution<float> around(-side, 2 * side), inside(0, side);
-  std::vector<Ray> rays(256);
-  for (Ray &ray : rays)
-    for (int axis = 0; axis < 3; ++axis) {
-      ray.origin[axis] = around(random);
-      ray.direction[axis] = inside(random) - ray.origin[axis];
-    }
-  return rays;
-}
-
 /// Traces on both; the volume takes the place of the one before.
 class BothTracers {
 public:
@@ -138,7 +127,7 @@ int flipBits(Device &device, const Format &format, Addressing addressing, std::m
   const auto scenes = test::hardScenes(format.extent());
   auto built = Constructor::compile(format)->build(*scenes[random() % scenes.size()].source());
   const auto sound = std::make_shared<const Volume>(std::move(built->volume));
-  const std::vector<Ray> rays = raysInto(format.extent().x, random);
+  const std::vector<Ray> rays = test::raysInto(format.extent(), 256, random);
   BothTracers tracers(device, format, addressing, sound);
   const std::size_t bits = sound->words().size() * 32;
   const std::size_t step = std::max<std::size_t>(1, bits / test::rounds(500));

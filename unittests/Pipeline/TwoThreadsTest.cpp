@@ -3,6 +3,7 @@
 
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
+#include "testing/RandomRays.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/OpenTracer.h"
 
@@ -15,20 +16,6 @@
 namespace voxc {
 namespace {
 
-/// From around the format's voxels into them.
-std::vector<Ray> raysInto(Int3 extent, std::mt19937 &random) {
-  const float sides[] = {static_cast<float>(extent.x), static_cast<float>(extent.y),
-                         static_cast<float>(extent.z)};
-  std::vector<Ray> rays(500);
-  for (Ray &ray : rays)
-    for (int axis = 0; axis < 3; ++axis) {
-      std::uniform_real_distribution<float> around(-sides[axis], 2 * sides[axis]), inside(0, sides[axis]);
-      ray.origin[axis] = around(random);
-      ray.direction[axis] = inside(random) - ray.origin[axis];
-    }
-  return rays;
-}
-
 /// Compiles, builds, edits and traces some random formats: all the hits.
 std::vector<Hit> work(unsigned seed, const std::string &device) {
   std::mt19937 random(seed);
@@ -38,7 +25,7 @@ std::vector<Hit> work(unsigned seed, const std::string &device) {
     const auto constructor = Constructor::compile(format);
     const auto scenes = test::hardScenes(format.extent());
     const auto scene = scenes[random() % scenes.size()].source();
-    const auto rays = raysInto(format.extent(), random);
+    const auto rays = test::raysInto(format.extent(), 500, random);
     auto built = constructor->build(*scene);
     EXPECT_TRUE(built) << built.error().message;
     const auto volume = std::make_shared<const Volume>(std::move(built->volume));

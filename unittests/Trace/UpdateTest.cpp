@@ -2,6 +2,7 @@
 #include "TestLength.h"
 
 #include "testing/RandomFormat.h"
+#include "testing/RandomRays.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
@@ -43,18 +44,6 @@ VoxelEdit randomBox(std::mt19937 &random) {
   const auto pick = [&](int least, int most) { return test::pick(random, least, most); };
   const Int3 low{pick(0, kSide - 1), pick(0, kSide - 1), pick(0, kSide - 1)};
   return {low, {pick(1, kSide - low.x), pick(1, kSide - low.y), pick(1, kSide - low.z)}, kWords[pick(0, 2)]};
-}
-
-/// Rays from around the volume into it.
-std::vector<Ray> randomRays(std::mt19937 &random) {
-  std::uniform_real_distribution<float> around(-10, kSide + 10), inside(0, kSide);
-  std::vector<Ray> rays(500);
-  for (Ray &ray : rays)
-    for (int axis = 0; axis < 3; ++axis) {
-      ray.origin[axis] = around(random);
-      ray.direction[axis] = inside(random) - ray.origin[axis];
-    }
-  return rays;
 }
 
 std::vector<Hit> hitsOf(Tracer &tracer, std::span<const Ray> rays) {
@@ -107,7 +96,7 @@ void expectHitsOfANewTracer(const BackEnd &backEnd, const Format &format, std::m
   ASSERT_TRUE(volume);
   auto tracer = backEnd.make(*volume);
   ASSERT_TRUE(tracer) << tracer.error().message;
-  const std::vector<Ray> rays = randomRays(random);
+  const std::vector<Ray> rays = test::raysInto({kSide, kSide, kSide}, 500, random);
   std::vector<Hit> before = hitsOf(**tracer, rays);
   for (int i = 0; i < 6; ++i) {
     const SharedVolume edited = edit(*constructor, volume,
@@ -190,7 +179,7 @@ TEST(Update, RefusesOtherVolumesAndStaysAsItWas) {
   const SharedVolume volume = build(format, "terrain", kSide), other = build(format, "shell", kSide);
   const SharedVolume foreign = build(*parseFormat("G(5)"), "terrain", kSide);
   std::mt19937 random(7);
-  const std::vector<Ray> rays = randomRays(random);
+  const std::vector<Ray> rays = test::raysInto({kSide, kSide, kSide}, 500, random);
   std::vector<std::unique_ptr<BackEnd>> backEnds;
   backEnds.push_back(std::make_unique<Cpu>(format));
   auto device = Device::open();
