@@ -213,22 +213,23 @@ def disturbed(bench, command):
     return None
 
 
-def goes_on(bench, command, folder):
-    """What is wrong with a command that is disturbed up to three times and then left alone, or None."""
+def goes_on(bench, command, folder, last=()):
+    """What is wrong with a command that is disturbed up to three times and then left alone, with words of its own, or None."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for _ in range(bench.random.choice([1, 1, 2, 3])):
         if problem := disturbed(bench, command):
             return problem
-    run = subprocess.run(command, capture_output=True, text=True)
-    return None if run.returncode == 0 else f"`{' '.join(command)}` after a kill: {run.stderr[-300:]}"
+    run = subprocess.run([*command, *last], capture_output=True, text=True)
+    return None if run.returncode == 0 else f"`{' '.join([*command, *last])}` after a kill: {run.stderr[-300:]}"
 
 
 def killed_sweep(bench):
-    """A disturbed sweep goes on. voxc bench after kill -9 or without room: every record is whole, and the next run ends well."""
+    """A disturbed sweep goes on. voxc bench after kill -9 or without room: every record is whole, and the next run ends well. Cells that
+    had no room have failed, and are tried again where that is asked for."""
     folder = bench.folder / "sweep"
     return goes_on(bench, [bench.voxc, "bench", "builtin:terrain:64", "--formats", "R(2^3) G(4);G(6);S(6)", "--devices", "cpu",
-                           "--size", "64x48", "--repeat", "1", "-o", str(folder), "--quiet"], folder)
+                           "--size", "64x48", "--repeat", "1", "-o", str(folder), "--quiet"], folder, ["--retry"])
 
 
 def killed_search(bench):
