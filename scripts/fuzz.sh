@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# fuzz.sh SECONDS [TARGET...]: builds the fuzzers and runs each of them, or those that are named, for that long, from
-# fuzz/seeds, the corpus of the unit tests, and what earlier runs have found in build/fuzz/corpus. Ends at the first finding, which it keeps there.
+# fuzz.sh SECONDS [TARGET...]: builds the fuzzers and runs each of them, or those that are named, for that long, one on each core,
+# from fuzz/seeds, the corpus of the unit tests, and what earlier runs have found in build/fuzz/corpus. Ends at the first finding,
+# which it keeps in build/fuzz/findings.
 cd "$(dirname "$0")/.."
 source scripts/lib.sh
 
@@ -18,14 +19,22 @@ if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ]; then
   export TMPDIR=/dev/shm
 fi
 
-for target in "${targets[@]}"; do
-  say "Fuzzing $target for $seconds s"
-  corpus=build/fuzz/corpus/$target
-  seeds=("fuzz/seeds/$target")
+mkdir -p build/fuzz/findings
+
+# Ends with 255, after which xargs starts no other, when the fuzzer finds something.
+fuzz() {
+  local target=$1 corpus=build/fuzz/corpus/$1 seeds=("fuzz/seeds/$1") said
   if [ -d "unittests/Mesh/Corpus/$target" ]; then
     seeds+=("unittests/Mesh/Corpus/$target")
   fi
-  mkdir -p "$corpus" build/fuzz/findings
-  nice "build/fuzz/bin/voxc-fuzz-$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 -max_len=65536 \
-    -print_final_stats=1 -verbosity=0 -artifact_prefix="build/fuzz/findings/$target-" "$corpus" "${seeds[@]}"
-done
+  mkdir -p "$corpus"
+  said=$(nice "build/fuzz/bin/voxc-fuzz-$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 -max_len=65536 \
+    -print_final_stats=1 -verbosity=0 -artifact_prefix="build/fuzz/findings/$target-" "$corpus" "${seeds[@]}" 2>&1) || said+=$'\nfound'
+  say "Fuzzed $target for $seconds s"
+  printf '%s\n' "$said"
+  [[ $said != *$'\nfound' ]] || exit 255
+}
+export -f fuzz say
+export seconds
+
+printf '%s\n' "${targets[@]}" | xargs -P "$(nproc)" -I{} bash -c 'fuzz {}'

@@ -29,7 +29,7 @@ def fuzz(seconds):
     each = max(int(seconds / len(targets)), FUZZ_SECONDS_LEAST)
     for target in targets:
         run = subprocess.run(["scripts/fuzz.sh", str(each), target], capture_output=True, text=True, errors="replace")
-        executions = re.search(r"stat::number_of_executed_units: *(\d+)", run.stderr)
+        executions = re.search(r"stat::number_of_executed_units: *(\d+)", run.stdout)
         yield f"fuzz {target}", int(executions[1]) if executions else 0, finding(run, f"scripts/fuzz.sh {each} {target}")
 
 
