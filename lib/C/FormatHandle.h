@@ -28,7 +28,7 @@ inline std::vector<std::string> namesIn(std::string_view list) {
     std::string_view name = list.substr(0, comma);
     list.remove_prefix(std::min(comma + 1, list.size()));
     const std::size_t first = name.find_first_not_of(' ');
-    if (first != name.npos)
+    if (first != std::string_view::npos)
       names.emplace_back(name.substr(first, name.find_last_not_of(' ') + 1 - first));
   }
   return names;

@@ -26,7 +26,7 @@ ValueStore::ValueStore(NodeStore &nodes, VoxelFacts facts, const std::shared_ptr
     palette_.emplace(std::size_t{1} << facts.payloadBits);
 }
 
-bool ValueStore::keep(Expected<void> done) {
+bool ValueStore::keep(const Expected<void> &done) {
   if (!done)
     nodes_.fail(done.error());
   return static_cast<bool>(done);

@@ -45,7 +45,7 @@ private:
   void tell(std::uint64_t begin);
   void append(WordStore &words, std::span<const std::uint32_t> more);
   void packTable(std::uint64_t colours, int bits);
-  bool keep(Expected<void> done);
+  bool keep(const Expected<void> &done);
 
   NodeStore &nodes_;
   bool isRgb565_;

@@ -73,7 +73,7 @@ constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
 bool isHeaderName(std::string_view name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   return !name.empty() && std::ranges::all_of(name, fits) && !name.starts_with('_') && !name.ends_with('_') &&
-         name.find("__") == name.npos;
+         name.find("__") == std::string_view::npos;
 }
 
 std::string headerName(const Layout &layout) {

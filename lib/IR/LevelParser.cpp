@@ -119,7 +119,7 @@ std::string signature(const LevelKind &kind) {
   for (const ParameterKind &parameter : kind.parameters) {
     if (parameter.usual) {
       text += '[';
-      end = "]" + end;
+      end.insert(0, "]");
     }
     text += separator + std::string(parameter.name);
     separator = ", ";

@@ -66,7 +66,8 @@ Expected<void> SurfaceNormals::learn(std::span<const Hit> hits, const Progress &
     std::optional<Error> &problem = problems[std::size_t(chunk)];
     for (std::size_t i = first; i < std::min(first + kChunk, codes.size()) && !progress.stopped(); ++i) {
       const SurfaceNormal normal = normalOf(occupancy.around(mortonCell(codes[i])));
-      if ((problem = occupancy.reader().problem()))
+      problem = occupancy.reader().problem();
+      if (problem)
         break;
       found[i] = normal;
     }

@@ -53,6 +53,7 @@ glm::dvec3 vectorOf(Int3 at) { return {double(at.x), double(at.y), double(at.z)}
 
 std::vector<glm::dvec3> cornersOf(const glm::dvec3 &extent) {
   std::vector<glm::dvec3> corners;
+  corners.reserve(8);
   for (int corner = 0; corner < 8; ++corner)
     corners.emplace_back(corner & 1 ? extent.x : 0, corner & 2 ? extent.y : 0, corner & 4 ? extent.z : 0);
   return corners;
@@ -205,6 +206,7 @@ Expected<std::optional<Camera>> roomCamera(const Place &place, const glm::dvec3 
                                            const Camera &settings) {
   const std::vector<glm::dvec3> directions = probeDirections();
   std::vector<Ray> rays;
+  rays.reserve(directions.size());
   for (const glm::dvec3 &direction : directions)
     rays.push_back(makeRay(place.eye, direction));
   std::vector<Hit> hits(rays.size());

@@ -47,9 +47,9 @@ std::vector<std::string> textsFor(int log2Side) {
   for (int grid = kMinLog2Grid; grid <= std::min(log2Side, kMaxLog2Grid); ++grid)
     for (const std::string &tail : tailsOf(log2Side - grid))
       for (const char *kind : {"R", "D"}) {
-        const std::string size = std::to_string(grid) + "^3";
-        texts.push_back((*kind == 'R' ? "R(" + size + ")" : "D(" + size + ", 15)") +
-                        (tail.empty() ? "" : " ") + tail);
+        std::string &text = texts.emplace_back(kind);
+        text.append("(").append(std::to_string(grid)).append("^3").append(*kind == 'R' ? ")" : ", 15)");
+        text.append(tail.empty() ? "" : " ").append(tail);
       }
   return texts;
 }

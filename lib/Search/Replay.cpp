@@ -193,6 +193,7 @@ private:
 
 RayCost replay(const SceneDag &dag, std::span<const Ray> all, const Plan &plan) {
   std::vector<LevelView> levels;
+  levels.reserve(plan.layout.strata.size());
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i)
     levels.emplace_back(plan.layout.strata[i], plan.traversals[i], i == 0);
   RayCost cost;

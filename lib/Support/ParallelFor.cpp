@@ -17,7 +17,8 @@ std::vector<std::jthread> startHelpers(std::uint64_t count, const std::function<
   try {
     while (helpers.size() < count)
       helpers.emplace_back(work);
-  } catch (const std::system_error &) { // A limit on threads: those that there are do it all.
+  } catch (const std::system_error &) {
+    return helpers; // A limit on threads: those that there are do it all.
   }
   return helpers;
 }

@@ -52,7 +52,7 @@ void clearBeside(const std::string &beside) {
 
 std::string folderOf(const std::string &path) {
   const std::size_t slash = path.rfind('/');
-  return slash == path.npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
 int openUnnamed(const std::string &folder, mode_t mode) {

@@ -108,7 +108,7 @@ Candidates candidates(const RaySpan &rays, std::span<const InstanceHit> hits, co
 
 } // namespace
 
-Expected<InstancedTracer> InstancedTracer::create(std::vector<Instance> instances, unsigned threads) {
+Expected<InstancedTracer> InstancedTracer::create(const std::vector<Instance> &instances, unsigned threads) {
   std::vector<Placed> placed;
   for (const Instance &instance : instances) {
     const auto wrong = [&](const char *problem) {

@@ -64,8 +64,8 @@ public:
   /// What stands behind `key` on the next line.
   std::string_view value(std::string_view key) {
     const std::size_t end = text_.find('\n');
-    if (!isAt(key) || text_.size() <= key.size() || text_[key.size()] != ' ' || end == text_.npos ||
-        end <= key.size()) {
+    if (!isAt(key) || text_.size() <= key.size() || text_[key.size()] != ' ' ||
+        end == std::string_view::npos || end <= key.size()) {
       fail();
       return {};
     }

@@ -58,7 +58,7 @@ Expected<std::string> handOver(const std::vector<std::string> &words) {
   const std::string text = output->substr(0, output->find_last_not_of(" \n") + 1);
   const std::string last = text.substr(text.rfind('\n') + 1);
   const std::string number = last.substr(0, last.find(';'));
-  if (number.empty() || number.find_first_not_of("0123456789") != number.npos)
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
     return Error::environment("sbatch answered '" + last + "' where it should give the number of a job");
   return number;
 }
@@ -67,7 +67,7 @@ Expected<std::string> handOver(const std::vector<std::string> &words) {
 
 double secondsOfTime(std::string_view text) {
   double days = 0;
-  if (const std::size_t dash = text.find('-'); dash != text.npos) {
+  if (const std::size_t dash = text.find('-'); dash != std::string::npos) {
     if (!readNumber(text.substr(0, dash), days))
       return 0;
     text.remove_prefix(dash + 1);
@@ -101,7 +101,7 @@ Expected<std::vector<QueuedJob>> Slurm::queue(std::size_t levels) const {
     std::getline(words >> std::ws, reason);
     QueuedJob job{array, 0, 0, state != "PENDING", reason == "launch failed requeued held"};
     const std::size_t dash = name.rfind('-');
-    if (dash != name.npos && readNumber(std::string_view(name).substr(dash + 1), job.level) &&
+    if (dash != std::string::npos && readNumber(std::string_view(name).substr(dash + 1), job.level) &&
         job.level < levels && readNumber(std::string_view(index), job.number))
       jobs.push_back(std::move(job));
   }

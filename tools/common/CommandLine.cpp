@@ -136,6 +136,7 @@ namespace {
 
 std::vector<Option> handlesOf(const std::vector<CLI::Option *> &options) {
   std::vector<Option> handles;
+  handles.reserve(options.size());
   for (CLI::Option *option : options)
     handles.emplace_back(*option);
   return handles;
@@ -256,8 +257,10 @@ OptionGroup::~OptionGroup() { command_.app().option_defaults()->group(before_); 
 
 // What options are in our programs.
 
+// A type cannot stand in parentheses here. NOLINTBEGIN(bugprone-macro-parentheses)
 #define VOXC_OPTION_VALUE(Value)                                                                             \
   template Option CommandLine::add(const std::string &, Value &, const std::string &) const;
+// NOLINTEND(bugprone-macro-parentheses)
 VOXC_OPTION_VALUE(std::string)
 VOXC_OPTION_VALUE(std::vector<std::string>)
 VOXC_OPTION_VALUE(int)

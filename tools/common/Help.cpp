@@ -33,7 +33,7 @@ public:
   std::string make_help(const CLI::App *app, std::string name, CLI::AppFormatMode mode) const override {
     // A blank line between groups, where CLI11 prints two.
     std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
-    for (std::size_t at; (at = text.find("\n\n\n")) != text.npos;)
+    for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;)
       text.erase(at, 1);
     while (text.ends_with("\n\n"))
       text.pop_back();

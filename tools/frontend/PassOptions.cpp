@@ -21,7 +21,7 @@ std::string flagOf(const Pass &pass) { return "--" + std::string(pass.name); }
 bool isOfInput(const Pass &pass) { return std::string_view(kPointersOfInput).starts_with(pass.name); }
 
 std::string helpOf(const Pass &pass, PassChoice choice) {
-  const std::string summary(pass.summary);
+  std::string summary(pass.summary);
   if (!pass.number)
     return summary;
   return summary + "; =N is " + std::to_string(pass.number->least) + " to " +

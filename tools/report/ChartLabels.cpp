@@ -70,6 +70,7 @@ private:
   /// Names of one place each, nearest to the frontier first.
   void addOthers(const std::vector<const ChartPoint *> &others) {
     std::vector<LabelRequest> requests;
+    requests.reserve(others.size());
     for (const ChartPoint *point : others)
       requests.push_back(request(*point));
     std::size_t count = 0;

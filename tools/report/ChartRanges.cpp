@@ -56,6 +56,7 @@ void shareSpeeds(Ranges ranges) {
 
 std::vector<ChartRange> chartRanges(const Catalogue &catalogue) {
   std::vector<ChartRange> ranges;
+  ranges.reserve(catalogue.stages.size());
   for (const Stage &stage : catalogue.stages)
     ranges.push_back(ownRange(catalogue, stage));
   std::map<std::tuple<std::string, double>, Ranges> bySize;

@@ -59,6 +59,7 @@ std::vector<Prediction> predictionsOf(const Catalogue &catalogue, const Stage &s
 
 double medianError(const std::vector<Prediction> &predictions) {
   std::vector<double> errors;
+  errors.reserve(predictions.size());
   for (const Prediction &prediction : predictions)
     errors.push_back(prediction.error());
   std::ranges::sort(errors);

@@ -39,7 +39,7 @@ std::string formatText(const std::string &format, std::span<const std::string> p
 }
 
 std::string formatText(const Format &format) {
-  const std::string text = toString(format);
+  std::string text = toString(format);
   const Expected<Format> plain = parseFormat(text);
   if (plain && *plain == format)
     return text;

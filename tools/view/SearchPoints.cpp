@@ -37,6 +37,7 @@ double meanSeconds(const Times &times) {
 
 void markLeading(std::vector<SearchPoint> &points) {
   std::vector<report::SizeSpeed> places;
+  places.reserve(points.size());
   for (const SearchPoint &point : points)
     places.push_back({point.bytes, point.mraysPerS});
   const std::vector<bool> isOn = report::paretoFrontier(places);

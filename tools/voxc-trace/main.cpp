@@ -160,8 +160,8 @@ Expected<void> run(const CommandLine &command, const Options &options) {
   figures["upload_seconds"] = upload.seconds();
   RayTally tally;
   ProgressBar bar(options.common.quiet);
-  const auto done = options.rays.empty() ? takePicture(options, *volume, **tracer, tally, bar, figures)
-                                         : traceRays(options, **tracer, tally, bar.progress());
+  auto done = options.rays.empty() ? takePicture(options, *volume, **tracer, tally, bar, figures)
+                                   : traceRays(options, **tracer, tally, bar.progress());
   if (!done)
     return done;
   tally.addFigures(figures, device->info().name);

@@ -204,7 +204,7 @@ const ArtefactKind &findArtefact(const std::string &name) {
 
 std::string fileOf(const ArtefactKind &kind, const std::string &name) {
   std::string file = kind.file;
-  if (const std::size_t star = file.find('*'); star != file.npos)
+  if (const std::size_t star = file.find('*'); star != std::string::npos)
     file.replace(star, 1, name);
   return file;
 }

@@ -24,6 +24,7 @@ constexpr std::array kAddressings = {Addressing::Buffer, Addressing::Segments, A
 
 std::vector<std::string> addressingNames() {
   std::vector<std::string> names;
+  names.reserve(std::size(kAddressings));
   for (const Addressing addressing : kAddressings)
     names.emplace_back(toString(addressing));
   return names;

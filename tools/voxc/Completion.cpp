@@ -35,7 +35,7 @@ std::string scriptOf(std::string_view shell) {
 
 /// For bash and zsh, where a quote ends the text, stands by itself, and begins it anew.
 std::string quotedOfPosix(std::string text) {
-  for (std::size_t at = text.find('\''); at != text.npos; at = text.find('\'', at + 4))
+  for (std::size_t at = text.find('\''); at != std::string::npos; at = text.find('\'', at + 4))
     text.replace(at, 1, "'\\''");
   return "'" + text + "'";
 }
@@ -55,7 +55,12 @@ std::string caseText(const CompletionTable &table, std::string_view shell, std::
                      std::string_view end, std::string (*wordsOf)(const CompletionRow &row)) {
   std::string values, words;
   for (const auto &[name, text] : table.values)
-    values += (values.empty() ? "  " : "\n  ") + name + ") " + std::string(begin) + text + std::string(end);
+    values.append(values.empty() ? "  " : "\n  ")
+        .append(name)
+        .append(") ")
+        .append(begin)
+        .append(text)
+        .append(end);
   for (const CompletionRow &row : table.rows)
     words += (words.empty() ? "    '" : "\n    '") + row.path + "') " + std::string(begin) + wordsOf(row) +
              std::string(end);

@@ -53,7 +53,7 @@ Expected<VoxelEdit> parseClear(const std::string &text) { return parseBox(text);
 /// "BOX=COLOUR".
 Expected<VoxelEdit> parseFill(const std::string &text) {
   const std::size_t equals = text.find('=');
-  const auto colour = equals == text.npos ? std::nullopt : parseColour(text.substr(equals + 1));
+  const auto colour = equals == std::string::npos ? std::nullopt : parseColour(text.substr(equals + 1));
   if (!colour || *colour == 0)
     return Error::usage("'" + text +
                         "' fills nothing; write X0,Y0,Z0,X1,Y1,Z1=RRGGBB, or --clear to empty a box");
@@ -66,7 +66,8 @@ Expected<VoxelEdit> parseFill(const std::string &text) {
 /// "FILE.hvx@X,Y,Z".
 Expected<VoxelEdit> parsePaste(const std::string &text) {
   const std::size_t at = text.rfind('@');
-  const auto low = at == text.npos ? std::nullopt : parseInts<3>(std::string_view(text).substr(at + 1));
+  const auto low =
+      at == std::string::npos ? std::nullopt : parseInts<3>(std::string_view(text).substr(at + 1));
   if (!low)
     return Error::usage("'" + text + "' does not say where to; write FILE.hvx@X,Y,Z");
   Expected<Volume> volume = Volume::load(text.substr(0, at));

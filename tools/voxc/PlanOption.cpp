@@ -8,6 +8,7 @@ namespace voxc::tool {
 void PlanOption::declare(const CommandLine &command, const std::string &option, const std::string &summary,
                          const std::vector<std::string> &required, const std::vector<std::string> &allowed) {
   std::vector<Option> needless;
+  needless.reserve(required.size());
   for (const std::string &name : required)
     needless.push_back(command.option(name));
   const auto take = [this, needless](const std::string &path) {

@@ -30,6 +30,7 @@ constexpr double kExploringShare = 0.25;
 
 std::vector<std::string> namesOf(const std::vector<bench::RaySet> &sets) {
   std::vector<std::string> names;
+  names.reserve(sets.size());
   for (const bench::RaySet &set : sets)
     names.push_back(set.part.name);
   return names;
@@ -124,7 +125,7 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
     contestOptions.lastRounds = 0;
   Contest contest(race, *arena, *writer, contestOptions);
   contest.takeKnown(known_);
-  const Expected<void> measured = contest.run(progress_);
+  Expected<void> measured = contest.run(progress_);
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
   if ((!measured && (!isInterrupted || contest.findings().empty())) || options_.shares.share())
     return measured;

@@ -37,6 +37,7 @@ std::vector<std::string> ownArguments() {
 
 bool hasWindows() { return !findProgram().empty(); }
 
+// As with a window, which takes them over. NOLINTNEXTLINE(performance-unnecessary-value-param)
 Expected<void> runWindow(const std::string &, ViewerOptions, SceneMaker, EventLog &) {
   const std::filesystem::path program = findProgram();
   if (program.empty())
@@ -46,6 +47,7 @@ Expected<void> runWindow(const std::string &, ViewerOptions, SceneMaker, EventLo
         "hand; voxc render writes pictures without one");
   std::vector<std::string> arguments = ownArguments();
   std::vector<char *> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string &argument : arguments)
     pointers.push_back(argument.data());
   pointers.push_back(nullptr);

@@ -40,7 +40,7 @@ class InstancedTracer {
 public:
   /// `threads`: those that transform rays; 0: all of this processor. Errors (`Usage`): a tracer is null, or
   /// a matrix is not finite, has another last row than 0, 0, 0, 1, or has no inverse in float64.
-  static Expected<InstancedTracer> create(std::vector<Instance> instances, unsigned threads = 0);
+  static Expected<InstancedTracer> create(const std::vector<Instance> &instances, unsigned threads = 0);
 
   /// Traces rays[i] into hits[i]; both have the same size. Bounds mean the same in the world and in every
   /// instance, as t does. `options` go to each tracer; each of its repeats traces all. Errors: as of the

@@ -98,6 +98,7 @@ Expected<void> write(const ExportKind &kind, const Volume &volume, const std::st
 
 std::vector<ExportFormat> exportFormats() {
   std::vector<ExportFormat> formats;
+  formats.reserve(std::size(kKinds));
   for (const ExportKind &kind : kKinds)
     formats.push_back(kind.format);
   return formats;

@@ -9,7 +9,7 @@ namespace {
 std::string valuesOf(const Option &option) {
   const std::string type = option.value();
   std::string values = type.substr(0, type.find('='));
-  if (values.find('|') == values.npos || values.find_first_of("[:,. ") != values.npos)
+  if (values.find('|') == std::string::npos || values.find_first_of("[:,. ") != std::string::npos)
     return "";
   for (char &c : values)
     if (c == '|')

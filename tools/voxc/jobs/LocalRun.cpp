@@ -39,6 +39,7 @@ Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &miss
   std::mutex mutex;
   std::optional<Error> failure;
   std::vector<std::thread> threads;
+  threads.reserve(lists.size());
   for (const Numbers &list : lists)
     threads.emplace_back([&, numbers = cluster::numberListText(list)] {
       const auto report = runChild(jobs.command(level, numbers), Progress{{}, watch.progress.stop}, [] {});
@@ -75,7 +76,7 @@ Expected<void> runLocally(const Jobs &jobs, unsigned processes, const JobWatch &
   figures["missing"] = countOf(*missing);
   std::uint64_t rounds = 0;
   for (; countOf(*missing) > 0; ++rounds) {
-    const Expected<void> done = runLevels(jobs, *missing, processes, watch);
+    Expected<void> done = runLevels(jobs, *missing, processes, watch);
     if (!done && done.error().kind == ErrorKind::Interrupted)
       return done;
     auto left = jobs.missing();

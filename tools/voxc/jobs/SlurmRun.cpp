@@ -38,7 +38,7 @@ std::string commandLine(const Jobs &jobs, std::size_t level) {
   line += "exec " + quoted(std::filesystem::read_symlink("/proc/self/exe", ignored).string());
   for (const std::string &word : jobs.command(level, std::string(1, kMark))) {
     const std::size_t mark = word.find(kMark);
-    if (mark == word.npos) {
+    if (mark == std::string::npos) {
       line += " " + quoted(word);
       continue;
     }

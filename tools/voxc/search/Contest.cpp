@@ -60,6 +60,7 @@ std::vector<double> Contest::predict(std::size_t index) const {
   const RatedFormat &format = race_.formats()[index];
   const double correction = race_.expect(index).nanoseconds / format.time();
   std::vector<double> times;
+  times.reserve(format.nanoseconds.size());
   for (const double nanoseconds : format.nanoseconds)
     times.push_back(nanoseconds * correction);
   return times;

@@ -16,6 +16,7 @@ const std::map<std::string, Wish::Objective> kObjectives = {{"balanced", Wish::O
 void addObjectiveArgument(const CommandLine &command, std::string &objective, const std::string &what) {
   objective = "balanced";
   std::vector<std::string> names;
+  names.reserve(std::size(kObjectives));
   for (const auto &[name, meaning] : kObjectives)
     names.push_back(name);
   command

@@ -104,6 +104,7 @@ Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &li
 
 Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &names, unsigned threads) {
   std::vector<SweepDevice> devices;
+  devices.reserve(names.size());
   for (const std::string &name : names) {
     Tracing tracing;
     tracing.choose(name, threads);
@@ -122,6 +123,7 @@ Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &n
 
 std::vector<SweepDevice> namedDevices(const std::vector<std::string> &names, unsigned threads) {
   std::vector<SweepDevice> devices;
+  devices.reserve(names.size());
   for (const std::string &name : names)
     devices.push_back({name, {name, "", "", threads > 0 ? Count(threads) : std::nullopt, ""}});
   return devices;

@@ -103,6 +103,7 @@ Expected<std::vector<SharedSweep::Found>> SharedSweep::join() {
   for (const Record &record : *all)
     add(record, records);
   std::vector<Found> found;
+  found.reserve(cells_.cells.size());
   for (const std::string &cell : cells_.cells)
     found.push_back({records[cell], kept_.contains(cell)});
   return found;

@@ -29,6 +29,7 @@ std::string volumeOf(const Cell &cell) {
 std::vector<std::uint64_t> shareOfEach(const std::vector<Cell> &cells, std::uint64_t count) {
   std::map<std::string, std::uint64_t> volumes; // By their places in the order of cells.
   std::vector<std::uint64_t> shares;
+  shares.reserve(cells.size());
   for (const Cell &cell : cells)
     shares.push_back(volumes.emplace(volumeOf(cell), volumes.size()).first->second);
   for (std::uint64_t &share : shares)
