@@ -113,6 +113,8 @@ Expected<void> HardRaySweep::runScene(std::size_t scene, Int3 extent, const Indi
       break;
     if (Expected<void> traced = traceSet(set, *oracle, format); !traced)
       return traced;
+    if (size_.scenes == 1)
+      constructors_.clear(); // Each is asked once: nothing grows with the number of formats.
   }
   return {};
 }
