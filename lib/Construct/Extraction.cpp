@@ -161,7 +161,9 @@ Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
   const Placed below = cell(index, words_[at]);
   if (stratum.cells == Cells::Record)
     return record(index, at, below);
-  return {.at = block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1), .voxels = below.voxels};
+  const Ref leaf = block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1);
+  placed_.place(at, {.at = leaf, .voxels = below.voxels});
+  return {.at = leaf, .voxels = below.voxels};
 }
 
 Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {

@@ -109,6 +109,21 @@ TEST(Edit, CountsVoxelsOfNodesThatTwoLayersShare) {
   EXPECT_EQ(*counted, 9u);
 }
 
+/// Levels of one cell that stand below another, in parts that are copied as they are.
+TEST(Edit, CopiesLevelsOfOneCell) {
+  const auto source = makeBuiltinSource("terrain", 128);
+  for (const char *text :
+       {"G(7) G(0)", "S(7) S(0) G(0)", "R(4^3) G(3) G(0) S(0)", "R(3^3) G(4) G(0) M(0^3)"}) {
+    const Format format = *parseFormat(text);
+    const auto volume = buildVolume(format, **source);
+    const auto edited = Constructor::compile(format)->edit(volume, {VoxelEdit{{100, 2, 100}, {1, 1, 1}}});
+    ASSERT_TRUE(edited) << text << ": " << edited.error().message;
+    EXPECT_EQ(edited->volume.info().voxels,
+              volume->info().voxels - (volume->lookup({100, 2, 100}).value != 0))
+        << text;
+  }
+}
+
 TEST(Edit, WhatIsOutsideOfTheVolumeIsAnError) {
   const auto source = makeBuiltinSource("terrain", 16);
   const Format format = *parseFormat("R(2^3) G(2)");

@@ -29,7 +29,9 @@ std::vector<Hit> work(unsigned seed, const std::string &device) {
     auto built = constructor->build(*scene);
     EXPECT_TRUE(built) << built.error().message;
     const auto volume = std::make_shared<const Volume>(std::move(built->volume));
-    const auto emptied = constructor->edit(volume, std::vector{VoxelEdit{{0, 0, 0}, {2, 3, 4}, 0}});
+    const Int3 extent = format.extent();
+    const Int3 size{std::min(extent.x, 2), std::min(extent.y, 3), std::min(extent.z, 4)};
+    const auto emptied = constructor->edit(volume, std::vector{VoxelEdit{{0, 0, 0}, size, 0}});
     EXPECT_TRUE(emptied) << emptied.error().message;
     for (const Volume *traced : {&*volume, &emptied->volume}) {
       const auto tracer = openTracer(*traced, {.device = device, .threads = 2});
