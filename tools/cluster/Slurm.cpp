@@ -67,7 +67,7 @@ Expected<std::string> handOver(const std::vector<std::string> &words) {
 
 double secondsOfTime(std::string_view text) {
   double days = 0;
-  if (const std::size_t dash = text.find('-'); dash != std::string::npos) {
+  if (const std::size_t dash = text.find('-'); dash != std::string_view::npos) {
     if (!readNumber(text.substr(0, dash), days))
       return 0;
     text.remove_prefix(dash + 1);
