@@ -178,6 +178,7 @@ TEST(Granules, ReachPastTwoToThe32Words) {
 
 TEST(Granules, ReachPastTwoToThe32WordsInRandomFormats) {
   std::mt19937 random(31);
+  int reached = 0;
   for (int i = 0; i < rounds(4); ++i) {
     const Format format = randomFarGranules(random);
     const HardScene scene = sceneOf(format, random());
@@ -191,7 +192,9 @@ TEST(Granules, ReachPastTwoToThe32WordsInRandomFormats) {
     ASSERT_GT(volume->words().size(), std::uint64_t{1} << 32);
     expectVoxels(*volume, scene);
     expectExactOnCpu(*volume, scene);
+    ++reached;
   }
+  EXPECT_GT(reached, rounds(4) / 2) << "most scenes were without a voxel";
 }
 
 TEST(Granules, ReachPastTwoToThe32WordsOnVulkan) {
