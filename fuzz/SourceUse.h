@@ -10,13 +10,13 @@
 
 namespace voxc::fuzz {
 
+/// Ends where the source fails.
 inline void walk(VoxelSource &source, const Cube &cube, int &bricksLeft) {
   if (bricksLeft <= 0 || source.empty(cube))
     return;
   if (cube.log2Side == 3) {
     std::array<std::uint32_t, 512> words;
-    source.read(cube, words.data());
-    --bricksLeft;
+    bricksLeft = source.read(cube, words.data()) ? bricksLeft - 1 : 0;
     return;
   }
   const int half = cube.log2Side - 1;

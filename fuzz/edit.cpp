@@ -31,7 +31,8 @@ void readVoxels(VoxelSource &source, const Cube &cube) {
   std::array<std::uint32_t, 512> words;
   const int log2Brick = std::min(cube.log2Side, 3);
   for (std::uint64_t i = 0; i < cellCount(cube.log2Side - log2Brick); ++i) {
-    source.read({cube.low + mortonCell(i) * (1 << log2Brick), log2Brick}, words.data());
+    expect(static_cast<bool>(
+        source.read({cube.low + mortonCell(i) * (1 << log2Brick), log2Brick}, words.data())));
     sink = sink ^ words[i % cellCount(log2Brick)];
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace voxc;
 
-constexpr std::size_t kHeaderBytes = 168;
+constexpr std::size_t kHeaderBytes = 200;
 constexpr std::size_t kChecksumAt = 16;
 
 std::string withChecksum(std::string bytes) {
@@ -36,7 +36,8 @@ void join(FragmentSet &fragments, const std::shared_ptr<WorkingMemory> &memory) 
   const Layout layout = layoutOf(format);
   NodeStore store(std::move(*words), layout, memory);
   Splice splice(layout, store);
-  while (fragments.next() && !store.failure()) {
+  for (auto next = fragments.next(); !next.isEnd() && !next.failed() && !store.failure();
+       next = fragments.next()) {
     auto fragment = fragments.take();
     if (!fragment)
       return;

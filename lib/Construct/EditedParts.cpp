@@ -51,22 +51,22 @@ bool EditedParts::isTouched(const Cube &cube) const {
   return std::ranges::any_of(edits_, [&](const VoxelEdit &edit) { return edit.touches(cube); });
 }
 
-std::optional<Cube> EditedParts::next() {
+Next<Cube> EditedParts::next() {
   while (!ahead_) {
     const std::optional<Cube> cube = sequence_.next();
     if (!cube)
-      return std::nullopt;
+      return End{};
     const bool isBuilt = isTouched(*cube);
     Expected<Fragment> part =
         isBuilt ? builder_.build(*cube, progress_) : extraction_.cube(cube->low, cube->log2Side);
     if (part && isBuilt)
       builtVoxels_ += part->voxels;
     if (!part || !isEmpty(*part))
-      ahead_ = Ahead{*cube, std::move(part)};
+      ahead_ = std::move(part);
   }
-  return ahead_->cube;
+  return *ahead_ ? Next<Cube>((*ahead_)->cube) : ahead_->error();
 }
 
-Expected<Fragment> EditedParts::take() { return std::exchange(ahead_, std::nullopt)->part; }
+Expected<Fragment> EditedParts::take() { return *std::exchange(ahead_, std::nullopt); }
 
 } // namespace voxc

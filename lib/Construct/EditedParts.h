@@ -20,7 +20,7 @@ public:
   create(const Volume &volume, std::unique_ptr<VoxelSource> edited, std::span<const VoxelEdit> edits,
          const ConstructCode &code, const BuildOptions &options);
 
-  std::optional<Cube> next() override;
+  Next<Cube> next() override;
   Expected<Fragment> take() override;
 
   /// Voxels of the parts that were built anew so far.
@@ -37,12 +37,8 @@ private:
   PartBuilder builder_;
   PartSequence sequence_;
   const Progress &progress_;
-  /// The next part, once it was asked for: never an empty one, but maybe an error.
-  struct Ahead {
-    Cube cube;
-    Expected<Fragment> part;
-  };
-  std::optional<Ahead> ahead_;
+  /// The next part, once it was asked for: never an empty one, but maybe an error, which then stays.
+  std::optional<Expected<Fragment>> ahead_;
   std::uint64_t builtVoxels_ = 0;
 };
 

@@ -4,12 +4,13 @@
 #include "Fragment.h"
 
 #include "Volume/Checksum.h"
+#include "voxc/Construct/FragmentShare.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/Next.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,9 @@ namespace voxc {
 
 /// What all fragments of a volume agree on, and which one a file is.
 struct FragmentInfo {
-  VolumeInfo volume; ///< The number of voxels is the file's own.
-  int log2Side = 0;  ///< Of the smallest parts.
-  std::uint64_t index = 0;
-  std::uint64_t count = 1;
+  VolumeInfo volume;   ///< Of a file that is read, the number of voxels is that of its parts.
+  int log2Side = 0;    ///< Of the smallest parts, the cubes that `share` counts.
+  FragmentShare share; ///< What the file is to hold.
 };
 
 /// A part in a file: which cube, and how many bytes of memory it takes.
@@ -37,8 +37,9 @@ public:
 
   /// Adds the next part. Error: `Environment`.
   Expected<void> add(const Fragment &fragment);
-  /// Completes the file.
-  Expected<void> finish();
+  /// Completes the file, which has its name then. `looked`: how many cubes of its share were looked at, those
+  /// of its parts and empty ones. Errors: not all of them, and nothing is written; `Environment`.
+  Expected<void> finish(std::uint64_t looked);
 
 private:
   FragmentWriter(OutputFile file, FragmentInfo info);
@@ -48,6 +49,8 @@ private:
   FragmentInfo info_;
   std::unique_ptr<Checksum> sum_;
   std::uint64_t parts_ = 0;
+  std::uint64_t voxels_ = 0;
+  std::uint64_t bytes_ = 0;
 };
 
 /// Reads the parts of a file one after the other. Nothing in the file is believed.
@@ -60,8 +63,9 @@ public:
   const std::string &path() const { return path_; }
   std::span<const std::byte> bytes() const { return file_.bytes(); }
 
-  /// The cube of the next part, or nothing at the end.
-  std::optional<Cube> next() const;
+  /// The cube of the next part. Errors: it is not there, or at the end, the parts are not all that the file
+  /// is said to hold.
+  Next<Cube> next() const;
   /// All parts from the next one on, as far as their headers do not contradict the file.
   std::vector<PartPlace> places() const;
   /// That part. Error: it is broken.
@@ -75,6 +79,7 @@ private:
   FragmentInfo info_;
   std::uint64_t at_ = 0;        ///< Byte of the next part.
   std::uint64_t remaining_ = 0; ///< Parts.
+  std::uint64_t voxels_ = 0;    ///< Of the parts that were taken.
 };
 
 } // namespace voxc

@@ -1,6 +1,8 @@
 // Completeness and order of fragments.
 #include "FragmentSet.h"
 
+#include "PartBuilder.h"
+
 #include "Source/CubeTools.h"
 
 #include <algorithm>
@@ -10,36 +12,52 @@ namespace voxc {
 namespace {
 
 bool belongTogether(const FragmentInfo &a, const FragmentInfo &b) {
-  return a.count == b.count && a.log2Side == b.log2Side && a.volume.format == b.volume.format &&
+  return a.share.count == b.share.count && a.log2Side == b.log2Side && a.volume.format == b.volume.format &&
          a.volume.extent == b.volume.extent && a.volume.voxelToModel == b.volume.voxelToModel &&
          a.volume.provenance == b.volume.provenance;
+}
+
+/// Does the share of one fragment begin where that of the one before it ends?
+Expected<void> checkFollows(const FragmentReader &before, const FragmentReader &reader) {
+  const std::uint64_t end = before.info().share.end;
+  const std::uint64_t begin = reader.info().share.begin;
+  if (begin == end)
+    return {};
+  return Error::input("'" + before.path() + "' ends at cube " + std::to_string(end) +
+                      " of the volume, and '" + reader.path() + "' begins at " + std::to_string(begin) +
+                      ": " + (begin > end ? "there is a gap between them" : "they overlap"));
 }
 
 /// Files in the order of their indices: are they `begin`, `begin` + 1, ... of one volume?
 Expected<void> checkRun(const std::vector<FragmentReader> &readers, std::uint64_t begin) {
   const FragmentReader &first = readers.front();
-  const std::string of = " of " + std::to_string(first.info().count);
+  const std::string of = " of " + std::to_string(first.info().share.count);
   for (std::size_t i = 0; i < readers.size(); ++i) {
     const FragmentReader &reader = readers[i];
     if (!belongTogether(reader.info(), first.info()))
       return Error::input("'" + reader.path() + "' and '" + first.path() +
                           "' are fragments of different volumes");
-    if (i > 0 && reader.info().index == readers[i - 1].info().index)
+    if (i > 0 && reader.info().share.index == readers[i - 1].info().share.index)
       return Error::input("'" + reader.path() + "' and '" + readers[i - 1].path() +
-                          "' are the same fragment, " + std::to_string(reader.info().index) + of);
-    if (reader.info().index != begin + i)
+                          "' are the same fragment, " + std::to_string(reader.info().share.index) + of);
+    if (reader.info().share.index != begin + i)
       return Error::input("fragment " + std::to_string(begin + i) + of + " is missing");
+    if (i > 0)
+      if (auto follows = checkFollows(readers[i - 1], reader); !follows)
+        return follows;
   }
   return {};
 }
 
-/// True if a volume may have such a part: an aligned cube of a size that its layout allows.
+/// True if a fragment may have such a part: an aligned cube of a size that its layout allows, in its share.
 bool isPart(const Cube &cube, const FragmentInfo &info) {
   if (cube.log2Side < info.log2Side || cube.log2Side > kMaxLog2Extent ||
       layoutOf(info.volume.format).partSide(cube.log2Side) != cube.log2Side)
     return false;
   const int mask = (1 << cube.log2Side) - 1;
-  return contains(info.volume.extent, cube.low) && ((cube.low.x | cube.low.y | cube.low.z) & mask) == 0;
+  const std::uint64_t first = mortonCode(cube.low >> info.log2Side);
+  return contains(info.volume.extent, cube.low) && ((cube.low.x | cube.low.y | cube.low.z) & mask) == 0 &&
+         first >= info.share.begin && first + cellCount(cube.log2Side - info.log2Side) <= info.share.end;
 }
 
 /// True if the cells are some of those that the part covers in the grid of its level; a tree has none.
@@ -89,9 +107,9 @@ Expected<FragmentSet> FragmentSet::openRun(const std::vector<std::string> &paths
   }
   if (readers.empty())
     return Error::input("there is no fragment to merge");
-  std::ranges::sort(readers, {}, [](const FragmentReader &reader) { return reader.info().index; });
+  std::ranges::sort(readers, {}, [](const FragmentReader &reader) { return reader.info().share.index; });
   FragmentSet set(std::move(readers), memory);
-  if (auto checked = checkRun(set.readers_, set.info().index); !checked)
+  if (auto checked = checkRun(set.readers_, set.info().share.index); !checked)
     return checked.error();
   set.sumBytes();
   return set;
@@ -103,11 +121,23 @@ Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
   if (!set)
     return set;
   const FragmentInfo &first = set->info();
-  const std::uint64_t missing = first.index > 0 ? 0 : set->readers_.size();
-  if (missing < first.count)
-    return Error::input("fragment " + std::to_string(missing) + " of " + std::to_string(first.count) +
+  const std::uint64_t missing = first.share.index > 0 ? 0 : set->readers_.size();
+  if (missing < first.share.count)
+    return Error::input("fragment " + std::to_string(missing) + " of " + std::to_string(first.share.count) +
                         " is missing");
+  const std::uint64_t all =
+      PartGrid::of(first.volume.extent, layoutOf(first.volume.format), first.log2Side).count();
+  if (set->cubes() != std::pair(std::uint64_t{0}, all))
+    return Error::input("the fragments have the cubes " + std::to_string(set->cubes().first) + " to " +
+                        std::to_string(set->cubes().second) + " of a volume of " + std::to_string(all));
   return set;
+}
+
+std::uint64_t FragmentSet::voxels() const {
+  std::uint64_t sum = 0;
+  for (const FragmentReader &reader : readers_)
+    sum += reader.info().volume.voxels;
+  return sum;
 }
 
 void FragmentSet::sumBytes() {
@@ -134,17 +164,15 @@ FragmentSet::~FragmentSet() {
     memory_->unwatch(reader.bytes());
 }
 
-std::optional<Cube> FragmentSet::next() {
-  while (current_ < readers_.size()) {
-    if (const auto cube = readers_[current_].next())
+Next<Cube> FragmentSet::next() {
+  for (; current_ < readers_.size(); ++current_)
+    if (auto cube = readers_[current_].next(); !cube.isEnd())
       return cube;
-    ++current_;
-  }
-  return std::nullopt;
+  return End{};
 }
 
 Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
-  if (!isPart(fragment.cube, info()) || mortonCode(fragment.cube.low) < endOfLast_)
+  if (!isPart(fragment.cube, readers_[current_].info()) || mortonCode(fragment.cube.low) < endOfLast_)
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
   if (!coversCells(fragment, layoutOf(info().volume.format)))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");

@@ -11,7 +11,7 @@ namespace voxc {
 class FragmentSet final : public PartStream {
 public:
   /// Opens all fragments of a volume, in any order. Errors (`Input`): one is broken, belongs to another
-  /// volume, is there twice or is missing.
+  /// volume, is there twice or is missing; their shares leave a gap or overlap.
   static Expected<FragmentSet> open(const std::vector<std::string> &paths,
                                     const std::shared_ptr<WorkingMemory> &memory);
   /// The same for some that follow one another.
@@ -20,10 +20,16 @@ public:
   ~FragmentSet() override;
   FragmentSet(FragmentSet &&) noexcept = default;
 
-  /// Of any of them: they agree but for the index.
+  /// Of any of them: they agree but for their shares and voxels.
   const FragmentInfo &info() const { return readers_.front().info(); }
+  /// The cubes [first, second) of all of them together.
+  std::pair<std::uint64_t, std::uint64_t> cubes() const {
+    return {info().share.begin, readers_.back().info().share.end};
+  }
+  /// The voxels of all of them, as their heads say; the stream has no end where its parts have others.
+  std::uint64_t voxels() const;
 
-  std::optional<Cube> next() override;
+  Next<Cube> next() override;
   Expected<Fragment> take() override;
   /// Bytes of the parts in a cube, those that were taken among them.
   std::uint64_t bytesIn(const Cube &cube) const;

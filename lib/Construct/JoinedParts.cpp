@@ -35,16 +35,18 @@ Expected<JoinedParts> JoinedParts::create(FragmentSet &stream, const ConstructCo
 }
 
 Expected<Fragment> JoinedParts::join(const Cube &cube, const Progress &progress) {
-  if (stream_.next() && stream_.next()->log2Side == cube.log2Side)
+  const auto next = stream_.next();
+  if (next.failed())
+    return next.error();
+  if (!next.isEnd() && next->log2Side == cube.log2Side)
     return stream_.take();
   Fragment fragment;
   fragment.cube = cube;
   store_->clear();
   store_->logTo(&fragment.blocks);
   JoinHost host(stream_, *layout_, *store_, progress, fragment);
-  code_.part(&host.interface(), cube.low.x, cube.low.y, cube.low.z, cube.log2Side);
-  if (store_->failure())
-    return *store_->failure();
+  if (auto built = code_.part(host, cube); !built)
+    return built.error();
   keepWords(*store_, fragment);
   fragment.voxels = host.voxels();
   fragment.colour = host.colour();

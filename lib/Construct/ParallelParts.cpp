@@ -2,6 +2,8 @@
 #include "ParallelParts.h"
 
 #include <algorithm>
+#include <new>
+#include <string>
 #include <system_error>
 
 namespace voxc {
@@ -9,12 +11,12 @@ namespace voxc {
 Expected<std::unique_ptr<ParallelParts>>
 ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const Format &format,
                      const PartGrid &grid, std::uint64_t begin, std::uint64_t end, unsigned threads,
-                     const std::shared_ptr<WorkingMemory> &memory, const std::atomic<bool> *stop) {
+                     const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
   auto view = source.view();
   if (!view)
     return Error::input("this input can be read by one thread only");
-  std::unique_ptr<ParallelParts> parts(new ParallelParts(std::move(view), grid, begin, end, threads));
-  parts->stop_.stop = stop;
+  std::unique_ptr<ParallelParts> parts(
+      new ParallelParts(std::move(view), grid, begin, end, threads, progress));
   std::vector<PartBuilder> builders;
   for (unsigned i = 0; i < threads; ++i) {
     auto builder = PartBuilder::create(source.view(), code, format, memory);
@@ -62,9 +64,20 @@ std::optional<ParallelParts::Job> ParallelParts::nextJob() {
   return std::nullopt;
 }
 
+/// A thread that ends by an exception would end the process; what it was to do is never taken for done.
 void ParallelParts::work(PartBuilder builder) {
+  try {
+    buildAll(builder);
+  } catch (const std::bad_alloc &) {
+    const std::lock_guard lock(mutex_);
+    failure_ = Error::environment("out of memory");
+    changed_.notify_all();
+  }
+}
+
+void ParallelParts::buildAll(PartBuilder &builder) {
   while (const auto job = nextJob()) {
-    auto fragment = builder.build(job->cube, stop_);
+    auto fragment = builder.build(job->cube, progress_);
     const std::lock_guard lock(mutex_);
     if (!fragment) // What follows will not be taken.
       end_ = std::min(end_.value_or(job->number + 1), job->number + 1);
@@ -73,11 +86,24 @@ void ParallelParts::work(PartBuilder builder) {
   }
 }
 
-std::optional<Cube> ParallelParts::next() {
+Next<Cube> ParallelParts::next() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return built_.contains(taken_) || (end_ && taken_ >= *end_); });
-  const auto found = built_.find(taken_);
-  return found == built_.end() ? std::nullopt : std::optional(found->second.cube);
+  changed_.wait(lock, [&] { return built_.contains(taken_) || failure_ || (end_ && taken_ >= *end_); });
+  if (const auto found = built_.find(taken_); found != built_.end()) {
+    const auto &[cube, fragment] = found->second;
+    return fragment ? Next<Cube>(cube) : fragment.error();
+  }
+  if (failure_)
+    return *failure_;
+  if (sequence_.looked() != share_)
+    return Error::environment("of " + std::to_string(share_) + " cubes only " +
+                              std::to_string(sequence_.looked()) + " were looked at");
+  return End{};
+}
+
+std::uint64_t ParallelParts::looked() {
+  const std::lock_guard lock(mutex_);
+  return sequence_.looked();
 }
 
 Expected<Fragment> ParallelParts::take() {

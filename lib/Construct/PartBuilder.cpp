@@ -67,26 +67,36 @@ PartSequence::PartSequence(const PartGrid &grid, std::uint64_t begin, std::uint6
 bool PartSequence::isPart(const Cube &cube) const {
   if (cube.log2Side == grid_.log2Side)
     return true;
-  const std::uint64_t first = grid_.index(cube.low);
-  const std::uint64_t count = cellCount(cube.log2Side - grid_.log2Side);
-  return grid_.allows(cube.log2Side) && first >= begin_ && first + count <= end_ &&
+  return grid_.allows(cube.log2Side) && countInRange(cube) == countOf(cube) &&
          !(isTooLarge_ && isTooLarge_(cube));
 }
 
-bool PartSequence::isExcluded(const Cube &cube) const {
-  const std::uint64_t first = grid_.index(cube.low);
-  const std::uint64_t count = cellCount(cube.log2Side - grid_.log2Side);
-  return first >= end_ || first + count <= begin_ || isEmpty_(cube);
+std::uint64_t PartSequence::countOf(const Cube &cube) const {
+  return cellCount(cube.log2Side - grid_.log2Side);
+}
+
+/// How many of the smallest parts in [begin, end) a cube covers.
+std::uint64_t PartSequence::countInRange(const Cube &cube) const {
+  const std::uint64_t first = std::max(grid_.index(cube.low), begin_);
+  const std::uint64_t last = std::min(grid_.index(cube.low) + countOf(cube), end_);
+  return last > first ? last - first : 0;
 }
 
 std::optional<Cube> PartSequence::next() {
   while (!ahead_.empty()) {
     const Cube cube = ahead_.back();
     ahead_.pop_back();
-    if (isExcluded(cube))
+    const std::uint64_t count = countInRange(cube);
+    if (count == 0)
       continue;
-    if (isPart(cube))
+    if (isEmpty_(cube)) {
+      looked_ += count;
+      continue;
+    }
+    if (isPart(cube)) {
+      looked_ += count;
       return cube;
+    }
     const int log2Side = cube.log2Side - 1;
     for (int child = 8; child-- > 0;)
       ahead_.push_back({cube.low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << log2Side), log2Side});
@@ -124,9 +134,8 @@ Expected<Fragment> PartBuilder::build(const Cube &cube, const Progress &progress
   store_->clear();
   store_->logTo(&fragment.blocks);
   PartHost host(*source_, *store_, facts_, progress, fragment);
-  code_.part(&host.interface(), cube.low.x, cube.low.y, cube.low.z, cube.log2Side);
-  if (store_->failure())
-    return *store_->failure();
+  if (auto built = code_.part(host, cube); !built)
+    return built.error();
   keepWords(*store_, fragment);
   fragment.voxels = host.voxels();
   fragment.colour = host.colour();

@@ -1,6 +1,7 @@
 // Building parts: which cubes there are, and one of them at a time.
 #pragma once
 
+#include "ConstructCode.h"
 #include "Fragment.h"
 
 #include "voxc/Source/VoxelSource.h"
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace voxc {
-
-/// The generated code, as functions.
-struct ConstructCode {
-  std::uint32_t (*whole)(const construct::Host *host);
-  void (*part)(const construct::Host *host, int x, int y, int z, int log2Side);
-};
 
 /// How a volume is cut into parts: aligned cubes. Those of the smallest size are numbered in Morton order; a
 /// larger one stands for all that it covers.
@@ -45,16 +40,21 @@ class PartSequence {
 public:
   using Test = std::function<bool(const Cube &)>;
 
-  /// `isEmpty`: true only of a cube that holds nothing. `isTooLarge`: of one that shall be cut further, if it
-  /// can be; null: of none. Both are asked for cubes whose Morton codes never fall.
+  /// `isEmpty`: true only of a cube that is known to hold nothing. `isTooLarge`: of one that shall be cut
+  /// further, if it can be; null: of none. Both are asked for cubes whose Morton codes never fall.
   PartSequence(const PartGrid &grid, std::uint64_t begin, std::uint64_t end, Test isEmpty,
                Test isTooLarge = {});
 
   std::optional<Cube> next();
 
+  /// How many of the smallest parts were given, as they are or in larger ones, or found to be empty: all of
+  /// [begin, end) at the end.
+  std::uint64_t looked() const { return looked_; }
+
 private:
   bool isPart(const Cube &cube) const;
-  bool isExcluded(const Cube &cube) const;
+  std::uint64_t countOf(const Cube &cube) const;
+  std::uint64_t countInRange(const Cube &cube) const;
 
   PartGrid grid_;
   std::uint64_t begin_;
@@ -62,6 +62,7 @@ private:
   Test isEmpty_;
   Test isTooLarge_;
   std::vector<Cube> ahead_; ///< The next is the last.
+  std::uint64_t looked_ = 0;
 };
 
 /// The layout of parts: their references count words, whatever those of the volume will.

@@ -5,8 +5,15 @@
 
 namespace voxc {
 
-bool MergeHost::isEmpty(const Cube &cube) {
+std::optional<Cube> MergeHost::lookAhead() {
   const auto next = parts_.next();
+  if (next.failed())
+    store().fail(next.error());
+  return next.failed() || next.isEnd() ? std::nullopt : std::optional(*next);
+}
+
+bool MergeHost::isEmpty(const Cube &cube) {
+  const auto next = lookAhead();
   if (!next || mortonCode(next->low) - mortonCode(cube.low) >= cellCount(cube.log2Side))
     return true;
   setPartSide(next->log2Side);

@@ -6,6 +6,8 @@
 #include "Fragment.h"
 #include "SourceHost.h"
 
+#include "voxc/Support/Next.h"
+
 #include <optional>
 #include <span>
 
@@ -16,9 +18,10 @@ class PartStream {
 public:
   virtual ~PartStream() = default;
 
-  /// The cube of the next part that holds anything, or nothing at the end; waits until it is known.
-  virtual std::optional<Cube> next() = 0;
-  /// That part; may be called once for each `next`. Errors end the work.
+  /// The cube of the next part that holds anything; waits until it is known. The end comes only when all that
+  /// the stream has to give was looked at. Errors: why the stream stopped before.
+  virtual Next<Cube> next() = 0;
+  /// That part; may be called once for each `next` that gave a cube. Errors end the work.
   virtual Expected<Fragment> take() = 0;
 };
 
@@ -30,7 +33,7 @@ public:
   MergeHost(PartStream &parts, const Layout &layout, Int3 extent, NodeStore &store, const Progress &progress)
       : BuildHost(store), parts_(parts), layout_(layout), splice_(layout, store),
         colours_(layout.voxelFacts()), progress_(extent, progress) {
-    if (const auto first = parts.next())
+    if (const auto first = lookAhead())
       setPartSide(first->log2Side);
   }
 
@@ -47,6 +50,8 @@ protected:
   virtual void putValues(std::span<const std::uint32_t> values) = 0;
 
 private:
+  /// The cube of the next part; none at the end or after a failure, which the store then has.
+  std::optional<Cube> lookAhead();
   void proveColours(Int3 low);
 
   PartStream &parts_;

@@ -46,7 +46,10 @@ void SourceHost::proveColours(Int3 low, const std::uint32_t *voxels) {
 }
 
 void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
-  source_.read({low, construct::kLog2Brick}, voxels);
+  if (auto done = source_.read({low, construct::kLog2Brick}, voxels); !done) {
+    std::fill_n(voxels, 512, 0u);
+    return store().fail(done.error());
+  }
   if (facts_.alpha == Alpha::Positive)
     proveAlpha(low, voxels);
   if (colours_.isStated())
@@ -54,8 +57,6 @@ void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
   if (!kindOf(facts_.payload).varies)
     std::replace_if(voxels, voxels + 512, [](std::uint32_t word) { return word != 0; }, kOccupied);
   voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
-  if (auto error = source_.failure())
-    store().fail(*error);
   if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());
 }

@@ -26,13 +26,14 @@ Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std
   const Stopwatch watch;
   const PartGrid grid = PartGrid::of(volume.info().extent, volume.layout(), kLog2Part);
   const auto [begin, end] = grid.range(index, count);
-  auto writer = FragmentWriter::create(path, {volume.info(), grid.log2Side, index, count});
+  auto writer = FragmentWriter::create(path, {volume.info(), grid.log2Side, {index, count, begin, end}});
   if (!writer)
     return writer.error();
   Extraction extraction(volume.words(), volume.layout());
   BuildReport report;
   MortonProgress steps(volume.info().extent, progress);
-  for (std::uint64_t part = begin; part < end; ++part) {
+  std::uint64_t part = begin;
+  for (; part < end; ++part) {
     const Int3 low = mortonCell(part) * (1 << grid.log2Side);
     if (!steps.at(low, report.voxels))
       return Error::interrupted();
@@ -43,7 +44,7 @@ Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std
       return added.error();
     report.voxels += fragment.voxels;
   }
-  if (auto finished = writer->finish(); !finished)
+  if (auto finished = writer->finish(part - begin); !finished)
     return finished.error();
   report.seconds = watch.seconds();
   report.cpuSeconds = watch.cpuSeconds();

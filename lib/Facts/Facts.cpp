@@ -32,8 +32,6 @@ public:
 
   Expected<Facts> run() {
     read({{0, 0, 0}, std::max(log2Extent_, Brick::kLog2Side)});
-    if (!error_)
-      error_ = source_.failure();
     if (error_)
       return *error_;
     return facts();
@@ -69,7 +67,10 @@ private:
 
   Part readBrick(const Cube &cube) {
     brick_.low = cube.low;
-    source_.read(cube, brick_.words.data());
+    if (auto done = source_.read(cube, brick_.words.data()); !done) {
+      error_ = done.error();
+      return {};
+    }
     if (bricks_++ % kBricksBetweenReports == 0)
       report();
     if (!brick_.findBits())
@@ -84,7 +85,6 @@ private:
   void report() {
     const double codes = static_cast<double>(std::uint64_t{1} << 3 * log2Extent_);
     progress_.at("measure", static_cast<double>(mortonCode(brick_.low)) / codes, heights_.facts(0).occupied);
-    error_ = source_.failure();
   }
 
   Facts facts() {

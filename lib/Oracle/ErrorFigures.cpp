@@ -183,7 +183,7 @@ void ErrorFigures::append(const ErrorFigures &further) {
 ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> exact,
                      std::span<const Hit> hits, const Question &question) {
   std::vector<ErrorFigures> parts(rangeCount(rays.size()));
-  forEachRange(rays.size(), 0, {}, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  forEachRange(rays.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     Comparison comparison(oracle, question);
     for (std::size_t i = begin; i < end; ++i)
       comparison.add(rays[i], rays.bounds(i), exact[i], hits[i]);

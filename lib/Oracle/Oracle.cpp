@@ -28,34 +28,33 @@ public:
       : source_(source), runs_(runs), progress_(progress) {}
 
   Expected<void> read() {
-    readCube({{0, 0, 0}, std::max(log2BoundingSide(source_.extent()), kLog2Brick)});
-    if (const std::optional<Error> failure = source_.failure())
-      return *failure;
-    if (progress_.stopped())
-      return Error::interrupted();
-    return isFull() ? Expected<void>(tooManyRuns()) : Expected<void>();
+    return readCube({{0, 0, 0}, std::max(log2BoundingSide(source_.extent()), kLog2Brick)});
   }
 
 private:
   static constexpr int kLog2Brick = 3;
 
-  bool isFull() const { return runs_.size() >= kMaxRuns; }
-
-  void readCube(const Cube &cube) {
-    if (isFull() || progress_.stopped() || source_.empty(cube))
-      return;
+  Expected<void> readCube(const Cube &cube) {
+    if (progress_.stopped())
+      return Error::interrupted();
+    if (source_.empty(cube))
+      return {};
     if (cube.log2Side == kLog2Brick)
       return readBrick(cube);
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8; ++child)
-      readCube({cube.low + mortonCell(child) * (1 << half), half});
+      if (auto done = readCube({cube.low + mortonCell(child) * (1 << half), half}); !done)
+        return done;
+    return {};
   }
 
-  void readBrick(const Cube &brick) {
-    source_.read(brick, words_.data());
+  Expected<void> readBrick(const Cube &brick) {
+    if (auto done = source_.read(brick, words_.data()); !done)
+      return done;
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i] != 0)
         runs_.add({brick.low + mortonCell(i), 0}, words_[i]);
+    return runs_.size() >= kMaxRuns ? Expected<void>(tooManyRuns()) : Expected<void>();
   }
 
   VoxelSource &source_;
@@ -123,8 +122,8 @@ Expected<std::vector<Hit>> Oracle::trace(RaySpan rays, unsigned threads, const P
     for (std::size_t i = begin; i < end; ++i)
       hits[i] = trace(rays[i], rays.bounds(i));
   };
-  if (!forEachRange(rays.size(), threads, progress, traceRange))
-    return Error::interrupted();
+  if (auto traced = forEachRange(rays.size(), threads, progress, traceRange); !traced)
+    return traced.error();
   return hits;
 }
 

@@ -4,7 +4,7 @@
 #include "Support/ParallelFor.h"
 
 #include <algorithm>
-#include <atomic>
+#include <thread>
 
 namespace voxc {
 
@@ -16,23 +16,30 @@ constexpr std::size_t kRange = 4096;
 
 std::size_t rangeCount(std::size_t count) { return (count + kRange - 1) / kRange; }
 
-bool forEachRange(std::size_t count, unsigned threads, const Progress &progress,
-                  const std::function<void(std::size_t, std::size_t, std::size_t)> &work) {
+namespace {
+
+void workOn(std::size_t range, std::size_t count, const RangeWork &work) {
+  work(range, range * kRange, std::min(count, (range + 1) * kRange));
+}
+
+} // namespace
+
+Expected<void> forEachRange(std::size_t count, unsigned threads, const Progress &progress,
+                            const RangeWork &work) {
   const std::size_t ranges = rangeCount(count);
-  const std::uint64_t helping =
-      std::min<std::uint64_t>(threadsOrAll(threads), std::max<std::size_t>(ranges, 1)) - 1;
-  std::atomic<std::size_t> next = 0;
-  const auto takeRanges = [&](bool reports) {
-    for (std::size_t range; !progress.stopped() && (range = next++) < ranges;) {
-      work(range, range * kRange, std::min(count, (range + 1) * kRange));
-      if (reports)
-        progress.at("exact hits", static_cast<double>(range) / static_cast<double>(ranges), range * kRange);
-    }
-  };
-  auto helpers = startHelpers(helping, [&] { takeRanges(false); });
-  takeRanges(true);
-  helpers.clear(); // Joins them.
-  return !progress.stopped();
+  const auto caller = std::this_thread::get_id();
+  return parallelTry(ranges, threads, [&](std::uint64_t range) -> Expected<void> {
+    if (progress.stopped())
+      return Error::interrupted();
+    workOn(range, count, work);
+    if (std::this_thread::get_id() == caller)
+      progress.at("exact hits", static_cast<double>(range) / static_cast<double>(ranges), range * kRange);
+    return {};
+  });
+}
+
+void forEachRange(std::size_t count, const RangeWork &work) {
+  parallelFor(rangeCount(count), 0, [&](std::uint64_t range) { workOn(range, count, work); });
 }
 
 } // namespace voxc

@@ -48,21 +48,20 @@ private:
   bool isMap() const { return !kind_.unit.empty(); }
   bool isSmooth() const { return options_.isSmooth && kind_.needsNormals; }
   bool isSpread() const { return samples_ < kManySamples; }
-  bool isStopped() const { return options_.progress.stopped(); }
   TraceOptions traceOptions() const;
   /// Calls `work(row)` for each of so many rows, on threads; not for all of them once it is to stop.
-  void forRows(int rows, FunctionRef<void(int row)> work) const;
+  Expected<void> forRows(int rows, FunctionRef<void(int row)> work) const;
 
   Expected<void> expose(Film &film, unsigned sample);
-  void gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
+  Expected<void> gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
   void gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const;
   Expected<void> light(Film &film, unsigned sample, const std::vector<Hit> &hits);
   Expected<void> lightBySun(Film &film, const std::vector<Hit> &hits);
   Expected<void> lightBySky(Film &film, unsigned sample, const std::vector<Hit> &hits);
   void finishDistances();
-  void develop(const Film &film, int first, int rows);
-  void finish();
-  void finishMap();
+  Expected<void> develop(const Film &film, int first, int rows);
+  Expected<void> finish();
+  Expected<void> finishMap();
 
   const Volume &volume_;
   const Camera &camera_;
@@ -87,14 +86,16 @@ TraceOptions Renderer::traceOptions() const {
   for (int axis = 0; axis < 3; ++axis)
     options.coarse.from[axis] = float(camera_.eye[axis]);
   options.coarse.spread = float(options_.coarse * pixelSpread(camera_));
-  options.progress.stop = options_.progress.stop;
+  options.progress = options_.progress.silent();
   return options;
 }
 
-void Renderer::forRows(int rows, FunctionRef<void(int row)> work) const {
-  parallelFor(std::uint64_t(rows), options_.threads, [&](std::uint64_t row) {
-    if (!isStopped())
-      work(int(row));
+Expected<void> Renderer::forRows(int rows, FunctionRef<void(int row)> work) const {
+  return parallelTry(std::uint64_t(rows), options_.threads, [&](std::uint64_t row) -> Expected<void> {
+    if (options_.progress.stopped())
+      return Error::interrupted();
+    work(int(row));
+    return {};
   });
 }
 
@@ -114,15 +115,16 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
   if (isSmooth() && !options_.isDraft)
     if (Expected<void> learned = normals_->learn(hits, options_.progress); !learned)
       return learned;
-  gather(film, rays, hits);
+  if (Expected<void> gathered = gather(film, rays, hits); !gathered)
+    return gathered;
   return kind_.isLit ? light(film, sample, hits) : Expected<void>();
 }
 
-void Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+Expected<void> Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
   surfaces_.resize(rays.size());
   // Colours of faces are those of a screen already.
   const Picture faces = options_.style == Style::Flat ? shade(rays, hits, film.width, film.rows) : Picture{};
-  forRows(film.rows, [&](int row) {
+  return forRows(film.rows, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(film.width);
     for (std::size_t i = first; i < first + std::size_t(film.width); ++i) {
       FilmPixel &pixel = film.pixels[i];
@@ -220,8 +222,8 @@ Expected<void> Renderer::lightBySky(Film &film, unsigned sample, const std::vect
 }
 
 /// Writes the light of some rows of a band into the result.
-void Renderer::develop(const Film &film, int first, int rows) {
-  forRows(rows, [&](int offset) {
+Expected<void> Renderer::develop(const Film &film, int first, int rows) {
+  return forRows(rows, [&](int offset) {
     const int row = first + offset;
     const std::vector<float> sky =
         kind_.isLit ? skyShares(film, row, isSpread()) : std::vector<float>(std::size_t(film.width));
@@ -249,18 +251,19 @@ void Renderer::finishDistances() {
   result_.middle = *middle;
 }
 
-void Renderer::finishMap() {
+Expected<void> Renderer::finishMap() {
   std::vector<float> values(backdrop_.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = result_.light[4 * i];
   result_.picture =
       mapPicture(values, camera_.width, camera_.height, kind_.unit, options_.style == Style::Depth);
+  return {};
 }
 
-void Renderer::finish() {
+Expected<void> Renderer::finish() {
   result_.exposure = options_.style == Style::Lit ? exposureOf(result_.light) : 1;
   result_.picture = {camera_.width, camera_.height, std::vector<std::uint32_t>(backdrop_.size())};
-  forRows(camera_.height, [&](int row) {
+  return forRows(camera_.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(camera_.width);
     for (std::size_t i = first; i < first + std::size_t(camera_.width); ++i) {
       const float *const light = &result_.light[4 * i];
@@ -290,14 +293,12 @@ Expected<Rendering> Renderer::run() {
       if (Expected<void> exposed = expose(film, sample); !exposed)
         return exposed.error();
     }
-    develop(film, row, rows);
-    if (isStopped())
-      return Error::interrupted();
+    if (Expected<void> developed = develop(film, row, rows); !developed)
+      return developed.error();
   }
   finishDistances();
-  isMap() ? finishMap() : finish();
-  if (isStopped())
-    return Error::interrupted();
+  if (Expected<void> finished = isMap() ? finishMap() : finish(); !finished)
+    return finished.error();
   return std::move(result_);
 }
 

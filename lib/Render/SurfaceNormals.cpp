@@ -58,29 +58,30 @@ Expected<void> SurfaceNormals::learn(std::span<const Hit> hits, const Progress &
   std::ranges::sort(codes);
   codes.erase(std::ranges::unique(codes).begin(), codes.end());
   std::vector<std::optional<SurfaceNormal>> found(codes.size());
-  std::vector<std::optional<Error>> problems((codes.size() + kChunk - 1) / kChunk);
   std::atomic<std::uint64_t> pagesRead = 0;
-  parallelFor(problems.size(), threads_, [&](std::uint64_t chunk) {
-    Occupancy occupancy(reader());
-    const std::size_t first = std::size_t(chunk) * kChunk;
-    std::optional<Error> &problem = problems[std::size_t(chunk)];
-    for (std::size_t i = first; i < std::min(first + kChunk, codes.size()) && !progress.stopped(); ++i) {
+  const auto learnChunk = [&](Occupancy &occupancy, std::size_t first) -> Expected<void> {
+    for (std::size_t i = first; i < std::min(first + kChunk, codes.size()); ++i) {
+      if (progress.stopped())
+        return Error::interrupted();
       const SurfaceNormal normal = normalOf(occupancy.around(mortonCell(codes[i])));
-      problem = occupancy.reader().problem();
-      if (problem)
-        break;
+      if (const auto &problem = occupancy.reader().problem())
+        return *problem;
       found[i] = normal;
     }
-    pagesRead += occupancy.reader().pagesRead();
-  });
+    return {};
+  };
+  const auto learned =
+      parallelTry((codes.size() + kChunk - 1) / kChunk, threads_, [&](std::uint64_t chunk) -> Expected<void> {
+        Occupancy occupancy(reader());
+        auto done = learnChunk(occupancy, std::size_t(chunk) * kChunk);
+        pagesRead += occupancy.reader().pagesRead();
+        return done;
+      });
   pagesRead_ += pagesRead;
   for (std::size_t i = 0; i < codes.size(); ++i)
     if (found[i])
       normals_.emplace(codes[i], *found[i]);
-  for (const std::optional<Error> &problem : problems)
-    if (problem)
-      return *problem;
-  return progress.stopped() ? Error::interrupted() : Expected<void>();
+  return learned;
 }
 
 ShapeReader SurfaceNormals::reader() const {

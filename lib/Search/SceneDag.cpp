@@ -80,8 +80,6 @@ public:
     dag_.layers_.resize(static_cast<std::size_t>(log2Side) + 1);
     tables_.resize(dag_.layers_.size());
     read({{0, 0, 0}, log2Side});
-    if (!error_)
-      error_ = source_.failure();
     if (error_)
       return *error_;
     dag_.countOccurrences();
@@ -105,7 +103,10 @@ private:
   std::uint32_t readBrick(const Cube &cube) {
     if (bricks_++ % kBricksBetweenReports == 0)
       report(cube);
-    source_.read(cube, voxels_.data());
+    if (auto done = source_.read(cube, voxels_.data()); !done) {
+      error_ = error_ ? error_ : done.error();
+      return kEmpty;
+    }
     if (options_.look)
       options_.look(voxels_);
     return ofVoxels(voxels_.data(), kLog2Brick);
@@ -153,8 +154,8 @@ private:
   void report(const Cube &cube) {
     const double codes = static_cast<double>(std::uint64_t{1} << 3 * dag_.log2Side());
     progress_.at("read", static_cast<double>(mortonCode(cube.low)) / codes);
-    if (!error_)
-      error_ = progress_.stopped() ? Error::interrupted() : source_.failure();
+    if (!error_ && progress_.stopped())
+      error_ = Error::interrupted();
   }
 
   VoxelSource &source_;

@@ -25,10 +25,11 @@ public:
     return !find(cube);
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     std::fill_n(words, std::size_t{1} << 3 * cube.log2Side, 0u);
     if (const auto number = find(cube))
       write(cube.log2Side, *number, words);
+    return {};
   }
 
 private:

@@ -24,10 +24,11 @@ public:
   bool empty(const Cube &cube) override {
     if (cube.log2Side >= bins_->log2Chunk())
       return bins_->empty(cube);
-    return sortedVoxels(cube).empty();
+    const auto voxels = sortedVoxels(cube);
+    return voxels && voxels->empty();
   }
 
-  std::span<const CodedVoxel> voxels(Int3 chunk) override {
+  Expected<std::span<const CodedVoxel>> voxels(Int3 chunk) override {
     memory_->relieve();
     if (bins_->log2Chunk() == ChunkBricks::kLog2Chunk)
       return bins_->at(chunk);
@@ -35,41 +36,38 @@ public:
   }
 
   std::unique_ptr<ChunkLists> view() const override { return std::make_unique<BinLists>(bins_, memory_); }
-  std::optional<Error> failure() const override { return failure_; }
 
 private:
   /// The voxels of a cube that is smaller than a bin.
-  std::span<const CodedVoxel> sortedVoxels(const Cube &cube) {
-    sort(cube.low >> bins_->log2Chunk());
+  Expected<std::span<const CodedVoxel>> sortedVoxels(const Cube &cube) {
+    if (auto sorted = sort(cube.low >> bins_->log2Chunk()); !sorted)
+      return sorted.error();
     const std::span<const CodedVoxel> all = std::as_const(sorted_).span();
     const std::uint64_t begin = mortonCode(cube.low);
     const auto before = [](const CodedVoxel &voxel, std::uint64_t code) { return voxel.code < code; };
     const auto first = std::lower_bound(all.begin(), all.end(), begin, before);
     const auto last = std::lower_bound(first, all.end(), begin + cellCount(cube.log2Side), before);
-    return {first, last};
+    return std::span<const CodedVoxel>(first, last);
   }
 
-  void sort(Int3 bin) {
+  Expected<void> sort(Int3 bin) {
     if (bin == bin_)
-      return;
-    bin_ = bin;
-    const std::span<const CodedVoxel> voxels = bins_->at(bin);
+      return {};
     if (auto sized = sorted_.resize(0); !sized)
-      failure_ = sized.error();
-    if (voxels.empty())
-      return;
-    if (auto copied = sorted_.append(voxels); !copied)
-      failure_ = copied.error();
+      return sized;
+    if (auto copied = sorted_.append(bins_->at(bin)); !copied)
+      return copied;
     std::ranges::sort(sorted_.span(), [](const CodedVoxel &a, const CodedVoxel &b) {
       return a.code != b.code ? a.code < b.code : a.order < b.order;
     });
+    bin_ = bin;
+    return {};
   }
 
   std::shared_ptr<const Bins> bins_;
   std::shared_ptr<WorkingMemory> memory_;
   ScratchArray<CodedVoxel> sorted_; ///< The voxels of `bin_`.
   Int3 bin_{-1, -1, -1};
-  std::optional<Error> failure_;
 };
 
 } // namespace

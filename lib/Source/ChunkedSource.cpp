@@ -26,7 +26,6 @@ public:
   Transform voxelToModel() const override { return voxelToModel_; }
   int log2Chunk() const override { return ChunkBricks::kLog2Chunk; }
   double readSeconds() const override { return *seconds_; }
-  std::optional<Error> failure() const override { return lists_->failure(); }
 
   std::unique_ptr<VoxelSource> view() const override {
     auto lists = lists_->view();
@@ -39,27 +38,32 @@ public:
       return true;
     if (cube.log2Side >= ChunkBricks::kLog2Chunk)
       return lists_->empty(cube);
-    load(cube.low >> ChunkBricks::kLog2Chunk);
-    return bricks_.empty(cube);
+    return load(cube.low >> ChunkBricks::kLog2Chunk) && bricks_.empty(cube);
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     if (isOutside(cube, extent_)) {
       std::fill_n(words, cellCount(cube.log2Side), 0u);
-      return;
+      return {};
     }
-    load(cube.low >> ChunkBricks::kLog2Chunk);
+    if (auto loaded = load(cube.low >> ChunkBricks::kLog2Chunk); !loaded)
+      return loaded;
     bricks_.read(cube, words);
+    return {};
   }
 
 private:
-  void load(Int3 chunk) {
+  Expected<void> load(Int3 chunk) {
     if (chunk == chunk_)
-      return;
+      return {};
     const Stopwatch watch;
+    const auto voxels = lists_->voxels(chunk);
+    if (!voxels)
+      return voxels.error();
+    bricks_.fill(*voxels);
     chunk_ = chunk;
-    bricks_.fill(lists_->voxels(chunk));
     seconds_->fetch_add(watch.seconds(), std::memory_order_relaxed);
+    return {};
   }
 
   Int3 extent_;

@@ -27,16 +27,16 @@ public:
     return view ? clip(std::move(view), extent_) : nullptr;
   }
 
-  std::optional<Error> failure() const override { return source_->failure(); }
-
   bool empty(const Cube &cube) override { return isOutside(cube, extent_) || source_->empty(cube); }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
-    source_->read(cube, words);
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
+    if (auto done = source_->read(cube, words); !done)
+      return done;
     forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
       if (!contains(extent_, cell))
         words[index] = 0;
     });
+    return {};
   }
 
 private:

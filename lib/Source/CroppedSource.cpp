@@ -40,23 +40,31 @@ struct Box {
 };
 
 /// Calls `visit(voxel, word)` for the voxels of a cube but those in smaller cubes that `skips` tells to leave
-/// out.
+/// out. Errors: those of `skips` and of the source.
 template <typename Skips, typename Visit>
-void forEachVoxel(VoxelSource &source, const Cube &cube, Skips &skips, Visit &visit) {
-  if (skips(cube) || source.empty(cube))
-    return;
+Expected<void> forEachVoxel(VoxelSource &source, const Cube &cube, Skips &skips, Visit &visit) {
+  const Expected<bool> isSkipped = skips(cube);
+  if (!isSkipped)
+    return isSkipped.error();
+  if (*isSkipped || source.empty(cube))
+    return {};
   if (cube.log2Side > kLog2Brick) {
     const int half = cube.log2Side - 1;
     for (unsigned octant = 0; octant < 8; ++octant)
-      forEachVoxel(source, {cube.low + mortonCell(octant) * (1 << half), half}, skips, visit);
-    return;
+      if (auto visited =
+              forEachVoxel(source, {cube.low + mortonCell(octant) * (1 << half), half}, skips, visit);
+          !visited)
+        return visited;
+    return {};
   }
   std::array<std::uint32_t, 512> words;
-  source.read(cube, words.data());
+  if (auto done = source.read(cube, words.data()); !done)
+    return done;
   forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
     if (words[index] != 0)
       visit(cell, words[index]);
   });
+  return {};
 }
 
 Cube cubeAround(Int3 extent) {
@@ -71,14 +79,14 @@ Cube cubeAround(Int3 extent) {
 Expected<Box> boxOf(VoxelSource &source, const Progress &progress) {
   const Cube all = cubeAround(source.extent());
   Box box{source.extent(), {}};
-  bool isStopped = false;
-  const auto skips = [&](const Cube &cube) {
+  const auto skips = [&](const Cube &cube) -> Expected<bool> {
     if (cube.log2Side == kLog2Chunk) {
       progress.at("crop",
                   static_cast<double>(mortonCode(cube.low)) / static_cast<double>(cellCount(all.log2Side)));
-      isStopped = isStopped || progress.stopped();
+      if (progress.stopped())
+        return Error::interrupted();
     }
-    return isStopped || box.holds(cube);
+    return box.holds(cube);
   };
   const auto add = [&](Int3 cell, std::uint32_t) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -86,11 +94,8 @@ Expected<Box> boxOf(VoxelSource &source, const Progress &progress) {
       box.high[axis] = std::max(box.high[axis], cell[axis] + 1);
     }
   };
-  forEachVoxel(source, all, skips, add);
-  if (auto error = source.failure())
-    return *error;
-  if (isStopped)
-    return Error::interrupted();
+  if (auto visited = forEachVoxel(source, all, skips, add); !visited)
+    return visited.error();
   return box.high.x == 0 ? Box{{}, {1, 1, 1}} : box;
 }
 
@@ -101,28 +106,30 @@ public:
 
   bool empty(const Cube &cube) override {
     bool isEmpty = true;
-    forEachOverlapped(cube, [&](const Cube &part) { isEmpty = isEmpty && source_->empty(part); });
+    for (const Cube &part : overlapped(cube))
+      isEmpty = isEmpty && source_->empty(part);
     return isEmpty;
   }
 
-  std::span<const CodedVoxel> voxels(Int3 chunk) override {
+  Expected<std::span<const CodedVoxel>> voxels(Int3 chunk) override {
     const Cube cube{chunk * (1 << kLog2Chunk), kLog2Chunk};
     const Box within = boxIn(cube);
     voxels_.clear();
-    const auto skips = [&](const Cube &part) { return !within.overlaps(part); };
+    const auto skips = [&](const Cube &part) -> Expected<bool> { return !within.overlaps(part); };
     const auto add = [&](Int3 cell, std::uint32_t word) {
       if (within.holds(cell))
         voxels_.push_back({mortonCode(cell - box_.low), word});
     };
-    forEachOverlapped(cube, [&](const Cube &part) { forEachVoxel(*source_, part, skips, add); });
-    return voxels_;
+    for (const Cube &part : overlapped(cube))
+      if (auto visited = forEachVoxel(*source_, part, skips, add); !visited)
+        return visited.error();
+    return std::span<const CodedVoxel>(voxels_);
   }
 
   std::unique_ptr<ChunkLists> view() const override {
     auto view = source_->view();
     return view ? std::make_unique<MovedLists>(std::move(view), box_) : nullptr;
   }
-  std::optional<Error> failure() const override { return source_->failure(); }
 
 private:
   /// The part of the box that a cube of cropped voxels is, in the source.
@@ -136,16 +143,18 @@ private:
     return within;
   }
 
-  /// Calls `visit` for the aligned cubes of the source, up to eight and as large as `cube`, that it overlaps.
-  template <typename Visit> void forEachOverlapped(const Cube &cube, Visit visit) const {
+  /// The aligned cubes of the source, up to eight and as large as `cube`, that it overlaps.
+  std::vector<Cube> overlapped(const Cube &cube) const {
+    std::vector<Cube> cubes;
     const Box within = boxIn(cube);
     const Int3 first = within.low >> cube.log2Side;
     const Int3 last = (within.high - Int3{1, 1, 1}) >> cube.log2Side;
     for (unsigned i = 0; i < 8; ++i) {
       const Int3 at = first + mortonCell(i);
       if (at.x <= last.x && at.y <= last.y && at.z <= last.z)
-        visit(Cube{at * (1 << cube.log2Side), cube.log2Side});
+        cubes.push_back({at * (1 << cube.log2Side), cube.log2Side});
     }
+    return cubes;
   }
 
   std::unique_ptr<VoxelSource> source_;

@@ -41,15 +41,16 @@ public:
     if (cube.log2Side >= OccupancyPyramid::kLog2Brick)
       return grid_->occupancy.empty(cube);
     std::array<std::uint32_t, 512> words;
-    read(cube, words.data());
+    if (!read(cube, words.data()))
+      return false;
     const auto *const end = words.data() + cellCount(cube.log2Side);
     return std::all_of(std::as_const(words).data(), end, [](std::uint32_t word) { return word == 0; });
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     std::fill_n(words, cellCount(cube.log2Side), 0u);
     if (isOutside(cube, grid_->extent))
-      return;
+      return {};
     grid_->relieve();
     const Int3 rest = grid_->extent - cube.low;
     const auto side = static_cast<std::int32_t>(cube.side());
@@ -62,6 +63,7 @@ public:
         for (std::int32_t x = 0; x < size.x; ++x)
           target[kSpread[static_cast<std::size_t>(x)]] = row[static_cast<std::size_t>(x)];
       }
+    return {};
   }
 
 private:

@@ -22,7 +22,6 @@ public:
   Int3 extent() const override { return source_->extent(); }
   Transform voxelToModel() const override { return source_->voxelToModel(); }
   int log2Chunk() const override { return source_->log2Chunk(); }
-  std::optional<Error> failure() const override { return source_->failure(); }
 
   std::unique_ptr<VoxelSource> view() const override {
     auto view = source_->view();
@@ -37,11 +36,13 @@ public:
     return !isAdded && source_->empty(cube);
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
-    source_->read(cube, words);
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
+    if (auto done = source_->read(cube, words); !done)
+      return done;
     for (const VoxelEdit &edit : *edits_)
       if (edit.touches(cube))
         apply(edit, cube, words);
+    return {};
   }
 
 private:

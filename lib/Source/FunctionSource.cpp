@@ -23,10 +23,11 @@ public:
 
   bool empty(const Cube &cube) override { return isOutside(cube, extent_) || (empty_ && empty_(cube)); }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
       words[index] = contains(extent_, cell) ? voxel_(cell) : 0;
     });
+    return {};
   }
 
 private:

@@ -69,13 +69,16 @@ Expected<Histogram> histogramOf(VoxelSource &source, std::size_t few, const Prog
   };
   std::vector<Cube> ahead = {{{}, log2Around(source.extent())}};
   std::array<std::uint32_t, 512> brick;
-  while (!ahead.empty() && !progress.stopped()) {
+  while (!ahead.empty()) {
+    if (progress.stopped())
+      return Error::interrupted();
     const Cube cube = ahead.back();
     ahead.pop_back();
     if (isOutside(cube, source.extent()) || source.empty(cube))
       continue;
     if (cube.log2Side <= kLog2Brick) {
-      source.read(cube, brick.data());
+      if (auto done = source.read(cube, brick.data()); !done)
+        return done.error();
       for (std::uint64_t i = 0; i < cellCount(cube.log2Side); ++i)
         if (brick[i] != 0)
           take(brick[i]);
@@ -85,10 +88,6 @@ Expected<Histogram> histogramOf(VoxelSource &source, std::size_t few, const Prog
     for (int child = 8; child-- > 0;)
       ahead.push_back({cube.low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << log2Side), log2Side});
   }
-  if (auto error = source.failure())
-    return *error;
-  if (progress.stopped())
-    return Error::interrupted();
   return histogram;
 }
 

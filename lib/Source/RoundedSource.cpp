@@ -63,8 +63,9 @@ std::unique_ptr<VoxelSource> RoundedSource::view() const {
   return view ? std::unique_ptr<VoxelSource>(new RoundedSource(std::move(view), rounding_, tally_)) : nullptr;
 }
 
-void RoundedSource::read(const Cube &cube, std::uint32_t *words) {
-  source_->read(cube, words);
+Expected<void> RoundedSource::read(const Cube &cube, std::uint32_t *words) {
+  if (auto done = source_->read(cube, words); !done)
+    return done;
   ColourErrorSum sum;
   for (std::uint64_t at = 0; at < cellCount(cube.log2Side); ++at) {
     if (words[at] == 0)
@@ -75,6 +76,7 @@ void RoundedSource::read(const Cube &cube, std::uint32_t *words) {
   }
   const std::lock_guard lock(tally_->mutex);
   tally_->sum.add(sum);
+  return {};
 }
 
 ColourError RoundedSource::error() const {

@@ -23,7 +23,7 @@ public:
     return first == voxels_->size() || (*voxels_)[first].code - begin >= cellCount(cube.log2Side);
   }
 
-  std::span<const CodedVoxel> voxels(Int3 chunk) override {
+  Expected<std::span<const CodedVoxel>> voxels(Int3 chunk) override {
     const std::uint64_t begin = mortonCode(chunk) << 3 * ChunkBricks::kLog2Chunk;
     const std::size_t first = seek(begin);
     const std::size_t end = seek(begin + cellCount(ChunkBricks::kLog2Chunk));

@@ -25,7 +25,7 @@ public:
     return found.value == 0 && found.log2Side >= cube.log2Side;
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     const std::uint64_t count = cellCount(cube.log2Side);
     for (std::uint64_t index = 0; index < count;) {
       const Lookup found = volume_->lookup(cube.low + mortonCell(index));
@@ -34,6 +34,7 @@ public:
       std::fill_n(words + index, std::min(same, count - index), found.value);
       index += same;
     }
+    return {};
   }
 
 private:

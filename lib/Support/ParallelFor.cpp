@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <latch>
+#include <mutex>
+#include <optional>
 #include <system_error>
 
 namespace voxc {
@@ -34,12 +37,43 @@ void parallelFor(std::uint64_t count, unsigned threads, FunctionRef<void(std::ui
   if (count == 0)
     return;
   std::atomic<std::uint64_t> next = 0;
+  std::exception_ptr thrown;
+  std::mutex mutex; // Guards `thrown`.
   const auto takeAll = [&] {
-    for (std::uint64_t i = next++; i < count; i = next++)
-      work(i);
+    try {
+      for (std::uint64_t i = next++; i < count; i = next++)
+        work(i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard lock(mutex);
+      thrown = std::current_exception();
+    }
   };
-  const auto helpers = startHelpers(std::min<std::uint64_t>(threadsOrAll(threads), count) - 1, takeAll);
+  auto helpers = startHelpers(std::min<std::uint64_t>(threadsOrAll(threads), count) - 1, takeAll);
   takeAll();
-} // The helpers are joined.
+  helpers.clear(); // Joins them.
+  if (thrown)
+    std::rethrow_exception(thrown);
+}
+
+Expected<void> parallelTry(std::uint64_t count, unsigned threads,
+                           FunctionRef<Expected<void>(std::uint64_t)> work) {
+  std::atomic<std::uint64_t> firstFailed = count;
+  std::optional<Error> error; // Of that one.
+  std::mutex mutex;
+  parallelFor(count, threads, [&](std::uint64_t i) {
+    if (i > firstFailed)
+      return;
+    Expected<void> done = work(i);
+    if (done)
+      return;
+    const std::lock_guard lock(mutex);
+    if (i > firstFailed)
+      return;
+    firstFailed = i;
+    error = done.error();
+  });
+  return error ? *error : Expected<void>();
+}
 
 } // namespace voxc

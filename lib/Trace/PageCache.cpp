@@ -10,7 +10,6 @@
 #include <atomic>
 #include <bit>
 #include <limits>
-#include <optional>
 
 namespace voxc {
 namespace {
@@ -154,22 +153,18 @@ Expected<bool> PageCache::fetch(std::uint32_t page, std::span<std::byte> room) c
 Expected<void> PageCache::decode(std::span<const std::uint32_t> pages) {
   const PagedStream &words = volume_->streams().front();
   decoded_.resize(kRunPages * slotBytes());
-  std::vector<std::optional<Error>> errors(pages.size());
   std::atomic<std::uint64_t> ahead = 0;
-  parallelFor(pages.size(), threads_, [&](std::uint64_t i) {
+  const auto decoded = parallelTry(pages.size(), threads_, [&](std::uint64_t i) -> Expected<void> {
     const std::span room(decoded_.data() + i * slotBytes(), slotBytes());
     std::ranges::fill(room.subspan(words.bytesOf(pages[i])), std::byte{});
     const auto fetched = fetch(pages[i], room.first(words.bytesOf(pages[i])));
     if (!fetched)
-      errors[i] = fetched.error();
-    else if (*fetched)
-      ++ahead;
+      return fetched.error();
+    ahead += *fetched ? 1 : 0;
+    return {};
   });
   report_.ahead += ahead;
-  for (const std::optional<Error> &error : errors)
-    if (error)
-      return *error;
-  return {};
+  return decoded;
 }
 
 void PageCache::settle(std::uint32_t page, std::uint32_t slot) {

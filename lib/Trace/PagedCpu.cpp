@@ -49,16 +49,16 @@ public:
     pages_.goesOn = goesOn;
     const auto *words = reinterpret_cast<const std::uint32_t *>(&pages_);
     const std::uint64_t chunks = (group.count + kChunkRays - 1) / kChunkRays;
-    parallelFor(chunks, threads_, [&](std::uint64_t chunk) {
+    const auto traced = parallelTry(chunks, threads_, [&](std::uint64_t chunk) -> Expected<void> {
+      if (options.progress.stopped())
+        return Error::interrupted();
       const std::uint64_t first = group.first + chunk * kChunkRays;
       const std::uint64_t count = std::min(kChunkRays, group.first + group.count - first);
-      if (!options.progress.stopped())
-        kernel_.function(words, rays_.origin(first), reinterpret_cast<std::uint32_t *>(&hits_[first]), count,
-                         options.countSteps, options.spread);
+      kernel_.function(words, rays_.origin(first), reinterpret_cast<std::uint32_t *>(&hits_[first]), count,
+                       options.countSteps, options.spread);
+      return {};
     });
-    if (options.progress.stopped())
-      return Error::interrupted();
-    return TraceTime{};
+    return traced ? Expected<TraceTime>(TraceTime{}) : traced.error();
   }
 
   // Hits lie where they are asked for.

@@ -5,7 +5,6 @@
 #include "voxc/Support/WorkingMemory.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace voxc {
 namespace {
@@ -55,20 +54,11 @@ Expected<MemoryBlock> StreamDecoder::decode(std::size_t stream) const {
 Expected<void> StreamDecoder::decodeRun(std::size_t stream, std::uint64_t first, std::uint64_t last,
                                         std::byte *begin) const {
   const PagedStream &told = file_.streams()[stream];
-  const auto decodePage = [&](std::uint64_t page) {
+  return parallelTry(last - first, threads_, [&](std::uint64_t i) {
+    const std::uint64_t page = first + i;
     memory_->relieve(told.bytesOf(page));
     return file_.decode(stream, page, {begin + page * told.pageBytes, told.bytesOf(page)});
-  };
-  std::atomic<std::uint64_t> firstBroken = last;
-  parallelFor(last - first, threads_, [&](std::uint64_t i) {
-    if (decodePage(first + i))
-      return;
-    std::uint64_t known = firstBroken;
-    while (first + i < known && !firstBroken.compare_exchange_weak(known, first + i)) {
-    }
   });
-  // The same error whichever thread was faster.
-  return firstBroken == last ? Expected<void>() : decodePage(firstBroken);
 }
 
 } // namespace

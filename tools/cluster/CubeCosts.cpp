@@ -53,9 +53,8 @@ Expected<void> forEachBrick(VoxelSource &source, const Cube &cube, const Progres
     return {};
   }
   std::array<std::uint32_t, 1 << 3 * kLog2Brick> words{};
-  source.read(cube, words.data());
-  if (auto failure = source.failure())
-    return *failure;
+  if (auto done = source.read(cube, words.data()); !done)
+    return done;
   BrickCount count;
   std::uint32_t before = 0;
   for (const std::uint32_t word : words) {

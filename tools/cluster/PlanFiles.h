@@ -22,7 +22,7 @@ public:
   /// The fragment or, of the root, the volume that an item of the plan's tree writes.
   std::string output(const WorkItem &item) const;
 
-  /// Notes that the volume was written: how long it is, and its checksum.
+  /// Notes that the volume was written, of parts that are known to be whole: the digest of its content.
   Expected<void> noteVolume() const;
 
   /// True if the output of an item is there and is whole: its checksum is that of its bytes.

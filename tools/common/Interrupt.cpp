@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as a flag that long work asks for, and the end of work that does not.
+// SIGINT, SIGTERM and SIGHUP as a flag that long work asks for, and the end of work that does not.
 #include "Interrupt.h"
 
 #include <csignal>
@@ -35,6 +35,13 @@ void catchSignal(int number, void (*handler)(int)) {
   sigaction(number, &action, nullptr);
 }
 
+/// Whoever starts a process that shall outlive its terminal (nohup) has it ignore this signal.
+void catchUnlessIgnored(int number, void (*handler)(int)) {
+  struct sigaction before{};
+  if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    catchSignal(number, handler);
+}
+
 } // namespace
 
 const std::atomic<bool> &catchInterrupts() {
@@ -42,6 +49,7 @@ const std::atomic<bool> &catchInterrupts() {
     catchSignal(SIGALRM, giveUp);
     catchSignal(SIGINT, setFlag);
     catchSignal(SIGTERM, setFlag);
+    catchUnlessIgnored(SIGHUP, setFlag);
     return true;
   }();
   static_cast<void>(installed);

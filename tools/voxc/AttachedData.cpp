@@ -34,24 +34,28 @@ public:
   WordReading(VoxelSource &input, std::vector<std::byte> elements)
       : input_(input), elements_(std::move(elements)) {}
 
-  void read(Int3 voxel, std::uint64_t number) {
+  /// Errors: the input's.
+  Expected<void> read(Int3 voxel, std::uint64_t number) {
     const std::uint64_t code = mortonCode(voxel);
     if (code >> (3 * kLog2Block) != block_)
-      readBlock(code >> (3 * kLog2Block));
+      if (auto done = readBlock(code >> (3 * kLog2Block)); !done)
+        return done;
     std::memcpy(&elements_[number * sizeof(std::uint32_t)], &words_[code % kBlockVoxels],
                 sizeof(std::uint32_t));
+    return {};
   }
 
   std::vector<std::byte> take() { return std::move(elements_); }
 
 private:
-  void readBlock(std::uint64_t block) {
-    block_ = block;
+  Expected<void> readBlock(std::uint64_t block) {
     const Cube cube{mortonCell(block << (3 * kLog2Block)), kLog2Block};
-    if (input_.empty(cube))
-      words_.fill(0);
-    else
-      input_.read(cube, words_.data());
+    words_.fill(0);
+    if (!input_.empty(cube))
+      if (auto done = input_.read(cube, words_.data()); !done)
+        return done;
+    block_ = block;
+    return {};
   }
 
   VoxelSource &input_;
@@ -97,19 +101,18 @@ Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, 
   if (!elements)
     return elements.error();
   WordReading reading(*input->source, std::move(*elements));
+  Expected<void> done;
   const auto visited = visitVoxels(
       volume,
       [&](Int3 voxel, std::uint64_t number) {
-        reading.read(voxel, number);
-        return !progress.stopped();
+        done = progress.stopped() ? Error::interrupted() : reading.read(voxel, number);
+        return bool(done);
       },
       progress);
   if (!visited)
     return visited.error();
-  if (progress.stopped())
-    return Error::interrupted();
-  if (const std::optional<Error> failure = input->source->failure())
-    return *failure;
+  if (!done)
+    return done.error();
   return Attribute{parts->first, sizeof(std::uint32_t), reading.take()};
 }
 

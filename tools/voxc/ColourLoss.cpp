@@ -2,6 +2,7 @@
 #include "ColourLoss.h"
 
 #include "voxc/Layout/Layout.h"
+#include "voxc/Layout/Values.h"
 
 #include <cstdio>
 
@@ -34,6 +35,15 @@ Expected<std::unique_ptr<RoundedSource>> reduceToPalette(VoxelSource &source, co
   if (!rounding)
     return rounding.error();
   return *rounding ? std::make_unique<RoundedSource>(source, *rounding) : nullptr;
+}
+
+Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,
+                                                const Progress &progress) {
+  if (const Rounding rounding = roundingOf(volume.layout().payload))
+    return std::make_unique<RoundedSource>(source, rounding);
+  if (volume.info().provenance.find(std::string("colours=") + kReducedColours) != std::string::npos)
+    return reduceToPalette(source, volume.format(), progress);
+  return std::unique_ptr<RoundedSource>();
 }
 
 } // namespace voxc::tool

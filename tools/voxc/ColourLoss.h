@@ -6,6 +6,7 @@
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Source/Rounding.h"
+#include "voxc/Volume/Volume.h"
 
 #include <memory>
 #include <string>
@@ -24,5 +25,10 @@ Json errorFigures(const ColourError &error);
 /// more than that already. Errors: the format has no palette (`Usage`); the source's.
 Expected<std::unique_ptr<RoundedSource>> reduceToPalette(VoxelSource &source, const Format &format,
                                                          const Progress &progress);
+
+/// An input in the colours that a volume was to keep of it; null if these are all. Errors: as
+/// `reduceToPalette`.
+Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,
+                                                const Progress &progress);
 
 } // namespace voxc::tool

@@ -18,9 +18,18 @@ struct VoxelDifferences {
   std::optional<Int3> first; ///< The first that differs, in Morton order.
 
   bool none() const { return missing == 0 && surplus == 0 && changed == 0; }
+  /// Adds what was found in other voxels.
+  void add(const VoxelDifferences &other);
 };
 
-/// Reads both sources to their ends. Errors: that of a source that fails, or `Interrupted`.
-Expected<VoxelDifferences> compareVoxels(VoxelSource &volume, VoxelSource &input, const Progress &progress);
+/// The voxels whose Morton codes lie in [begin, end), which are those of aligned cubes of 8^3 or larger.
+struct VoxelRange {
+  std::uint64_t begin = 0;
+  std::uint64_t end = std::uint64_t{1} << 3 * kMaxLog2Extent;
+};
+
+/// Reads both sources to the end of the range. Errors: that of a source that fails, or `Interrupted`.
+Expected<VoxelDifferences> compareVoxels(VoxelSource &volume, VoxelSource &input, const Progress &progress,
+                                         const VoxelRange &range = {});
 
 } // namespace voxc::tool

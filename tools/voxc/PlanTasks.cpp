@@ -1,15 +1,12 @@
 // From a plan to a fragment, or to the volume.
 #include "PlanTasks.h"
 
-#include "InputArguments.h"
+#include "PlanInput.h"
 
 #include "cluster/NumberList.h"
 #include "cluster/PlanFiles.h"
 #include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
-#include "voxc/Input/Input.h"
-
-#include <algorithm>
 
 namespace voxc::tool {
 
@@ -49,54 +46,6 @@ Expected<Task> readTask(const std::string &path, const std::string &numbers, std
   return task;
 }
 
-/// The cubes of the parts, the largest aligned ones that make them up, as far as they lie in the input.
-std::vector<std::array<Int3, 2>> boxesOf(const Task &task) {
-  std::vector<std::array<Int3, 2>> boxes;
-  const int log2Side = task.plan.cubes.log2Side;
-  for (const WorkItem &item : task.missing) {
-    const FragmentShare share = task.plan.shareOf(item);
-    for (std::uint64_t at = share.begin; at < share.end;) {
-      int log2Cubes = 0;
-      while (at % (std::uint64_t{8} << 3 * log2Cubes) == 0 &&
-             at + (std::uint64_t{8} << 3 * log2Cubes) <= share.end)
-        ++log2Cubes;
-      const Int3 low = mortonCell(at) * (1 << log2Side);
-      const int side = 1 << (log2Cubes + log2Side);
-      if (contains(task.plan.extent, low))
-        boxes.push_back({low, low + Int3{side, side, side}});
-      at += std::uint64_t{1} << 3 * log2Cubes;
-    }
-  }
-  // None would be all.
-  if (boxes.empty())
-    boxes.push_back({Int3{}, Int3{}});
-  return boxes;
-}
-
-Expected<Input> openPlanned(const Task &task, const BuildOptions &options) {
-  if (auto same = checkInput(task.plan); !same)
-    return same.error();
-  std::string words;
-  for (const std::string &option : task.plan.options)
-    words += (words.empty() ? "" : " ") + option;
-  InputArguments arguments;
-  fillFromProvenance(arguments, words);
-  InputOptions inputOptions = makeInputOptions(arguments, task.plan.format.extent());
-  inputOptions.progress = options.progress;
-  inputOptions.memory = options.memory;
-  inputOptions.threads = options.threads;
-  if (!inputOptions.crop && inputOptions.interior == Interior::Keep)
-    inputOptions.regions = boxesOf(task);
-  auto input = openInput(task.plan.input, inputOptions);
-  if (!input)
-    return input;
-  const PartNumbers cubes = partNumbersOf(*input->source, task.plan.format);
-  if (input->source->extent() != task.plan.extent || cubes.log2Side != task.plan.cubes.log2Side ||
-      cubes.count != task.plan.cubes.count)
-    return Error::input("the input has other voxels than when the plan was made; make the plan again");
-  return input;
-}
-
 BuildOptions optionsOf(const BuildArguments &arguments, const Progress &progress) {
   BuildOptions options;
   options.threads = arguments.threads == 0 ? 1 : arguments.threads;
@@ -122,7 +71,7 @@ Expected<void> buildParts(const std::string &path, const std::string &numbers,
   std::uint64_t voxels = 0;
   BuildOptions options = optionsOf(arguments, progress);
   if (!task->missing.empty()) {
-    auto input = openPlanned(*task, options);
+    auto input = openPlanned(task->plan, task->missing, options);
     if (!input)
       return input.error();
     auto constructor = Constructor::compile(task->plan.format, compileCache());

@@ -3,6 +3,8 @@
 #include "PlanRun.h"
 #include "Subcommand.h"
 
+#include "cluster/PlanLock.h"
+#include "common/Command.h"
 #include "common/Terminal.h"
 #include "jobs/JobOptions.h"
 
@@ -39,6 +41,14 @@ public:
     const PlanRun run(path, std::move(*plan), means_);
     if (auto made = run.files().makeFolder(); !made)
       return made;
+    const auto lock = cluster::PlanLock::take(run.files().folder(), bar.progress(), [this] {
+      if (!common_.quiet)
+        printNote(
+            "note: the plan is being carried out by another voxc submit, or tasks of one are left; waiting "
+            "for them to end");
+    });
+    if (!lock)
+      return lock.error();
     if (auto done = jobs_.run(run, means_.threads, {bar.progress(), common_.quiet}, figures); !done)
       return done;
     bar.clear();

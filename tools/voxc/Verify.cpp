@@ -4,6 +4,7 @@
 #include "ErrorCheck.h"
 #include "Figures.h"
 #include "InputArguments.h"
+#include "PlanCheck.h"
 #include "Subcommand.h"
 #include "Tracing.h"
 #include "VolumeArgument.h"
@@ -12,11 +13,11 @@
 #include "common/Terminal.h"
 #include "testing/HardBounds.h"
 #include "testing/HardRays.h"
-#include "voxc/Layout/Values.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Source/Sources.h"
 #include "voxc/Volume/CoarseBlocks.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <string>
@@ -25,6 +26,8 @@
 namespace voxc::tool {
 
 namespace {
+
+constexpr std::size_t kMostTold = 3; ///< Of what is found wrong, in one sentence.
 
 void printHit(const char *name, const Hit &hit) {
   if (hit.isHit())
@@ -51,14 +54,11 @@ void printErrors(const ErrorFigures &error) {
               error.rmsDt, error.maxUlpDt);
 }
 
-/// The input in the colours that the volume was to keep of it, if these are not all.
-Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,
-                                                const Progress &progress) {
-  if (const Rounding rounding = roundingOf(volume.layout().payload))
-    return std::make_unique<RoundedSource>(source, rounding);
-  if (volume.info().provenance.find(std::string("colours=") + kReducedColours) != std::string::npos)
-    return reduceToPalette(source, volume.format(), progress);
-  return std::unique_ptr<RoundedSource>();
+Json differenceFigures(const VoxelDifferences &found) {
+  return {{"equal", found.equal},
+          {"missing", found.missing},
+          {"surplus", found.surplus},
+          {"changed", found.changed}};
 }
 
 class VerifyCommand final : public Subcommand {
@@ -67,9 +67,13 @@ public:
   Expected<void> run() override;
 
 private:
+  Expected<void> checkPlan();
+  Expected<void> checkVolume();
+  Expected<void> outcome();
   Expected<void> checkVoxels(const std::shared_ptr<const Volume> &volume, const Progress &progress);
   Expected<void> checkCoarse(const Volume &volume, const Progress &progress);
   Expected<void> checkKernel(const Volume &volume, const Progress &progress);
+  void printDifferences(const VoxelDifferences &found) const;
   bool accepts(const ErrorFigures &error) const;
   void fail(std::string what) { failures_.push_back(std::move(what)); }
 
@@ -87,7 +91,8 @@ private:
 };
 
 void VerifyCommand::declare(const CommandLine &command) {
-  volume_.declare(command);
+  volume_.declare(command,
+                  "A .hvx file; or a build plan, of which what stands is compared with the plan's input");
   command.add("--against", against_, "Compare with this input, voxel by voxel, both ways").takes("INPUT");
   addInputArguments(command, inputArguments_);
   command.add("--rays", rays_, "Rays to trace by the kernel and by the oracle; 0 needs no device")
@@ -121,14 +126,8 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   if (!found)
     return found.error();
 
-  if (tellsOnStdout(common_))
-    std::printf("losslessness %" PRIu64 " voxels equal, %" PRIu64 " missing, %" PRIu64 " surplus, %" PRIu64
-                " changed\n",
-                found->equal, found->missing, found->surplus, found->changed);
-  figures_["voxel_differences"] = {{"equal", found->equal},
-                                   {"missing", found->missing},
-                                   {"surplus", found->surplus},
-                                   {"changed", found->changed}};
+  printDifferences(*found);
+  figures_["voxel_differences"] = differenceFigures(*found);
   if (*kept) {
     const ColourError error = (*kept)->error();
     figures_["colour_error"] = errorFigures(error);
@@ -141,6 +140,13 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   if (volume->info().extent != input->source->extent())
     fail("the volume's extent differs from that of '" + against_ + "'");
   return {};
+}
+
+void VerifyCommand::printDifferences(const VoxelDifferences &found) const {
+  if (tellsOnStdout(common_))
+    std::printf("losslessness %" PRIu64 " voxels equal, %" PRIu64 " missing, %" PRIu64 " surplus, %" PRIu64
+                " changed\n",
+                found.equal, found.missing, found.surplus, found.changed);
 }
 
 /// Blocks that the volume has must be those of its voxels.
@@ -202,7 +208,36 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
   return {};
 }
 
-Expected<void> VerifyCommand::run() {
+Expected<void> VerifyCommand::run() { return isBuildPlan(volume_.path()) ? checkPlan() : checkVolume(); }
+
+/// What stands of a plan, against the plan's own input.
+Expected<void> VerifyCommand::checkPlan() {
+  if (!against_.empty())
+    return Error::usage("--against is for a volume; a build plan is held against its own input");
+  ProgressBar bar(common_.quiet);
+  const Expected<PlanCheck> found = tool::checkPlan(volume_.path(), {}, bar.progress());
+  if (!found)
+    return found.error();
+  bar.clear();
+  figures_["outputs"] = found->outputs;
+  figures_["missing_outputs"] = found->missing;
+  figures_["voxel_differences"] = differenceFigures(found->differences);
+  figures_["broken"] = Json::array();
+  if (tellsOnStdout(common_))
+    std::printf("outputs      %" PRIu64 " of %" PRIu64 " stand\n", found->outputs - found->missing,
+                found->outputs);
+  printDifferences(found->differences);
+  for (const BrokenOutput &output : found->broken) {
+    figures_["broken"].push_back({{"file", output.path},
+                                  {"problem", output.problem},
+                                  {"voxel_differences", differenceFigures(output.differences)}});
+    fail(output.problem.empty() ? "'" + output.path + "' has not the voxels of the plan's input"
+                                : output.problem);
+  }
+  return outcome();
+}
+
+Expected<void> VerifyCommand::checkVolume() {
   ProgressBar bar(common_.quiet);
   Expected<Volume> loaded = volume_.load();
   if (!loaded)
@@ -221,14 +256,20 @@ Expected<void> VerifyCommand::run() {
     if (Expected<void> checked = checkKernel(*volume, bar.progress()); !checked)
       return checked;
   bar.clear();
+  return outcome();
+}
 
+/// Writes the figures; the error is all that was found wrong.
+Expected<void> VerifyCommand::outcome() {
   if (Expected<void> written = writeStatistics(common_.stats, figures_); !written)
     return written;
   if (failures_.empty())
     return {};
   std::string message = failures_.front();
-  for (std::size_t i = 1; i < failures_.size(); ++i)
+  for (std::size_t i = 1; i < std::min(failures_.size(), kMostTold); ++i)
     message += "; " + failures_[i];
+  if (failures_.size() > kMostTold)
+    message += "; and " + std::to_string(failures_.size() - kMostTold) + " more, which --stats names";
   return Error::input(message);
 }
 

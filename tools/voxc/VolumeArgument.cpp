@@ -5,8 +5,8 @@
 
 namespace voxc::tool {
 
-void VolumeArgument::declare(const CommandLine &command) {
-  command.add("VOLUME", path_, "A .hvx file").required().takes("");
+void VolumeArgument::declare(const CommandLine &command, const std::string &help) {
+  command.add("VOLUME", path_, help).required().takes("");
   command.addFlag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
   command
       .add(

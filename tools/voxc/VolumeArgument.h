@@ -12,8 +12,8 @@ namespace voxc::tool {
 
 class VolumeArgument {
 public:
-  /// Adds VOLUME and --trusted to a command.
-  void declare(const CommandLine &command);
+  /// Adds VOLUME and --trusted to a command. `help`: what else it takes.
+  void declare(const CommandLine &command, const std::string &help = "A .hvx file");
   /// Adds --precision and the walk passes, for a command that traces the volume.
   void declareKernelOptions(const CommandLine &command);
   /// Adds --ray-bounds, for a command that gives its rays bounds.

@@ -15,7 +15,7 @@
 namespace voxc {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 168;
+constexpr std::size_t kHeaderBytes = 200;
 constexpr std::size_t kChecksumAt = 16;
 
 class HostileFragments : public ::testing::Test {

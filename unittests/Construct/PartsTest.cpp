@@ -42,11 +42,12 @@ public:
     return std::make_unique<ChunkedSource>(scene_, log2Chunk_);
   }
   bool empty(const Cube &) override { return false; }
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     for (std::uint64_t i = 0; i < std::uint64_t{1} << (3 * cube.log2Side); ++i) {
       const Int3 cell = cube.low + mortonCell(i);
       words[i] = contains(scene_.extent, cell) ? scene_.voxel(cell) : 0;
     }
+    return {};
   }
 
 private:
@@ -229,7 +230,7 @@ TEST_F(Parts, BrokenFragmentsAreErrors) {
   ASSERT_TRUE(constructor->buildFragment(**source, 0, 1, path(0)));
   const std::string bytes = *readTextFile(path(0));
   constexpr std::size_t kChecksum = 16;
-  constexpr std::size_t kHeader = 168;
+  constexpr std::size_t kHeader = 200;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string broken = bytes;
     broken[i] ^= static_cast<char>(1 << i % 8);

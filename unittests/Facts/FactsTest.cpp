@@ -231,16 +231,9 @@ class FailingSource final : public VoxelSource {
 public:
   Int3 extent() const override { return {64, 64, 64}; }
   bool empty(const Cube &) override { return false; }
-  void read(const Cube &, std::uint32_t *words) override {
-    std::fill_n(words, 512, 0u);
-    failed_ = true;
+  Expected<void> read(const Cube &, std::uint32_t *) override {
+    return Error::environment("the disk is gone");
   }
-  std::optional<Error> failure() const override {
-    return failed_ ? std::optional(Error::environment("the disk is gone")) : std::nullopt;
-  }
-
-private:
-  bool failed_ = false;
 };
 
 TEST(Facts, FailureOfTheSourceIsPassedOn) {

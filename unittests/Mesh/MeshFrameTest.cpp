@@ -166,9 +166,10 @@ TEST(MeshFrame, StopsWhenAsked) {
   auto source = open(soupOf(kCorners), options);
   ASSERT_TRUE(source);
   stop = true;
-  voxelsOf(**source);
-  ASSERT_TRUE((*source)->failure());
-  EXPECT_EQ((*source)->failure()->kind, ErrorKind::Interrupted);
+  Voxels voxels;
+  const Expected<void> collected = collect(**source, {{}, 7}, voxels);
+  ASSERT_FALSE(collected);
+  EXPECT_EQ(collected.error().kind, ErrorKind::Interrupted);
 }
 
 TEST(MeshFrame, TellsHowFarItIs) {

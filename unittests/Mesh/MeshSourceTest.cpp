@@ -140,7 +140,7 @@ TEST(MeshSource, AnyOrderOfAskingIsAnswered) {
     const Int3 low{static_cast<int>(random() % 17) * 8, static_cast<int>(random() % 17) * 8,
                    static_cast<int>(random() % 17) * 8};
     std::array<std::uint32_t, 512> words;
-    source->read({low, 3}, words.data());
+    ASSERT_TRUE(source->read({low, 3}, words.data()));
     for (std::uint64_t cell = 0; cell < 512; ++cell) {
       const auto found = voxels.find(mortonCode(low) + cell);
       ASSERT_EQ(words[cell], found == voxels.end() ? 0 : found->second);

@@ -85,7 +85,7 @@ TEST(OpenVdb, LevelSetsAreFilled) {
   std::size_t count = 0;
   for (std::uint64_t brick = 0; brick < 32 * 32 * 32; ++brick) {
     std::array<std::uint32_t, 512> words;
-    inside->source->read({mortonCell(brick) * 8, 3}, words.data());
+    ASSERT_TRUE(inside->source->read({mortonCell(brick) * 8, 3}, words.data()));
     count += 512 - static_cast<std::size_t>(std::count(words.begin(), words.end(), 0u));
   }
   EXPECT_EQ(filled.size(), count);

@@ -160,8 +160,8 @@ TEST_F(RaceTest, TheGraphIsASourceOfTheSameVoxels) {
     for (int y = 0; y < 64; y += 8)
       for (int x = 0; x < 64; x += 8) {
         const Cube cube{{x, y, z}, 3};
-        source->read(cube, mine.data());
-        terrain->read(cube, theirs.data());
+        ASSERT_TRUE(source->read(cube, mine.data()));
+        ASSERT_TRUE(terrain->read(cube, theirs.data()));
         EXPECT_EQ(mine, theirs);
         EXPECT_EQ(source->empty(cube),
                   std::ranges::all_of(mine, [](std::uint32_t word) { return word == 0; }));

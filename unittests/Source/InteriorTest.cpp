@@ -248,18 +248,12 @@ class FailingSource final : public VoxelSource {
 public:
   Int3 extent() const override { return {200, 200, 200}; }
   bool empty(const Cube &) override { return false; }
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     std::fill_n(words, std::size_t{1} << 3 * cube.log2Side, 0u);
     words[0] = 1;
-    hasFailed_ = hasFailed_ || cube.low == Int3{128, 64, 0};
+    return cube.low == Int3{128, 64, 0} ? Expected<void>(Error::environment("it broke")) : Expected<void>();
   }
   std::unique_ptr<VoxelSource> view() const override { return std::make_unique<FailingSource>(); }
-  std::optional<Error> failure() const override {
-    return hasFailed_ ? std::optional(Error::environment("it broke")) : std::nullopt;
-  }
-
-private:
-  bool hasFailed_ = false;
 };
 
 TEST(Interior, OnSeveralThreadsIsTheSame) {

@@ -23,7 +23,7 @@ std::set<std::uint32_t> coloursOf(VoxelSource &source) {
   std::set<std::uint32_t> colours;
   std::array<std::uint32_t, 512> words;
   for (int code = 0; code < 8; ++code) {
-    source.read({mortonCell(code) * 8, 3}, words.data());
+    EXPECT_TRUE(source.read({mortonCell(code) * 8, 3}, words.data()));
     colours.insert(words.begin(), words.end());
   }
   return colours;

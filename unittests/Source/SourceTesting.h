@@ -67,30 +67,35 @@ inline Volume denseVolume(const Voxels &voxels, Int3 extent, const Transform &vo
   return Volume(info, words);
 }
 
-inline void collect(VoxelSource &source, const Cube &cube, Voxels &voxels) {
+/// Adds the voxels of a cube, asked for as a builder does. Errors: the source's.
+inline Expected<void> collect(VoxelSource &source, const Cube &cube, Voxels &voxels) {
   if (source.empty(cube))
-    return;
+    return {};
   if (cube.log2Side > 3) {
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8; ++child)
-      collect(source, {cube.low + mortonCell(child) * (1 << half), half}, voxels);
-    return;
+      if (auto done = collect(source, {cube.low + mortonCell(child) * (1 << half), half}, voxels); !done)
+        return done;
+    return {};
   }
   std::array<std::uint32_t, 512> words;
-  source.read(cube, words.data());
+  if (auto done = source.read(cube, words.data()); !done)
+    return done;
   for (std::uint64_t i = 0; i < std::uint64_t{1} << 3 * cube.log2Side; ++i)
     if (words[i] != 0)
       voxels[mortonCode(cube.low) + i] = words[i];
+  return {};
 }
 
-/// All voxels of a source, asked for as a builder does.
+/// All voxels of a source, which has no errors.
 inline Voxels voxelsOf(VoxelSource &source) {
   const Int3 extent = source.extent();
   int log2Side = 0;
   while (1 << log2Side < std::max({extent.x, extent.y, extent.z}))
     ++log2Side;
   Voxels voxels;
-  collect(source, {{}, log2Side}, voxels);
+  const Expected<void> done = collect(source, {{}, log2Side}, voxels);
+  EXPECT_TRUE(done) << done.error().message;
   return voxels;
 }
 

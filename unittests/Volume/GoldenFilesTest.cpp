@@ -94,7 +94,7 @@ TEST_P(GoldenFiles, HoldTheVoxelsOfTheirScene) {
     for (c.y = 0; c.y < extent.y; ++c.y)
       for (c.x = 0; c.x < extent.x; ++c.x) {
         std::uint32_t word = 0;
-        scene->source->read({c, 0}, &word);
+        ASSERT_TRUE(scene->source->read({c, 0}, &word));
         ASSERT_EQ(volume->lookup(c).value, word) << c.x << "," << c.y << "," << c.z;
       }
 }

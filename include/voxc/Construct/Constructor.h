@@ -1,6 +1,7 @@
 // Building volumes: generated construction code, compiled in this process and run on a source.
 #pragma once
 
+#include "voxc/Construct/FragmentShare.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Source/Edit.h"
 #include "voxc/Source/Rounding.h"
@@ -61,6 +62,8 @@ struct BuildReport {
   std::optional<ColourError> colourError; ///< Of payloads that round colours, but not of `merge`.
 };
 
+class FragmentSet;
+
 struct Built {
   Volume volume;
   BuildReport report;
@@ -74,14 +77,6 @@ struct PartNumbers {
 
 /// How volumes of a source in a format can be cut.
 PartNumbers partNumbersOf(const VoxelSource &source, const Format &format);
-
-/// One of the fragments of a volume: the cubes [begin, end), by their numbers.
-struct FragmentShare {
-  std::uint64_t index = 0; ///< Which fragment this is, from 0,
-  std::uint64_t count = 1; ///< and of how many.
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
-};
 
 /// Construction code of one format, compiled and callable.
 class Constructor {
@@ -118,22 +113,28 @@ public:
                                       const std::string &path, const BuildOptions &options = {}) const;
 
   /// Joins fragments that follow one another to one, which holds all cubes of theirs: `merge` makes the same
-  /// volume of it as of them. Errors: as `merge`; a fragment has cubes outside the share.
+  /// volume of it as of them. Errors: as `merge`; their cubes are not those of the share.
   Expected<BuildReport> joinFragments(const std::vector<std::string> &paths, const FragmentShare &share,
                                       const std::string &path, const BuildOptions &options = {}) const;
 
   /// Joins all fragments of a volume, given in any order, to what `build` makes of it. The provenance is
-  /// theirs. Errors (`Input`): a file that is no fragment, is broken, of another format or input, or missing.
+  /// theirs. Errors (`Input`): a file that is no fragment, is not whole or broken, of another format or
+  /// input, or missing; fragments whose shares leave cubes of the volume out, or have some twice.
   Expected<Built> merge(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
+
+  /// The same of some fragments that follow one another: a volume that holds their voxels alone. Errors: the
+  /// same, but for those that are missing.
+  Expected<Built> mergeRun(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
 
 private:
   struct State;
   Expected<Built> buildVoxels(VoxelSource &source, const BuildOptions &options) const;
+  Expected<void> checkFormat(const FragmentSet &fragments) const;
   explicit Constructor(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 
-/// Which fragment a file is, without its cubes, once its checksum is found to be that of its bytes. Errors as
+/// Which fragment a file is and what it holds, once its checksum is found to be that of its bytes. Errors as
 /// `merge`.
 Expected<FragmentShare> checkFragment(const std::string &path);
 

@@ -43,12 +43,11 @@ public:
 
   Int3 extent() const override { return source_->extent(); }
   bool empty(const Cube &cube) override { return source_->empty(cube); }
-  void read(const Cube &cube, std::uint32_t *words) override;
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override;
   std::unique_ptr<VoxelSource> view() const override;
   int log2Chunk() const override { return source_->log2Chunk(); }
   double readSeconds() const override { return source_->readSeconds(); }
   Transform voxelToModel() const override { return source_->voxelToModel(); }
-  std::optional<Error> failure() const override { return source_->failure(); }
 
   /// Of all voxels that were read so far, as often as they were.
   ColourError error() const;

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 
 namespace voxc {
 
@@ -23,6 +22,9 @@ constexpr std::uint32_t rgba(std::uint32_t r, std::uint32_t g, std::uint32_t b, 
 /// and then either leaves the cube or asks for cubes inside it. A source may thus make its voxels piece by
 /// piece and drop what lies behind; who goes back is answered all the same, if slowly.
 /// Cubes may reach outside `extent()`; whatever is outside is empty.
+///
+/// A source may fail, or be stopped, at any cube. Only `read` says so: `empty` is then false, so that who
+/// asks goes on to read, and no voxel that could not be made is taken for one that is not there.
 class VoxelSource {
 public:
   virtual ~VoxelSource() = default;
@@ -30,12 +32,14 @@ public:
   /// Voxels on each axis; every voxel lies in [0, extent). At most 2^21 an axis.
   virtual Int3 extent() const = 0;
 
-  /// True only if `cube` (aligned) holds no voxel. May be false for an empty cube; must be cheap.
+  /// True only if `cube` (aligned) is known to hold no voxel. May be false for an empty cube, and is so where
+  /// the source cannot tell; must be cheap.
   virtual bool empty(const Cube &cube) = 0;
 
   /// Writes the 8^log2Side words of the aligned `cube` (log2Side <= 3) to `words`, in Morton order; 0 is
-  /// "empty", anything else RGBA8 with R in the low byte.
-  virtual void read(const Cube &cube, std::uint32_t *words) = 0;
+  /// "empty", anything else RGBA8 with R in the low byte. Errors: the voxels could not be made, or the work
+  /// was stopped; `words` then mean nothing.
+  virtual Expected<void> read(const Cube &cube, std::uint32_t *words) = 0;
 
   /// Another reader of the same voxels, for another thread or another run; it may outlive this one. Null if
   /// the source has but one reader.
@@ -53,9 +57,6 @@ public:
 
   /// Maps voxel coordinates to those of the model that the voxels were made from.
   virtual Transform voxelToModel() const { return {}; }
-
-  /// Set when reading failed; a builder stops and passes it on.
-  virtual std::optional<Error> failure() const { return std::nullopt; }
 };
 
 /// A source made of a function of the coordinates, which returns the voxel's word; `empty` may be left out.

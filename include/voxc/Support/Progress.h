@@ -16,12 +16,17 @@ struct Progress {
   std::function<void(std::string_view stage, double fraction, std::uint64_t done)> report;
   /// Set by anyone, also a signal handler, to end the work early with `ErrorKind::Interrupted`.
   const std::atomic<bool> *stop = nullptr;
+  /// Asked besides, as often as the work looks whether to stop, and by several threads at once; true ends the
+  /// work in the same way, and has to be followed by true. For who has a deadline, and no one to set a flag.
+  std::function<bool()> ask;
 
   void at(std::string_view stage, double fraction, std::uint64_t done = 0) const {
     if (report)
       report(stage, fraction, done);
   }
-  bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+  bool stopped() const { return (stop && stop->load(std::memory_order_relaxed)) || (ask && ask()); }
+  /// The same without reports, for work of other threads.
+  Progress silent() const { return {{}, stop, ask}; }
 };
 
 } // namespace voxc

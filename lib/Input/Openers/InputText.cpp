@@ -32,6 +32,9 @@ Expected<std::vector<std::string>> numberedPaths(const std::string &path, std::s
   if (paths.empty())
     return Error::input("'" + path + "' names no file: there is neither " + (*pattern)(0) + " nor " +
                         (*pattern)(1));
+  if (std::filesystem::exists((*pattern)(number + 1), ignored))
+    return Error::input("'" + path + "' names no whole set: there is no " + (*pattern)(number) + ", but " +
+                        (*pattern)(number + 1) + " is there");
   return paths;
 }
 

@@ -17,6 +17,9 @@ namespace {
 /// Triangles between two looks at memory and at whether to stop.
 constexpr std::size_t kStep = 64;
 
+/// Stands for no chunk and no cube.
+constexpr Int3 kNowhere{-1, -1, -1};
+
 /// Adds the time that this thread computes while it lives.
 class ThreadTimer {
 public:
@@ -44,14 +47,13 @@ public:
       : mesh_(std::move(mesh)), cursor_(*mesh_->scene, mesh_->model.numbers), colour_(*mesh_->scene),
         voxels_(mesh_->log2Chunk) {
     for (int log2Side = mesh_->log2Chunk; log2Side < mesh_->bins.log2Chunk(); ++log2Side)
-      lists_.push_back({{-1, -1, -1}, ScratchArray<std::uint32_t>(mesh_->memory)});
+      lists_.push_back({kNowhere, ScratchArray<std::uint32_t>(mesh_->memory)});
   }
 
   Int3 extent() const override { return mesh_->model.extent(); }
   int log2Chunk() const override { return mesh_->log2Chunk; }
   double readSeconds() const override { return 1e-9 * static_cast<double>(mesh_->nanoseconds); }
   Transform voxelToModel() const override { return mesh_->model.grid.frame().voxelToModel(); }
-  std::optional<Error> failure() const override { return failure_; }
   std::uint64_t records(const Cube &cube) const override {
     const int missing = std::max(mesh_->bins.log2Chunk() - cube.log2Side, 0);
     const Cube bin = {cube.low, cube.log2Side + missing};
@@ -65,21 +67,28 @@ public:
     if (cube.log2Side >= mesh_->bins.log2Chunk())
       return mesh_->bins.empty(cube);
     if (cube.log2Side >= mesh_->log2Chunk)
-      return trianglesOf(cube.low >> cube.log2Side, cube.log2Side).empty();
-    return chunkAt(cube.low).empty(cube);
+      return hasNone(trianglesOf(cube.low >> cube.log2Side, cube.log2Side));
+    return moveTo(cube.low) && voxels_.empty(cube);
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
-    if (isOutside(cube, extent()))
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
+    if (isOutside(cube, extent())) {
       std::fill_n(words, cellCount(cube.log2Side), 0u);
-    else
-      chunkAt(cube.low).read(cube, words);
+      return {};
+    }
+    if (auto moved = moveTo(cube.low); !moved)
+      return moved;
+    voxels_.read(cube, words);
+    return {};
   }
 
 private:
+  using Triangles = Expected<std::span<const std::uint32_t>>;
+  static bool hasNone(const Triangles &triangles) { return triangles && triangles->empty(); }
+
   /// The triangles of a cube of a size below the bins'.
   struct List {
-    Int3 cube; ///< In cubes of this size; negative before the first.
+    Int3 cube; ///< In cubes of this size, or kNowhere.
     ScratchArray<std::uint32_t> triangles;
   };
 
@@ -94,63 +103,78 @@ private:
     return mesh_->model.snapped(cursor_);
   }
 
-  /// True if it is time to leave off; then `failure_` says why.
-  bool isStopped(std::size_t triangles) {
+  /// Looks now and then, after so many triangles, whether to stop. Error: interrupted.
+  Expected<void> lookUp(std::size_t triangles) {
     if (triangles % kStep != 0)
-      return false;
+      return {};
     mesh_->memory->relieve();
-    if (mesh_->progress.stopped())
-      failure_ = Error::interrupted();
-    return failure_.has_value();
+    return mesh_->progress.stopped() ? Expected<void>(Error::interrupted()) : Expected<void>();
   }
 
-  std::span<const std::uint32_t> trianglesOf(Int3 cube, int log2Side) {
+  Triangles trianglesOf(Int3 cube, int log2Side) {
     if (log2Side == mesh_->bins.log2Chunk())
       return mesh_->bins.at(cube);
     List &list = lists_[static_cast<std::size_t>(log2Side - mesh_->log2Chunk)];
     if (list.cube != cube) {
       const auto around = trianglesOf(cube >> 1, log2Side + 1);
+      if (!around)
+        return around;
       const ThreadTimer timer(mesh_->nanoseconds);
-      select(around, cube, log2Side, list.triangles);
+      list.cube = kNowhere;
+      if (auto selected = select(*around, cube, log2Side, list.triangles); !selected)
+        return selected.error();
       list.cube = cube;
     }
     return std::as_const(list.triangles).span();
   }
 
   /// Sets `selected` to those of `triangles` that touch a cube.
-  void select(std::span<const std::uint32_t> triangles, Int3 cube, int log2Side,
-              ScratchArray<std::uint32_t> &selected) {
+  Expected<void> select(std::span<const std::uint32_t> triangles, Int3 cube, int log2Side,
+                        ScratchArray<std::uint32_t> &selected) {
     const CellShape shape = CellShape::cube(mesh_->model.grid.bits() + log2Side);
-    auto chosen = selected.resize(0);
-    for (std::size_t i = 0; i < triangles.size() && chosen && !isStopped(i); ++i) {
+    if (auto emptied = selected.resize(0); !emptied)
+      return emptied;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (auto looked = lookUp(i); !looked)
+        return looked;
       coverCells(triangle(triangles[i]), shape, {cube, cube + Int3{1, 1, 1}}, masks_);
-      if (!masks_.empty() && masks_[0].slices[0] != 0)
-        chosen = selected.push(triangles[i]);
+      if (masks_.empty() || masks_[0].slices[0] == 0)
+        continue;
+      if (auto pushed = selected.push(triangles[i]); !pushed)
+        return pushed;
     }
-    if (!chosen)
-      failure_ = chosen.error();
+    return {};
   }
 
-  const ChunkVoxels &chunkAt(Int3 voxel) {
+  /// Makes `voxels_` those of the chunk around a voxel.
+  Expected<void> moveTo(Int3 voxel) {
     const Int3 chunk = voxel >> mesh_->log2Chunk;
-    if (chunk_ != chunk) {
-      const auto triangles = trianglesOf(chunk, mesh_->log2Chunk);
-      const ThreadTimer timer(mesh_->nanoseconds);
-      rasterize(triangles, chunk * (1 << mesh_->log2Chunk));
-      chunk_ = chunk;
-    }
-    return voxels_;
+    if (chunk_ == chunk)
+      return {};
+    const Triangles triangles = trianglesOf(chunk, mesh_->log2Chunk);
+    if (!triangles)
+      return triangles.error();
+    const ThreadTimer timer(mesh_->nanoseconds);
+    chunk_ = kNowhere;
+    if (auto done = rasterize(*triangles, chunk * (1 << mesh_->log2Chunk)); !done)
+      return done;
+    chunk_ = chunk;
+    return {};
   }
 
-  void rasterize(std::span<const std::uint32_t> triangles, Int3 low) {
+  Expected<void> rasterize(std::span<const std::uint32_t> triangles, Int3 low) {
     const int side = 1 << mesh_->log2Chunk;
     const Int3 extent = mesh_->model.extent();
     const CellRange within{low,
                            {std::min(low.x + side, extent.x), std::min(low.y + side, extent.y),
                             std::min(low.z + side, extent.z)}};
     voxels_.clear(low);
-    for (std::size_t i = 0; i < triangles.size() && !isStopped(i); ++i)
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (auto looked = lookUp(i); !looked)
+        return looked;
       propose(triangle(triangles[i]), within);
+    }
+    return {};
   }
 
   void propose(const SnappedTriangle &triangle, const CellRange &within) {
@@ -185,14 +209,13 @@ private:
   TriangleCursor cursor_;
   SurfaceColour colour_;
   ChunkVoxels voxels_;
-  Int3 chunk_{-1, -1, -1}; ///< Whose voxels these are.
+  Int3 chunk_ = kNowhere; ///< Whose voxels these are.
   std::vector<List> lists_;
   // Of the triangle in work.
   std::vector<CellMask> masks_;
   std::vector<Place> places_;
   std::vector<glm::dvec3> weights_;
   std::vector<std::uint32_t> words_;
-  std::optional<Error> failure_;
 };
 
 } // namespace

@@ -34,12 +34,13 @@ public:
            cube.low.y > std::max({ground.high, water, treeTop(cube, ground.high)});
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
     const std::optional<Tree> tree = treeAround(cube);
     const auto side = static_cast<std::int32_t>(cube.side());
     for (std::int32_t z = 0; z < side; ++z)
       for (std::int32_t x = 0; x < side; ++x)
         readColumn(cube, {x, 0, z}, tree, words);
+    return {};
   }
 
 private:

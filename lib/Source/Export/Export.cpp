@@ -109,6 +109,8 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
   if (options.save.compress && ending != ".hvx")
     return Error::usage("'" + path +
                         "' is no volume that could be compressed; only a file that ends in .hvx is");
+  if (options.save.progress.stopped())
+    return Error::interrupted();
   for (const OtherExport &other : options.otherKinds)
     if (other.ending == ending) {
       auto written = other.write(volume, path, options);

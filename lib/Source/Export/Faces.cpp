@@ -24,8 +24,8 @@ public:
       : source_(makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume))),
         words_(std::size_t{kSide} * kSide * kSide) {}
 
-  /// False if the block itself holds nothing.
-  bool read(Int3 low) {
+  /// False if the block itself holds nothing. Errors: the source's.
+  Expected<bool> read(Int3 low) {
     std::ranges::fill(words_, 0u);
     hasVoxel_ = false;
     Int3 brick;
@@ -33,7 +33,8 @@ public:
       for (brick.y = -1; brick.y <= kBlock / kBrick; ++brick.y)
         for (brick.x = -1; brick.x <= kBlock / kBrick; ++brick.x)
           if (axesOutside(brick) <= 1)
-            readBrick(low, brick * kBrick);
+            if (auto done = readBrick(low, brick * kBrick); !done)
+              return done.error();
     return hasVoxel_;
   }
 
@@ -54,12 +55,13 @@ private:
     return count;
   }
 
-  void readBrick(Int3 low, Int3 first) {
+  Expected<void> readBrick(Int3 low, Int3 first) {
     const Cube cube{low + first, kLog2Brick};
     if (source_->empty(cube))
-      return;
+      return {};
     std::array<std::uint32_t, std::size_t{kBrick} * kBrick * kBrick> brick;
-    source_->read(cube, brick.data());
+    if (auto done = source_->read(cube, brick.data()); !done)
+      return done;
     const Int3 extent = source_->extent();
     forEachCell({first, kLog2Brick}, [&](std::uint64_t at, Int3 cell) {
       const bool isNear =
@@ -69,6 +71,7 @@ private:
       words_[index(cell)] = brick[at];
       hasVoxel_ |= contains({kBlock, kBlock, kBlock}, cell);
     });
+    return {};
   }
 
   std::unique_ptr<VoxelSource> source_;
@@ -90,26 +93,31 @@ public:
     int log2Side = kLog2Block;
     while (std::int64_t{1} << log2Side < std::max({extent.x, extent.y, extent.z}))
       ++log2Side;
-    goes_ = true;
-    walk({{}, log2Side});
-    if (progress_.stopped())
-      return Error::interrupted();
-    return {};
+    return walk({{}, log2Side});
   }
 
 private:
-  void walk(const Cube &cube) {
+  Expected<void> walk(const Cube &cube) {
     if (isOutside(cube, volume_.info().extent) || isEmpty(cube) || isBuried(cube))
-      return;
-    if (cube.log2Side == kLog2Block) {
-      goes_ = !progress_.stopped();
-      if (goes_ && words_.read(cube.low))
-        mergeBlock(cube.low);
-      return;
-    }
+      return {};
+    if (cube.log2Side == kLog2Block)
+      return walkBlock(cube.low);
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8 && goes_; ++child)
-      walk({cube.low + mortonCell(child) * (1 << half), half});
+      if (auto walked = walk({cube.low + mortonCell(child) * (1 << half), half}); !walked)
+        return walked;
+    return {};
+  }
+
+  Expected<void> walkBlock(Int3 low) {
+    if (progress_.stopped())
+      return Error::interrupted();
+    const Expected<bool> hasVoxel = words_.read(low);
+    if (!hasVoxel)
+      return hasVoxel.error();
+    if (*hasVoxel)
+      mergeBlock(low);
+    return {};
   }
 
   bool isEmpty(const Cube &cube) const {
@@ -200,7 +208,7 @@ private:
   const Progress &progress_;
   BlockWords words_;
   Plane plane_{};
-  bool goes_ = true;
+  bool goes_ = true; ///< Until `visit` ends it.
 };
 
 } // namespace

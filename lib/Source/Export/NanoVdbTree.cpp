@@ -108,7 +108,8 @@ private:
 
   Expected<void> addBrick(const Cube &cube) {
     std::array<std::uint32_t, 512> words;
-    readBrickWithin(*source_, cube.low, words);
+    if (auto done = readBrickWithin(*source_, cube.low, words); !done)
+      return done;
     if (words[0] != 0 && std::ranges::all_of(words, [&](std::uint32_t word) { return word == words[0]; }))
       return addTile(tree_.ofLowers, cube, words[0], 0);
     ActiveBox box;
@@ -135,15 +136,17 @@ private:
 
 } // namespace
 
-void readBrickWithin(VoxelSource &source, Int3 low, std::array<std::uint32_t, 512> &words) {
+Expected<void> readBrickWithin(VoxelSource &source, Int3 low, std::array<std::uint32_t, 512> &words) {
   const Cube cube{low, kLog2Leaf};
-  source.read(cube, words.data());
+  if (auto done = source.read(cube, words.data()); !done)
+    return done;
   if (contains(source.extent(), boxOf(cube).high))
-    return;
+    return {};
   forEachCell(cube, [&](std::uint64_t at, Int3 cell) {
     if (!contains(source.extent(), cell))
       words[at] = 0;
   });
+  return {};
 }
 
 Expected<NanoVdbTree> findNanoVdbTree(const Volume &volume, const std::shared_ptr<WorkingMemory> &memory,

@@ -62,7 +62,7 @@ struct NanoVdbTree {
 Expected<NanoVdbTree> findNanoVdbTree(const Volume &volume, const std::shared_ptr<WorkingMemory> &memory,
                                       const Progress &progress);
 
-/// The 512 words of the brick at `low` in Morton order, those outside the extent 0.
-void readBrickWithin(VoxelSource &source, Int3 low, std::array<std::uint32_t, 512> &words);
+/// The 512 words of the brick at `low` in Morton order, those outside the extent 0. Errors: the source's.
+Expected<void> readBrickWithin(VoxelSource &source, Int3 low, std::array<std::uint32_t, 512> &words);
 
 } // namespace voxc

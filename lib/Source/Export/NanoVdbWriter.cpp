@@ -241,7 +241,8 @@ private:
         continue;
       if (++looks % 4096 == 0 && progress_.stopped())
         return Error::interrupted();
-      readBrickWithin(*source, child.low, words);
+      if (auto done = readBrickWithin(*source, child.low, words); !done)
+        return done;
       if (auto written = put(leafOf(child.low, words)); !written)
         return written;
     }

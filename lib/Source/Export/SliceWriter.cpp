@@ -1,11 +1,12 @@
 // Slices as PNG pictures, one for each z.
+#include "Source/Export/NumberedFiles.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
-#include "Support/NumberedPath.h"
 
 #include <png.h>
 
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ Expected<std::vector<std::byte>> encode(const std::vector<std::uint32_t> &words,
   return bytes;
 }
 
-Expected<void> writeSlice(const Volume &volume, std::int32_t z, std::vector<std::uint32_t> &words,
-                          const std::string &path) {
+/// The picture of a slice. `words` are its cells, to be used again.
+Expected<std::string> sliceOf(const Volume &volume, std::int32_t z, std::vector<std::uint32_t> &words) {
   const Int3 extent = volume.info().extent;
   const auto width = static_cast<std::size_t>(extent.x);
   for (std::int32_t y = 0; y < extent.y; ++y)
@@ -40,7 +41,7 @@ Expected<void> writeSlice(const Volume &volume, std::int32_t z, std::vector<std:
   const auto bytes = encode(words, extent);
   if (!bytes)
     return bytes.error();
-  return writeFile(path, {reinterpret_cast<const char *>(bytes->data()), bytes->size()});
+  return std::string(reinterpret_cast<const char *>(bytes->data()), bytes->size());
 }
 
 } // namespace
@@ -55,17 +56,22 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
   if (std::int64_t{extent.x} * extent.y > kMostCells)
     return Error::input("a slice of " + std::to_string(extent.x) + "x" + std::to_string(extent.y) +
                         " cells is too large for a picture; it may have 2^26");
+  std::optional<NumberedFiles> files;
+  if (pattern)
+    files.emplace(*pattern);
   std::vector<std::uint32_t> words(static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y));
   for (std::int32_t z = 0; z < extent.z; ++z) {
     if (options.save.progress.stopped())
       return Error::interrupted();
     options.save.progress.at("write", static_cast<double>(z) / extent.z);
-    const std::string name = pattern ? (*pattern)(static_cast<std::uint64_t>(z)) : path;
-    if (auto written = writeSlice(volume, z, words, name); !written)
+    const auto slice = sliceOf(volume, z, words);
+    if (!slice)
+      return slice.error();
+    if (auto written = files ? files->add(*slice) : writeFile(path, *slice); !written)
       return written;
   }
   exported.files = static_cast<std::uint64_t>(extent.z);
-  return {};
+  return files ? files->finish() : Expected<void>();
 }
 
 } // namespace voxc

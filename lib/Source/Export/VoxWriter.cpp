@@ -1,4 +1,5 @@
 // MagicaVoxel files: chunks of four letters, the size of their content, and that of their children.
+#include "Source/Export/NumberedFiles.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 #include "voxc/Source/Sources.h"
@@ -200,12 +201,12 @@ private:
 /// Writes a part after the other.
 class SceneFiles {
 public:
-  SceneFiles(Int3 extent, const NumberedPath &path) : extent_(extent), path_(path), scene_(extent) {}
+  SceneFiles(Int3 extent, const NumberedPath &path) : extent_(extent), files_(path), scene_(extent) {}
 
-  /// False if it goes no further: see `result`.
+  /// False if it goes no further: see `finish`.
   bool add(Int3 voxel, std::uint32_t word) {
     const std::uint64_t cube = mortonCode(voxel >> kLog2Part);
-    if (voxels_ != 0 && cube != cube_ && !finish())
+    if (voxels_ != 0 && cube != cube_ && !finishPart())
       return false;
     cube_ = cube;
     ++voxels_;
@@ -216,28 +217,31 @@ public:
     return bool(result_);
   }
 
-  /// Writes what has been added. False: see `result`.
-  bool finish() {
-    const std::string bytes = scene_.file();
-    result_ = writeFile(path_(files_++), bytes);
+  /// Writes what is left, and completes the set. Error: also what `add` came to.
+  Expected<void> finish() {
+    if (result_ && (voxels_ != 0 || files_.count() == 0))
+      finishPart();
+    return result_ ? files_.finish() : result_;
+  }
+
+  std::uint64_t files() const { return files_.count(); }
+
+private:
+  static constexpr int kLog2Part = 10;
+
+  /// Writes what has been added. False: see `result_`.
+  bool finishPart() {
+    result_ = files_.add(scene_.file());
     scene_ = Scene(extent_, false);
     voxels_ = 0;
     return bool(result_);
   }
 
-  const Expected<void> &result() const { return result_; }
-  std::uint64_t voxels() const { return voxels_; }
-  std::uint64_t files() const { return files_; }
-
-private:
-  static constexpr int kLog2Part = 10;
-
   Int3 extent_;
-  NumberedPath path_;
+  NumberedFiles files_;
   Scene scene_;
   std::uint64_t cube_ = 0;
   std::uint64_t voxels_ = 0; ///< Of the part.
-  std::uint64_t files_ = 0;
   Expected<void> result_;
 };
 
@@ -271,11 +275,11 @@ Expected<void> writeMagicaVoxelParts(const Volume &volume, const NumberedPath &p
   const auto add = [&](Int3 voxel, std::uint32_t word) { return files.add(voxel, (*colours)(word)); };
   if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
     return visited;
-  if (files.result() && (files.voxels() != 0 || files.files() == 0))
-    files.finish();
+  if (auto finished = files.finish(); !finished)
+    return finished;
   colours->tell(exported);
   exported.files = files.files();
-  return files.result();
+  return {};
 }
 
 } // namespace voxc

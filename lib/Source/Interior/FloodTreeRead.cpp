@@ -39,8 +39,6 @@ Expected<FloodTree> FloodTree::read(VoxelSource &source, const Flood &flood, con
   if (!isAlone)
     tree.readChunks(source, chunks.span(), options.threads);
   tree.chunks_ = nullptr;
-  if (!tree.error_)
-    tree.error_ = source.failure();
   if (tree.error_)
     return *tree.error_;
   return tree;
@@ -57,11 +55,10 @@ void FloodTree::readChunks(VoxelSource &source, std::span<const Chunk> chunks, u
       const std::lock_guard lock(joining);
       view = source.view();
     }
-    FloodTree part({step_, beyond_}, memory_, {{}, progress_.stop});
+    FloodTree part({step_, beyond_}, memory_, progress_.silent());
     part.extent_ = extent_;
     for (std::uint64_t i = next++; i < chunks.size(); i = next++) {
       const std::uint32_t child = part.readCube(*view, chunks[i].low, kChunkHeight);
-      part.error_ = part.error_ ? part.error_ : view->failure();
       const std::lock_guard lock(joining);
       join(part, child, chunks[i]);
       progress_.at("find the inside", static_cast<double>(i) / static_cast<double>(chunks.size()));
@@ -139,7 +136,9 @@ void FloodTree::readChildren(VoxelSource &source, const Cube &cube, std::uint32_
 std::uint32_t FloodTree::readBrick(VoxelSource &source, Int3 low) {
   std::array<std::uint32_t, 512> words;
   const Cube cube{low, CellSet::kLog2Brick};
-  source.read(cube, words.data());
+  check(source.read(cube, words.data()));
+  if (error_)
+    return kEmpty;
   if (beyond_ == Beyond::Solid && !isInside(cube, extent_))
     forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
       if (!contains(extent_, cell))
@@ -149,8 +148,6 @@ std::uint32_t FloodTree::readBrick(VoxelSource &source, Int3 low) {
   const std::uint64_t count = countBits(bits);
   if (count == 0 || count == words.size())
     return count == 0 ? kEmpty : kFull;
-  if (auto error = source.failure())
-    check(*error);
   progress_.at("find the inside",
                static_cast<double>(mortonCode(low)) / static_cast<double>(cellCount(3 * height_)));
   return addLeaf(low, toSlices(bits));

@@ -16,7 +16,6 @@ public:
   Transform voxelToModel() const override { return source_->voxelToModel(); }
   int log2Chunk() const override { return source_->log2Chunk(); }
   double readSeconds() const override { return source_->readSeconds(); }
-  std::optional<Error> failure() const override { return source_->failure(); }
 
   std::unique_ptr<VoxelSource> view() const override {
     auto view = source_->view();
@@ -28,9 +27,11 @@ public:
                       : cells_->none(cube) && source_->empty(cube);
   }
 
-  void read(const Cube &cube, std::uint32_t *words) override {
-    source_->read(cube, words);
+  Expected<void> read(const Cube &cube, std::uint32_t *words) override {
+    if (auto done = source_->read(cube, words); !done)
+      return done;
     cells_->paint(cube, word_, words);
+    return {};
   }
 
 private:

@@ -18,6 +18,8 @@ namespace {
 constexpr int kPollMilliseconds = 50;
 constexpr std::size_t kKeptErrorBytes = 16384;
 constexpr int kInterruptedExit = 130;
+/// An interrupt of a terminal reaches a child and this process, which may hear of it a moment later.
+constexpr int kSameInterruptMilliseconds = 200;
 
 Error cannotStart() {
   return Error::environment(std::string("cannot start a process: ") + std::strerror(errno));
@@ -87,6 +89,13 @@ std::string lastLine(std::string text) {
   return text.starts_with(kPrefix) ? text.substr(kPrefix.size()) : text;
 }
 
+/// Has this process been stopped, or is it now?
+bool isStoppedSoon(const Progress &progress) {
+  for (int waited = 0; !progress.stopped() && waited < kSameInterruptMilliseconds; waited += 10)
+    ::poll(nullptr, 0, 10);
+  return progress.stopped();
+}
+
 std::string failureOf(int status, const std::string &errors) {
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
@@ -122,12 +131,15 @@ Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const 
   std::string text;
   while (!drain(errors.readEnd(), text) && !progress.stopped())
     poll();
-  if (progress.stopped())
+  if (progress.stopped()) {
     ::kill(child, SIGTERM);
+    ::kill(child, SIGCONT); // One that is halted hears nothing else.
+  }
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
     ;
-  if (progress.stopped() || (WIFEXITED(status) && WEXITSTATUS(status) == kInterruptedExit))
+  const bool wasInterrupted = WIFEXITED(status) && WEXITSTATUS(status) == kInterruptedExit;
+  if (progress.stopped() || (wasInterrupted && isStoppedSoon(progress)))
     return Error::interrupted();
   ChildReport report{WIFEXITED(status) && WEXITSTATUS(status) == 0, ""};
   if (!report.succeeded)

@@ -17,8 +17,9 @@ struct ChildReport {
 };
 
 /// Runs `voxc ARGUMENT...` to its end; its standard output is dropped. `poll` is called now and then
-/// meanwhile. If `progress` is stopped the child is ended, and if this process ends the child does too.
-/// Errors: `Interrupted`; `Environment` if no process can be made.
+/// meanwhile. If `progress` is stopped the child is ended, and if this process ends the child does too. A
+/// child that alone is interrupted has failed. Errors: `Interrupted`; `Environment` if no process can be
+/// made.
 Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const Progress &progress,
                                const std::function<void()> &poll);
 

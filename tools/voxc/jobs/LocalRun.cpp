@@ -6,8 +6,7 @@
 #include "jobs/Child.h"
 
 #include <algorithm>
-#include <mutex>
-#include <optional>
+#include <system_error>
 #include <thread>
 
 namespace voxc::tool {
@@ -36,22 +35,29 @@ std::vector<Numbers> deal(const Jobs &jobs, std::size_t level, Numbers numbers, 
 Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &missing, unsigned processes,
                         const JobWatch &watch) {
   const auto lists = deal(jobs, level, missing, processes);
-  std::mutex mutex;
-  std::optional<Error> failure;
-  std::vector<std::thread> threads;
-  threads.reserve(lists.size());
-  for (const Numbers &list : lists)
-    threads.emplace_back([&, numbers = cluster::numberListText(list)] {
-      const auto report = runChild(jobs.command(level, numbers), Progress{{}, watch.progress.stop}, [] {});
-      const std::lock_guard lock(mutex);
-      if (!report)
-        failure = report.error();
-      else if (!report->succeeded && !failure)
-        failure = Error::environment(jobs.itemName(level) + " of " + numbers + " failed: " + report->failure);
-    });
-  for (std::thread &thread : threads)
-    thread.join();
-  return failure ? *failure : Expected<void>();
+  std::vector<Expected<void>> outcomes(lists.size());
+  const auto runList = [&](std::size_t i) {
+    const std::string numbers = cluster::numberListText(lists[i]);
+    const auto report = runChild(jobs.command(level, numbers), watch.progress.silent(), [] {});
+    if (!report)
+      outcomes[i] = report.error();
+    else if (!report->succeeded)
+      outcomes[i] =
+          Error::environment(jobs.itemName(level) + " of " + numbers + " failed: " + report->failure);
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    try {
+      threads.emplace_back(runList, i);
+    } catch (const std::system_error &) {
+      runList(i); // A limit on threads: the lists come one after the other.
+    }
+  }
+  threads.clear(); // Joins them.
+  if (watch.progress.stopped())
+    return Error::interrupted();
+  const auto failed = std::ranges::find_if(outcomes, [](const Expected<void> &outcome) { return !outcome; });
+  return failed == outcomes.end() ? Expected<void>() : *failed;
 }
 
 /// Runs the levels one after the other, up to the first that fails.

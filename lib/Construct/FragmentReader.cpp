@@ -1,5 +1,7 @@
-// Layout of fragment files, and their checks.
+// Reading the files of fragments, and their checks.
 #include "FragmentFile.h"
+#include "FragmentLayout.h"
+#include "PartBuilder.h"
 
 #include <algorithm>
 #include <array>
@@ -7,139 +9,12 @@
 #include <cstring>
 
 namespace voxc {
+
+using namespace hvf;
+
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'\x89', 'H', 'V', 'F', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint32_t kVersion = 4;
-constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint64_t kMaxTextBytes = 1 << 20;
-
-/// The fixed part of the header; little-endian, no padding. The texts follow, then the parts.
-struct Header {
-  std::array<char, 8> magic = kMagic;
-  std::uint32_t version = kVersion;
-  std::uint32_t byteOrder = kByteOrder;
-  std::uint64_t checksum = 0; ///< XXH3-64 of all that follows the header, then of the header with 0 here.
-  std::uint64_t parts = 0;
-  std::uint64_t index = 0;
-  std::uint64_t count = 0;
-  std::array<std::int32_t, 3> extent{};
-  std::int32_t log2Side = 0;
-  std::uint32_t irBytes = 0;
-  std::uint32_t provenanceBytes = 0;
-  std::array<double, 12> voxelToModel{};
-};
-static_assert(sizeof(Header) == 168);
-
-/// What stands before each part; its words, array, blocks (a word of 8 bytes each), cells, values and shared
-/// counts follow.
-struct PartHeader {
-  std::array<std::int32_t, 3> low{};
-  std::array<std::uint32_t, 3 + construct::kMaskWords> node{}; ///< Kind, value, masks, voxels.
-  std::uint32_t colour = 0;                                    ///< Of all voxels, of payload=constant.
-  std::int32_t log2Side = 0;                                   ///< Of the part.
-  std::uint64_t words = 0;
-  std::uint64_t array = 0;
-  std::uint64_t blocks = 0;
-  std::uint64_t cells = 0;
-  std::uint64_t values = 0;
-  std::uint64_t voxels = 0;
-};
-static_assert(sizeof(PartHeader) == 96);
-static_assert(sizeof(construct::PlacedCell) == 20);
-
-constexpr int kKindBits = 2;
-constexpr int kLevelBits = 6;
-
-std::uint64_t pack(const BlockRecord &block) {
-  return block.kind | block.level << kKindBits | block.words << (kKindBits + kLevelBits);
-}
-
-BlockRecord unpack(std::uint64_t packed) {
-  return {static_cast<BlockRecord::Kind>(packed & ((1u << kKindBits) - 1)),
-          static_cast<std::uint32_t>(packed >> kKindBits & ((1u << kLevelBits) - 1)),
-          packed >> (kKindBits + kLevelBits)};
-}
-
-Header headerOf(const FragmentInfo &info) {
-  const VolumeInfo &volume = info.volume;
-  Header header;
-  header.index = info.index;
-  header.count = info.count;
-  header.extent = {volume.extent.x, volume.extent.y, volume.extent.z};
-  header.log2Side = info.log2Side;
-  header.irBytes = static_cast<std::uint32_t>(printIr(volume.format).size());
-  header.provenanceBytes = static_cast<std::uint32_t>(volume.provenance.size());
-  header.voxelToModel = rowsOf(volume.voxelToModel);
-  return header;
-}
-
-} // namespace
-
-FragmentWriter::FragmentWriter(OutputFile file, FragmentInfo info)
-    : file_(std::move(file)), info_(std::move(info)), sum_(std::make_unique<Checksum>()) {}
-
-Expected<FragmentWriter> FragmentWriter::create(const std::string &path, const FragmentInfo &info) {
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
-  if (!file->isRegular())
-    return Error::input("'" + path + "' is no file; a fragment needs one");
-  FragmentWriter writer(std::move(*file), info);
-  const Header header = headerOf(info);
-  const std::string texts = printIr(info.volume.format) + info.volume.provenance;
-  if (auto written = writer.file_.write(&header, sizeof header); !written)
-    return written.error();
-  if (auto written = writer.write(texts.data(), texts.size()); !written)
-    return written.error();
-  return writer;
-}
-
-Expected<void> FragmentWriter::write(const void *data, std::size_t size) {
-  sum_->add(data, size);
-  return file_.write(data, size);
-}
-
-Expected<void> FragmentWriter::add(const Fragment &fragment) {
-  const construct::Node &node = fragment.node;
-  const PartHeader header = {
-      {fragment.cube.low.x, fragment.cube.low.y, fragment.cube.low.z},
-      {node.kind, node.value, node.masks[0], node.masks[1], node.masks[2], node.masks[3], node.voxels},
-      fragment.colour,
-      fragment.cube.log2Side,
-      fragment.words.size(),
-      fragment.array.size(),
-      fragment.blocks.size(),
-      fragment.cells.size(),
-      fragment.values.size(),
-      fragment.voxels};
-  std::vector<std::uint64_t> blocks;
-  blocks.reserve(fragment.blocks.size());
-  for (const BlockRecord &block : fragment.blocks)
-    blocks.push_back(pack(block));
-  const std::array<std::span<const std::byte>, 7> pieces = {
-      std::as_bytes(std::span(&header, 1)),     std::as_bytes(std::span(fragment.words)),
-      std::as_bytes(std::span(fragment.array)), std::as_bytes(std::span(blocks)),
-      std::as_bytes(std::span(fragment.cells)), std::as_bytes(std::span(fragment.values)),
-      std::as_bytes(std::span(fragment.shared))};
-  for (const auto &piece : pieces)
-    if (auto written = write(piece.data(), piece.size()); !written)
-      return written;
-  ++parts_;
-  return {};
-}
-
-Expected<void> FragmentWriter::finish() {
-  Header header = headerOf(info_);
-  header.parts = parts_;
-  sum_->add(&header, sizeof header);
-  header.checksum = sum_->digest();
-  if (auto written = file_.rewrite(0, &header, sizeof header); !written)
-    return written;
-  return file_.commit();
-}
-
-namespace {
 
 /// Files are summed by so much, which then goes: a merge opens many before it reads the first.
 constexpr std::size_t kSummedAtOnce = std::size_t{4} << 20;
@@ -157,15 +32,32 @@ std::uint64_t checksumOf(Header header, const MappedFile &file) {
   return checksum.digest();
 }
 
+/// True if the file ends as one that was written to its end.
+bool hasTrailer(std::span<const std::byte> bytes) {
+  Trailer trailer;
+  std::memcpy(&trailer, bytes.last(sizeof trailer).data(), sizeof trailer);
+  return trailer.magic == kTrailerMagic && trailer.bytes == bytes.size();
+}
+
 /// What is wrong with a header, or nothing.
 std::string problemOf(const Header &header, const MappedFile &file) {
   const std::span<const std::byte> bytes = file.bytes();
   const std::uint64_t textBytes = std::uint64_t{header.irBytes} + header.provenanceBytes;
+  if (header.version < kFirstWholeVersion && header.byteOrder == kByteOrder)
+    return "was written by an earlier voxc, which could leave out voxels after an interruption; build it "
+           "again "
+           "with this voxc";
   if (header.version != kVersion || header.byteOrder != kByteOrder)
     return "is of another version or byte order; build it again with this voxc";
-  if (textBytes > kMaxTextBytes || textBytes > bytes.size() - sizeof(Header) || header.count == 0 ||
-      header.index >= header.count || header.log2Side < 0 || header.log2Side > kMaxLog2Extent)
+  if (bytes.size() < sizeof(Header) + sizeof(Trailer) || !hasTrailer(bytes))
+    return "is not whole: it does not end as a fragment does; build it again";
+  if (textBytes > kMaxTextBytes || textBytes > bytes.size() - sizeof(Header) - sizeof(Trailer) ||
+      header.count == 0 || header.index >= header.count || header.begin > header.end || header.log2Side < 0 ||
+      header.log2Side > kMaxLog2Extent)
     return "has a header that contradicts itself";
+  if (header.looked != header.end - header.begin)
+    return "is not whole: of its " + std::to_string(header.end - header.begin) + " cubes " +
+           std::to_string(header.looked) + " were looked at; build it again";
   if (checksumOf(header, file) != header.checksum)
     return "is damaged: its checksum does not match its contents";
   return {};
@@ -249,6 +141,12 @@ bool covers(const Fragment &fragment, const Layout &layout) {
   return words == 0 && array == 0;
 }
 
+/// True if there are so many cubes of this size in a volume of the format.
+bool hasCubes(const Header &header, const Format &format, Int3 extent) {
+  const PartGrid grid = PartGrid::of(extent, layoutOf(format), header.log2Side);
+  return grid.log2Side == header.log2Side && header.end <= grid.count();
+}
+
 } // namespace
 
 Expected<FragmentReader> FragmentReader::open(const std::string &path) {
@@ -272,21 +170,27 @@ Expected<FragmentReader> FragmentReader::open(const std::string &path) {
   const Int3 extent = {header.extent[0], header.extent[1], header.extent[2]};
   if (diagnostics.hasErrors() || format != storageFormat(format) || !fits(extent, format))
     return broken("names no valid format, or one that is too small");
-  reader.info_ = {{std::move(format), extent, transformOfRows(header.voxelToModel), 0,
+  if (!hasCubes(header, format, extent))
+    return broken("has a share of cubes that its volume does not have");
+  reader.info_ = {{std::move(format), extent, transformOfRows(header.voxelToModel), header.voxels,
                    std::string(text + header.irBytes, header.provenanceBytes)},
                   header.log2Side,
-                  header.index,
-                  header.count};
+                  {header.index, header.count, header.begin, header.end}};
   reader.at_ = sizeof(Header) + std::uint64_t{header.irBytes} + header.provenanceBytes;
   reader.remaining_ = header.parts;
   return reader;
 }
 
-std::optional<Cube> FragmentReader::next() const {
+Next<Cube> FragmentReader::next() const {
+  const std::uint64_t end = bytes().size() - sizeof(Trailer);
+  if (remaining_ == 0 && at_ == end && voxels_ == info_.volume.voxels)
+    return End{};
+  if (remaining_ == 0)
+    return Error::input("'" + path_ + "' is broken: it does not hold the parts that it says");
   PartHeader header;
-  ByteReader reader(bytes(), at_);
-  if (remaining_ == 0 || !reader.read(header))
-    return std::nullopt;
+  ByteReader reader(bytes().first(end), at_);
+  if (!reader.read(header))
+    return Error::input("'" + path_ + "' is broken: a part of it is missing");
   return cubeOf(header);
 }
 
@@ -331,6 +235,7 @@ Expected<Fragment> FragmentReader::take() {
   fragment.voxels = header.voxels;
   fragment.colour = header.colour;
   at_ = reader.at();
+  voxels_ += fragment.voxels;
   --remaining_;
   return fragment;
 }

@@ -1,0 +1,51 @@
+// Files of which the first ones wait for the others.
+#include "Source/Export/NumberedFiles.h"
+
+#include <filesystem>
+#include <system_error>
+
+namespace voxc {
+namespace {
+
+/// What a reader may begin with: numbers 0 and 1.
+constexpr std::uint64_t kBeginning = 2;
+
+/// Removes a file; a pipe or a device stays, and is written to.
+void removeFile(const std::string &path) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored))
+    std::filesystem::remove(path, ignored);
+}
+
+} // namespace
+
+Expected<void> NumberedFiles::add(std::string_view bytes) {
+  if (count_ == 0)
+    for (std::uint64_t number = 0; number < kBeginning; ++number)
+      removeFile(path_(number));
+  auto added = count_ < kBeginning ? addBeginning(bytes) : writeFile(path_(count_), bytes);
+  ++count_;
+  return added;
+}
+
+Expected<void> NumberedFiles::addBeginning(std::string_view bytes) {
+  auto file = OutputFile::create(path_(count_));
+  if (!file)
+    return file.error();
+  if (auto written = file->write(bytes.data(), bytes.size()); !written)
+    return written;
+  beginning_.push_back(std::move(*file));
+  return {};
+}
+
+/// Number 0 is the first, for a reader takes 1 without it for the beginning; 0 without 1 is a gap before all
+/// others.
+Expected<void> NumberedFiles::finish() {
+  for (OutputFile &file : beginning_)
+    if (auto named = file.commit(); !named)
+      return named;
+  beginning_.clear();
+  return {};
+}
+
+} // namespace voxc
