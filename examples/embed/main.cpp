@@ -22,12 +22,13 @@ public:
     return !inside(gap(cube.low.x), gap(cube.low.y), gap(cube.low.z));
   }
 
-  void read(const voxc::Cube &cube, std::uint32_t *words) override {
+  voxc::Expected<void> read(const voxc::Cube &cube, std::uint32_t *words) override {
     for (std::uint64_t i = 0; i < std::uint64_t{1} << (3 * cube.log2Side); ++i) {
       const voxc::Int3 cell = cube.low + voxc::mortonCell(i);
       const bool full = inside(cell.x - kCentre, cell.y - kCentre, cell.z - kCentre);
       words[i] = full ? voxc::rgba(4 * cell.x, 4 * cell.y, 4 * cell.z) : 0;
     }
+    return {};
   }
 
 private:

@@ -1,13 +1,38 @@
 // From the table of functions to the members of the host.
 #include "BuildHost.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <new>
+
 namespace voxc {
 namespace {
 
 using construct::Voxel;
 
+constexpr std::size_t kBrickVoxels = 512;
+
 Int3 cellOf(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
-BuildHost &hostOf(void *self) { return *static_cast<BuildHost *>(self); }
+
+/// Calls `work(host)` for generated code, which no exception can leave: where there is no memory the store
+/// fails, and the code gets `otherwise`.
+template <typename Result, typename Work> Result serve(void *self, Result otherwise, const Work &work) {
+  BuildHost &host = *static_cast<BuildHost *>(self);
+  try {
+    return work(host);
+  } catch (const std::bad_alloc &) {
+    host.store().fail(Error::environment("out of memory"));
+    return otherwise;
+  }
+}
+
+/// The same for what returns nothing.
+template <typename Work> void serve(void *self, const Work &work) {
+  serve(self, true, [&](BuildHost &host) {
+    work(host);
+    return true;
+  });
+}
 
 } // namespace
 
@@ -15,42 +40,64 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
   construct::Host &table = table_;
   table.self = this;
   table.is_empty = [](void *self, Voxel low, int log2Side) {
-    return hostOf(self).store_.failure() || hostOf(self).isEmpty({cellOf(low), log2Side});
+    return serve(self, true, [&](BuildHost &host) {
+      return host.store_.failure() || host.isEmpty({cellOf(low), log2Side});
+    });
   };
   table.read_brick = [](void *self, Voxel low, std::uint32_t *voxels) {
-    hostOf(self).readBrick(cellOf(low), voxels);
+    const bool isRead = serve(self, false, [&](BuildHost &host) {
+      host.readBrick(cellOf(low), voxels);
+      return true;
+    });
+    if (!isRead)
+      std::fill_n(voxels, kBrickVoxels, 0u);
   };
   table.append = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
-    return hostOf(self).store_.append(level, {words, count});
+    return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.append(level, {words, count}); });
   };
   table.intern = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
-    return hostOf(self).store_.intern(level, {words, count});
+    return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.intern(level, {words, count}); });
   };
   table.intern_leaf = [](void *self, unsigned level, std::uint32_t value) {
-    return hostOf(self).store_.internLeaf(level, value);
+    return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.internLeaf(level, value); });
   };
-  table.put_value = [](void *self, std::uint32_t value) { hostOf(self).putValue(value); };
-  table.forget = [](void *self, unsigned level) { hostOf(self).store_.forget(level); };
+  table.put_value = [](void *self, std::uint32_t value) {
+    serve(self, [&](BuildHost &host) { host.putValue(value); });
+  };
+  table.forget = [](void *self, unsigned level) {
+    serve(self, [&](BuildHost &host) { host.store_.forget(level); });
+  };
   table.allocate = [](void *self, unsigned level, construct::uint64_t count) {
-    return hostOf(self).store_.allocate(level, count);
+    return serve(self, static_cast<std::uint32_t *>(nullptr),
+                 [&](BuildHost &host) { return host.store_.allocate(level, count); });
   };
-  table.release = [](void *self, unsigned level) { hostOf(self).store_.release(level); };
+  table.release = [](void *self, unsigned level) {
+    serve(self, [&](BuildHost &host) { host.store_.release(level); });
+  };
   table.keep = [](void *self, unsigned level, std::uint32_t cell, std::uint32_t value) {
-    hostOf(self).store_.keep(level, cell, value);
+    serve(self, [&](BuildHost &host) { host.store_.keep(level, cell, value); });
   };
   table.kept = [](void *self, unsigned level, construct::uint64_t *count) {
-    const auto kept = hostOf(self).store_.kept(level);
+    const auto kept = static_cast<BuildHost *>(self)->store_.kept(level);
     *count = kept.size();
     return reinterpret_cast<const std::uint32_t *>(kept.data());
   };
-  table.drop = [](void *self, unsigned level) { hostOf(self).store_.drop(level); };
-  table.pause = [](void *self, construct::uint64_t words) { hostOf(self).store_.pause(words); };
+  table.drop = [](void *self, unsigned level) {
+    serve(self, [&](BuildHost &host) { host.store_.drop(level); });
+  };
+  table.pause = [](void *self, construct::uint64_t words) {
+    serve(self, [&](BuildHost &host) { host.store_.pause(words); });
+  };
   table.log2_part = -1;
   table.take_part = [](void *self, Voxel low, construct::Part *part) {
-    *part = hostOf(self).takePart(cellOf(low));
+    *part = serve(self, construct::Part{}, [&](BuildHost &host) { return host.takePart(cellOf(low)); });
   };
-  table.finish_node = [](void *self, const construct::Node *node) { hostOf(self).finishNode(*node); };
-  table.finish_cell = [](void *self, const construct::PlacedCell *cell) { hostOf(self).finishCell(*cell); };
+  table.finish_node = [](void *self, const construct::Node *node) {
+    serve(self, [&](BuildHost &host) { host.finishNode(*node); });
+  };
+  table.finish_cell = [](void *self, const construct::PlacedCell *cell) {
+    serve(self, [&](BuildHost &host) { host.finishCell(*cell); });
+  };
 }
 
 const construct::Host &BuildHost::interface() {

@@ -1,15 +1,17 @@
-// fault.so, to be preloaded: system calls that fail, as a full disk, a broken one and a busy machine make them.
-// VOXC_FAULT=CALL:N:ERRNO lets the calls before the Nth (from 1) pass and fails all from there on; CALL:N:kill ends the
-// process there as kill -9 does; CALL:N:slow makes each wait for 100 ms.
+// fault.so, to be preloaded: system calls that fail, as a full disk, a broken one and a busy machine make
+// them. VOXC_FAULT=CALL:N:ERRNO lets the calls before the Nth (from 1) pass and fails all from there on;
+// CALL:N:kill ends the process there as kill -9 does; CALL:N:slow makes each wait for 100 ms. malloc fails in
+// helping threads alone.
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <atomic>
 
 #include <dlfcn.h>
 #include <pthread.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -35,6 +37,9 @@ bool fails(const char *call) {
   return true;
 }
 
+/// True in every thread but the first, in which nobody could go on without memory.
+bool isHelper() { return ::syscall(SYS_gettid) != ::getpid(); }
+
 template <typename Function> Function next(Function, const char *name) {
   return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
 }
@@ -43,8 +48,20 @@ template <typename Function> Function next(Function, const char *name) {
 
 extern "C" {
 
-int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *), void *argument) {
-  return fails("pthread_create") ? errno : next(&pthread_create, "pthread_create")(thread, attributes, start, argument);
+void *__libc_malloc(size_t size);
+
+// Looked up by dlsym, it would be asked for memory meanwhile.
+void *malloc(size_t size) {
+  static const bool isPlanned =
+      std::getenv("VOXC_FAULT") && std::strncmp(std::getenv("VOXC_FAULT"), "malloc:", 7) == 0;
+  return isPlanned && isHelper() && fails("malloc") ? nullptr : __libc_malloc(size);
+}
+
+int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *),
+                   void *argument) {
+  return fails("pthread_create")
+             ? errno
+             : next(&pthread_create, "pthread_create")(thread, attributes, start, argument);
 }
 
 // Memory without a file is never refused.
@@ -54,7 +71,9 @@ void *mmap(void *at, size_t size, int protection, int flags, int file, off_t off
   return next(&mmap, "mmap")(at, size, protection, flags, file, offset);
 }
 
-ssize_t read(int file, void *to, size_t size) { return fails("read") ? -1 : next(&read, "read")(file, to, size); }
+ssize_t read(int file, void *to, size_t size) {
+  return fails("read") ? -1 : next(&read, "read")(file, to, size);
+}
 
 ssize_t pread(int file, void *to, size_t size, off_t offset) {
   return fails("pread") ? -1 : next(&pread, "pread")(file, to, size, offset);
