@@ -53,8 +53,8 @@ finish() {
   echo "cluster: $name: the same bytes, and $(wc -l < "$folder/stood.txt") parts that stood were kept"
 }
 
-node_is_idle() { [ "$(sinfo --noheader --nodes="node$1" --format=%T)" = idle ]; }
-node_is_drained() { sinfo --noheader --nodes="node$1" --format=%T | grep -q drain; }
+node_is_idle() { [ "$(sinfo --noheader --partition=long --nodes="node$1" --format=%T)" = idle ]; }
+node_is_drained() { sinfo --noheader --partition=long --nodes="node$1" --format=%T | grep -q drain; }
 await_node() {
   local end=$((SECONDS + 60))
   until node_is_idle "$1"; do

@@ -107,6 +107,8 @@ BatchStartTimeout=2
 MessageTimeout=5
 ResumeTimeout=5
 KillWait=2
+PreemptType=preempt/partition_prio
+PreemptMode=REQUEUE
 JobRequeue=1
 JobCompType=jobcomp/none
 AccountingStorageType=accounting_storage/none
@@ -116,14 +118,17 @@ memory="$(awk '/MemTotal/ { print int($2 / 1024) }' /proc/meminfo)"
 for node in $(seq "$nodes"); do
   echo "NodeName=node$node NodeHostname=$host NodeAddr=127.0.0.1 Port=$((17000 + node)) CPUs=1 RealMemory=$memory" >> "$SLURM_CONF"
 done
-echo "PartitionName=long Nodes=node[1-$nodes] Default=YES MaxTime=INFINITE State=UP" >> "$SLURM_CONF"
+{
+  echo "PartitionName=long Nodes=node[1-$nodes] Default=YES MaxTime=INFINITE State=UP PriorityTier=1"
+  echo "PartitionName=urgent Nodes=node[1-$nodes] MaxTime=INFINITE State=UP PriorityTier=10 PreemptMode=OFF"
+} >> "$SLURM_CONF"
 
 start_controller
 for node in $(seq "$nodes"); do
   mkdir "$SLURM_LOOPBACK/spool-node$node"
   start_node "$node"
 done
-nodes_are_up() { [ "$(sinfo --noheader --Node --format=%T 2> /dev/null | grep -c idle)" = "$nodes" ]; }
+nodes_are_up() { [ "$(sinfo --noheader --Node --partition=long --format=%T 2> /dev/null | grep -c idle)" = "$nodes" ]; }
 await 60 nodes_are_up || { echo "slurm-loopback: the nodes do not come up; their logs:" >&2; tail -n 20 "$SLURM_LOOPBACK"/*.log >&2; exit 3; }
 
 "$@"

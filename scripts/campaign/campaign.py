@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 import faults
+import signals
 
 FOLDER = Path("build/campaign")
 VOXC = Path("build/release/bin/voxc").resolve()
@@ -76,6 +77,23 @@ def fault_cases(seconds):
                 return
 
 
+def signal_cases(seconds):
+    """Moments of signals.py until the time is over."""
+    folder = FOLDER / "signals"
+    bench = signals.Bench(VOXC, folder, random.Random(SEED), list(signals.WRITERS))
+    end = time.monotonic() + seconds
+    counts, found = dict.fromkeys(signals.FAULTS, 0), {}
+    while time.monotonic() < end or not all(counts.values()):
+        for fault in signals.FAULTS:
+            counts[fault] += 1
+            problem, _ = signals.moment_of(bench, fault, list(signals.WRITERS))
+            if problem:
+                found.setdefault(fault, problem)
+    shutil.rmtree(folder, ignore_errors=True)
+    for fault in counts:
+        yield fault, counts[fault], found.get(fault)
+
+
 def finding(run, command):
     """What a run that failed said last, or nothing."""
     if run.returncode == 0:
@@ -85,7 +103,7 @@ def finding(run, command):
 
 
 # Each part and its share of the time.
-PARTS = [(fuzz, 0.45), (hard_rays, 0.25), (fault_cases, 0.2), (hostile_tests, 0.1)]
+PARTS = [(fuzz, 0.4), (hard_rays, 0.2), (fault_cases, 0.15), (signal_cases, 0.15), (hostile_tests, 0.1)]
 
 
 def main(hours):

@@ -4,7 +4,7 @@ After each moment a file holds what was there before or the whole; then the same
 bytes of a run that nothing disturbed. Files are compared, never exit codes alone.
 
 signals.py VOXC MOMENTS [FOLDER]    writes FOLDER/signals.md and fails if anything is found; VOXC_SEED makes other moments,
-                                    VOXC_FAULTS and VOXC_WRITERS name those to try, with commas between
+                                    VOXC_FAULTS and VOXC_WRITERS name those to try, with ; between
 """
 import os
 import random
@@ -26,17 +26,18 @@ TOLD = (0, 1, 2, 3, 130)
 class Bench:
     """Inputs, and what each writer makes of them when nothing disturbs it."""
 
-    def __init__(self, voxc, folder, dice):
+    def __init__(self, voxc, folder, dice, names):
         self.voxc, self.folder, self.random = str(voxc), folder.resolve(), dice
         shutil.rmtree(folder, ignore_errors=True)
         self.inputs, self.out = self.folder / "in", self.folder / "out"
         self.inputs.mkdir(parents=True)
         make_inputs(self.voxc, self.inputs)
         self.shim = self.folder / "fault.so"
-        subprocess.run([os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-o", self.shim, "test/Faults/Inputs/fault.cpp", "-ldl"],
+        subprocess.run([os.environ.get("CXX", "c++"), "-shared", "-fPIC", "-o", self.shim, Path(__file__).parents[2] / "test/Faults/Inputs/fault.cpp", "-ldl"],
                        check=True)
         self.whole, self.seconds = {}, {}
-        for name, writer in WRITERS.items():
+        for name in names:
+            writer = WRITERS[name]
             self.begin(writer)
             begin = time.monotonic()
             self.run(writer, check=True)
@@ -275,34 +276,44 @@ def judge(bench, name, code, said):
     return None, "whole" if is_whole else "nothing"
 
 
+def moment_of(bench, fault, among):
+    """One moment of a fault, of one of its commands; what is wrong, with the command, or None, and how it ended."""
+    act, names = FAULTS[fault]
+    name = bench.random.choice([name for name in names if name in among])
+    bench.begin(WRITERS[name])
+    try:
+        problem, end = judge(bench, name, *act(bench, name))
+    except (TimeoutError, subprocess.TimeoutExpired) as hangs:
+        problem, end = f"hangs: {hangs}", ""
+    return problem and f"{name}: {problem}", end
+
+
 def main(voxc, moments, folder):
     seed = int(os.environ.get("VOXC_SEED") or time.time())
-    chosen = [word for word in os.environ.get("VOXC_FAULTS", "").split(",") if word] or list(FAULTS)
-    among = [word for word in os.environ.get("VOXC_WRITERS", "").split(",") if word] or list(WRITERS)
-    bench = Bench(voxc.resolve(), folder, random.Random(seed))
-    rows, found = {fault: {"tries": 0, "whole": 0, "nothing": 0, "found": 0} for fault in chosen}, []
+    chosen = [word for word in os.environ.get("VOXC_FAULTS", "").split(";") if word] or list(FAULTS)
+    among = [word for word in os.environ.get("VOXC_WRITERS", "").split(";") if word] or list(WRITERS)
+    bench = Bench(voxc.resolve(), folder, random.Random(seed), among)
+    chosen = [fault for fault in chosen if any(name in among for name in FAULTS[fault][1])]
+    rows, found = {fault: dict.fromkeys(("tries", "whole", "nothing", "found"), 0) for fault in chosen}, []
     for i in range(moments):
         fault = chosen[i % len(chosen)]
-        act, names = FAULTS[fault]
-        name = bench.random.choice([name for name in names if name in among] or names)
-        bench.begin(WRITERS[name])
-        try:
-            problem, end = judge(bench, name, *act(bench, name))
-        except (TimeoutError, subprocess.TimeoutExpired) as hangs:
-            problem, end = f"hangs: {hangs}", ""
-        row = rows[fault]
-        row["tries"] += 1
-        row[end or "found"] += 1
+        problem, end = moment_of(bench, fault, among)
+        rows[fault]["tries"] += 1
+        rows[fault][end or "found"] += 1
         if problem:
-            found.append(f"- {fault}, {name} (moment {i}): {problem}")
+            found.append(f"- {fault}, {problem} (moment {i})")
             print(found[-1], flush=True)
-    text = (f"# {moments} moments, seed {seed}\n\n| Fault | Tries | Whole | Nothing, or the earlier | Wrong |\n|---|---|---|---|---|\n"
-            + "\n".join(f"| {fault} | {row['tries']} | {row['whole']} | {row['nothing']} | {row['found']} |" for fault, row in rows.items())
-            + "\n\n" + "\n".join(found) + "\n")
+    text = report(moments, seed, rows, found)
     (bench.folder / "signals.md").write_text(text)
     shutil.rmtree(bench.out, ignore_errors=True)
     print(text)
     return 1 if found else 0
+
+
+def report(moments, seed, rows, found):
+    table = "\n".join(f"| {fault} | {row['tries']} | {row['whole']} | {row['nothing']} | {row['found']} |" for fault, row in rows.items())
+    return (f"# {moments} moments, seed {seed}\n\n| Fault | Tries | Whole | Nothing, or the earlier | Wrong |\n|---|---|---|---|---|\n"
+            + table + "\n\n" + "\n".join(found) + "\n")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ from pathlib import Path
 
 FORMAT = "R(2^3) G(6)"
 SCENE = "builtin:terrain:256"
+# A mesh hears an interrupt in the middle of its cubes, as a built-in scene does not.
+MESH_FORMAT, MESH = "R(4^3) G(5)", "shell.obj"
 EARLIER = b"earlier\n"
 
 
@@ -57,14 +59,14 @@ WRITERS = {
     "build": Writer(BUILD, ["v.hvx"]),
     "build, one thread": Writer([*BUILD, "--threads", "1"], ["v.hvx"]),
     "build, compressed": Writer([*BUILD, "--compress", "--memory", "16MiB"], ["v.hvx"]),
-    "build a mesh": Writer(["build", "R(4^3) G(5)", "{in}/shell.obj", "--whole-level-dedup", "-o", "{out}/v.hvx"], ["v.hvx"]),
-    "build a fragment": Writer(["build", FORMAT, SCENE, "--fragment", "1/3", "-o", "{out}/f.hvf"], ["f.hvf"]),
+    "build a mesh": Writer(["build", MESH_FORMAT, "{in}/" + MESH, "--whole-level-dedup", "-o", "{out}/v.hvx"], ["v.hvx"]),
+    "build a fragment": Writer(["build", MESH_FORMAT, "{in}/" + MESH, "--fragment", "1/3", "-o", "{out}/f.hvf"], ["f.hvf"]),
     "a task": Writer(["build", "--plan", "{out}/p.plan", "--task", "0-4"], ["p.plan.d/part-*.hvf"], begins=plan, goes_on=True),
     "a task, two threads": Writer(["build", "--plan", "{out}/p.plan", "--task", "0-4", "--threads", "2"],
                                   ["p.plan.d/part-*.hvf"], begins=plan, goes_on=True),
-    "a merge": Writer(["merge", "--plan", "{out}/p.plan", "--node", "0-2"], ["p.plan.d/merge*.hvf", "v.hvx"],
+    "a merge": Writer(["merge", "--plan", "{out}/p.plan", "--node", "0-2"], ["p.plan.d/merge*.hvf", "p.hvx"],
                       begins=planned_parts, goes_on=True),
-    "submit": Writer(["submit", "{out}/p.plan", "--local", "2"], ["p.plan.d/*.hvf", "v.hvx"], begins=plan, goes_on=True,
+    "submit": Writer(["submit", "{out}/p.plan", "--local", "2"], ["p.plan.d/*.hvf", "p.hvx"], begins=plan, goes_on=True,
                      children=True),
     "merge": Writer(["merge", "{in}/0.hvf", "{in}/1.hvf", "{in}/2.hvf", "-o", "{out}/v.hvx"], ["v.hvx"]),
     "split": Writer(["split", "{in}/v.hvx", "--fragment", "0/2", "-o", "{out}/f.hvf"], ["f.hvf"]),
@@ -78,7 +80,7 @@ WRITERS = {
     "export .glb": Writer(["export", "{in}/v.hvx", "-o", "{out}/v.glb"], ["v.glb"]),
     "export slices": Writer(["export", "{in}/v.hvx", "-o", "{out}/s%d.png"], ["s*.png"], set_of_files=True),
     "export a page": Writer(["export", "{in}/v.hvx", "-o", "{out}/v.html"], ["v.html"]),
-    "plan": Writer(["plan", FORMAT, SCENE, "--parts", "5", "--volume", "v.hvx", "-o", "{out}/p.plan"], ["p.plan"]),
+    "plan": Writer(["plan", MESH_FORMAT, "{in}/" + MESH, "--parts", "5", "-o", "{out}/p.plan"], ["p.plan"]),
     "render": Writer(["render", "{in}/v.hvx", "-o", "{out}/v.png", *PICTURE], ["v.png"]),
     "run": Writer(["run", FORMAT, "builtin:terrain:64", "-o", "{out}/v.png", *PICTURE], ["v.png"]),
     "trace": Writer(["trace", "{in}/v.hvx", "--rays", "{in}/rays", "-o", "{out}/hits", "--device", "cpu"], ["hits"]),
@@ -100,12 +102,12 @@ def make_inputs(voxc, folder):
     run("build", FORMAT, SCENE, "-o", folder / "v.hvx")
     for i in range(3):
         run("build", FORMAT, SCENE, "--fragment", f"{i}/3", "-o", folder / f"{i}.hvf")
-    run("plan", FORMAT, SCENE, "--parts", "5", "--fan-in", "3", "--volume", "v.hvx", "-o", folder / "p.plan")
+    write_shell(folder / MESH)
+    run("plan", MESH_FORMAT, folder / MESH, "--parts", "5", "--fan-in", "3", "-o", folder / "p.plan")
     run("build", "--plan", folder / "p.plan", "--task", "0-4")
     (folder / "rays").write_bytes(b"".join(struct.pack("<6f", 300, 300, 300, -1, i % 400 / 400 - 1.2, i // 400 / 500 - 1.2)
                                            for i in range(200000)))
     (folder / "formats.txt").write_text("R(2^3) G(4)\nG(6)\n")
-    write_shell(folder / "shell.obj")
 
 
 def write_shell(path, rows=150):

@@ -2,14 +2,24 @@
 #include "cluster/BuildPlan.h"
 #include "cluster/EvenCut.h"
 #include "cluster/NumberList.h"
+#include "cluster/PlanLock.h"
 #include "cluster/Slurm.h"
 #include "cluster/Work.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <numeric>
 #include <random>
+#include <string>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace voxc::tool::cluster {
 namespace {
@@ -167,6 +177,34 @@ TEST(BuildPlan, textThatWasChangedIsAnError) {
   }
   EXPECT_FALSE(parsePlan(text + "\n", "p"));
   EXPECT_THAT(parsePlan("x", "p").error().message, HasSubstr("'p' is no build plan"));
+}
+
+TEST(PlanLock, isHeldByOneAndByWhomItStarts) {
+  std::string folder = testing::TempDir() + "voxc-lock-XXXXXX";
+  ASSERT_TRUE(::mkdtemp(folder.data()));
+  const std::atomic<bool> stop = true;
+  const auto isTaken = [&] {
+    int waited = 0;
+    const auto lock = PlanLock::take(folder, {.stop = &stop}, [&] { ++waited; });
+    EXPECT_EQ(waited, lock ? 0 : 1);
+    EXPECT_TRUE(lock || lock.error().kind == ErrorKind::Interrupted);
+    return !lock;
+  };
+  EXPECT_FALSE(isTaken());
+  pid_t child = -1;
+  {
+    const auto lock = PlanLock::take(folder, {}, [] {});
+    ASSERT_TRUE(lock);
+    EXPECT_TRUE(isTaken());
+    char sleep[] = "sleep", seconds[] = "60";
+    char *arguments[] = {sleep, seconds, nullptr};
+    ASSERT_EQ(::posix_spawnp(&child, sleep, nullptr, nullptr, arguments, environ), 0);
+  }
+  EXPECT_TRUE(isTaken()) << "a process that was started meanwhile has it";
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_FALSE(isTaken()) << "the dead keep no lock";
+  std::filesystem::remove_all(folder);
 }
 
 /// A plan whose digest is right but which says what cannot be.

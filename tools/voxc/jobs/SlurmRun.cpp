@@ -215,7 +215,8 @@ Expected<void> runBySlurm(const Jobs &jobs, const SlurmMeans &means, const JobWa
     const auto left = jobs.missing();
     if (!left)
       return left.error();
-    if (*left == *missing && (wasElsewhere || avoid.empty()))
+    // Where all jobs were of an earlier run, which may have been cancelled, none was asked for so far.
+    if (*left == *missing && *handed > 0 && (wasElsewhere || avoid.empty()))
       return whatFailed(jobs, countOf(*left), accounts);
   }
   addAccounts(figures, slurm.accounts({arrays.begin(), arrays.end()}));
