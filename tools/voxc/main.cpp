@@ -3,6 +3,7 @@
 #include "Subcommand.h"
 
 #include "common/CommandLine.h"
+#include "common/Interrupt.h"
 #include "common/Misspelling.h"
 
 #include <algorithm>
@@ -91,6 +92,7 @@ Error unknownCommand(std::string_view word) {
 } // namespace
 
 int main(int argc, char **argv) {
+  catchInterrupts(); // Whoever is interrupted while options are declared says so, too.
   const CommandLine program("voxc", "A compiler for hybrid voxel formats");
   program.addVersion(versionText());
   program.requireCommands(1, 1);
