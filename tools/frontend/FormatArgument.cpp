@@ -19,10 +19,21 @@ Expected<Format> readFormatFile(const std::string &path) {
   return parseFormat(*text, path);
 }
 
+bool looksLikeFile(const std::string &argument) {
+  // Every level has its parameters in parentheses, and IR is in braces.
+  return argument.find_first_of("({ \n") == std::string::npos &&
+         argument.find_first_of("/.") != std::string::npos;
+}
+
 Expected<Format> readFormat(const std::string &argument) {
   if (argument == "-" || argument.ends_with(".vir"))
     return readFormatFile(argument);
-  return parseFormat(argument);
+  if (!looksLikeFile(argument))
+    return parseFormat(argument);
+  if (Expected<MappedFile> file = MappedFile::open(argument); !file)
+    return file.error();
+  return Error::input("'" + argument +
+                      "' is no format; write one such as \"R(4,4,4) G(8)\", or name a .vir file");
 }
 
 } // namespace voxc::tool

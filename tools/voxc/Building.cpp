@@ -55,11 +55,14 @@ void Building::defaultInput(const CommandLine &command, const std::string &input
   command.option("FORMAT").required(false).showsDefault();
 }
 
-/// True if the one argument is a file that holds no format, or a kind of input with its colon.
+/// True if the one argument is a file that holds no format, whether it is there or not, or a kind of input
+/// with its colon.
 bool Building::hasInputAlone() const {
   if (usualInput_.empty() || command_->option("INPUT").count() > 0 || format_ == kAutoFormat)
     return false;
-  const bool isFormat = format_ == "-" || format_.ends_with(".vir") || tool::readFormat(format_);
+  if (looksLikeFile(format_))
+    return !format_.ends_with(".vir");
+  const bool isFormat = format_ == "-" || tool::readFormat(format_);
   std::error_code ignored;
   return !isFormat && ((format_.find(':') != std::string::npos && !format_.starts_with("format")) ||
                        std::filesystem::exists(format_, ignored));

@@ -43,8 +43,7 @@ public:
 private:
   Expected<Facts> measure(const Progress &progress, Json &figures) const {
     InputArguments arguments = inputArguments_;
-    if (arguments.resolution == 0)
-      arguments.resolution = kDefaultResolution;
+    fillResolution(arguments, input_);
     constexpr int kMost = 1 << kMaxLog2Extent;
     InputOptions options = makeInputOptions(arguments, {kMost, kMost, kMost});
     options.memory = makeWorkingMemory(buildArguments_);

@@ -44,10 +44,10 @@ struct MatterRow {
 };
 
 constexpr MatterRow kMatters[] = {
-    {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther}, {".obj", kMesh},   {".ply", kMesh},
-    {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense}, {".nhdr", kDense},
-    {".nii", kDense},       {".nii.gz", kDense}, {".vdb", kDense},  {".nvdb", kDense}, {".png", kDense},
-    {".vox", kModels},      {".hvx", kOther},
+    {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther},   {".obj", kMesh},   {".ply", kMesh},
+    {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},     {".nrrd", kDense}, {".nhdr", kDense},
+    {".nii", kDense},       {".nii.gz", kDense}, {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},
+    {".vox", kModels},      {".hvx", kOther},    {".binvox", kOther},
 };
 
 /// What an input is made of; nothing if its kind is not known here.
@@ -85,6 +85,15 @@ constexpr OptionRow kOptions[] = {
 };
 
 } // namespace
+
+void fillResolution(InputArguments &arguments, const std::string &input) {
+  constexpr std::string_view kBuiltinPrefix = "builtin:";
+  const unsigned matter = matterOf(input).value_or(kMesh);
+  // builtin:NAME:N says its own.
+  const bool isSized = matter == kBuiltin && input.find(':', kBuiltinPrefix.size()) != std::string::npos;
+  if (arguments.resolution == 0 && (matter & (kMesh | kBuiltin)) != 0 && !isSized)
+    arguments.resolution = kDefaultResolution;
+}
 
 Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input) {
   if (const std::optional<InputMatter> matter = matterOf(input))

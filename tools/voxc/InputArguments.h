@@ -47,6 +47,9 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments);
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance);
 
+/// Sets the resolution, where none was given, to `kDefaultResolution`, if the input has no voxels of its own.
+void fillResolution(InputArguments &arguments, const std::string &input);
+
 /// The options for an input that shall fit into `formatExtent`.
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent);
 

@@ -103,8 +103,7 @@ Expected<void> SearchOptions::read() {
   constexpr std::uint64_t kShare = 12;
   if (building.maxBytes.empty())
     wish.maxBytes = std::min(wish.maxBytes, bench::machineMemory() / kShare);
-  if (inputArguments.resolution == 0)
-    inputArguments.resolution = kDefaultResolution;
+  fillResolution(inputArguments, input);
   return {};
 }
 

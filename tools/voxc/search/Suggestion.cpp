@@ -47,8 +47,7 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
                                     const Progress &progress, Json &figures) {
   Suggestion suggestion{
       .input = request.input, .arguments = request.arguments, .device = request.device, .wish = request.wish};
-  if (suggestion.arguments.resolution == 0)
-    suggestion.arguments.resolution = kDefaultResolution;
+  fillResolution(suggestion.arguments, request.input);
   Expected<Scene> scene =
       readScene(request.input, suggestion.arguments, request.memory, common, progress, figures);
   if (!scene)
