@@ -32,6 +32,8 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/voxc-config.cmake.in" "
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/voxc-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/voxc-config.cmake" "${PROJECT_BINARY_DIR}/voxc-config-version.cmake"
         DESTINATION "${packageDirectory}" COMPONENT dev)
+# The prefix is found from where the file lies, so that an installation may be moved, or made for another prefix than the configured one.
+file(RELATIVE_PATH VOXC_PREFIX_FROM_PC "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/voxc.pc.in" "${PROJECT_BINARY_DIR}/voxc.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/voxc.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 

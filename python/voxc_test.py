@@ -45,6 +45,62 @@ class Building(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"indexed \[z, y, x\]"):
             voxc.build("G(5)", voxels=np.zeros(5))
 
+    def test_nothing_is_cast_or_dropped_in_silence(self):
+        floats = np.random.default_rng(1).random((8, 8, 8))
+        whole = np.full((4, 4, 4), 2**32)
+        refused = {
+            "densities= takes such numbers": [floats.astype("f4"), floats * 255, floats.astype("f2")],
+            "are from 0 to 4294967295": [whole, -whole, whole.astype("u8")],
+            "labels= takes labels": [np.arange(64).reshape(4, 4, 4), np.full((4, 4, 4), 7, np.uint8),
+                                     np.full((4, 4, 4), 300, np.int16), np.full((4, 4, 4), 2**24 - 1)],
+            "words are uint32, not": [np.full((4, 4, 4), "x"), np.full((4, 4, 4), None)],
+            "uint8 with 3 or 4 channels": [np.zeros((4, 4, 4, 2), np.uint8), np.zeros((4, 4, 4, 3))],
+            r"indexed \[z, y, x\]": [np.zeros((4, 4)), 5],
+        }
+        for sentence, arrays in refused.items():
+            for voxels in arrays:
+                with self.subTest(sentence=sentence, dtype=np.asarray(voxels).dtype):
+                    with self.assertRaisesRegex(ValueError, sentence):
+                        voxc.build("G(5)", voxels=voxels)
+        words = np.full((4, 4, 4), 0xFF0000FF)  # Words with an alpha are what they seem to be, whatever holds them.
+        np.testing.assert_array_equal(voxc.build("G(2)", voxels=words).read(), words.astype(np.uint32))
+
+    def test_places_are_kept_or_refused(self):
+        for places in ([[1.9, 2.9, 3.9]], [[2**32 + 1, 2, 3]], [["1", "2", "3"]], [[np.nan, 0, 0]], [[True, False, True]]):
+            with self.assertRaisesRegex(ValueError, "places are"):
+                voxc.build("G(5)", places=places)
+        for colours in ([1.5], [2**33], [7], np.zeros((1, 4))):
+            with self.assertRaises(ValueError):
+                voxc.build("G(5)", places=[[1, 2, 3]], colours=np.asarray(colours))
+        self.assertEqual(voxc.build("G(5)", places=[[1.0, 2.0, 3.0]]).extent, (2, 3, 4))
+
+    def test_labels_greys_and_densities(self):
+        labels = np.arange(64, dtype=np.uint8).reshape(4, 4, 4)
+        np.testing.assert_array_equal(voxc.build("G(2)", labels=labels).read(), labels)
+        np.testing.assert_array_equal(voxc.build("G(2)", greys=labels).read(),
+                                      np.where(labels, labels * np.uint32(0x010101) | np.uint32(0xFF000000), 0))
+        densities = np.linspace(-1, 1, 64).reshape(4, 4, 4)
+        read = voxc.build("G(2)", densities=densities, threshold=0.5).read()
+        np.testing.assert_array_equal(read != 0, densities >= 0.5)
+        self.assertEqual(read[3, 3, 3], 0xFFFFFFFF)
+        self.assertLess(read[densities >= 0.5].min(), 0xFF101010)
+        for given, sentence in (({"labels": labels - 1.0}, "labels are whole numbers"), ({"labels": labels.astype(int) - 1}, "labels are from 0"),
+                                ({"greys": labels.astype(int)}, "greys are uint8"), ({"densities": densities}, "need a threshold"),
+                                ({"densities": densities, "threshold": 2}, "no density reaches the threshold 2"),
+                                ({"densities": np.full((4, 4, 4), np.nan), "threshold": 0}, "no number"),
+                                ({"densities": densities, "threshold": np.nan}, "need a threshold")):
+            with self.assertRaisesRegex(ValueError, sentence):
+                voxc.build("G(2)", **given)
+
+    def test_options_are_named(self):
+        with self.assertRaisesRegex(TypeError, "build has no option resoluton; those of files are resolution"):
+            voxc.build("G(5)", "builtin:terrain:32", resoluton=32)
+
+    def test_what_a_function_raises_is_raised(self):
+        for voxel, sentence in ((lambda x, y, z: 1 // 0, "division"), (lambda x, y, z: 1.5, "not 1.5"), (lambda x, y, z: -1, "not -1")):
+            with self.assertRaisesRegex((ZeroDivisionError, ValueError), sentence):
+                voxc.build("G(2)", voxel=voxel, extent=(4, 4, 4))
+
     def test_places_and_functions(self):
         words = ball()
         z, y, x = np.nonzero(words)

@@ -2,6 +2,7 @@
 import ctypes
 import ctypes.util
 import os
+import pathlib
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint, c_uint32, c_uint64, c_void_p
 
 ABI_VERSION = 0
@@ -10,6 +11,7 @@ ABI_VERSION = 0
 class Error(Exception):
     """What went wrong, in one sentence; `kind` is "input", "usage", "environment" or "interrupted"."""
 
+    __module__ = "voxc"
     KINDS = {1: "input", 2: "usage", 3: "environment", 130: "interrupted"}
 
     def __init__(self, message, kind):
@@ -105,9 +107,19 @@ FUNCTIONS = {
 }
 
 
+def installed(*names):
+    """The first of these files in a folder above this module, as an installation has them; None if none is there."""
+    for folder in pathlib.Path(__file__).resolve().parents[1:6]:
+        for name in names:
+            if (folder / name).exists():
+                return str(folder / name)
+    return None
+
+
 def load():
-    """The library that VOXC_LIBRARY names, or else that of the system."""
-    library = ctypes.CDLL(os.environ.get("VOXC_LIBRARY", f"libvoxc.so.{ABI_VERSION}"))
+    """The library that VOXC_LIBRARY names, or that of the installation that this module is a part of, or that of the system."""
+    name = f"libvoxc.so.{ABI_VERSION}"
+    library = ctypes.CDLL(os.environ.get("VOXC_LIBRARY") or installed(name, f"lib/{name}") or name)
     for name, (result, arguments) in FUNCTIONS.items():
         function = getattr(library, name)
         function.restype, function.argtypes = result, arguments
@@ -157,8 +169,20 @@ class Reporter:
         self.callback = REPORT(self.report)
         self.progress = Progress(self.callback, None)
 
+    def guard(self, function):
+        """A function as a callback that returns 0 from its first exception on, which ends the work and is raised again."""
+        def guarded(*arguments):
+            try:
+                return 0 if self.failure else function(*arguments)
+            except BaseException as failure:
+                self.failure = failure
+                return 0
+        return guarded
+
     def report(self, _, stage, fraction, done):
         try:
+            if self.failure:
+                return 1
             if self.function:
                 self.function(stage.decode(), fraction, done)
             return 0
@@ -171,6 +195,11 @@ class Reporter:
             lib.voxc_error_free(error)
             raise self.failure
         check(error)
+
+    def check_failure(self):
+        """Raises what a callback has raised, though the work came to its end."""
+        if self.failure:
+            raise self.failure
 
     @property
     def pointer(self):

@@ -1,4 +1,5 @@
 """Writing pictures without any library but Python's own."""
+import os
 import struct
 import zlib
 
@@ -6,8 +7,13 @@ import numpy as np
 
 
 def save_picture(path, pixels):
-    """Writes an array (height, width, 3 or 4) of uint8 as a PNG file."""
-    pixels = np.ascontiguousarray(pixels, dtype=np.uint8)
+    """Writes an array (height, width, 3 or 4) of uint8 as a PNG file, whose name ends in .png."""
+    if not os.fspath(path).lower().endswith(".png"):
+        raise ValueError(f"pictures are written as PNG, and '{os.fspath(path)}' does not end in .png")
+    pixels = np.asarray(pixels)
+    if pixels.dtype != np.uint8:
+        raise ValueError(f"pixels are uint8, not {pixels.dtype}")
+    pixels = np.ascontiguousarray(pixels)
     if pixels.ndim != 3 or pixels.shape[2] not in (3, 4):
         raise ValueError(f"a picture has rows, columns and 3 or 4 channels, not the shape {pixels.shape}")
     height, width, channels = pixels.shape

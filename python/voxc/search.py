@@ -5,6 +5,8 @@ import pathlib
 import subprocess
 import tempfile
 
+from ._library import Error, installed
+
 
 def search(input, folder=None, budget=None, program=None, **options):
     """Runs `voxc search INPUT` and returns its rows, a dictionary for each format that was measured: those of its CSV file,
@@ -12,14 +14,13 @@ def search(input, folder=None, budget=None, program=None, **options):
     are those of the tool: max_bytes="64MiB", device="cpu"."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(folder or scratch)
-        command = [program or os.environ.get("VOXC", "voxc"), "search", os.fspath(input), "-o", os.fspath(folder), "--quiet"]
+        command = [program or os.environ.get("VOXC") or installed("bin/voxc") or "voxc", "search", os.fspath(input), "-o", os.fspath(folder), "--quiet"]
         if budget is not None:
             command += ["--budget", f"{budget}s"]
         for name, value in options.items():
             command.append("--" + name.replace("_", "-") + ("" if value is True else f"={value}"))
         done = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
         if done.returncode:
-            from ._library import Error
             raise Error(done.stderr.strip().removeprefix("voxc: "), done.returncode)
         [table] = folder.glob("*.csv")
         with open(table, newline="") as file:

@@ -1,0 +1,128 @@
+"""Arrays as the library takes them. What cannot be kept as it is, is a ValueError that says what would be right."""
+import numpy as np
+
+ALPHA = np.uint32(0xFF000000)
+SOLID = np.uint32(0xFFFFFFFF)
+MOST_LABEL = 0xFFFF
+INT32 = np.iinfo(np.int32)
+
+
+def grid_of(voxels):
+    """The words [z, y, x] of voxels that are words, bool, or bytes of RGBA or RGB."""
+    voxels = np.asarray(voxels)
+    if voxels.ndim == 4:
+        return np.ascontiguousarray(bytes_as_words(voxels))
+    check_axes(voxels)
+    if voxels.dtype == bool:
+        return np.where(voxels, SOLID, np.uint32(0))
+    return np.ascontiguousarray(as_words(voxels))
+
+
+def labels_of(labels):
+    """Words that are labels: whole numbers from 0, which is empty, to 65535."""
+    labels = np.asarray(labels)
+    check_axes(labels)
+    if labels.dtype.kind not in "iub":
+        raise ValueError(f"labels are whole numbers, not {labels.dtype}; labels.astype('uint16') makes them so")
+    check_range(labels, 0, MOST_LABEL, "labels")
+    return np.ascontiguousarray(labels, dtype=np.uint32)
+
+
+def greys_of(greys):
+    """Words of greys from 0, which is empty, to 255."""
+    greys = np.asarray(greys)
+    check_axes(greys)
+    if greys.dtype != np.uint8:
+        raise ValueError(f"greys are uint8, not {greys.dtype}; densities= takes other numbers, with a threshold")
+    words = greys.astype(np.uint32)
+    return np.where(words != 0, words * np.uint32(0x010101) | ALPHA, np.uint32(0))
+
+
+def densities_of(densities, threshold, window=None):
+    """Words of what is dense: numbers from `threshold` up, as greys from black to white over `window`, or over what there is."""
+    densities = np.asarray(densities)
+    check_axes(densities)
+    if densities.dtype.kind not in "iuf":
+        raise ValueError(f"densities are numbers, not {densities.dtype}")
+    if threshold is None or np.isnan(threshold):
+        raise ValueError("densities need a threshold, a number from which on they are voxels")
+    if np.isnan(densities).any():
+        raise ValueError("some densities are no number (NaN); numpy.nan_to_num makes them 0")
+    solid = densities >= threshold
+    if not solid.any():
+        raise ValueError(f"no density reaches the threshold {threshold}; they are {densities.min()} to {densities.max()}")
+    low, high = window or (float(threshold), float(densities.max()))
+    if not low <= high:
+        raise ValueError(f"the window is {low} to {high}; its first end is to be the lower one")
+    scaled = (np.clip(densities.astype(np.float64), low, high) - low) / (high - low if high > low else 1)
+    grey = np.rint(scaled * 255).astype(np.uint32)
+    return np.where(solid, grey * np.uint32(0x010101) | ALPHA, np.uint32(0))
+
+
+def places_of(places):
+    """Whole numbers x, y, z of n voxels as int32 (n, 3)."""
+    places = np.asarray(places)
+    if places.ndim != 2 or places.shape[1] != 3:
+        raise ValueError(f"places are x, y, z of n voxels, (n, 3), not of the shape {places.shape}")
+    if places.dtype.kind not in "iuf":
+        raise ValueError(f"places are whole numbers, not {places.dtype}")
+    if places.dtype.kind == "f" and not np.array_equal(places, np.trunc(places)):
+        raise ValueError("places are whole numbers, and some of these are not; numpy.floor takes the voxel around a point")
+    check_range(places, INT32.min, INT32.max, "places")
+    return np.ascontiguousarray(places, dtype=np.int32)
+
+
+def colours_of(colours, count):
+    """A word for each of so many voxels: white, words, or bytes of RGBA or RGB."""
+    if colours is None:
+        return np.full(count, SOLID, np.uint32)
+    colours = np.asarray(colours)
+    words = np.ascontiguousarray(bytes_as_words(colours) if colours.ndim == 2 else as_words(colours))
+    if len(words) != count:
+        raise ValueError(f"there are {count} places, but {len(words)} colours")
+    return words
+
+
+def as_words(numbers):
+    """Whole numbers that are words, R in the low byte and alpha in the high one."""
+    if numbers.dtype == np.uint32:
+        return numbers
+    if numbers.dtype.kind == "f":
+        raise ValueError(f"words are uint32, not {numbers.dtype}; densities= takes such numbers, with a threshold")
+    if numbers.dtype.kind not in "iu":
+        raise ValueError(f"words are uint32, not {numbers.dtype}")
+    check_range(numbers, 0, 0xFFFFFFFF, "words")
+    if np.any((numbers != 0) & (numbers < 1 << 24)):
+        raise ValueError(f"numbers below 2^24 of {numbers.dtype} are no colours, as they have no alpha; labels= takes labels, greys= greys, "
+                         "and words of any value are uint32")
+    return numbers.astype(np.uint32)
+
+
+def word_of(number):
+    """One word, as a function of the coordinates returns it."""
+    if number != int(number) or not 0 <= number <= 0xFFFFFFFF:
+        raise ValueError(f"a voxel is a word from 0 to {0xFFFFFFFF}, not {number}")
+    return int(number)
+
+
+def bytes_as_words(colours):
+    """RGBA or RGB bytes as words; those of no alpha, or black without one, are empty."""
+    if colours.dtype != np.uint8 or colours.shape[-1] not in (3, 4):
+        raise ValueError(f"colours are uint8 with 3 or 4 channels, not {colours.dtype} of the shape {colours.shape}")
+    words = np.zeros(colours.shape[:-1], np.uint32)
+    for channel in range(3):
+        words |= colours[..., channel].astype(np.uint32) << np.uint32(8 * channel)
+    if colours.shape[-1] == 3:
+        return np.where(words != 0, words | ALPHA, np.uint32(0))
+    alpha = colours[..., 3].astype(np.uint32)
+    return np.where(alpha != 0, words | alpha << np.uint32(24), np.uint32(0))
+
+
+def check_axes(voxels):
+    if voxels.ndim != 3:
+        raise ValueError(f"a grid of voxels is indexed [z, y, x], but this array has the shape {voxels.shape}")
+
+
+def check_range(numbers, least, most, what):
+    if numbers.size and (numbers.min() < least or numbers.max() > most):
+        raise ValueError(f"{what} are from {least} to {most}, and these from {numbers.min()} to {numbers.max()}")
