@@ -9,6 +9,19 @@
 #include <cstdint>
 
 namespace voxc::tool {
+namespace {
+
+/// Begins the name of a check that has choices, which stand behind it.
+constexpr std::string_view kChoices = "choices: ";
+
+std::string nameOfChoices(const std::vector<std::string> &values) {
+  std::string name(kChoices);
+  for (const std::string &value : values)
+    name += (name.ends_with(' ') ? "" : " ") + value;
+  return name;
+}
+
+} // namespace
 
 Option Option::takes(const std::string &value) const {
   option_->type_name(value);
@@ -38,8 +51,24 @@ Option Option::showsDefault(const std::string &value) const {
 // Checks describe themselves in the help of CLI11; ours says it in words.
 
 Option Option::oneOf(const std::vector<std::string> &values) const {
-  option_->check(CLI::IsMember(values).description(""));
+  option_->check(CLI::IsMember(values).description("").name(nameOfChoices(values)));
   return *this;
+}
+
+Option Option::suggests(const std::vector<std::string> &values) const {
+  const auto takesAll = [](std::string &) { return std::string(); };
+  option_->check(CLI::Validator(takesAll, "", nameOfChoices(values)));
+  return *this;
+}
+
+std::vector<std::string> Option::choices() const {
+  try {
+    for (int i = 0;; ++i)
+      if (const std::string &name = option_->get_validator(i)->get_name(); name.starts_with(kChoices))
+        return CLI::detail::split(name.substr(kChoices.size()), ' ');
+  } catch (const CLI::OptionNotFound &) {
+    return {}; // There are no more.
+  }
 }
 
 template <typename Number> Option Option::between(Number least, Number most) const {

@@ -37,6 +37,10 @@ public:
 
   /// Refuses all other values.
   Option oneOf(const std::vector<std::string> &values) const;
+  /// Takes any value; a shell offers these.
+  Option suggests(const std::vector<std::string> &values) const;
+  /// The values of `oneOf` or `suggests`; none without.
+  std::vector<std::string> choices() const;
   /// Refuses numbers outside; both bounds are allowed. For int, unsigned, std::uint64_t, float and double.
   template <typename Number> Option between(Number least, Number most) const;
   Option positive() const;

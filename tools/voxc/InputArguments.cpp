@@ -139,7 +139,8 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .add("--colour-map", arguments.colourMap,
            "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the "
            "numbers of .vox colours, as they are")
-      .takes("NAME");
+      .takes("NAME")
+      .suggests({"grey", "heat", "dusk", "polar", "labels"});
   command
       .add("--window", arguments.window,
            "Samples that have the first and last colour; default: the threshold, or the least, and the "

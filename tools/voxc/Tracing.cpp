@@ -17,7 +17,8 @@ void Tracing::declare(const CommandLine &command) {
           "--device", deviceName_,
           "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
           "or on cpu: this processor, without Vulkan")
-      .takes("NAME");
+      .takes("NAME")
+      .suggests({"cpu", "llvmpipe"});
   command
       .add("--threads", threads_,
            "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")

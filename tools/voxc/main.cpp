@@ -89,10 +89,27 @@ Error unknownCommand(std::string_view word) {
                       (isLike ? " (did you mean " + std::string(like->name) + "?)" : ""));
 }
 
+/// `voxc help`, `voxc help COMMAND` and `voxc version`, as the options that say the same.
+std::vector<char *> inOptions(int argc, char **argv) {
+  static char help[] = "--help", version[] = "--version";
+  std::vector<char *> words(argv, argv + argc);
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (first == "version" || first == "-V")
+    words = {argv[0], version};
+  if (first == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back(help);
+  }
+  return words;
+}
+
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int count, char **given) {
   catchInterrupts(); // Whoever is interrupted while options are declared says so, too.
+  std::vector<char *> words = inOptions(count, given);
+  const int argc = static_cast<int>(words.size());
+  char **const argv = words.data();
   const CommandLine program("voxc", "A compiler for hybrid voxel formats");
   program.addVersion(versionText());
   program.requireCommands(1, 1);

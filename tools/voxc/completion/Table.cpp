@@ -5,8 +5,14 @@ namespace voxc::tool {
 
 namespace {
 
-/// The names of an option's check "{a,b}" or of its type "a|b=a".
+/// The values that an option offers, or the names of its type "a|b=a", with blanks between.
 std::string valuesOf(const Option &option) {
+  if (const std::vector<std::string> choices = option.choices(); !choices.empty()) {
+    std::string values;
+    for (const std::string &choice : choices)
+      values += (values.empty() ? "" : " ") + choice;
+    return values;
+  }
   const std::string type = option.value();
   std::string values = type.substr(0, type.find('='));
   if (values.find('|') == std::string::npos || values.find_first_of("[:,. ") != std::string::npos)

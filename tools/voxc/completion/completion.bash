@@ -22,7 +22,11 @@ _voxc() {
   if [[ $current == -* || -z $path || " $words " != *' --'* ]]; then
     COMPREPLY=($(compgen -W "$words" -- "$current"))
   else
-    COMPREPLY=($(compgen -f -- "$current"))
+    local commands=
+    for word in $words; do
+      [[ $word == -* ]] || commands+=" $word"
+    done
+    COMPREPLY=($(compgen -W "$commands" -- "$current") $(compgen -f -- "$current"))
   fi
 }
 complete -o filenames -F _voxc voxc
