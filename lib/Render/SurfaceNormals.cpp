@@ -57,6 +57,8 @@ Expected<void> SurfaceNormals::learn(std::span<const Hit> hits, const Progress &
       codes.push_back(codeOf(hit));
   std::ranges::sort(codes);
   codes.erase(std::ranges::unique(codes).begin(), codes.end());
+  if (progress.stopped())
+    return Error::interrupted();
   std::vector<std::optional<SurfaceNormal>> found(codes.size());
   std::atomic<std::uint64_t> pagesRead = 0;
   const auto learnChunk = [&](Occupancy &occupancy, std::size_t first) -> Expected<void> {

@@ -30,12 +30,14 @@ double regret(const RatedFormat &rated, Wish::Objective objective) {
 
 } // namespace
 
-std::vector<RatedFormat> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
-                                     const std::vector<RaySet> &rays, const SpeedModel &model,
-                                     const Wish &wish, const Progress &progress) {
+Expected<std::vector<RatedFormat>> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
+                                               const std::vector<RaySet> &rays, const SpeedModel &model,
+                                               const Wish &wish, const Progress &progress) {
   Rater rater(scene);
   std::vector<RatedFormat> rated;
-  for (std::size_t i = 0; i < candidates.size() && !progress.stopped(); ++i) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (progress.stopped())
+      return Error::interrupted();
     progress.at("rate", static_cast<double>(i) / static_cast<double>(candidates.size()));
     if (auto format = rater.rate(std::move(candidates[i]), rays, model, wish.maxBytes))
       rated.push_back(std::move(*format));

@@ -102,7 +102,7 @@ TEST_F(RaceTest, ExploringFindsWhatNoSeedIs) {
   for (const RatedFormat &format : found.formats)
     EXPECT_TRUE(known.insert(printIr(format.candidate.format)).second) << printIr(format.candidate.format);
   const auto seeds =
-      rateFormats({dag_}, candidatesFor(6, {.visible = true}), rays_, defaultSpeedModel("cpu"), {});
+      *rateFormats({dag_}, candidatesFor(6, {.visible = true}), rays_, defaultSpeedModel("cpu"), {});
   Frontier ofSeeds(1e6), ofAll(1e6);
   for (const RatedFormat &format : seeds)
     ofSeeds.add({static_cast<double>(format.bytes()), format.time()});

@@ -55,7 +55,7 @@ protected:
   }
 
   std::vector<RatedFormat> rate(const Wish &wish) const {
-    return rateFormats({dag_}, candidatesFor(6, {.visible = true}), rays_, defaultSpeedModel("cpu"), wish);
+    return *rateFormats({dag_}, candidatesFor(6, {.visible = true}), rays_, defaultSpeedModel("cpu"), wish);
   }
 
   SceneDag dag_;
@@ -101,7 +101,7 @@ TEST_F(SuggestTest, GridsByOctantsAreSmallerAndTakeLonger) {
   for (const SmallGrids grids : {SmallGrids::Numbered, SmallGrids::ByOctants})
     candidates.push_back(
         *makeCandidate("M(2^3) M(2^3) M(2^3)", {.oneColour = true, .pointerBits = 12}, {.grids = grids}));
-  const auto rated = rateFormats({dag_}, std::move(candidates), rays_, defaultSpeedModel("cpu"), {});
+  const auto rated = *rateFormats({dag_}, std::move(candidates), rays_, defaultSpeedModel("cpu"), {});
   ASSERT_EQ(rated.size(), 2u);
   EXPECT_LT(rated[1].bytes(), rated[0].bytes());
   EXPECT_GT(rated[1].time(), 1.1 * rated[0].time());
@@ -115,7 +115,8 @@ TEST_F(SuggestTest, ColoursInPlaceNeedTheirGraph) {
   EXPECT_FALSE(in(rate({}), "S(6)"));
   const SceneDag colours =
       *SceneDag::build(**makeBuiltinSource("terrain", 64), {.detail = SceneDag::Detail::Colours});
-  const auto rated = rateFormats({dag_, &colours}, candidatesFor(6, {}), rays_, defaultSpeedModel("cpu"), {});
+  const auto rated =
+      *rateFormats({dag_, &colours}, candidatesFor(6, {}), rays_, defaultSpeedModel("cpu"), {});
   EXPECT_TRUE(in(rated, "S(6)"));
 }
 

@@ -23,10 +23,10 @@ struct Wish {
 };
 
 /// Prices the candidates and replays the rays on them. Those that are larger than the wish allows, or than
-/// their references reach, are left out.
-std::vector<RatedFormat> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
-                                     const std::vector<RaySet> &rays, const SpeedModel &model,
-                                     const Wish &wish, const Progress &progress = {});
+/// their references reach, are left out. Error: interrupted.
+Expected<std::vector<RatedFormat>> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
+                                               const std::vector<RaySet> &rays, const SpeedModel &model,
+                                               const Wish &wish, const Progress &progress = {});
 
 /// True for each that no other is as small and as fast as, or better.
 std::vector<bool> frontierOf(std::span<const RatedFormat> rated);

@@ -63,11 +63,12 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
     suggestion.rays.push_back(set.name);
   suggestion.voxels = scene->voxels;
   suggestion.valueWords = scene->valueWords;
-  suggestion.rated = rateFormats(scene->priced(), std::move(*candidates), *rays,
-                                 speedModelFor(request.device), request.wish, progress);
+  auto rated = rateFormats(scene->priced(), std::move(*candidates), *rays, speedModelFor(request.device),
+                           request.wish, progress);
   figures["rate_seconds"] = watch.seconds();
-  if (progress.stopped())
-    return Error::interrupted();
+  if (!rated)
+    return rated.error();
+  suggestion.rated = std::move(*rated);
   suggestion.choice = choose(suggestion.rated, request.wish);
   if (!suggestion.choice)
     return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
