@@ -190,9 +190,7 @@ Expected<void> Constructor::checkFormat(const FragmentSet &fragments) const {
                       toString(state_->format));
 }
 
-Expected<Built> Constructor::merge(const std::vector<std::string> &paths, const BuildOptions &given) const {
-  const BuildOptions options = withMemory(given);
-  auto fragments = FragmentSet::open(paths, options.memory);
+Expected<Built> Constructor::mergeOpened(Expected<FragmentSet> fragments, const BuildOptions &options) const {
   if (!fragments)
     return fragments.error();
   if (auto checked = checkFormat(*fragments); !checked)
@@ -200,15 +198,15 @@ Expected<Built> Constructor::merge(const std::vector<std::string> &paths, const 
   return joinParts(*fragments, fragments->info().volume, state_->functions, options, Origin::Foreign);
 }
 
+Expected<Built> Constructor::merge(const std::vector<std::string> &paths, const BuildOptions &given) const {
+  const BuildOptions options = withMemory(given);
+  return mergeOpened(FragmentSet::open(paths, options.memory), options);
+}
+
 Expected<Built> Constructor::mergeRun(const std::vector<std::string> &paths,
                                       const BuildOptions &given) const {
   const BuildOptions options = withMemory(given);
-  auto fragments = FragmentSet::openRun(paths, options.memory);
-  if (!fragments)
-    return fragments.error();
-  if (auto checked = checkFormat(*fragments); !checked)
-    return checked.error();
-  return joinParts(*fragments, fragments->info().volume, state_->functions, options, Origin::Foreign);
+  return mergeOpened(FragmentSet::openRun(paths, options.memory), options);
 }
 
 } // namespace voxc

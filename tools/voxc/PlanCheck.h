@@ -9,7 +9,6 @@
 #include "voxc/Support/Progress.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -130,6 +130,7 @@ private:
   struct State;
   Expected<Built> buildVoxels(VoxelSource &source, const BuildOptions &options) const;
   Expected<void> checkFormat(const FragmentSet &fragments) const;
+  Expected<Built> mergeOpened(Expected<FragmentSet> fragments, const BuildOptions &options) const;
   explicit Constructor(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -20,7 +20,8 @@ void removeFile(const std::string &path) {
 } // namespace
 
 Expected<void> NumberedFiles::add(std::string_view bytes) {
-  if (count_ == 0)
+  // From the first file that may take the place of another, an earlier set is none any more.
+  if (count_ == kBeginning)
     for (std::uint64_t number = 0; number < kBeginning; ++number)
       removeFile(path_(number));
   auto added = count_ < kBeginning ? addBeginning(bytes) : writeFile(path_(count_), bytes);

@@ -12,7 +12,8 @@ namespace voxc {
 
 /// Files of a pattern, numbered from 0 on. Who reads such a set begins with number 0, or with 1 where there
 /// is none: these two get their names last, so that however the work ends before, the set has no beginning.
-/// What an earlier set has under their names is removed first.
+/// What an earlier set has under their names is removed when the first of its other files is replaced, not
+/// before.
 class NumberedFiles {
 public:
   explicit NumberedFiles(const NumberedPath &path) : path_(path) {}
