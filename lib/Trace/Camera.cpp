@@ -1,4 +1,4 @@
-// A pinhole camera in voxel space, and the rays through its pixels.
+// Cameras in voxel space, and the rays through their pixels.
 #include "voxc/Trace/Camera.h"
 
 #include <glm/geometric.hpp>
@@ -17,15 +17,8 @@ glm::dvec3 normalized(const glm::dvec3 &v, const glm::dvec3 &fallback) {
   return length > 0 && std::isfinite(length) ? v * (1 / length) : fallback;
 }
 
-/// The axes of a view: unit vectors, orthogonal to each other.
-struct View {
-  glm::dvec3 front;
-  glm::dvec3 right;
-  glm::dvec3 up;
-};
-
-View viewOf(glm::dvec3 direction, glm::dvec3 up) {
-  View view;
+CameraAxes axesAlong(glm::dvec3 direction, glm::dvec3 up) {
+  CameraAxes view;
   view.front = normalized(direction, {0, 0, -1});
   // Looking along `up` leaves the roll open: the axis furthest from the view decides it then.
   glm::dvec3 spare = std::abs(view.front[2]) < 0.5 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
@@ -39,7 +32,7 @@ View viewOf(glm::dvec3 direction, glm::dvec3 up) {
 }
 
 /// How far behind the centre of a box with these half sides a camera must stand to see all of its corners.
-double framingDistance(const View &view, glm::dvec3 half, double tangentX, double tangentY) {
+double framingDistance(const CameraAxes &view, glm::dvec3 half, double tangentX, double tangentY) {
   double distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 point = {corner & 1 ? half[0] : -half[0], corner & 2 ? half[1] : -half[1],
@@ -51,7 +44,24 @@ double framingDistance(const View &view, glm::dvec3 half, double tangentX, doubl
   return distance;
 }
 
+double tangentOf(const Camera &camera) { return std::tan(glm::radians(camera.verticalFov / 2)); }
+
 } // namespace
+
+glm::dvec3 spacingOf(const Transform &voxelToModel) {
+  constexpr double kEqual = 1e-5; // Scans hold their spacing in float32, often turned by a quaternion.
+  constexpr double kMost = 10000; // Beyond that a picture shows a line.
+  glm::dvec3 sides;
+  for (int axis = 0; axis < 3; ++axis)
+    sides[axis] = glm::length(voxelToModel[axis]);
+  const double least = std::min({sides.x, sides.y, sides.z});
+  const double most = std::max({sides.x, sides.y, sides.z});
+  if (!(least > 0) || !(most <= least * kMost) || !std::isfinite(most))
+    return glm::dvec3(1);
+  for (int axis = 0; axis < 3; ++axis)
+    sides[axis] = sides[axis] <= least * (1 + kEqual) ? 1 : sides[axis] / least;
+  return sides;
+}
 
 Camera frameExtent(Int3 extent, int width, int height) {
   constexpr glm::dvec3 kFromCorner = {0.62, 0.48, 0.9};
@@ -60,7 +70,7 @@ Camera frameExtent(Int3 extent, int width, int height) {
   camera.width = width;
   camera.height = height;
   camera.look = glm::dvec3{double(extent.x), double(extent.y), double(extent.z)} * 0.5;
-  View view = viewOf(-kFromCorner, camera.up);
+  const CameraAxes view = axesAlong(-kFromCorner, camera.up);
   double tangent = std::tan(glm::radians(camera.verticalFov / 2));
   double distance = framingDistance(view, camera.look, tangent * width / height, tangent);
   camera.eye = camera.look - view.front * (distance * kMargin);
@@ -68,14 +78,16 @@ Camera frameExtent(Int3 extent, int width, int height) {
 }
 
 Camera cameraFromAngles(Int3 extent, glm::dvec3 position, double pitch, double yaw, double verticalFov,
-                        int width, int height) {
-  double scale = std::max({extent.x, extent.y, extent.z}) / 100.0;
+                        int width, int height, const glm::dvec3 &spacing) {
+  const glm::dvec3 sides = glm::dvec3(extent.x, extent.y, extent.z) * spacing;
+  const double scale = std::max({sides.x, sides.y, sides.z}) / 100.0;
   double p = glm::radians(pitch);
   double y = glm::radians(yaw);
   glm::dvec3 front = {std::cos(p) * std::sin(y), std::sin(p), std::cos(p) * std::cos(y)};
   Camera camera;
-  camera.eye = position * scale;
-  camera.look = camera.eye + front;
+  camera.eye = position * scale / spacing;
+  camera.look = camera.eye + front / spacing;
+  camera.spacing = spacing;
   camera.verticalFov = verticalFov;
   camera.width = width;
   camera.height = height;
@@ -94,24 +106,50 @@ Camera cameraFromView(const glm::dmat4 &view, double verticalFov, int width, int
   return camera;
 }
 
+CameraAxes axesOf(const Camera &camera) {
+  return axesAlong((camera.look - camera.eye) * camera.spacing, camera.up * camera.spacing);
+}
+
 double pixelSpread(const Camera &camera) {
-  return 2 * std::tan(glm::radians(camera.verticalFov / 2)) / camera.height;
+  return camera.isOrthographic() ? 0 : 2 * tangentOf(camera) / camera.height;
+}
+
+double shownHeight(const Camera &camera, double distance) {
+  return camera.isOrthographic() ? camera.orthographicHeight : 2 * tangentOf(camera) * distance;
+}
+
+double lookDistance(const Camera &camera) { return glm::length((camera.look - camera.eye) * camera.spacing); }
+
+Camera projected(const Camera &camera, bool isOrthographic) {
+  if (camera.isOrthographic() == isOrthographic)
+    return camera;
+  Camera other = camera;
+  const double distance = lookDistance(camera);
+  other.orthographicHeight = isOrthographic ? shownHeight(camera, distance) : 0;
+  if (!isOrthographic && distance > 0)
+    other.eye = camera.look +
+                (camera.eye - camera.look) * (camera.orthographicHeight / (2 * tangentOf(camera) * distance));
+  return other;
 }
 
 std::vector<Ray> cameraRays(const Camera &camera) { return cameraRays(camera, 0, camera.height, {0.5, 0.5}); }
 
 std::vector<Ray> cameraRays(const Camera &camera, int firstRow, int rows, glm::dvec2 place) {
-  View view = viewOf(camera.look - camera.eye, camera.up);
-  double tangent = std::tan(glm::radians(camera.verticalFov / 2));
-  double aspect = double(camera.width) / camera.height;
+  const CameraAxes view = axesOf(camera);
+  const double high = camera.isOrthographic() ? camera.orthographicHeight / 2 : tangentOf(camera);
+  const double aspect = double(camera.width) / camera.height;
+  const glm::dvec3 ahead = view.front / camera.spacing;
   std::vector<Ray> rays;
   rays.reserve(std::size_t(std::max(camera.width, 0)) * std::size_t(std::max(rows, 0)));
   for (int row = firstRow; row < firstRow + rows; ++row) {
-    double y = tangent * (1 - 2 * (row + place.y) / camera.height);
+    double y = high * (1 - 2 * (row + place.y) / camera.height);
     for (int column = 0; column < camera.width; ++column) {
-      double x = tangent * aspect * (2 * (column + place.x) / camera.width - 1);
-      glm::dvec3 direction = normalized(view.front + view.right * x + view.up * y, view.front);
-      rays.push_back(makeRay(camera.eye, direction));
+      double x = high * aspect * (2 * (column + place.x) / camera.width - 1);
+      if (camera.isOrthographic())
+        rays.push_back(makeRay(camera.eye + (view.right * x + view.up * y) / camera.spacing, ahead));
+      else
+        rays.push_back(makeRay(camera.eye, normalized(view.front + view.right * x + view.up * y, view.front) /
+                                               camera.spacing));
     }
   }
   return rays;

@@ -1,34 +1,14 @@
-// Colours of labels: hues a golden section apart, so that labels next to each other never look alike.
+// Hits on labels in the colours of these.
 #include "voxc/Trace/Picture.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "voxc/Volume/LabelColour.h"
 
 namespace voxc {
-namespace {
-
-constexpr double kGoldenSection = 0.6180339887498949;
-
-std::uint32_t colourOfLabel(std::uint32_t label) {
-  const double turn = std::fmod(label * kGoldenSection, 1.0);
-  const double least = label % 3 == 0 ? 0.25 : label % 3 == 1 ? 0.4 : 0.1;
-  std::uint32_t word = 0xff000000u;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    // A hue's channels rise and fall along the circle, a third of it apart.
-    const double place = std::fmod(turn + i / 3.0, 1.0);
-    const double share = std::clamp(std::abs(place * 6 - 3) - 1, 0.0, 1.0);
-    word |= static_cast<std::uint32_t>(std::lround(255 * (least + (0.95 - least) * share))) << 8 * i;
-  }
-  return word;
-}
-
-} // namespace
 
 void showLabels(std::span<Hit> hits) {
   for (Hit &hit : hits)
     if (hit.isHit())
-      hit.rgba = colourOfLabel(hit.rgba);
+      hit.rgba = labelColour(hit.rgba);
 }
 
 } // namespace voxc

@@ -85,6 +85,9 @@ PageCache::PageCache(const PagedVolume &volume, const PagingOptions &options, st
   report_.pageBytes = words.pageBytes;
   report_.slots = slots;
   report_.memoryBytes = slots * words.pageBytes + tableBytes(words);
+  wasUsed_.assign(words.pages(), false);
+  report_.usedBytes = words.pageBytes + tableBytes(words); // Zeros have a slot, too.
+  noteUse(0);                                              // Where every ray begins.
 }
 
 Expected<void> PageCache::begin(const Place &place) {
@@ -105,6 +108,7 @@ PageRound PageCache::takeMarks() {
     if ((table_[page] & kTouched) == 0)
       continue;
     table_[page] &= ~kTouched;
+    noteUse(page);
     if ((table_[page] & kAbsent) != 0) {
       round.asked.push_back(page);
       continue;
@@ -116,6 +120,14 @@ PageRound PageCache::takeMarks() {
   ++report_.rounds;
   report_.found += round.found;
   return round;
+}
+
+void PageCache::noteUse(std::uint32_t page) {
+  if (wasUsed_[page])
+    return;
+  wasUsed_[page] = true;
+  ++report_.used;
+  report_.usedBytes += slotBytes();
 }
 
 std::uint64_t PageCache::room() const {

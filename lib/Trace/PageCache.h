@@ -53,6 +53,7 @@ private:
   Expected<void> decode(std::span<const std::uint32_t> pages);
   Expected<bool> fetch(std::uint32_t page, std::span<std::byte> room) const;
   void settle(std::uint32_t page, std::uint32_t slot);
+  void noteUse(std::uint32_t page);
 
   const PagedVolume *volume_;
   std::shared_ptr<PageShelf> takesFrom_, putsOn_; ///< Or null.
@@ -61,6 +62,7 @@ private:
   std::vector<std::uint32_t> table_;
   std::vector<std::uint32_t> pageOfSlot_; ///< Or that there is none.
   std::vector<std::uint64_t> lastUse_;    ///< Of each slot, the round; 0: never.
+  std::vector<bool> wasUsed_;             ///< Of each page of the volume.
   std::vector<std::byte> decoded_;        ///< Some pages, on their way.
   std::uint64_t round_ = 1;
   PagingReport report_;

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -36,11 +37,19 @@ struct InstanceHit {
 /// matrix, and rounded to float32 once; directions are not made unit length, so that t means the same
 /// everywhere. The hit in each instance is exact for that ray. Of the instances that a ray hits, the one of
 /// the least t (a float32) is taken, and of several with the same, the first.
+///
+/// Which instances a ray is traced through is looked up in a bounding-volume hierarchy over their boxes,
+/// which leaves out none that the ray hits, under any matrix that is taken: docs/tracers.md says what a ray
+/// costs among many.
 class InstancedTracer {
 public:
   /// `threads`: those that transform rays; 0: all of this processor. Errors (`Usage`): a tracer is null, or
-  /// a matrix is not finite, has another last row than 0, 0, 0, 1, or has no inverse in float64.
+  /// a matrix is not finite, has another last row than 0, 0, 0, 1, or has no inverse in float64; there are
+  /// 2^31 instances or more.
   static Expected<InstancedTracer> create(const std::vector<Instance> &instances, unsigned threads = 0);
+  ~InstancedTracer();
+  InstancedTracer(InstancedTracer &&) noexcept;
+  InstancedTracer &operator=(InstancedTracer &&) noexcept;
 
   /// Traces rays[i] into hits[i]; both have the same size. Bounds mean the same in the world and in every
   /// instance, as t does. `options` go to each tracer; each of its repeats traces all. Errors: as of the
@@ -48,20 +57,10 @@ public:
   Expected<void> trace(RaySpan rays, std::span<InstanceHit> hits, const TraceOptions &options = {});
 
 private:
-  struct Placed {
-    Tracer *tracer;
-    glm::dmat4 fromWorld;
-    Int3 extent;
-    bool bounded;
-  };
+  struct State;
+  explicit InstancedTracer(std::unique_ptr<State> state);
 
-  InstancedTracer(std::vector<Placed> instances, unsigned threads)
-      : instances_(std::move(instances)), threads_(threads) {}
-  Expected<void> traceSlice(const RaySpan &rays, std::span<InstanceHit> hits, const TraceOptions &options);
-  Expected<void> checkBounds(const RaySpan &rays) const;
-
-  std::vector<Placed> instances_;
-  unsigned threads_;
+  std::unique_ptr<State> state_;
 };
 
 } // namespace voxc
