@@ -3,6 +3,10 @@
 
 #include "voxc/Passes/Pass.h"
 
+#include <algorithm>
+#include <optional>
+#include <set>
+
 namespace voxc::view {
 namespace {
 
@@ -12,6 +16,70 @@ std::string_view trim(std::string_view text, std::string_view what) {
   const std::size_t begin = text.find_first_not_of(what);
   return begin == std::string_view::npos ? std::string_view{}
                                          : text.substr(begin, text.find_last_not_of(what) + 1 - begin);
+}
+
+/// All that is set on a format and its levels, each as a text of its own.
+std::set<std::string> choicesOf(const Format &format) {
+  std::set<std::string> choices;
+  const auto add = [&choices](std::size_t place, const AttributeSet &set, AttributeKinds kinds) {
+    for (const AttributeKind *kind : kinds)
+      if (set.value(*kind) != kind->values.front())
+        choices.insert(std::to_string(place) + ":" + std::string(kind->name) + "=" +
+                       std::string(set.value(*kind)));
+  };
+  add(0, format.attributes, formatAttributes());
+  for (std::size_t i = 0; i < format.levels.size(); ++i)
+    add(i + 1, format.levels[i].attributes, format.levels[i].kind->attributes);
+  return choices;
+}
+
+/// Passes are repeated so often at most: `granules` counts from one word to 2^8 of them.
+constexpr int kMostRepeats = 8;
+
+/// Goes by one pass from `format` towards `wanted`: whatever is set afterwards, and all that was set before,
+/// is what `wanted` has, too. The names that did it, or none.
+std::vector<std::string> approach(Format &format, const Format &wanted, const std::string &name) {
+  const std::set<std::string> choices = choicesOf(wanted), had = choicesOf(format);
+  Format next = format;
+  for (int times = 1; times <= kMostRepeats; ++times) {
+    const Format before = next;
+    if (!runPasses(next, std::span(&name, 1)) || toString(next) != toString(wanted) || next == before)
+      return {};
+    const std::set<std::string> has = choicesOf(next);
+    if (has.size() > had.size() && std::ranges::includes(has, had) && std::ranges::includes(choices, has)) {
+      format = std::move(next);
+      return std::vector<std::string>(std::size_t(times), name);
+    }
+  }
+  return {};
+}
+
+/// A pass by itself, and with each number that it takes.
+std::vector<std::string> spellingsOf(const Pass &pass) {
+  std::vector<std::string> names{std::string(pass.name)};
+  if (pass.number)
+    for (int number = pass.number->least; number <= pass.number->most; ++number)
+      names.push_back(std::string(pass.name) + "=" + std::to_string(number));
+  return names;
+}
+
+/// The passes that make `wanted` of its format string, if there are such.
+std::optional<std::vector<std::string>> passesThatGive(const Format &wanted) {
+  Expected<Format> format = parseFormat(toString(wanted));
+  if (!format)
+    return std::nullopt;
+  std::vector<std::string> names;
+  // Some passes change a format only after others.
+  std::size_t before = 0;
+  do {
+    before = names.size();
+    for (const Pass &pass : passes())
+      for (const std::string &name : spellingsOf(pass)) {
+        const std::vector<std::string> taken = approach(*format, wanted, name);
+        names.insert(names.end(), taken.begin(), taken.end());
+      }
+  } while (names.size() != before);
+  return *format == wanted ? std::optional(names) : std::nullopt;
 }
 
 } // namespace
@@ -39,10 +107,8 @@ std::string formatText(const std::string &format, std::span<const std::string> p
 }
 
 std::string formatText(const Format &format) {
-  std::string text = toString(format);
-  const Expected<Format> plain = parseFormat(text);
-  if (plain && *plain == format)
-    return text;
+  if (const auto passes = passesThatGive(format))
+    return formatText(toString(format), *passes);
   std::string line;
   for (const char c : printIr(format))
     if (const char blank = c == '\n' ? ' ' : c; blank != ' ' || !line.ends_with(' '))

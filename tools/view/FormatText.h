@@ -23,7 +23,8 @@ std::string formatText(const std::string &format, std::span<const std::string> p
 /// format.
 std::string spelledText(std::string_view text);
 
-/// A text that gives this very format: a format string if that says all, else its IR in one line.
+/// A text that gives this very format: a format string, with the passes that it takes; its IR in one line
+/// where no passes give it.
 std::string formatText(const Format &format);
 
 /// The format with its passes applied. Errors: those of formats and passes, in one line.

@@ -38,7 +38,8 @@ constexpr KeyKind kKeys[] = {
     {Action::Screenshot, "P", "write the picture as a PNG", false},
     {Action::TogglePanel, "Tab", "show or hide the panel", false},
     {Action::ToggleHelp, "F1", "show or hide the keys", false},
-    {Action::Quit, "Escape", "close the window", false},
+    {Action::Escape, "Escape", "leave the text, end loading, hide the keys; or else, twice, close the window",
+     false},
 };
 
 constexpr MouseKind kMouse[] = {

@@ -40,7 +40,7 @@ enum class Action {
   Screenshot,
   TogglePanel,
   ToggleHelp,
-  Quit,
+  Escape,
 };
 
 struct KeyKind {

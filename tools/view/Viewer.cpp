@@ -5,6 +5,7 @@
 #include "voxc/Render/View.h"
 
 #include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ constexpr double kStride = 0.3;
 constexpr double kLongestStep = 0.1;
 
 /// Traces by a scene that no other thread has.
-Expected<Camera> placeIn(const Scene &scene, const tool::PictureOptions &options) {
+Expected<tool::PlacedCamera> placeIn(const Scene &scene, const tool::PictureOptions &options) {
   const auto trace = [&scene](std::span<const Ray> rays, std::span<Hit> hits,
                               const TraceOptions &traceOptions) -> Expected<void> {
     const Expected<TraceReport> report = scene.tracer->trace(rays, hits, traceOptions);
@@ -62,9 +63,9 @@ void Viewer::request(const SceneWish &wish) {
     if (stop)
       return;
     if (loaded.scene && !old) {
-      const Expected<Camera> camera = placeIn(**loaded.scene, options_.picture);
+      const Expected<tool::PlacedCamera> camera = placeIn(**loaded.scene, options_.picture);
       if (camera)
-        loaded.camera = *camera;
+        loaded.placed = *camera;
       else
         loaded.scene = camera.error();
     }
@@ -72,6 +73,16 @@ void Viewer::request(const SceneWish &wish) {
     wake_();
   });
   state_.work = "begin";
+  isLoading_ = true;
+}
+
+/// What has been asked for last does not come any more. Precondition: there is a scene.
+void Viewer::stopLoading() {
+  loader_.post([](const std::atomic<bool> &) {});
+  log_.tell("stopped loading " + (wish_.format.empty() ? "the first format" : wish_.format));
+  wish_ = {scene_->model.text, scene_->device};
+  state_.work.clear();
+  isLoading_ = false;
 }
 
 void Viewer::load(const std::string &format) { request({format, scene_ ? scene_->device : wish_.device}); }
@@ -87,21 +98,29 @@ void Viewer::fail(const Error &error) {
 }
 
 void Viewer::takeLoaded(Loaded loaded) {
+  if (!isLoading_) // It came as it was stopped.
+    return;
   state_.work.clear();
+  isLoading_ = false;
   if (!loaded.scene) {
     if (!scene_)
       failure_ = loaded.scene.error();
     return fail(loaded.scene.error());
   }
   scene_ = std::move(*loaded.scene);
-  if (loaded.camera)
-    setCamera(*(home_ = ViewCamera(*loaded.camera)));
+  if (loaded.placed) {
+    setFlying(isInside(loaded.placed->camera));
+    setCamera(*(home_ = ViewCamera(loaded.placed->camera)));
+  }
   state_.format = scene_->model.text;
   state_.device = scene_->device;
   state_.size = sizeText(scene_->model);
   log_.tell("scene " + state_.format + " on " + state_.device + ": " + state_.size);
-  if (!loaded.camera)
+  if (!loaded.placed)
     show();
+  else if (loaded.placed->isAuto)
+    log_.tell("view " + loaded.placed->view +
+              (loaded.placed->view == "inside" ? "; V looks from outside" : ""));
 }
 
 /// What is to be seen now.
@@ -149,7 +168,10 @@ void Viewer::presented() {
 bool Viewer::advance(double seconds) {
   if (isPlaced()) {
     const Int3 extent = scene_->model.volume->info().extent;
-    const double stride = kStride * std::max({extent.x, extent.y, extent.z});
+    const glm::dvec3 sides =
+        glm::dvec3(extent.x, extent.y, extent.z) *
+        tool::spacingOf(options_.picture.camera, scene_->model.volume->info().voxelToModel);
+    const double stride = kStride * std::max({sides.x, sides.y, sides.z});
     if (motion_.advance(*camera_, std::min(seconds, kLongestStep), stride))
       show();
     scout_.follow(shot(), *camera_, seconds);
@@ -161,7 +183,10 @@ bool Viewer::advance(double seconds) {
       hasChanged = true;
     }
   };
-  take(work_, [this](std::string work) { state_.work = std::move(work); });
+  take(work_, [this](std::string work) {
+    if (isLoading_)
+      state_.work = std::move(work);
+  });
   take(loaded_, [this](Loaded loaded) { takeLoaded(std::move(loaded)); });
   take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
   take(touch_, [this](const Expected<Touch> &touch) { takeTouch(touch); });
@@ -216,13 +241,24 @@ void Viewer::nextView() {
   options.view = toString(view);
   options.camera.camera.clear();
   options.camera.size = std::to_string(options_.width) + "x" + std::to_string(options_.height);
-  painter_.ask([this, options](const Shot &shot) { placed_.put(placeIn(*shot.scene, options)); });
+  painter_.ask([this, options](const Shot &shot) {
+    const Expected<tool::PlacedCamera> placed = placeIn(*shot.scene, options);
+    placed_.put(placed ? Expected<Camera>(placed->camera) : placed.error());
+  });
 }
 
 void Viewer::takeCamera(const Expected<Camera> &camera) {
   if (!camera)
     return fail(camera.error());
+  setFlying(isInside(*camera));
   setCamera(ViewCamera(*camera));
+}
+
+/// Whether an eye stands within the box of the volume: going around a point would lead through its walls.
+bool Viewer::isInside(const Camera &camera) const {
+  const Int3 extent = scene_->model.volume->info().extent;
+  return glm::all(glm::greaterThan(camera.eye, glm::dvec3(0))) &&
+         glm::all(glm::lessThan(camera.eye, glm::dvec3(extent.x, extent.y, extent.z)));
 }
 
 void Viewer::nextDevice() {

@@ -40,6 +40,7 @@ struct ViewerState {
   std::string touched;        ///< What a click told.
   bool isFlying = false;
   bool showsPanel = true, showsHelp = false;
+  bool isLeaving = false; ///< Escape was pressed where it ends nothing: once more, and it closes.
   bool isClosing = false;
 };
 
@@ -84,6 +85,8 @@ public:
   std::optional<std::string> takeCopied() { return std::exchange(copied_, std::nullopt); }
   /// The format is being written.
   void startedWriting() { log_.note("writing"); }
+  /// It is so no more, whether it was entered or left.
+  void stoppedWriting() { log_.note("wrote"); }
   /// Whether the user wants to write a format, once.
   bool takeEditing() { return std::exchange(isEditing_, false); }
 
@@ -91,12 +94,14 @@ private:
   /// What the loading thread brings.
   struct Loaded {
     Expected<std::shared_ptr<Scene>> scene;
-    std::optional<Camera> camera; ///< With the first scene.
+    std::optional<tool::PlacedCamera> placed; ///< With the first scene.
   };
 
   bool isPlaced() const { return scene_ && camera_; }
   void request(const SceneWish &wish);
   void takeLoaded(Loaded loaded);
+  void stopLoading();
+  void leave(bool isSure);
   void takePainting(Painting painting);
   void takeTouch(const Expected<Touch> &touch);
   void takeCamera(const Expected<Camera> &camera);
@@ -109,6 +114,7 @@ private:
   void orbitTouched();
   void setCamera(const ViewCamera &camera);
   void setFlying(bool isFlying);
+  bool isInside(const Camera &camera) const;
   void copyCamera();
   void writeScreenshot();
   void takeScreenshot(const Expected<std::string> &path);
@@ -133,6 +139,7 @@ private:
   bool isPictureNew_ = false;
   std::optional<std::string> copied_;
   bool isEditing_ = false;
+  bool isLoading_ = false;
   std::string shot_; ///< How fine the last screenshot is.
 
   /// An input that was not seen yet.

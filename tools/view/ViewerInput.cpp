@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace voxc::view {
 namespace {
@@ -41,22 +42,37 @@ void Viewer::press(Action action) {
       {Action::Screenshot, [](Viewer &viewer) { viewer.writeScreenshot(); }},
       {Action::TogglePanel, [](Viewer &viewer) { viewer.state_.showsPanel = !viewer.state_.showsPanel; }},
       {Action::ToggleHelp, [](Viewer &viewer) { viewer.state_.showsHelp = !viewer.state_.showsHelp; }},
-      {Action::Quit, [](Viewer &viewer) { viewer.state_.isClosing = true; }},
   };
+  const bool isAgain = std::exchange(state_.isLeaving, false);
   log_.note("key " + std::string(keyKinds()[std::size_t(action)].key));
   motion_.press(action);
   if (action >= Action::StyleLit && action <= Action::StyleHeatmap)
     setStyle(static_cast<Style>(int(action) - int(Action::StyleLit)));
   if (const Row *const row = std::ranges::find(kRows, action, &Row::action); row != std::end(kRows))
     row->act(*this);
+  if (action == Action::Escape)
+    leave(isAgain);
+}
+
+/// Ends what has been begun last; closes the window if there is nothing, and the user `isSure`.
+void Viewer::leave(bool isSure) {
+  if (isLoading_ && scene_)
+    stopLoading();
+  else if (state_.showsHelp)
+    state_.showsHelp = false;
+  else if (isSure)
+    state_.isClosing = true;
+  else
+    state_.isLeaving = true;
 }
 
 void Viewer::drag(double right, double down, bool isMoving) {
+  state_.isLeaving = false;
   if (!camera_)
     return;
   if (isMoving) {
     const Camera camera = camera_->camera(options_.width, options_.height);
-    const double pixel = pixelSpread(camera) * camera_->distance();
+    const double pixel = shownHeight(camera, camera_->distance()) / camera.height;
     camera_->move(-right * pixel, down * pixel, 0);
   } else {
     // What is seen follows the mouse: in orbit because it turns, in flight because the head turns away.
@@ -67,6 +83,7 @@ void Viewer::drag(double right, double down, bool isMoving) {
 }
 
 void Viewer::zoom(double steps) {
+  state_.isLeaving = false;
   if (!camera_)
     return;
   camera_->approach(std::pow(kNearerOfStep, steps));
@@ -93,6 +110,7 @@ void Viewer::setStyle(Style style) {
 }
 
 void Viewer::click(int column, int row) {
+  state_.isLeaving = false;
   if (!isPlaced() || column < 0 || row < 0 || column >= options_.width || row >= options_.height)
     return;
   painter_.ask([this, column, row](const Shot &shot) {

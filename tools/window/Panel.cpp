@@ -6,6 +6,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <utility>
+
 namespace voxc::view {
 namespace {
 
@@ -17,6 +19,11 @@ void wrapped(const std::string &text) {
   ImGui::PopTextWrapPos();
 }
 
+/// A window that is looked at alone.
+constexpr ImGuiWindowFlags kNote = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoSavedSettings;
+
 void heading(const char *text) {
   ImGui::Spacing();
   ImGui::TextDisabled("%s", text);
@@ -27,6 +34,7 @@ void heading(const char *text) {
 
 void Panel::draw(Viewer &viewer) {
   width_ = height_ = 0;
+  const float before = std::exchange(length_, 0);
   hasPopup_ = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   const bool wantsText = viewer.takeEditing();
   if (wantsText)
@@ -47,6 +55,7 @@ void Panel::draw(Viewer &viewer) {
       drawPicture(viewer);
       drawPick(viewer);
       drawChart(viewer);
+      length_ = ImGui::GetCursorPosY();
     }
     const ImVec2 size = ImGui::GetWindowSize();
     width_ = size.x + kMargin;
@@ -57,7 +66,12 @@ void Panel::draw(Viewer &viewer) {
   }
   if (viewer.state().showsHelp)
     drawHelp();
+  if (viewer.state().isLeaving)
+    drawQuestion();
+  isSettling_ = length_ != before;
 }
+
+bool Panel::closeList() { return closesList_ = hasPopup_; }
 
 bool Panel::covers(double column, double row) const {
   // ImGui itself knows only where the mouse was when the last frame was drawn.
@@ -73,6 +87,8 @@ void Panel::drawFormat(Viewer &viewer) {
       "##format", &text_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemActivated())
     viewer.startedWriting();
+  if (ImGui::IsItemDeactivated())
+    viewer.stoppedWriting();
   if (ImGui::IsItemActive() || ImGui::IsItemDeactivated())
     isWriting_ = ImGui::IsItemActive();
   if (isEntered)
@@ -93,7 +109,10 @@ void Panel::drawScene(Viewer &viewer) {
   if (!state.size.empty())
     wrapped(state.size);
   ImGui::SetNextItemWidth(-1);
+  const bool closesList = std::exchange(closesList_, false);
   if (ImGui::BeginCombo("##device", state.device.empty() ? "device" : state.device.c_str())) {
+    if (closesList)
+      ImGui::CloseCurrentPopup();
     for (const std::string &device : viewer.options().devices)
       if (ImGui::Selectable(device.c_str(), device == state.device))
         viewer.useDevice(device);
@@ -138,11 +157,8 @@ void Panel::drawHelp() {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x - kMargin, kMargin}, ImGuiCond_Always, {1, 0});
   ImGui::SetNextWindowBgAlpha(0.85f);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoSavedSettings;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 0});
-  ImGui::Begin("keys", nullptr, kFlags);
+  ImGui::Begin("keys", nullptr, kNote);
   if (ImGui::BeginTable("keys", 2)) {
     const auto row = [](std::string_view name, std::string_view summary) {
       ImGui::TableNextColumn();
@@ -158,6 +174,14 @@ void Panel::drawHelp() {
   }
   ImGui::End();
   ImGui::PopStyleVar();
+}
+
+void Panel::drawQuestion() {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({window.x / 2, window.y - kMargin}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::Begin("closing", nullptr, kNote);
+  ImGui::TextColored({1, 0.85f, 0.4f, 1}, "Escape once more closes the window");
+  ImGui::End();
 }
 
 } // namespace voxc::view

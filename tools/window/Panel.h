@@ -15,6 +15,11 @@ public:
   bool isWriting() const { return isWriting_; }
   /// Whether a place of the window, in pixels, is covered by it.
   bool covers(double column, double row) const;
+  /// Whether it has to be drawn once more: it has become longer or shorter, and ImGui gives a window the size
+  /// of what the last frame drew in it.
+  bool isSettling() const { return isSettling_; }
+  /// Closes the list that is open, with the next frame. False if there is none.
+  bool closeList();
 
 private:
   void drawScene(Viewer &viewer);
@@ -23,11 +28,15 @@ private:
   void drawPick(const Viewer &viewer);
   void drawChart(Viewer &viewer);
   void drawHelp();
+  void drawQuestion();
 
   std::string text_;  ///< The format that is being written.
   std::string shown_; ///< The scene's format, when it was last looked at.
   bool isWriting_ = false;
-  bool hasPopup_ = false;         ///< A list is open, which may lie anywhere.
+  bool hasPopup_ = false; ///< A list is open, which may lie anywhere.
+  bool closesList_ = false;
+  bool isSettling_ = false;
+  float length_ = 0;              ///< Of what was drawn in it; 0: nothing.
   double width_ = 0, height_ = 0; ///< 0: nothing is drawn.
 };
 

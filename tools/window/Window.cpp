@@ -115,7 +115,8 @@ void Window::onKey(int key, int code, int event, int modifiers) {
     return;
   if (event == GLFW_RELEASE)
     viewer_.release(*action);
-  else if (event == GLFW_PRESS && !panel_.isWriting() && !(modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)))
+  else if (event == GLFW_PRESS && !panel_.isWriting() && !(modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) &&
+           !(*action == Action::Escape && panel_.closeList()))
     viewer_.press(*action);
 }
 
@@ -195,6 +196,8 @@ Expected<void> Window::draw() {
   if (!*presented)
     return {};
   --frames_;
+  if (panel_.isSettling())
+    frames_ = std::max(frames_, 1);
   if (std::exchange(isPictureNew_, false))
     viewer_.presented();
   if (const std::optional<std::string> text = viewer_.takeCopied())

@@ -94,7 +94,7 @@ TEST(Keys, HaveEachTheirOwnActionInTheOrderOfTheTable) {
     EXPECT_EQ(actionOf(kind.key), kind.action);
     EXPECT_NE(keysHelp().find(std::string(kind.summary)), std::string::npos);
   }
-  EXPECT_EQ(int(Action::Quit) + 1, number);
+  EXPECT_EQ(int(Action::Escape) + 1, number);
   EXPECT_FALSE(actionOf("Z"));
 }
 

@@ -130,10 +130,22 @@ TEST(FormatText, IsTheSameForWhatMeansTheSame) {
 TEST(FormatText, GivesAFormatWithItsAttributesAgain) {
   const Format plain = *parseFormat("R(2,2,2) G(3)");
   EXPECT_EQ(formatText(plain), "R(2, 2, 2) G(3)");
-  const Format passed = *readFormatText(parseFormatText("R(2,2,2) G(3) --whole-level-dedup"));
-  const std::string line = formatText(passed);
-  EXPECT_EQ(line.find('\n'), std::string::npos);
-  EXPECT_EQ(*readFormatText(parseFormatText(line)), passed);
+  for (const char *text :
+       {"R(2, 2, 2) G(3) --whole-level-dedup", "R(2, 2, 2) G(3) --whole-level-dedup --inline-leaves",
+        "M(1, 1, 1) M(2, 2, 2) M(2, 2, 2) --share-grids --values-apart --short-pointers=12 --octant-counts",
+        "M(1, 1, 1) M(2, 2, 2) M(2, 2, 2) --share-grids --palette=5", "G(5) --material=3 --values-apart",
+        "D(2, 2, 2, 15) M(2, 2, 2) --octant-distances --df-packing", "R(1, 1, 1) G(4) --granules --granules",
+        "S(4) --restart-sv"}) {
+    const Format passed = *readFormatText(parseFormatText(text));
+    EXPECT_EQ(formatText(passed), text);
+  }
+}
+
+TEST(FormatText, IsIrInOneLineWhereNoPassesGiveAFormat) {
+  const Format format = *parseFormat("format precision=fast { level 1: raw(2, 2, 2) level 2: svdag(3) }");
+  const std::string line = formatText(format);
+  EXPECT_EQ(line, "format precision=fast { level 1: raw(2, 2, 2) level 2: svdag(3) }");
+  EXPECT_EQ(*readFormatText(parseFormatText(line)), format);
 }
 
 TEST(FormatText, TellsWhatIsWrong) {

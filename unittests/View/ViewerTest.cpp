@@ -31,14 +31,14 @@ protected:
     std::filesystem::remove_all(folder_);
   }
 
-  void begin(ViewerOptions options = {}) {
+  void begin(ViewerOptions options = {}, SceneMaker maker = hillMaker()) {
     options.width = 64;
     options.height = 48;
     options.picture.style = "flat";
     options.picture.camera.size = "64x48";
     options.devices = {"cpu", "other", "broken"};
     options.screenshots = folder_.string();
-    viewer_ = std::make_unique<Viewer>(std::move(options), hillMaker(), *log_, [] {});
+    viewer_ = std::make_unique<Viewer>(std::move(options), std::move(maker), *log_, [] {});
   }
 
   /// Goes on until the log has a line with this, after what was waited for before.
@@ -254,8 +254,58 @@ TEST_F(ViewerTest, InputBeforeTheFirstSceneIsHarmless) {
   viewer_->drag(1, 1, false);
   viewer_->zoom(1);
   viewer_->click(1, 1);
-  EXPECT_TRUE(viewer_->state().isClosing);
   finest();
+}
+
+TEST_F(ViewerTest, EscapeClosesWhenItIsPressedTwiceInTurn) {
+  begin();
+  viewer_->press(Action::Escape);
+  EXPECT_TRUE(viewer_->state().isLeaving);
+  viewer_->press(Action::StyleDepth);
+  EXPECT_FALSE(viewer_->state().isLeaving);
+  viewer_->press(Action::ToggleHelp);
+  viewer_->press(Action::Escape);
+  EXPECT_FALSE(viewer_->state().showsHelp);
+  EXPECT_FALSE(viewer_->state().isLeaving);
+  viewer_->press(Action::Escape);
+  EXPECT_FALSE(viewer_->state().isClosing);
+  viewer_->press(Action::Escape);
+  EXPECT_TRUE(viewer_->state().isClosing);
+}
+
+TEST_F(ViewerTest, EscapeEndsLoading) {
+  SceneMaker maker = hillMaker();
+  maker.makeModel = [make = maker.makeModel](const std::string &text,
+                                             const Progress &progress) -> Expected<Model> {
+    while (text == "S(4)" && !progress.stopped())
+      progress.at("build", 0.5);
+    return make(text, progress);
+  };
+  begin({}, std::move(maker));
+  finest();
+  viewer_->load("S(4)");
+  viewer_->advance(0.01);
+  EXPECT_NE(viewer_->state().work, "");
+  viewer_->press(Action::Escape);
+  EXPECT_EQ(wait("stopped"), "stopped loading S(4)");
+  for (int i = 0; i < 20; ++i) {
+    viewer_->advance(0.01);
+    EXPECT_EQ(viewer_->state().work, "");
+  }
+  EXPECT_EQ(viewer_->state().format, "R(4, 4, 4)");
+  EXPECT_FALSE(viewer_->state().isLeaving);
+  viewer_->load("G(4)");
+  EXPECT_THAT(wait("scene"), StartsWith("scene G(4)"));
+}
+
+TEST_F(ViewerTest, FliesFirstWhereTheEyeIsInside) {
+  ViewerOptions options;
+  options.picture.camera.camera = "8,8,8:8,4,0";
+  begin(std::move(options));
+  EXPECT_EQ(wait("mode"), "mode fly");
+  EXPECT_TRUE(viewer_->state().isFlying);
+  viewer_->press(Action::NextView);
+  EXPECT_EQ(wait("mode"), "mode orbit");
 }
 
 } // namespace

@@ -14,6 +14,5 @@ for line in "".join(blocks).splitlines():
     with Viewer([voxc, *shlex.split(command)[1:]]) as viewer:
         viewer.focus()
         print(viewer.wait("^scene "))
-        viewer.key("Escape")
-        if viewer.end() != 0:
+        if viewer.close() != 0:
             sys.exit(viewer.text())

@@ -31,6 +31,11 @@ class Screen:
         data, left = self.bytes(), 4 * 360
         return b"".join(data[y * self.stride + left : y * self.stride + 4 * self.width] for y in range(self.height))
 
+    def panel(self):
+        """The bytes of the panel and of what lies below it."""
+        data = self.bytes()
+        return b"".join(data[y * self.stride : y * self.stride + 4 * 360] for y in range(self.height))
+
     def settled(self, before=None):
         """The picture, once it is not `before` any more and has stayed the same for a moment."""
         end = time.monotonic() + PATIENCE
@@ -159,6 +164,11 @@ class Viewer:
                 break
             time.sleep(0.01)
         sys.exit("no '%s' came; the viewer wrote:\n%s" % (pattern, self.text()))
+
+    def close(self):
+        """Closes the window by the keyboard, where nothing else is to be left; the exit code."""
+        self.key("Escape", "Escape")
+        return self.end()
 
     def end(self):
         """The exit code of the viewer, once it ends."""

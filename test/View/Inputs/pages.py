@@ -39,8 +39,7 @@ def walk(name, volume, *options):
             viewer.key("g")
             print(name, viewer.wait("^(scene|error) "))
             viewer.wait("^shown .*, the finest")
-        viewer.key("Escape")
-        print(name, "exit code", viewer.end())
+        print(name, "exit code", viewer.close())
 
 
 walk("whole", whole, "--normals", "smooth")

@@ -40,6 +40,44 @@ def finest(viewer, before=None):
     return viewer.screen.settled(before)
 
 
+def fits(viewer):
+    """Whether the panel has room for all of its text: further frames, which a key brings that changes nothing of it, show the same."""
+    settled = viewer.screen.settled()
+    before = viewer.screen.panel()
+    viewer.key("F1")
+    shown = viewer.screen.settled(settled)
+    viewer.key("F1")
+    viewer.screen.settled(shown)
+    return "the panel fits" if viewer.screen.panel() == before else "the panel is cut off"
+
+
+def leave(viewer):
+    """Escape ends what was begun, and asks before it closes the window."""
+    viewer.key("t")
+    viewer.wait("^writing")
+    viewer.type("S(9)")
+    viewer.key("Escape")
+    viewer.wait("^wrote")
+    camera(viewer)
+    step("leave the text", "the window stays")
+    viewer.rest()
+    before = viewer.screen.settled()
+    viewer.key("F1")
+    step("keys", "shown" if viewer.screen.settled(before) else "not shown")
+    viewer.screen.save(os.path.join(folder, "help.png"))
+    viewer.key("Escape")
+    step("leave the keys", "hidden" if viewer.screen.settled() == before else "still shown")
+    viewer.key("Escape")
+    asked = viewer.screen.settled(before)
+    viewer.screen.save(os.path.join(folder, "close.png"))
+    viewer.key("c")
+    step("leave, and go on", "the window stays" if asked and viewer.screen.settled(asked) == before else "not asked")
+    viewer.key("Escape")
+    viewer.screen.settled(before)
+    viewer.key("Escape")
+    step("close", "exit code %d" % viewer.end())
+
+
 def move(viewer):
     """Whatever moves the camera shows another picture, and is told by other numbers."""
     moves = [(name, lambda name=name: viewer.key(name)) for name in ["w", "s", "d", "a", "e", "q"]]
@@ -98,6 +136,7 @@ def switch(viewer, folder):
     print("   " + told())
     step("write what is none", load(viewer, "R(3^3) G("))
     step("write what is too small", load(viewer, "G(4)"))
+    print("   " + fits(viewer))
     viewer.screen.save(os.path.join(folder, "error.png"))
     viewer.key("g")
     step("next device", viewer.wait("^(scene|error) "))
@@ -120,17 +159,13 @@ with Viewer(arguments) as viewer:
     look(viewer, folder)
     viewer.click(580, 330)
     step("click", viewer.wait("^picked "))
+    print("   " + fits(viewer))
+    viewer.screen.save(os.path.join(folder, "click.png"))
     viewer.click(790, 10)
     step("click", viewer.wait("^picked "))
     switch(viewer, folder)
     viewer.key("p")
     step("screenshot", os.path.basename(viewer.wait("^screenshot ").split(":")[0]))
-    viewer.rest()
-    before = viewer.screen.settled()
-    viewer.key("F1")
-    step("keys", "shown" if viewer.screen.settled(before) else "not shown")
-    viewer.screen.save(os.path.join(folder, "help.png"))
-    viewer.key("Escape")
-    step("close", "exit code %d" % viewer.end())
+    leave(viewer)
     complaints = [line for line in viewer.text().splitlines() if "Validation" in line or "VUID" in line]
     print("   %d complaints of the validation layer" % len(complaints), *complaints[:3], sep="\n   ")
