@@ -15,9 +15,10 @@
 extern "C" {
 #endif
 
-/* The format, and the digest of its storage, which a volume's must equal. */
+/* The format, and the digest of its storage. The words of a volume are for these functions if voxc_volume_digest() of it, or the
+ * digest that `voxc info` prints, equals this one, and else lead anywhere. */
 #define ${PREFIX}FORMAT "${FORMAT}"
-#define ${PREFIX}STORAGE_DIGEST UINT64_C(${DIGEST})
+#define ${PREFIX}STORAGE_DIGEST ${DIGEST}ull
 
 /* A voxel on a ray. A miss is -1, -1, -1, 0, 0, -1, 0. */
 typedef struct ${prefix}Hit {

@@ -1,5 +1,6 @@
 """Tests of the module: python3 -m unittest voxc_test"""
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -126,6 +127,12 @@ class Building(unittest.TestCase):
                 self.assertEqual(loaded.format, built.format)
             with self.assertRaisesRegex(voxc.Error, "No such file"):
                 voxc.Volume.load(pathlib.Path(folder) / "none.hvx")
+
+    def test_a_header_fits_volumes_of_its_format_alone(self):
+        volume = voxc.build("R(4, 4, 4) G(5)", "builtin:terrain:32")
+        for format, fits in (("G(9)", False), ("R(4, 4, 4) G(5)", True)):
+            [digest] = re.findall(r"#define VOXC_SCENE_STORAGE_DIGEST 0x(\w+)ull", voxc.Format(format).header("scene"))
+            self.assertEqual(int(digest, 16) == volume.digest, fits)
 
     def test_errors_are_the_sentences_of_the_tools(self):
         with self.assertRaisesRegex(voxc.Error, "error: .*Q"):

@@ -53,6 +53,8 @@ voxc_error *voxc_volume_save(const voxc_volume *volume, const char *path, int co
   return guarded([&] { return wrap(volume->volume->save(path, {.compress = compress != 0})); });
 }
 
+uint64_t voxc_volume_digest(const voxc_volume *volume) { return volume->volume->storageDigest(); }
+
 const char *voxc_volume_format(const voxc_volume *volume) { return volume->format.c_str(); }
 
 const char *voxc_volume_provenance(const voxc_volume *volume) {

@@ -9,7 +9,8 @@ namespace {
 
 std::string preamble(const Plan &plan) {
   std::string text = "#version 460\n// intersect.glsl: " + planNames(plan).holes["answers"] +
-                     " volumes of the format " + plan.layout.format + ".\n";
+                     " volumes of the format " + plan.layout.format + ".\n// The digest of its storage is " +
+                     planNames(plan).holes["DIGEST"] + ", and that of a volume must be the same.\n";
   if (plan.addressing == Addressing::Segments)
     text += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
             "require\n";

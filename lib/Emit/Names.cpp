@@ -267,6 +267,14 @@ void addBounds(TemplateNames &names, const Plan &plan) {
   holes["ray-words"] = bounded ? "8" : "6";
 }
 
+/// The low half of a digest and the high one, since GLSL has no number of 64 bits.
+std::string halvesOf(std::uint64_t digest) {
+  char text[32];
+  std::snprintf(text, sizeof text, "uvec2(0x%08xu, 0x%08xu)", static_cast<unsigned>(digest),
+                static_cast<unsigned>(digest >> 32));
+  return text;
+}
+
 std::string hexadecimal(std::uint64_t number) {
   char digits[19];
   std::snprintf(digits, sizeof digits, "0x%016llx", static_cast<unsigned long long>(number));
@@ -287,6 +295,7 @@ TemplateNames planNames(const Plan &plan) {
   TemplateNames names;
   names.holes["FORMAT"] = plan.layout.format;
   names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
+  names.holes["digest-halves"] = halvesOf(plan.layout.storageDigest);
   names.holes["VOLUME_SIZE"] = intVector({1 << log2.x, 1 << log2.y, 1 << log2.z});
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
   const Stratum &lowest = plan.layout.strata.back();

@@ -5,6 +5,8 @@
 
 #include "voxc/Emit/Emit.h"
 
+#include <cstdio>
+
 namespace voxc {
 namespace {
 
@@ -19,6 +21,14 @@ Expected<void> checkKernel(const Kernel &kernel, ShadingLanguage language) {
   return {};
 }
 
+/// What must be the same of a volume.
+std::string digestComment(const Kernel &kernel) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(kernel.storageDigest));
+  return std::string("// The digest of the format's storage is 0x") + digits +
+         ", and that of a volume must be the same.\n";
+}
+
 } // namespace
 
 bool canTranslate() { return kHasSpirvCross; }
@@ -27,9 +37,10 @@ Expected<std::string> translateKernel(const Kernel &kernel, ShadingLanguage lang
   if (auto checked = checkKernel(kernel, language); !checked)
     return checked.error();
   auto text = spirvCross(kernel.spirv, language);
-  if (text && language == ShadingLanguage::Hlsl)
-    text = std::string(carryFunctions()) + "\n" + *text;
-  return text;
+  if (!text)
+    return text;
+  const std::string_view lacking = language == ShadingLanguage::Hlsl ? carryFunctions() : "";
+  return digestComment(kernel) + std::string(lacking) + "\n" + *text;
 }
 
 } // namespace voxc

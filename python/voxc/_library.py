@@ -74,6 +74,7 @@ FUNCTIONS = {
     "voxc_volume_load": (c_void_p, [c_char_p, POINTER(LoadOptions), POINTER(c_void_p)]),
     "voxc_volume_free": (None, [c_void_p]),
     "voxc_volume_save": (c_void_p, [c_void_p, c_char_p, c_int]),
+    "voxc_volume_digest": (c_uint64, [c_void_p]),
     "voxc_volume_format": (c_char_p, [c_void_p]),
     "voxc_volume_provenance": (c_char_p, [c_void_p]),
     "voxc_volume_extent": (None, [c_void_p, POINTER(c_int32)]),

@@ -33,6 +33,12 @@ class Volume:
         return c.lib.voxc_volume_format(self._handle).decode()
 
     @property
+    def digest(self):
+        """The digest of its format's storage, a number of 64 bits: emitted functions are for this volume if theirs,
+        VOXC_..._STORAGE_DIGEST, is the same."""
+        return c.lib.voxc_volume_digest(self._handle)
+
+    @property
     def provenance(self):
         """How it was made, as "name=value" with blanks between."""
         return c.lib.voxc_volume_provenance(self._handle).decode()

@@ -13,9 +13,19 @@
 //     #define VOXC_LOAD(volume, index) volumes[volume].words[index]
 //
 // In C++ a volume is a pointer to its words, if you say nothing else. Rays are in voxels; a direction may have any length, and t
-// counts in it. All that this text leaves behind has a name that begins with ${prefix}.
+// counts in it. All that this text leaves behind has a name that begins with ${prefix} or ${PREFIX}.
 #ifndef ${PREFIX}H
 #define ${PREFIX}H
+
+// The digest of the format's storage. The words of a volume are for these functions if its digest equals this one, and else lead
+// anywhere: compare it with Volume::storageDigest() in C++, voxc_volume_digest() in C, Volume.digest in Python, or the digest that
+// `voxc info` prints. In GLSL it is the low half and the high one.
+#ifdef __cplusplus
+#define ${PREFIX}FORMAT "${FORMAT}"
+#define ${PREFIX}STORAGE_DIGEST ${DIGEST}ull
+#else
+#define ${PREFIX}STORAGE_DIGEST ${digest-halves}
+#endif
 
 #ifdef __cplusplus
 #pragma GCC system_header // No warnings: what a format has no use for stands here all the same.

@@ -25,7 +25,11 @@
 //
 %end
 // Rays are in voxels; a direction may have any length, and t counts in it. All that this text leaves behind has a name that begins
-// with ${prefix}.
+// with ${prefix} or ${PREFIX}.
+
+// The digest ${DIGEST} of the format's storage, its low half and its high one. The words of a volume are for these functions
+// if its digest, which `voxc info` prints, equals this one, and else lead anywhere.
+#define ${PREFIX}STORAGE_DIGEST ${digest-halves}
 %if paged
 #if !defined(VOXC_VOLUME) || !defined(VOXC_FIND)
 #error define VOXC_VOLUME as the type of a volume and VOXC_FIND(volume, index, word) as whether a word of one is here
