@@ -40,7 +40,8 @@ Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour) const 
         std::to_string(facts_.payloadBits) + "), labels from 1 to " + std::to_string(most_ - 1) +
         (isLabel(colour) ? "; build it with more bits"
                          : "; --colour-map labels takes labels from a dense volume or MagicaVoxel "
-                           "models, other inputs have none"));
+                           "models, other inputs have none; numbers below 0 and fractions are attached to a "
+                           "volume without labels: voxc attach V.hvx --words hu=INPUT -o V.hvx"));
   const std::string is = whatIs + " " + colourText(colour) + ", others ";
   if (facts_.payload == Payload::Constant)
     return Error::input(is + "are " + colourText(one()) +

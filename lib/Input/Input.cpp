@@ -2,6 +2,7 @@
 #include "voxc/Input/Input.h"
 
 #include "Input/Changes.h"
+#include "Input/Openers/InputText.h"
 #include "Input/Openers/Openers.h"
 #include "Source/GridExtent.h"
 #include "Support/Text.h"
@@ -22,43 +23,59 @@ Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
                             "VOXC_OPENVDB=ON");
 }
 
-constexpr std::array<InputKind, 18> kKinds{{{"builtin:", openBuiltin},
-                                            {"grid:", openGrid},
-                                            {"raw:", openRaw},
-                                            {".obj", openMesh},
-                                            {".glb", openMesh},
-                                            {".gltf", openMesh},
-                                            {".stl", openMesh},
-                                            {".ply", openPly},
-                                            {".hvx", openVolume},
-                                            {".vox", openMagicaVoxel},
-                                            {".binvox", openBinvox},
-                                            {".nrrd", openNrrd},
-                                            {".nhdr", openNrrd},
-                                            {".nii", openNifti},
-                                            {".nii.gz", openNifti},
-                                            {".png", openSlices},
-                                            {".nvdb", openNanoVdb},
-                                            {".vdb", lackOpenVdb}}};
+constexpr std::array<InputKind, 18> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+                                            {"grid:", openGrid, "a grid of words"},
+                                            {"raw:", openRaw, "a dense volume"},
+                                            {".obj", openMesh, "a mesh"},
+                                            {".glb", openMesh, "a mesh"},
+                                            {".gltf", openMesh, "a mesh"},
+                                            {".stl", openMesh, "a mesh"},
+                                            {".ply", openPly, "a mesh or points"},
+                                            {".hvx", openVolume, "a volume"},
+                                            {".vox", openMagicaVoxel, "MagicaVoxel models"},
+                                            {".binvox", openBinvox, "voxels without colours"},
+                                            {".nrrd", openNrrd, "a dense volume"},
+                                            {".nhdr", openNrrd, "a dense volume"},
+                                            {".nii", openNifti, "a dense volume"},
+                                            {".nii.gz", openNifti, "a dense volume"},
+                                            {".png", openSlices, "slices"},
+                                            {".nvdb", openNanoVdb, "a NanoVDB grid"},
+                                            {".vdb", lackOpenVdb, "an OpenVDB grid"}}};
 
-Error unknownKind(const std::string &input) {
+/// Whether an input is of this kind; `name` is its last part in lower case, without the number of a frame.
+bool isOfKind(const InputKind &kind, const std::string &input, std::string_view name) {
+  return kind.mark.ends_with(':') ? input.starts_with(kind.mark) : name.ends_with(kind.mark);
+}
+
+/// Of the kinds that this build reads.
+Error unknownKind(const std::string &input, std::span<const InputKind> others) {
   std::string kinds;
   for (const InputKind &kind : kKinds)
-    kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
+    if (kind.open != lackOpenVdb)
+      kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
+  for (const InputKind &kind : others)
+    kinds += " " + std::string(kind.mark);
   return Error::input("'" + input + "' is no kind of input that is known; there are " + kinds);
 }
 
-Expected<Input> dispatch(const std::string &input, const InputOptions &options) {
-  const std::string name = lowerCase(input.substr(input.find_last_of('/') + 1));
-  const std::span<const InputKind> others = options.otherKinds;
+const InputKind *kindOf(const std::string &input, std::span<const InputKind> others) {
+  const std::string name = lowerCase(withoutFrame(input.substr(input.find_last_of('/') + 1)));
   for (const std::span<const InputKind> kinds : {others, std::span<const InputKind>(kKinds)})
-    for (const InputKind &kind : kinds) {
-      if (kind.mark.ends_with(':') && input.starts_with(kind.mark))
-        return kind.open(input.substr(kind.mark.size()), options);
-      if (name.ends_with(kind.mark))
-        return kind.open(input, options);
-    }
-  return unknownKind(input);
+    for (const InputKind &kind : kinds)
+      if (isOfKind(kind, input, name))
+        return &kind;
+  return nullptr;
+}
+
+Expected<Input> dispatch(const std::string &input, const InputOptions &options) {
+  const InputKind *const kind = kindOf(input, options.otherKinds);
+  if (!kind)
+    return unknownKind(input, options.otherKinds);
+  const bool isPrefixed = kind->mark.ends_with(':');
+  Expected<Input> opened = kind->open(isPrefixed ? input.substr(kind->mark.size()) : input, options);
+  if (opened && options.describe && (opened->facts.empty() || opened->facts.front().name != "kind"))
+    opened->facts.insert(opened->facts.begin(), {"kind", std::string(kind->holds), {}});
+  return opened;
 }
 
 } // namespace

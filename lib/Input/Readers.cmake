@@ -1,12 +1,14 @@
 # What reads voxel inputs and needs no voxelizer; fuzzers build it apart from all else.
 set(VOXC_INPUT_READERS
   Dense/ColourMap.cpp
+  Dense/DenseFacts.cpp
   Dense/DenseVolume.cpp
   Dense/GzipReader.cpp
   Dense/Histogram.cpp
   Dense/NiftiHeader.cpp
   Dense/NrrdHeader.cpp
   Dense/PngSlice.cpp
+  Dense/SampleChecks.cpp
   Dense/Samples.cpp
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp

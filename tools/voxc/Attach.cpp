@@ -29,8 +29,8 @@ public:
                       "The direction of the surface at each voxel, as 'normal', packed into 4 bytes");
       several(
           "--words", words_, "NAME=INPUT",
-          "What another input has at each voxel, 4 bytes: the samples of a dense volume, the numbers of a "
-          "palette, or colours; 0 where it has none");
+          "What another input has at each voxel, 4 bytes: the samples of a dense volume (int32, or float32 "
+          "where they are no whole numbers), the numbers of a palette, or colours; 0 where it has none");
       several("--data", data_, "NAME:BYTES=FILE",
               "The elements of a file, so many bytes each, one for each voxel by its number");
       several("--drop", drop_, "NAME", "Leave an attribute out that the volume has");

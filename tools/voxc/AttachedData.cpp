@@ -64,17 +64,24 @@ private:
   std::vector<std::byte> elements_;
 };
 
-/// How an input is read whose voxels shall be those of a volume of this extent.
-InputOptions optionsFor(const std::string &input, Int3 extent) {
+/// How an input is read whose voxels shall be those of a volume: turned as the volume's were.
+InputOptions optionsFor(const std::string &input, const VolumeInfo &info) {
   InputArguments arguments;
-  arguments.isAutomatic = false;
-  arguments.colourMap = "labels";
-  if (!checkInputArguments(arguments, input))
-    arguments.colourMap.clear();
-  arguments.resolution = std::max({extent.x, extent.y, extent.z});
-  if (!checkInputArguments(arguments, input))
-    arguments.resolution = 0;
-  return makeInputOptions(arguments, extent);
+  fillFromProvenance(arguments, info.provenance);
+  InputArguments own;
+  own.isAutomatic = false;
+  own.up = arguments.up;
+  if (!checkInputArguments(own, input))
+    own.up.clear();
+  own.colourMap = "labels";
+  if (!checkInputArguments(own, input))
+    own.colourMap.clear();
+  own.resolution = std::max({info.extent.x, info.extent.y, info.extent.z});
+  if (!checkInputArguments(own, input))
+    own.resolution = 0;
+  InputOptions options = makeInputOptions(own, info.extent);
+  options.keepsSamples = true;
+  return options;
 }
 
 std::string textOf(Int3 extent) {
@@ -89,7 +96,7 @@ Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, 
   if (!parts)
     return Error::usage("--words is written NAME=INPUT, such as density=scan.nii.gz, not '" + text + "'");
   const Int3 extent = volume.info().extent;
-  InputOptions options = optionsFor(parts->second, extent);
+  InputOptions options = optionsFor(parts->second, volume.info());
   options.progress = progress;
   const Expected<Input> input = openInput(parts->second, options);
   if (!input)

@@ -57,6 +57,7 @@ constexpr Example kExamples[] = {
     {"suggest", "voxc suggest model.obj", "one format, why, and the command that builds it"},
     {"search", "voxc search model.obj --budget 60s -o results", "the best formats of each size, measured"},
     {"info", "voxc info terrain.hvx", "format, size and streams"},
+    {"info", "voxc info model.obj", "the triangles, box and colours of a mesh; nothing is built"},
     {"cache", "voxc cache --clear",
      "compiled code of earlier runs, which is made again when it is asked for"},
     {"devices", "voxc devices", "numbers and names for --device"},

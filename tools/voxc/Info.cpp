@@ -1,5 +1,7 @@
-// voxc info: what the head of a volume says, and on request what a walk over all of it proves.
+// voxc info: what the head of a volume says, and on request what a walk over all of it proves; of other
+// inputs what they say of themselves.
 #include "Figures.h"
+#include "InputReport.h"
 #include "Subcommand.h"
 
 #include "common/Interrupt.h"
@@ -41,6 +43,12 @@ void printWords(const VolumeInfo &info, std::uint64_t bytes) {
     printPart("values apart", info.wordCounts->values, bytes);
 }
 
+std::string digestText(const VolumeInfo &info) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016" PRIx64, storageDigest(info.format));
+  return digits;
+}
+
 void printBytes(const VolumeSummary &summary) {
   const double voxels = double(summary.info.voxels), bytes = double(summary.bytes());
   std::printf("bytes       %.0f (%.2f MiB, %.3g a voxel)\n", bytes, bytes / kMiB, share(bytes, voxels));
@@ -78,6 +86,7 @@ void print(const VolumeSummary &summary) {
     printStream(stream);
   std::printf("made with   %s\n", info.provenance.empty() ? "(not told)" : info.provenance.c_str());
   printTransform(info.voxelToModel);
+  std::printf("digest      0x%s, which that of a kernel or a header must equal\n", digestText(info).c_str());
 }
 
 /// What stands in a table of the words, which the walk has proved.
@@ -102,6 +111,7 @@ Json figuresOf(const VolumeSummary &summary) {
                   {"voxels", info.voxels},
                   {"stored_bytes", summary.storedBytes()},
                   {"ir", printIr(info.format)},
+                  {"storage_digest", digestText(info)},
                   {"provenance", info.provenance},
                   {"voxel_to_model", rowsOf(info.voxelToModel)}};
   for (const StreamSummary &stream : summary.streams) {
@@ -124,12 +134,26 @@ Json figuresOf(const VolumeSummary &summary) {
 class InfoCommand final : public Subcommand {
 public:
   void declare(const CommandLine &command) override {
-    command.add("VOLUME", path_, "A .hvx file").required().takes("");
-    command.addFlag("--prove", prove_, "Read the whole file too, and follow every pointer in it");
+    command.add("INPUT", path_, "A .hvx file, or another input, of which nothing is built")
+        .required()
+        .takes("");
+    command.addFlag("--prove", prove_, "Of a .hvx file: read all of it, and follow every pointer in it");
     addCommonOptions(command, common_);
   }
 
-  Expected<void> run() override {
+  Expected<void> run() override { return isVolumePath(path_) ? tellVolume() : tellInput(); }
+
+private:
+  Expected<void> tellInput() const {
+    if (prove_)
+      return Error::usage("--prove is for .hvx files; leave it out");
+    Json figures;
+    if (auto told = reportInput(path_, common_, figures); !told)
+      return told;
+    return writeStatistics(common_.stats, figures);
+  }
+
+  Expected<void> tellVolume() const {
     const auto summary = summarizeVolume(path_);
     if (!summary)
       return summary.error();
@@ -142,7 +166,6 @@ public:
     return writeStatistics(common_.stats, figures);
   }
 
-private:
   Expected<void> prove(Json &figures) const {
     LoadOptions options;
     options.progress.stop = &catchInterrupts();

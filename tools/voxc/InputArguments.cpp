@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 
 namespace voxc::tool {
@@ -54,6 +55,10 @@ constexpr MatterRow kMatters[] = {
 std::optional<InputMatter> matterOf(const std::string &input) {
   std::string lower = input;
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  // The number of a frame: scene.vox#3.
+  if (const std::size_t mark = lower.rfind('#');
+      mark != std::string::npos && lower.find_first_not_of("0123456789", mark + 1) == std::string::npos)
+    lower.resize(mark);
   for (const MatterRow &row : kMatters)
     if (row.mark.ends_with(':') ? input.starts_with(row.mark) : lower.ends_with(row.mark))
       return row.matter;
@@ -86,17 +91,49 @@ constexpr OptionRow kOptions[] = {
 
 } // namespace
 
+namespace {
+
+/// The N of builtin:NAME:N, if it is there.
+std::optional<std::string> sizeOfBuiltin(const std::string &input) {
+  constexpr std::string_view kPrefix = "builtin:";
+  if (!input.starts_with(kPrefix))
+    return std::nullopt;
+  const std::size_t colon = input.find(':', kPrefix.size());
+  return colon == std::string::npos ? std::nullopt : std::optional(input.substr(colon + 1));
+}
+
+/// MagicaVoxel models have colours of their own, and numbers of them. Error: another map.
+Expected<void> checkModelsMap(const std::string &colourMap) {
+  if (colourMap.empty() || colourMap == "labels")
+    return {};
+  return Error::usage("--colour-map " + colourMap +
+                      " is for dense volumes; a .vox file has colours of its own, or takes --colour-map "
+                      "labels, the numbers of its colours");
+}
+
+} // namespace
+
+bool isKnownInput(const std::string &input) { return matterOf(input).has_value(); }
+
 void fillResolution(InputArguments &arguments, const std::string &input) {
-  constexpr std::string_view kBuiltinPrefix = "builtin:";
   const unsigned matter = matterOf(input).value_or(kMesh);
-  // builtin:NAME:N says its own.
-  const bool isSized = matter == kBuiltin && input.find(':', kBuiltinPrefix.size()) != std::string::npos;
+  const bool isSized = sizeOfBuiltin(input).has_value();
   if (arguments.resolution == 0 && (matter & (kMesh | kBuiltin)) != 0 && !isSized)
     arguments.resolution = kDefaultResolution;
 }
 
 Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input) {
-  if (const std::optional<InputMatter> matter = matterOf(input))
+  if (const std::optional<std::string> size = sizeOfBuiltin(input);
+      size && arguments.resolution != 0 && *size != std::to_string(arguments.resolution))
+    return Error::usage("--resolution " + std::to_string(arguments.resolution) + " would do nothing for '" +
+                        input + "', which says its own; leave it out");
+  if (arguments.threshold && std::isnan(*arguments.threshold))
+    return Error::usage("--threshold takes a number, not nan");
+  const std::optional<InputMatter> matter = matterOf(input);
+  if (matter == kModels)
+    if (auto checked = checkModelsMap(arguments.colourMap); !checked)
+      return checked;
+  if (matter)
     for (const OptionRow &row : kOptions)
       if (row.isGiven(arguments) && !(row.matters & *matter))
         return Error::usage(std::string(row.name) + " is for " + row.text + ", and would do nothing for '" +

@@ -37,6 +37,9 @@ inline constexpr const char *kInputHelp =
 /// `Usage`, naming the first that does not.
 Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input);
 
+/// Whether the ending or prefix of an input is a known one.
+bool isKnownInput(const std::string &input);
+
 /// "rrggbb" or "rrggbbaa" as a word, R in the low byte; nothing if it is neither.
 std::optional<std::uint32_t> parseColour(std::string_view text);
 

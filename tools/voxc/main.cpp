@@ -45,7 +45,7 @@ constexpr CommandKind kCommands[] = {
     {kUse, "export",
      "Write a volume as a dense grid, points, MagicaVoxel, another .hvx, or a page for browsers",
      makeExportCommand},
-    {kUse, "info", "Describe a volume", makeInfoCommand},
+    {kUse, "info", "Describe a volume or another input", makeInfoCommand},
     {kUse, "devices", "List the devices that can trace", makeDevicesCommand},
     {kChoose, "bench", "Measure size, speed and error of many formats", makeBenchCommand},
     {kChoose, "facts", "Measure what an input is like, to choose a format by", makeFactsCommand},

@@ -7,8 +7,11 @@
 #include <gmock/gmock.h>
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <zlib.h>
 
 namespace voxc {
@@ -268,6 +271,65 @@ TEST_F(DenseVolumes, WhatNobodySaysOfThemIsFound) {
   options_.zUp = true;
   EXPECT_EQ(voxels("a.nii", file), upright);
   EXPECT_NE(asTheyLie, upright);
+}
+
+TEST_F(DenseVolumes, AThresholdThatPartsNothingIsToldWithTheRange) {
+  const std::string file = nifti(true, false) + "\1\2\3\4\5\6";
+  options_.threshold = 6.5;
+  EXPECT_TRUE(voxels("a.nii", file).empty());
+  EXPECT_THAT(warnings_, ElementsAre("no sample reaches the threshold 6.5; they are from 1 to 6"));
+  options_.threshold = 0.5;
+  EXPECT_EQ(voxels("a.nii", file).size(), 6u);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("all reach the threshold 0.5; they are from 1 to 6")));
+  options_.threshold = 4;
+  EXPECT_EQ(voxels("a.nii", file).size(), 3u);
+  EXPECT_THAT(warnings_, testing::IsEmpty());
+  options_.threshold = std::nan("");
+  const auto none = openInput(folder_.file("a.nii", file), options_);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("nan is none"));
+}
+
+TEST_F(DenseVolumes, SamplesAreKeptAsTheyAre) {
+  options_.keepsSamples = true;
+  const auto words = [&](const char *type, const std::string &bytes) {
+    const auto input =
+        openInput("raw:4x1x1:" + std::string(type) + ":" + folder_.file("samples.raw", bytes), options_);
+    EXPECT_TRUE(input) << input.error().message;
+    std::vector<std::uint32_t> read(4);
+    for (const auto &[place, word] : voxelsOf(*input->source))
+      read[static_cast<std::size_t>(mortonCell(place).x)] = word;
+    return read;
+  };
+  const auto int32 = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
+  EXPECT_THAT(words("int16le", bytesOf<std::int16_t>({-1024, 0, 3071, -1})),
+              ElementsAre(int32(-1024), 0u, 3071u, int32(-1)));
+  EXPECT_THAT(words("float32le", bytesOf<float>({-0.5f, 0, 1e20f, 70000})),
+              ElementsAre(std::bit_cast<std::uint32_t>(-0.5f), 0u, std::bit_cast<std::uint32_t>(1e20f),
+                          std::bit_cast<std::uint32_t>(70000.0f)));
+  const auto large = openInput("raw:4x1x1:uint32le:" +
+                                   folder_.file("samples.raw", bytesOf<std::uint32_t>({0, 1, 0xffffffff, 2})),
+                               options_);
+  ASSERT_FALSE(large);
+  EXPECT_THAT(large.error().message, HasSubstr("from 0 to 4294967295, and 4 bytes hold whole numbers"));
+}
+
+TEST_F(DenseVolumes, FactsAreThoseOfTheFile) {
+  options_.describe = true;
+  const auto input =
+      openInput(folder_.file("a.nii", nifti(true, false) + std::string("\0\1\1\5\6\6", 6)), options_);
+  ASSERT_TRUE(input) << input.error().message;
+  std::map<std::string, InputFact> facts;
+  for (const InputFact &fact : input->facts)
+    facts[fact.name] = fact;
+  EXPECT_EQ(facts["kind"].text, "a dense volume");
+  EXPECT_EQ(facts["samples"].text, "uint8");
+  EXPECT_THAT(facts["range"].numbers, ElementsAre(0, 6));
+  EXPECT_THAT(facts["zeros"].numbers, ElementsAre(1));
+  const std::vector<double> &counts = facts["histogram"].numbers;
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0.0), 5);
+  EXPECT_EQ(counts.back(), 2);
+  EXPECT_EQ(facts["size"].numbers.size(), 3u);
 }
 
 TEST_F(DenseVolumes, NiftiSaysWhereItsSamplesLie) {

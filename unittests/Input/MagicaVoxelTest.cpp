@@ -178,6 +178,62 @@ TEST_F(MagicaVoxel, FirstFrameInTimeCounts) {
             (Voxels{{mortonCode({0, 0, 0}), kPaleYellow}, {mortonCode({2, 0, 0}), kWhite}}));
 }
 
+TEST_F(MagicaVoxel, AFrameIsTakenByItsNumber) {
+  const std::string path = folder_.file("walk.vox", voxBytes(modelChunks(1, 1, 1, {{0, 0, 0, 1}}) +
+                                                             modelChunks(2, 1, 1, {{1, 0, 0, 2}}) +
+                                                             modelChunks(3, 1, 1, {{2, 0, 0, 1}})));
+  const auto third = openInput(path + "#3", options_);
+  ASSERT_TRUE(third) << third.error().message;
+  EXPECT_EQ(voxelsOf(*third->source), (Voxels{{mortonCode({2, 0, 0}), kWhite}}));
+  EXPECT_THAT(third->warnings, IsEmpty());
+  EXPECT_EQ(voxelsOf(*openInput(path + "#1", options_)->source), (Voxels{{0, kWhite}}));
+  EXPECT_THAT(openInput(path + "#4", options_).error().message, HasSubstr("it has no frame 4; there are 3"));
+  EXPECT_THAT(openInput(path + "#0", options_).error().message, HasSubstr("names no frame; the first is #1"));
+  EXPECT_THAT(openInput(path + "#99999999999", options_).error().message, HasSubstr("names no frame"));
+  // A file may be called so all the same.
+  const std::string other = folder_.file("walk#2.vox", voxBytes(modelChunks(1, 1, 1, {{0, 0, 0, 2}})));
+  EXPECT_EQ(voxelsOf(*openInput(other, options_)->source), (Voxels{{0, kPaleYellow}}));
+}
+
+TEST_F(MagicaVoxel, KeysOfASceneGraphHoldUntilTheNext) {
+  // The node moves at the times 0, 2 and 5; its shape becomes another model at 3.
+  const std::string frames =
+      wordBytes({0, 0, 1, 0xffffffff, 0xffffffff, 3}) + dictionaryBytes({{"_f", "5"}, {"_t", "50 0 0"}}) +
+      dictionaryBytes({{"_f", "0"}, {"_t", "0 0 0"}}) + dictionaryBytes({{"_f", "2"}, {"_t", "20 0 0"}});
+  const std::string shape = wordBytes({1, 0, 2, 0}) + dictionaryBytes({{"_f", "0"}}) + wordBytes({1}) +
+                            dictionaryBytes({{"_f", "3"}});
+  const std::string path = folder_.file(
+      "graph.vox", voxBytes(modelChunks(1, 1, 1, {{0, 0, 0, 1}}) + modelChunks(1, 1, 1, {{0, 0, 0, 2}}) +
+                            chunkBytes("nTRN", frames) + chunkBytes("nSHP", shape)));
+  const auto seen = [&](int frame) {
+    const auto input = openInput(path + "#" + std::to_string(frame), options_);
+    EXPECT_TRUE(input) << input.error().message;
+    const double x = input->source->voxelToModel()[3].x;
+    return std::pair(x, voxelsOf(*input->source).begin()->second);
+  };
+  const std::vector<std::pair<double, std::uint32_t>> expected{
+      {0, kWhite}, {0, kWhite}, {20, kWhite}, {20, kPaleYellow}, {20, kPaleYellow}, {50, kPaleYellow}};
+  for (int frame = 1; frame <= 6; ++frame)
+    EXPECT_EQ(seen(frame), expected[static_cast<std::size_t>(frame - 1)]) << frame;
+  EXPECT_THAT(openInput(path + "#7", options_).error().message, HasSubstr("there are 6"));
+  EXPECT_THAT(openInput(path, options_)->warnings, ElementsAre(HasSubstr("moves in 6 frames")));
+}
+
+TEST_F(MagicaVoxel, DroppedMaterialsAreTold) {
+  const auto material = [](std::uint32_t number, const char *type) {
+    return chunkBytes("MATL", wordBytes({number}) + dictionaryBytes({{"_weight", "1"}, {"_type", type}}));
+  };
+  const std::string model = modelChunks(4, 1, 1, {{0, 0, 0, 1}, {1, 0, 0, 2}, {2, 0, 0, 3}, {3, 0, 0, 4}});
+  voxels(model + material(1, "_diffuse") + material(2, "_glass") + material(3, "_emit") +
+         material(4, "_glass") + material(5, "_metal"));
+  EXPECT_THAT(
+      warnings_,
+      ElementsAre("of materials only the colours are kept; dropped: glass of 2 colours, emission of 1 "
+                  "colour"));
+  voxels(model + material(1, "_diffuse") + material(5, "_metal"));
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(MagicaVoxel, HiddenNodesAndLayersAreLeftOut) {
   const std::string models = modelChunks(1, 1, 1, {{0, 0, 0, 1}});
   const auto scene = [&](const std::string &second) {

@@ -3,8 +3,10 @@
 
 #include "voxc/Input/Input.h"
 #include "voxc/Source/Export.h"
+#include "voxc/Volume/LabelColour.h"
 
 #include <random>
+#include <set>
 
 namespace voxc {
 namespace {
@@ -46,6 +48,13 @@ TEST(Export, PointsComeBack) {
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(voxelsOf(*input->source), voxels);
   EXPECT_EQ(input->provenance, "coverage=indices");
+}
+
+TEST(Export, LabelsOfAVoxFileDifferInColour) {
+  std::set<std::uint32_t> colours;
+  for (std::uint32_t label = 1; label <= 255; ++label)
+    colours.insert(labelColour(label));
+  EXPECT_EQ(colours.size(), 255u);
 }
 
 TEST(Export, EmptyVolumeIsExported) {

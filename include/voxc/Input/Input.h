@@ -25,6 +25,14 @@ struct InputKind {
   std::string_view mark; ///< A prefix if it ends in a colon, else an ending in lower case.
   /// Takes what follows the prefix, or a path, and options with a memory.
   Expected<Input> (*open)(const std::string &rest, const InputOptions &options);
+  std::string_view holds = ""; ///< Such as "a mesh".
+};
+
+/// One thing that an input says of itself.
+struct InputFact {
+  std::string name;            ///< Such as "spacing"; words with blanks between.
+  std::string text;            ///< To people; may be several lines.
+  std::vector<double> numbers; ///< The same to programs; none where it is a text alone.
 };
 
 /// How an input becomes voxels.
@@ -39,6 +47,9 @@ struct InputOptions {
   /// solid.
   bool isAutomatic = false;
   std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
+  /// The words of a dense volume are its samples as they are: int32 of whole numbers, the float32 of others.
+  /// A level set and values that are no numbers stay what they are.
+  bool keepsSamples = false;
   /// How a dense volume's samples look: grey, heat, dusk or polar; or "labels": words are the samples, or the
   /// numbers of a MagicaVoxel model's colours, whole numbers below 2^16 that tell what is there.
   std::string colourMap = "grey";
@@ -54,6 +65,7 @@ struct InputOptions {
   /// cropped.
   std::vector<std::array<Int3, 2>> regions;
   unsigned threads = 1;   ///< That find the inside; 0: as many as the machine has.
+  bool describe = false;  ///< `Input::facts` are wanted, for which every sample is looked at.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
   std::vector<InputKind> otherKinds; ///< What optional components read; asked before the kinds known here.
@@ -79,14 +91,16 @@ struct Input {
   Interior interior = Interior::Keep; ///< What was done with the inside,
   std::uint64_t interiorVoxels = 0;   ///< how many voxels were left out or added,
   double interiorSeconds = 0;         ///< and how long it took to find them.
+  std::vector<InputFact> facts;       ///< What was asked for by `InputOptions::describe`.
   bool isCropped = false;
   Int3 cropLow; ///< The voxel that became (0, 0, 0).
 };
 
 /// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx), MagicaVoxel models
 /// (.vox), dense volumes (.nrrd .nhdr .nii .nii.gz .binvox, "raw:WxHxD:TYPE:FILE"), "grid:WxHxD:FILE", or
-/// "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis).
-/// Errors: unknown kind (naming those there are), unreadable, broken, or larger than the format.
+/// "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis). "F.vox#N" is frame N of an
+/// animation, from 1 on. Errors: unknown kind (naming those there are), unreadable, broken, or larger than
+/// the format.
 Expected<Input> openInput(const std::string &input, const InputOptions &options);
 
 } // namespace voxc

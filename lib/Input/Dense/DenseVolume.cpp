@@ -2,7 +2,9 @@
 #include "Input/Dense/DenseVolume.h"
 
 #include "Input/Dense/ColourMap.h"
+#include "Input/Dense/DenseFacts.h"
 #include "Input/Dense/Histogram.h"
+#include "Input/Dense/SampleChecks.h"
 #include "Input/Openers/InputText.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
@@ -50,58 +52,107 @@ constexpr double kMostlySolid = 0.5;
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 /// Finds the threshold that nobody gave, if too much would be solid without, and says what it is.
-Expected<void> findThreshold(DenseVolume &volume, const InputOptions &options, SampleMap &map) {
-  const auto range = rangeOf(volume, map, options);
-  if (!range)
-    return range.error();
-  const auto histogram = histogramOf(volume, map, *range, options);
-  if (!histogram)
-    return histogram.error();
-  const double share = histogram->shareFrom(histogram->range.low);
+void findThreshold(DenseVolume &volume, const Histogram &histogram, SampleMap &map) {
+  const double share = histogram.shareFrom(histogram.range.low);
   constexpr double kBackground = 0.3; // Of the samples that are not 0: some of them are background then.
-  if (!map.threshold && share > kBackground && range->low < range->high) {
-    map.threshold = histogram->threshold();
-    volume.notes.push_back(percent(share) + " of the samples are not 0; those from " +
-                           toText(*map.threshold) + " up are taken, which parts them best (--threshold " +
-                           toText(*map.threshold) + ")");
-  }
-  const double solid = map.threshold ? histogram->shareFrom(*map.threshold) : share;
-  if (solid > kMostlySolid)
-    volume.warnings.push_back(percent(solid) +
-                              " of the samples become voxels; --threshold leaves out those below it");
-  return {};
+  if (map.threshold || share <= kBackground || histogram.range.low >= histogram.range.high)
+    return;
+  map.threshold = histogram.threshold();
+  volume.notes.push_back(percent(share) + " of the samples are not 0; those from " + toText(*map.threshold) +
+                         " up are taken, which parts them best (--threshold " + toText(*map.threshold) + ")");
 }
 
-Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options) {
-  SampleMap map{.slope = volume.slope, .intercept = volume.intercept, .threshold = options.threshold};
-  map.labels = options.colourMap == kLabels;
-  if (map.labels)
-    return map;
-  if (options.isAutomatic)
-    if (auto found = findThreshold(volume, options, map); !found)
-      return found.error();
-  auto colours = colourMap(options.colourMap);
-  if (!colours)
-    return colours.error();
-  map.colours = *colours;
+/// Warns of a threshold that parts nothing, or of little that it leaves out.
+void warnOfThreshold(DenseVolume &volume, const Histogram &histogram, const SampleMap &map) {
+  const std::optional<std::string> complaint =
+      map.threshold ? complaintOf(*map.threshold, histogram.range) : std::nullopt;
+  const double solid = histogram.shareFrom(map.threshold.value_or(histogram.range.low));
+  if (complaint)
+    volume.warnings.push_back(*complaint);
+  else if (solid > kMostlySolid)
+    volume.warnings.push_back(percent(solid) +
+                              " of the samples become voxels; --threshold leaves out those below it");
+}
+
+Expected<void> fillWindow(const SampleRange &range, const InputOptions &options, SampleMap &map) {
   if (options.window) {
     const auto [low, high] = *options.window;
     if (!std::isfinite(low) || !std::isfinite(high) || low > high)
       return Error::usage("the window from " + toText(low) + " to " + toText(high) +
                           " is none; its first number must be the lower one");
     map.window = {low, high};
-    return map;
+    return {};
   }
+  map.window = range;
+  if (options.isAutomatic && range.low < range.high) {
+    // What is seen lies just above the threshold, and shall not be black: the window begins below.
+    constexpr double kDarkest = 0.4; // Of the colours, from the first on.
+    const double least = map.threshold && *map.threshold < range.high ? *map.threshold : range.low;
+    map.window.low = least - (range.high - least) * kDarkest / (1 - kDarkest);
+  }
+  return {};
+}
+
+/// How samples are kept as they are.
+SampleMap::Kept keptAs(const DenseVolume &volume) {
+  const bool areWhole = isWhole(volume.layout.type) && volume.slope == std::floor(volume.slope) &&
+                        volume.intercept == std::floor(volume.intercept);
+  return areWhole ? SampleMap::Kept::Int32 : SampleMap::Kept::Float32;
+}
+
+/// What the samples are looked at for; all else is done without.
+struct Look {
+  bool range = false;
+  bool histogram = false;
+};
+
+Look lookFor(const InputOptions &options) {
+  const bool isColoured = options.colourMap != kLabels && !options.keepsSamples;
+  return {options.describe || options.threshold || options.keepsSamples || (isColoured && !options.window),
+          options.describe || (options.isAutomatic && isColoured)};
+}
+
+Expected<Histogram> lookAt(const DenseVolume &volume, const SampleMap &map, const InputOptions &options) {
+  const Look look = lookFor(options);
+  Histogram nothing;
+  if (!look.range && !look.histogram)
+    return nothing;
   const auto range = rangeOf(volume, map, options);
   if (!range)
     return range.error();
-  map.window = *range;
-  if (options.isAutomatic && range->low < range->high) {
-    // What is seen lies just above the threshold, and shall not be black: the window begins below.
-    constexpr double kDarkest = 0.4; // Of the colours, from the first on.
-    const double least = map.threshold && *map.threshold < range->high ? *map.threshold : range->low;
-    map.window.low = least - (range->high - least) * kDarkest / (1 - kDarkest);
-  }
+  if (look.histogram)
+    return histogramOf(volume, map, *range, options);
+  nothing.range = *range;
+  return nothing;
+}
+
+Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options, std::vector<InputFact> &facts) {
+  if (auto checked = checkThreshold(options.threshold); !checked)
+    return checked.error();
+  SampleMap map{.slope = volume.slope, .intercept = volume.intercept, .threshold = options.threshold};
+  const auto histogram = lookAt(volume, map, options);
+  if (!histogram)
+    return histogram.error();
+  if (options.describe)
+    facts = factsOf(volume, *histogram);
+  map.labels = options.colourMap == kLabels;
+  if (options.keepsSamples)
+    map.kept = keptAs(volume);
+  if (auto fits = checkKept(map.kept, histogram->range); !fits)
+    return fits.error();
+  const bool isColoured = !map.labels && !options.keepsSamples;
+  if (options.isAutomatic && isColoured)
+    findThreshold(volume, *histogram, map);
+  if (map.threshold || (options.isAutomatic && isColoured))
+    warnOfThreshold(volume, *histogram, map);
+  if (!isColoured)
+    return map;
+  auto colours = colourMap(options.colourMap);
+  if (!colours)
+    return colours.error();
+  map.colours = *colours;
+  if (auto filled = fillWindow(histogram->range, options, map); !filled)
+    return filled.error();
   return map;
 }
 
@@ -137,10 +188,10 @@ Transform mapOfSteps(const std::array<std::array<double, 3>, 3> &steps, const st
 }
 
 Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
-  const auto map = mapOf(volume, options);
+  Input input;
+  const auto map = mapOf(volume, options, input.facts);
   if (!map)
     return map.error();
-  Input input;
   input.provenance = provenanceOf(*map, options);
   input.warnings = std::move(volume.warnings);
   input.notes = std::move(volume.notes);

@@ -93,8 +93,19 @@ std::string sampleLayoutNames() {
   return names;
 }
 
+std::string toText(SampleLayout layout) {
+  const std::string name(rowOf(layout.type).name);
+  return byteSize(layout.type) == 1 ? name : name + (layout.bigEndian ? ", big-endian" : ", little-endian");
+}
+
+bool isWhole(SampleType type) { return type != SampleType::Float32 && type != SampleType::Float64; }
+
 std::uint32_t SampleMap::word(double stored) const {
   const double value = slope * stored + intercept;
+  if (kept == Kept::Int32)
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(value, -0x1p31, 0x1p31 - 1)));
+  if (kept == Kept::Float32)
+    return value == 0 ? 0 : std::bit_cast<std::uint32_t>(static_cast<float>(value));
   // Written so that NaN is empty.
   const bool isVoxel = threshold ? value >= *threshold : value < 0 || value > 0;
   if (!isVoxel)

@@ -39,6 +39,10 @@ struct SampleLayout {
 std::optional<SampleLayout> parseSampleLayout(std::string_view text);
 /// All types as `parseSampleLayout` takes them, for messages.
 std::string sampleLayoutNames();
+/// "int16", and "little-endian" or "big-endian" where that means something.
+std::string toText(SampleLayout layout);
+/// Whether samples are whole numbers.
+bool isWhole(SampleType type);
 
 /// The least and the greatest of numbers, but for those that are not finite.
 struct SampleRange {
@@ -55,6 +59,8 @@ struct SampleMap {
   SampleRange window;                       ///< The values of the first and the last colour.
   std::array<std::uint32_t, 256> colours{}; ///< None of them 0.
   bool labels = false; ///< A voxel's word is its value in place of a colour; `kNoLabel` if it is no label.
+  /// A voxel's word is its value as it is: the int32 of a whole number, or a float32.
+  enum class Kept : std::uint8_t { No, Int32, Float32 } kept = Kept::No;
 
   /// The word of a value that is no whole number from 1 to 2^16 - 1.
   static constexpr std::uint32_t kNoLabel = 0xffffffff;

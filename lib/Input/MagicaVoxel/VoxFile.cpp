@@ -3,9 +3,9 @@
 
 #include "Input/MagicaVoxel/VoxPalette.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -110,7 +110,35 @@ Frame readFrame(Cursor &cursor) {
 /// What is read so far.
 struct Reading {
   VoxFile file;
+  std::int32_t frame = 0; ///< That is asked for.
   Long3 size{-1, -1, -1}; ///< Of the next model.
+};
+
+/// Chooses among keys: the last in time up to the frame, else the first.
+class KeyChoice {
+public:
+  explicit KeyChoice(Reading &reading) : reading_(reading) {}
+
+  /// Whether a key of this time is the best so far.
+  bool takes(std::int32_t time) {
+    constexpr std::int32_t kMostFrames = 1 << 20;
+    last_ = std::max(last_, std::clamp(time, 0, kMostFrames - 1));
+    ++keys_;
+    if (keys_ > 1) // A node of one key stays where it is.
+      reading_.file.frames = std::max(reading_.file.frames, last_ + 1);
+    const bool hasDue = best_ <= reading_.frame;
+    const bool isBetter =
+        keys_ == 1 || (time <= reading_.frame ? !hasDue || time > best_ : !hasDue && time < best_);
+    if (isBetter)
+      best_ = time;
+    return isBetter;
+  }
+
+private:
+  Reading &reading_;
+  std::uint32_t keys_ = 0;
+  std::int32_t best_ = 0; ///< The time of the chosen one.
+  std::int32_t last_ = 0;
 };
 
 Expected<void> addNode(VoxFile &file, std::uint32_t number, VoxNode &&node) {
@@ -152,16 +180,17 @@ Expected<void> readTransform(Cursor &cursor, Reading &reading) {
   node.children = {cursor.word()};
   cursor.word();
   node.layer = static_cast<std::int32_t>(cursor.word());
-  Frame first{std::numeric_limits<std::int32_t>::max()};
+  Frame chosen;
+  KeyChoice choice(reading);
   for (std::uint32_t frames = cursor.count(4); frames > 0 && !cursor.failed(); --frames)
-    if (const Frame frame = readFrame(cursor); frame.time < first.time)
-      first = frame;
-  const auto placement = Placement::fromByte(first.rotation);
+    if (const Frame frame = readFrame(cursor); choice.takes(frame.time))
+      chosen = frame;
+  const auto placement = Placement::fromByte(chosen.rotation);
   if (!placement)
     return Error::input("node " + std::to_string(number) + " has the rotation " +
-                        std::to_string(first.rotation) + ", which is none");
+                        std::to_string(chosen.rotation) + ", which is none");
   node.placement = *placement;
-  node.placement.setTranslation(first.translation);
+  node.placement.setTranslation(chosen.translation);
   return addNode(reading.file, number, std::move(node));
 }
 
@@ -184,13 +213,11 @@ Expected<void> readShape(Cursor &cursor, Reading &reading) {
   const std::uint32_t models = cursor.count(8);
   if (models == 0 && !cursor.failed())
     return Error::input("the shape " + std::to_string(number) + " has no model");
-  std::int32_t first = std::numeric_limits<std::int32_t>::max();
+  KeyChoice choice(reading);
   for (std::uint32_t i = 0; i < models && !cursor.failed(); ++i) {
     const std::uint32_t model = cursor.word();
-    if (const Frame frame = readFrame(cursor); frame.time < first) {
-      first = frame.time;
+    if (const Frame frame = readFrame(cursor); choice.takes(frame.time))
       node.model = model;
-    }
   }
   return addNode(reading.file, number, std::move(node));
 }
@@ -202,19 +229,42 @@ Expected<void> readLayer(Cursor &cursor, Reading &reading) {
   return {};
 }
 
+struct LookRow {
+  std::string_view type; ///< As it stands in the file.
+  VoxLook look;
+};
+
+constexpr std::array<LookRow, 5> kLooks{{{"_metal", VoxLook::Metal},
+                                         {"_glass", VoxLook::Glass},
+                                         {"_blend", VoxLook::Glass},
+                                         {"_emit", VoxLook::Emission},
+                                         {"_media", VoxLook::Cloud}}};
+
+/// A material of the colour of its number, of which 256 stands for 0.
+Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
+  const std::uint32_t number = cursor.word() % 256;
+  readDictionary(cursor, [&](std::string_view key, std::string_view value) {
+    for (const LookRow &row : kLooks)
+      if (key == "_type" && value == row.type)
+        reading.file.looks[number] = row.look;
+  });
+  return {};
+}
+
 struct ChunkKind {
   std::string_view name;
   Expected<void> (*read)(Cursor &cursor, Reading &reading);
 };
 
 /// Chunks of other names say how a scene is lit, seen or sorted for display, which changes no voxel.
-constexpr std::array<ChunkKind, 7> kChunks{{{"SIZE", readSize},
+constexpr std::array<ChunkKind, 8> kChunks{{{"SIZE", readSize},
                                             {"XYZI", readVoxels},
                                             {"RGBA", readColours},
                                             {"nTRN", readTransform},
                                             {"nGRP", readGroup},
                                             {"nSHP", readShape},
-                                            {"LAYR", readLayer}}};
+                                            {"LAYR", readLayer},
+                                            {"MATL", readMaterial}}};
 
 Expected<void> readChunk(std::string_view name, std::span<const std::byte> content, Reading &reading) {
   for (const ChunkKind &kind : kChunks) {
@@ -237,7 +287,7 @@ std::string_view takeName(Cursor &cursor) {
 
 } // namespace
 
-Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes) {
+Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes, std::int32_t frame) {
   Cursor cursor(bytes);
   if (takeName(cursor) != "VOX ")
     return Error::input("it does not begin with 'VOX '");
@@ -248,6 +298,7 @@ Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes) {
   cursor.word(); // Chunks follow up to the end of the file.
   cursor.take(mainBytes);
   Reading reading;
+  reading.frame = frame;
   reading.file.colours = defaultVoxPalette();
   while (!cursor.failed() && cursor.size() > 0) {
     const std::string_view name = takeName(cursor);

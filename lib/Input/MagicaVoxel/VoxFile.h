@@ -33,15 +33,21 @@ struct VoxNode {
   std::uint32_t model = 0;             ///< Of a shape.
 };
 
+/// How light meets a material, other than by its colour alone.
+enum class VoxLook : std::uint8_t { Diffuse, Metal, Glass, Emission, Cloud };
+
 struct VoxFile {
   std::vector<VoxModel> models;
   std::map<std::uint32_t, VoxNode> nodes;
   std::set<std::int32_t> hiddenLayers;
   std::array<std::uint32_t, 256> colours; ///< By the number in a voxel; 0 is not a colour.
+  std::array<VoxLook, 256> looks{};       ///< The same of materials.
+  std::int32_t frames = 1;                ///< Of the scene graph: one more than the time of its last key.
 };
 
-/// Reads a whole file in place. Of a node's or shape's frames the first in time is taken. Errors: not a
-/// MagicaVoxel file; a chunk, a text or a list that reaches over its end; no model; a rotation that is none.
-Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes);
+/// Reads a whole file in place. Of a node's or shape's keys the last up to the time `frame` is taken, from 0
+/// on; where there is none, the first. Errors: not a MagicaVoxel file; a chunk, a text or a list that reaches
+/// over its end; no model; a rotation that is none.
+Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes, std::int32_t frame = 0);
 
 } // namespace voxc

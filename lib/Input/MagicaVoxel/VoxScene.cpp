@@ -103,19 +103,27 @@ Expected<void> findBox(VoxScene &scene) {
 
 } // namespace
 
-Expected<VoxScene> makeVoxScene(const VoxFile &file) {
+Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t> frame) {
   VoxScene scene;
-  if (!file.nodes.empty()) {
+  const bool hasGraph = !file.nodes.empty();
+  scene.frames = hasGraph ? file.frames : static_cast<std::int32_t>(file.models.size());
+  if (frame && *frame >= scene.frames)
+    return Error::input("it has no frame " + std::to_string(std::int64_t{*frame} + 1) + "; there " +
+                        (scene.frames == 1 ? "is one" : "are " + std::to_string(scene.frames)));
+  if (hasGraph) {
     if (auto built = SceneBuilder(file, scene).run(); !built)
       return built.error();
     if (scene.instances.empty())
       scene.warnings.push_back("nothing of its scene is to be seen: all models are hidden");
   } else {
-    scene.instances.push_back({&file.models.front(), {}});
-    if (file.models.size() > 1)
-      scene.warnings.push_back(
-          "it holds " + std::to_string(file.models.size()) +
-          " models without a scene graph, the frames of an animation; the first is taken");
+    scene.instances.push_back({&file.models[static_cast<std::size_t>(frame.value_or(0))], {}});
+  }
+  if (!frame && scene.frames > 1) {
+    const std::string count = std::to_string(scene.frames);
+    scene.warnings.push_back(
+        (hasGraph ? "its scene graph moves in " + count + " frames"
+                  : "it holds " + count + " models without a scene graph, the frames of an animation") +
+        "; the first is taken, and another by a number behind the name, as in scene.vox#" + count);
   }
   if (auto found = findBox(scene); !found)
     return found.error();

@@ -3,6 +3,7 @@
 
 #include "Input/MagicaVoxel/VoxFile.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,15 @@ struct VoxScene {
   std::vector<VoxInstance> instances; ///< In the order of the scene graph.
   Long3 low{};                        ///< The box of all instances.
   Long3 size{};
+  std::int32_t frames = 1; ///< Of the animation.
   std::vector<std::string> warnings;
 };
 
-/// Follows the scene graph from its root; hidden nodes and layers are left out. Without a graph the first
-/// model is the scene. `file` must outlive the scene. Errors: a node or model that is not there, a node that
-/// stands below itself, a graph that stands for more than 2^20 nodes, a scene of more than 2^21 cells an
-/// axis.
-Expected<VoxScene> makeVoxScene(const VoxFile &file);
+/// Follows the scene graph from its root; hidden nodes and layers are left out. Without a graph a model is a
+/// frame, and that of number `frame`, from 0 on, is the scene; with one, `file` was read for that frame.
+/// Without a `frame` the first is taken, and a warning says that there are more. `file` must outlive the
+/// scene. Errors: no such frame, a node or model that is not there, a node that stands below itself, a graph
+/// that stands for more than 2^20 nodes, a scene of more than 2^21 cells an axis.
+Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t> frame = {});
 
 } // namespace voxc

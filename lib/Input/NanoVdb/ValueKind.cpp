@@ -52,13 +52,13 @@ using enum ValueMeaning;
 constexpr std::array<ValueKind, 12> kKinds{
     {{1, "float", Sample, 64, 28, 20, 2144, readNumber<float>, readPlain<float, 96>},
      {2, "double", Sample, 96, 32, 24, 4224, readNumber<double>, readPlain<double, 128>},
-     {3, "int16", Sample, 64, 28, 20, 1120, readNumber<std::int16_t>, readPlain<std::int16_t, 96>},
-     {4, "int32", Sample, 64, 28, 20, 2144, readNumber<std::int32_t>, readPlain<std::int32_t, 96>},
-     {5, "int64", Sample, 96, 32, 24, 4224, readNumber<std::int64_t>, readPlain<std::int64_t, 128>},
+     {3, "int16", Sample, 64, 28, 20, 1120, readNumber<std::int16_t>, readPlain<std::int16_t, 96>, true},
+     {4, "int32", Sample, 64, 28, 20, 2144, readNumber<std::int32_t>, readPlain<std::int32_t, 96>, true},
+     {5, "int64", Sample, 96, 32, 24, 4224, readNumber<std::int64_t>, readPlain<std::int64_t, 128>, true},
      {8, "mask", Flag, 64, 28, 20, 96, readNumber<std::uint8_t>, readActive},
-     {10, "uint32", Sample, 64, 28, 20, 2144, readNumber<std::uint32_t>, readPlain<std::uint32_t, 96>},
+     {10, "uint32", Sample, 64, 28, 20, 2144, readNumber<std::uint32_t>, readPlain<std::uint32_t, 96>, true},
      {11, "bool", Flag, 64, 28, 20, 160, readNumber<std::uint8_t>, readBit},
-     {12, "RGBA8", Colour, 64, 28, 20, 2144, readNumber<std::uint32_t>, readPlain<std::uint32_t, 96>},
+     {12, "RGBA8", Colour, 64, 28, 20, 2144, readNumber<std::uint32_t>, readPlain<std::uint32_t, 96>, true},
      {13, "Float4", Sample, 64, 28, 20, 352, readNumber<float>, readQuantized<4>},
      {14, "Float8", Sample, 64, 28, 20, 608, readNumber<float>, readQuantized<8>},
      {15, "Float16", Sample, 64, 28, 20, 1120, readNumber<float>, readQuantized<16>}}};

@@ -26,6 +26,7 @@ struct ValueKind {
   double (*read)(const std::byte *at);
   /// The value of a cell of a leaf.
   double (*readCell)(const std::byte *leaf, std::uint32_t cell);
+  bool isWhole = false; ///< Its numbers are whole.
 };
 
 /// The kind of a type; null if it is not read.

@@ -6,11 +6,56 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
+#include <utility>
 
 namespace voxc {
 
 int longestAxis(Int3 extent) { return std::max({extent.x, extent.y, extent.z}); }
+
+namespace {
+
+/// Where "#N" begins at the end of a path, or npos.
+std::size_t frameMark(const std::string &path) {
+  const std::size_t mark = path.rfind('#');
+  const bool isNumber = mark != std::string::npos && mark + 1 < path.size() &&
+                        path.find_first_not_of("0123456789", mark + 1) == std::string::npos;
+  return isNumber ? mark : std::string::npos;
+}
+
+} // namespace
+
+std::string withoutFrame(const std::string &path) { return path.substr(0, frameMark(path)); }
+
+std::optional<int> frameOf(const std::string &path) {
+  const std::size_t mark = frameMark(path);
+  return mark == std::string::npos ? std::nullopt : parseCount(std::string_view(path).substr(mark + 1));
+}
+
+std::string byThree(const std::array<double, 3> &numbers) {
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "%.6g x %.6g x %.6g", numbers[0], numbers[1], numbers[2]);
+  return text.data();
+}
+
+InputFact sizeFact(std::string name, Int3 size) {
+  const std::array<double, 3> numbers{double(size.x), double(size.y), double(size.z)};
+  const std::string text =
+      std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
+  return {std::move(name), text, {numbers.begin(), numbers.end()}};
+}
+
+InputFact boxFact(std::string name, const std::array<double, 3> &low, const std::array<double, 3> &high) {
+  std::array<char, 192> text;
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g)", low[0], low[1], low[2],
+                high[0], high[1], high[2]);
+  return {std::move(name), text.data(), {low[0], low[1], low[2], high[0], high[1], high[2]}};
+}
+
+InputFact countFact(std::string name, std::uint64_t count) {
+  return {std::move(name), std::to_string(count), {double(count)}};
+}
 
 Int3 modelExtent(const InputOptions &options) {
   return options.resolution > 0 ? options.mostExtent() : options.formatExtent;

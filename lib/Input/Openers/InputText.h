@@ -3,6 +3,8 @@
 
 #include "voxc/Input/Input.h"
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +14,18 @@ namespace voxc {
 
 /// The longest axis of an extent.
 int longestAxis(Int3 extent);
+
+/// A path without the number of a frame behind it, "scene.vox#3"; and that number, from 1 on, if it has one.
+std::string withoutFrame(const std::string &path);
+std::optional<int> frameOf(const std::string &path);
+
+/// "1 x 2 x 3".
+std::string byThree(const std::array<double, 3> &numbers);
+
+/// Facts of several numbers, as they are told to people.
+InputFact sizeFact(std::string name, Int3 size);
+InputFact boxFact(std::string name, const std::array<double, 3> &low, const std::array<double, 3> &high);
+InputFact countFact(std::string name, std::uint64_t count);
 
 /// The most voxels that a model may take: what the format holds, unless its resolution is given and it is
 /// cropped.

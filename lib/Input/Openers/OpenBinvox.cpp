@@ -8,6 +8,7 @@
 #include "voxc/Support/Stopwatch.h"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -133,6 +134,15 @@ Transform mapOf(const BinvoxHeader &header) {
   return transformOfRows({unit, 0, 0, x, 0, unit, 0, y, 0, 0, unit, z});
 }
 
+std::vector<InputFact> factsOf(const BinvoxHeader &header, const Bits &bits) {
+  std::uint64_t voxels = 0;
+  for (const std::uint64_t word : bits.span())
+    voxels += static_cast<std::uint64_t>(std::popcount(word));
+  return {sizeFact("size", header.extent),
+          countFact("voxels", voxels),
+          {"scale", toText(header.scale), {header.scale}}};
+}
+
 } // namespace
 
 Expected<Input> openBinvox(const std::string &path, const InputOptions &options) {
@@ -153,6 +163,9 @@ Expected<Input> openBinvox(const std::string &path, const InputOptions &options)
   auto bits = std::make_shared<Bits>(options.memory);
   if (auto read = readRuns(text, cellsOf(stored), *bits, options); !read)
     return broken(read.error());
+  Input input;
+  if (options.describe)
+    input.facts = factsOf(*header, *bits);
   std::shared_ptr<const DenseRows> rows = std::make_shared<BitRows>(stored, std::move(bits));
   Transform map = mapOf(*header);
   Int3 extent = stored;
@@ -164,7 +177,6 @@ Expected<Input> openBinvox(const std::string &path, const InputOptions &options)
   auto source = makeDenseSource(extent, std::move(rows), map, options.memory, options.progress);
   if (!source)
     return source.error();
-  Input input;
   input.source = std::move(*source);
   input.loadSeconds = loading.seconds();
   input.provenance = "coverage=voxels" + upProvenance(options);

@@ -28,6 +28,8 @@ Expected<Input> openBuiltin(const std::string &text, const InputOptions &options
   // Nobody asked for the size of a scene that merely fills the format, so what reaches over it is cut off.
   input.source = isChosen ? std::move(*source) : clip(std::move(*source), options.formatExtent);
   input.provenance = "builtin=" + name + ":" + std::to_string(side);
+  if (options.describe)
+    input.facts = {{"scene", name, {}}, countFact("resolution", static_cast<std::uint64_t>(side))};
   return input;
 }
 

@@ -11,6 +11,8 @@
 #include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <deque>
 #include <limits>
 #include <utility>
@@ -134,16 +136,87 @@ struct Dropped {
   }
 };
 
-Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> bytes) {
-  auto file = readVoxFile(bytes->bytes());
+/// The colours that voxels have, and what of their materials is dropped.
+class UsedColours {
+public:
+  /// Files come one after the other.
+  void add(unsigned colour, const VoxFile &file) {
+    if (used_.empty() || used_.back().file != &file)
+      used_.push_back({&file, {}});
+    used_.back().colours.set(colour);
+  }
+
+  std::size_t count() const {
+    std::size_t count = 0;
+    for (const OfFile &used : used_)
+      count += used.colours.count();
+    return count;
+  }
+
+  void warn(std::vector<std::string> &warnings) const {
+    constexpr std::array<std::pair<VoxLook, const char *>, 4> kDropped{{{VoxLook::Glass, "glass"},
+                                                                        {VoxLook::Emission, "emission"},
+                                                                        {VoxLook::Metal, "metal"},
+                                                                        {VoxLook::Cloud, "clouds"}}};
+    std::string text;
+    for (const auto &[look, name] : kDropped)
+      if (const std::size_t count = countOf(look); count > 0)
+        text += (text.empty() ? "" : ", ") + std::string(name) + " of " + std::to_string(count) +
+                (count == 1 ? " colour" : " colours");
+    if (!text.empty())
+      warnings.push_back("of materials only the colours are kept; dropped: " + text);
+  }
+
+private:
+  struct OfFile {
+    const VoxFile *file;
+    std::bitset<256> colours;
+  };
+
+  std::size_t countOf(VoxLook look) const {
+    std::size_t count = 0;
+    for (const OfFile &used : used_)
+      for (std::size_t colour = 0; colour < used.colours.size(); ++colour)
+        count += used.colours[colour] && used.file->looks[colour] == look;
+    return count;
+  }
+
+  std::vector<OfFile> used_;
+};
+
+Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> bytes,
+                       std::optional<std::int32_t> frame) {
+  auto file = readVoxFile(bytes->bytes(), frame.value_or(0));
   if (!file)
     return file.error();
   ScenePart &part = parts.emplace_back(ScenePart{std::move(bytes), std::move(*file), {}});
-  auto scene = makeVoxScene(part.file);
+  auto scene = makeVoxScene(part.file, frame);
   if (!scene)
     return scene.error();
   part.scene = std::move(*scene);
   return {};
+}
+
+std::vector<InputFact> factsOf(const SceneParts &parts, const PlacedVoxels &placed, std::size_t colours) {
+  InputFact sizes{"model sizes", "", {}};
+  std::uint64_t models = 0, instances = 0;
+  std::int32_t frames = 1;
+  constexpr std::uint64_t kMostTold = 8;
+  for (const ScenePart &part : parts) {
+    for (const VoxModel &model : part.file.models) {
+      const auto &[x, y, z] = model.size;
+      if (++models <= kMostTold)
+        sizes.text += (sizes.text.empty() ? "" : ", ") + byThree({double(x), double(y), double(z)});
+      sizes.numbers.insert(sizes.numbers.end(), {double(x), double(y), double(z)});
+    }
+    instances += part.scene.instances.size();
+    frames = std::max(frames, part.scene.frames);
+  }
+  if (models > kMostTold)
+    sizes.text += " and " + std::to_string(models - kMostTold) + " more";
+  return {countFact("models", models),           std::move(sizes),
+          countFact("placed models", instances), countFact("voxels placed", placed.count()),
+          countFact("colours used", colours),    countFact("frames", static_cast<std::uint64_t>(frames))};
 }
 
 Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) {
@@ -164,13 +237,16 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
     return isLabels ? colour : file.colours[colour];
   };
   Dropped dropped;
+  UsedColours used;
   auto counted = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour, const VoxFile &file) {
     const std::uint32_t word = wordOf(colour, file);
     dropped.noColour += colour == 0;
     dropped.wordZero += colour != 0 && word == 0;
     dropped.clear += !isLabels && word != 0 && word >> 24 == 0;
-    if (word != 0)
-      voxels->count(voxel);
+    if (word == 0)
+      return;
+    voxels->count(voxel);
+    used.add(colour, file);
   });
   if (!counted)
     return counted.error();
@@ -186,6 +262,9 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   for (const ScenePart &part : parts)
     input.warnings.insert(input.warnings.end(), part.scene.warnings.begin(), part.scene.warnings.end());
   dropped.warn(input.warnings);
+  used.warn(input.warnings);
+  if (options.describe)
+    input.facts = factsOf(parts, placed, used.count());
   input.source = std::move(*voxels).finish(placed.voxelToModel());
   input.provenance = "coverage=models";
   if (isLabels)
@@ -198,7 +277,7 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
   constexpr std::size_t kMostFiles = 4096;
-  const auto paths = numberedPaths(path, kMostFiles);
+  const auto paths = numberedPaths(withoutFrame(path), kMostFiles);
   if (!paths)
     return paths.error();
   const auto broken = [](const std::string &name, const Error &error) {
@@ -206,12 +285,16 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
                ? Error::input("'" + name + "' is not a usable MagicaVoxel file: " + error.message)
                : error;
   };
+  const std::optional<int> number = frameOf(path);
+  if (!number && withoutFrame(path) != path)
+    return Error::input("'" + path + "' names no frame; the first is #1");
+  const std::optional<std::int32_t> frame = number ? std::optional(*number - 1) : std::nullopt;
   SceneParts parts;
   for (const std::string &name : *paths) {
     auto file = WatchedFile::open(name, options.memory);
     if (!file)
       return file.error();
-    if (auto added = addPart(parts, std::move(*file)); !added)
+    if (auto added = addPart(parts, std::move(*file), frame); !added)
       return broken(name, added.error());
   }
   auto input = openScene(parts, options);

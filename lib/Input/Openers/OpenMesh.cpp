@@ -2,6 +2,7 @@
 #include "Input/Openers/Openers.h"
 
 #include "Input/Openers/InputText.h"
+#include "Input/Openers/MeshFacts.h"
 #include "voxc/Mesh/MeshSource.h"
 #include "voxc/Mesh/SolidMesh.h"
 #include "voxc/Support/Stopwatch.h"
@@ -74,6 +75,8 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
   input.loaderPeakBytes = scene->loaderPeakBytes;
   input.triangles = triangleCount(*scene);
   input.warnings = std::move(scene->warnings);
+  if (options.describe)
+    input.facts = factsOf(*scene);
   const Stopwatch binning;
   const auto shared = std::make_shared<const TriangleScene>(std::move(*scene));
   auto source = voxelize(shared, options);

@@ -1,5 +1,6 @@
 // Opening NanoVDB grids: colours as they are, numbers as a dense volume of samples, level sets filled.
 #include "Input/Dense/ColourMap.h"
+#include "Input/Dense/SampleChecks.h"
 #include "Input/Dense/Samples.h"
 #include "Input/NanoVdb/NanoVdbFile.h"
 #include "Input/NanoVdb/NanoVdbGrid.h"
@@ -96,13 +97,39 @@ SampleRange rangeOf(const NanoVdbGrid &grid) {
   return range.low <= range.high ? range : SampleRange{0, 0};
 }
 
-Expected<Look> lookOf(const NanoVdbGrid &grid, const InputOptions &options) {
+/// Options that mean nothing for what the grid holds. Error: one of them is given.
+Expected<void> checkOptions(const Look &look, const InputOptions &options) {
+  const bool isSample = look.meaning == ValueMeaning::Sample;
+  const std::string what = !isSample         ? "values that are no numbers"
+                           : look.isLevelSet ? "a level set"
+                                             : "numbers";
+  const auto refuse = [&](const char *option) {
+    return Error::usage(std::string(option) + " would do nothing for a grid of " + what + "; leave it out");
+  };
+  if (options.threshold && !isSample)
+    return refuse("--threshold");
+  if (options.window && (!isSample || look.isLevelSet))
+    return refuse("--window");
+  if (options.colourMap != "grey" && options.colourMap != kLabels && (!isSample || look.isLevelSet))
+    return refuse("--colour-map");
+  return checkThreshold(options.threshold);
+}
+
+Expected<Look> lookOf(const NanoVdbGrid &grid, const InputOptions &options, const SampleRange &range) {
   Look look;
   look.meaning = grid.kind().meaning;
   look.isLevelSet = grid.isLevelSet() && look.meaning == ValueMeaning::Sample;
+  if (auto checked = checkOptions(look, options); !checked)
+    return checked.error();
   // Nearer than half a voxel's side, as of OpenVDB's level sets.
   look.threshold = options.threshold.value_or(grid.voxelSize() / 2);
   look.map.threshold = options.threshold;
+  if (options.keepsSamples) {
+    look.map.kept = grid.kind().isWhole ? SampleMap::Kept::Int32 : SampleMap::Kept::Float32;
+    if (auto fits = checkKept(look.map.kept, range); !fits)
+      return fits.error();
+    return look;
+  }
   if (options.colourMap == kLabels) {
     look.map.labels = true;
     return look;
@@ -111,10 +138,25 @@ Expected<Look> lookOf(const NanoVdbGrid &grid, const InputOptions &options) {
   if (!colours)
     return colours.error();
   look.map.colours = *colours;
-  if (look.meaning == ValueMeaning::Sample && !look.isLevelSet)
-    look.map.window =
-        options.window ? SampleRange{(*options.window)[0], (*options.window)[1]} : rangeOf(grid);
+  look.map.window = options.window ? SampleRange{(*options.window)[0], (*options.window)[1]} : range;
   return look;
+}
+
+std::vector<InputFact> factsOf(const NanoVdbGrid &grid, const SampleRange &range, std::uint32_t others) {
+  const bool isLevelSet = grid.isLevelSet() && grid.kind().meaning == ValueMeaning::Sample;
+  const auto corner = [](Int3 cell) {
+    return std::array<double, 3>{double(cell.x), double(cell.y), double(cell.z)};
+  };
+  std::vector<InputFact> facts{
+      {"values", std::string(grid.kind().name) + (isLevelSet ? ", a level set" : ""), {}},
+      boxFact("active", corner(grid.low()), corner(grid.high())),
+      {"voxel size", toText(grid.voxelSize()), {grid.voxelSize()}},
+      {"background", toText(grid.background()), {grid.background()}}};
+  if (grid.kind().meaning == ValueMeaning::Sample)
+    facts.push_back({"range", toText(range.low) + " to " + toText(range.high), {range.low, range.high}});
+  if (others != 0)
+    facts.push_back(countFact("other grids", others));
+  return facts;
 }
 
 /// Marks the bricks that cells of a box reach into.
@@ -189,10 +231,17 @@ Expected<Input> makeInput(std::shared_ptr<const OpenGrid> open, const InputOptio
   const auto stored = extentOf(grid, options);
   if (!stored)
     return stored.error();
-  const auto look = lookOf(grid, options);
+  const SampleRange range = grid.kind().meaning == ValueMeaning::Sample ? rangeOf(grid) : SampleRange{0, 0};
+  const auto look = lookOf(grid, options, range);
   if (!look)
     return look.error();
   Input input;
+  if (options.describe)
+    input.facts = factsOf(grid, range, open->stored.others);
+  if (options.threshold && !look->isLevelSet)
+    if (const auto complaint = complaintOf(*options.threshold, {std::min(range.low, grid.background()),
+                                                                std::max(range.high, grid.background())}))
+      input.warnings.push_back(*complaint);
   input.provenance = provenanceOf(*look, options);
   if (open->stored.others != 0)
     input.warnings.push_back(std::to_string(open->stored.others) + " grids after the first are left out");

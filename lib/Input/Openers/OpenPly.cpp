@@ -15,8 +15,12 @@ Expected<Input> openPly(const std::string &path, const InputOptions &options) {
   auto reader = PlyReader::open(path);
   if (!reader)
     return reader.error();
-  if (hasFaces(reader->header()))
-    return openMesh(path, options);
+  if (hasFaces(reader->header())) {
+    Expected<Input> mesh = openMesh(path, options);
+    if (mesh && options.describe)
+      mesh->facts.insert(mesh->facts.begin(), {"kind", "a mesh", {}});
+    return mesh;
+  }
   auto points = readPoints(*reader, options);
   if (!points)
     return points.error();
@@ -27,6 +31,9 @@ Expected<Input> openPly(const std::string &path, const InputOptions &options) {
                          ? std::string("coverage=indices")
                          : modelProvenance("points", longestAxis(input.source->extent()), options);
   input.warnings = std::move(points->warnings);
+  input.facts = std::move(points->facts);
+  if (options.describe)
+    input.facts.insert(input.facts.begin(), {"kind", "points", {}});
   return input;
 }
 

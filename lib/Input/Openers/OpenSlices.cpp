@@ -1,4 +1,5 @@
 // Opening slices: PNG pictures of one size, one for each z.
+#include "Input/Dense/ColourMap.h"
 #include "Input/Dense/DenseVolume.h"
 #include "Input/Dense/PngSlice.h"
 #include "Input/Openers/InputText.h"
@@ -79,8 +80,23 @@ Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOpti
   return stack;
 }
 
+/// Options that mean something for grey pictures alone. Error: one of them is given.
+Expected<void> checkOptions(const InputOptions &options) {
+  const bool isMapped = options.colourMap != "grey" && options.colourMap != kLabels;
+  const char *const given = options.threshold ? "--threshold"
+                            : options.window  ? "--window"
+                            : isMapped        ? "--colour-map"
+                                              : nullptr;
+  return given ? Error::usage(std::string(given) + " would do nothing for slices in colours; leave it out")
+               : Expected<void>();
+}
+
 Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
+  if (auto checked = checkOptions(options); !checked)
+    return checked.error();
   Input input;
+  if (options.describe)
+    input.facts = {{"pixels", "colours", {}}, sizeFact("size", stack.extent)};
   input.provenance = "coverage=cells" + upProvenance(options);
   Int3 extent = stack.extent;
   std::shared_ptr<const DenseRows> rows = std::make_shared<WordRows>(extent, stack.cells);

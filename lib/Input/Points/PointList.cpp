@@ -198,6 +198,11 @@ bool hasPoints(const PlyHeader &header) {
          });
 }
 
+bool hasColours(const PlyHeader &header) {
+  const PlyElement *vertices = header.find("vertex");
+  return vertices && bool(PlyColour(*vertices));
+}
+
 bool areIndices(const PlyHeader &header) {
   const PlyElement *vertices = header.find("vertex");
   return vertices && std::ranges::all_of(kAxes, [&](std::string_view axis) {

@@ -26,8 +26,9 @@ public:
   virtual void read(std::uint64_t first, std::span<PlyPoint> points) const = 0;
 };
 
-/// True if an element has the properties x, y and z; and if these are integers.
+/// True if an element has the properties x, y and z; if it has colours too; and if x, y and z are integers.
 bool hasPoints(const PlyHeader &header);
+bool hasColours(const PlyHeader &header);
 bool areIndices(const PlyHeader &header);
 
 /// The points of a file that has some; in place if the rows are binary and of one size, else copied.

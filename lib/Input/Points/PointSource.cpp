@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace voxc {
@@ -165,7 +166,26 @@ private:
   std::uint64_t dropped_ = 0;
 };
 
+InputFact boxOf(const PointList &points) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Position low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+  std::array<PlyPoint, 1 << 10> batch;
+  for (std::uint64_t first = 0; first < points.size(); first += batch.size()) {
+    const std::uint64_t count = std::min<std::uint64_t>(batch.size(), points.size() - first);
+    const std::span<PlyPoint> some = std::span(batch).first(count);
+    points.read(first, some);
+    for (const PlyPoint &point : some)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], point.position[axis]);
+        high[axis] = std::max(high[axis], point.position[axis]);
+      }
+  }
+  return boxFact("box", low, high);
+}
+
 Expected<PointVoxels> placePoints(PlyReader &reader, const InputOptions &options) {
+  if (options.coverage != Coverage::Conservative)
+    return Error::usage("--coverage is for meshes, and would do nothing for points; leave it out");
   const auto points = readPointList(reader, options.memory, options.progress);
   if (!points)
     return points.error();
@@ -174,7 +194,12 @@ Expected<PointVoxels> placePoints(PlyReader &reader, const InputOptions &options
   auto source = areIndices ? placer.placeIndices() : placer.placePositions();
   if (!source)
     return source.error();
-  PointVoxels voxels{std::move(*source), areIndices, {}};
+  PointVoxels voxels{std::move(*source), areIndices, {}, {}};
+  if (options.describe)
+    voxels.facts = {countFact("points", (*points)->size()),
+                    {"coordinates", areIndices ? "whole numbers, which are voxels" : "of a model", {}},
+                    {"colours", hasColours(reader.header()) ? "one a point" : "none; they are white", {}},
+                    boxOf(**points)};
   if (placer.dropped() != 0)
     voxels.warnings.push_back(std::to_string(placer.dropped()) +
                               " points are dropped: their colour is the word 0, which means empty");

@@ -15,6 +15,7 @@ struct PointVoxels {
   std::unique_ptr<VoxelSource> source;
   bool areIndices = false; ///< The points have integer coordinates, which are voxel indices.
   std::vector<std::string> warnings;
+  std::vector<InputFact> facts; ///< If they were asked for.
 };
 
 /// Reads points: integer coordinates are voxel indices, others map like mesh vertices and are floored. The

@@ -3,9 +3,11 @@
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 #include "voxc/Source/Sources.h"
+#include "voxc/Volume/LabelColour.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -46,39 +48,72 @@ struct Model {
   std::vector<std::uint32_t> voxels;
 };
 
+/// The numbers of colours: given out as colours come, or, of labels, those themselves.
+class Palette {
+public:
+  explicit Palette(bool areLabels) : areLabels_(areLabels) {
+    for (std::uint32_t label = 1; areLabels && label <= kMaxColours; ++label)
+      colours_.push_back(labelColour(label));
+  }
+
+  /// From 1 to 255, or more if there is none.
+  std::uint32_t numberOf(std::uint32_t word) {
+    if (areLabels_)
+      return word;
+    const auto [entry, isNew] = numbers_.try_emplace(word, static_cast<std::uint32_t>(colours_.size() + 1));
+    if (isNew)
+      colours_.push_back(word);
+    return entry->second;
+  }
+
+  Bytes chunk() const {
+    Bytes palette;
+    for (std::size_t i = 0; i < 256; ++i)
+      palette.word(i < colours_.size() ? colours_[i] : 0);
+    return palette;
+  }
+
+private:
+  bool areLabels_;
+  std::vector<std::uint32_t> colours_;
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+};
+
+bool hasLabels(const Volume &volume) { return volume.layout().payload == Payload::Material; }
+
 class Scene {
 public:
   /// With corners, the models in the first and the last corner are always there, so that the scene keeps its
   /// extent.
-  explicit Scene(Int3 extent, bool hasCorners = true) : extent_(extent) {
+  Scene(Int3 extent, bool areLabels, bool hasCorners = true) : extent_(extent), palette_(areLabels) {
     if (!hasCorners)
       return;
     modelAt({});
     modelAt(Int3{extent.x - 1, extent.z - 1, extent.y - 1} >> 8);
   }
 
-  /// False if the colours are too many.
-  bool add(Int3 voxel, std::uint32_t colour) {
-    const auto [entry, isNew] = indices_.try_emplace(colour, static_cast<std::uint32_t>(colours_.size() + 1));
-    if (isNew)
-      colours_.push_back(colour);
-    if (hasTooManyColours())
+  /// False if there is no number for the word.
+  bool add(Int3 voxel, std::uint32_t word) {
+    const std::uint32_t number = palette_.numberOf(word);
+    if (number > kMaxColours) {
+      refused_ = word;
       return false;
+    }
     const Int3 turned{voxel.x, extent_.z - 1 - voxel.z, voxel.y};
     Model &model = modelAt(turned >> 8);
     const Int3 cell = turned - model.low;
-    model.voxels.push_back(static_cast<std::uint32_t>(cell.x | cell.y << 8 | cell.z << 16) | entry->second
-                                                                                                 << 24);
+    model.voxels.push_back(static_cast<std::uint32_t>(cell.x | cell.y << 8 | cell.z << 16) | number << 24);
     return true;
   }
 
-  bool hasTooManyColours() const { return colours_.size() > kMaxColours; }
+  /// The word for which there was no number.
+  std::optional<std::uint32_t> refused() const { return refused_; }
 
   std::string file() const {
     Bytes children;
     addModels(children);
     addGraph(children);
-    addPalette(children);
+    children.chunk("RGBA", palette_.chunk());
     Bytes whole;
     whole.text("VOX ").word(150).text("MAIN").word(0);
     whole.word(static_cast<std::uint32_t>(children.text().size())).text(children.text());
@@ -138,17 +173,10 @@ private:
     }
   }
 
-  void addPalette(Bytes &children) const {
-    Bytes palette;
-    for (std::size_t i = 0; i < 256; ++i)
-      palette.word(i < colours_.size() ? colours_[i] : 0);
-    children.chunk("RGBA", palette);
-  }
-
   Int3 extent_;
   std::map<std::uint64_t, Model> models_; ///< By the Morton code of their block.
-  std::vector<std::uint32_t> colours_;
-  std::unordered_map<std::uint32_t, std::uint32_t> indices_;
+  Palette palette_;
+  std::optional<std::uint32_t> refused_;
 };
 
 /// Null if the volume has no more colours than a palette holds.
@@ -160,7 +188,12 @@ Expected<Rounding> reduceToPalette(const Volume &volume, const Progress &progres
 // Sizes of chunks are 32-bit; a voxel takes a word.
 constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
 
-Error tooManyColours() {
+Error tooManyColours(std::uint32_t word, bool areLabels) {
+  if (areLabels)
+    return Error::input(
+        "a .vox file holds labels up to 255, as the numbers of its colours, but the volume has "
+        "the label " +
+        std::to_string(word));
   return Error::input("a .vox file holds at most 255 colours, but the volume has more; --lossy takes those "
                       "that stand best for them");
 }
@@ -171,7 +204,7 @@ public:
   /// Errors: as `reduceColours`.
   static Expected<Colours> of(const Volume &volume, const ExportOptions &options) {
     Colours colours;
-    if (!options.lossy)
+    if (!options.lossy || hasLabels(volume))
       return colours;
     auto rounding = reduceToPalette(volume, options.save.progress);
     if (!rounding)
@@ -201,7 +234,8 @@ private:
 /// Writes a part after the other.
 class SceneFiles {
 public:
-  SceneFiles(Int3 extent, const NumberedPath &path) : extent_(extent), files_(path), scene_(extent) {}
+  SceneFiles(Int3 extent, bool areLabels, const NumberedPath &path)
+      : extent_(extent), areLabels_(areLabels), files_(path), scene_(extent, areLabels) {}
 
   /// False if it goes no further: see `finish`.
   bool add(Int3 voxel, std::uint32_t word) {
@@ -211,7 +245,7 @@ public:
     cube_ = cube;
     ++voxels_;
     if (!scene_.add(voxel, word))
-      result_ = tooManyColours();
+      result_ = tooManyColours(word, areLabels_);
     else if (voxels_ > kMaxVoxels)
       result_ = Error::input("a .vox file cannot hold more than 536870912 voxels");
     return bool(result_);
@@ -232,12 +266,13 @@ private:
   /// Writes what has been added. False: see `result_`.
   bool finishPart() {
     result_ = files_.add(scene_.file());
-    scene_ = Scene(extent_, false);
+    scene_ = Scene(extent_, areLabels_, false);
     voxels_ = 0;
     return bool(result_);
   }
 
   Int3 extent_;
+  bool areLabels_;
   NumberedFiles files_;
   Scene scene_;
   std::uint64_t cube_ = 0;
@@ -255,12 +290,12 @@ Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const Ex
   auto colours = Colours::of(volume, options);
   if (!colours)
     return colours.error();
-  Scene scene(volume.info().extent);
+  Scene scene(volume.info().extent, hasLabels(volume));
   const auto add = [&](Int3 voxel, std::uint32_t word) { return scene.add(voxel, (*colours)(word)); };
   if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
     return visited;
-  if (scene.hasTooManyColours())
-    return tooManyColours();
+  if (scene.refused())
+    return tooManyColours(*scene.refused(), hasLabels(volume));
   colours->tell(exported);
   const std::string bytes = scene.file();
   return file.write(bytes.data(), bytes.size());
@@ -271,7 +306,7 @@ Expected<void> writeMagicaVoxelParts(const Volume &volume, const NumberedPath &p
   auto colours = Colours::of(volume, options);
   if (!colours)
     return colours.error();
-  SceneFiles files(volume.info().extent, path);
+  SceneFiles files(volume.info().extent, hasLabels(volume), path);
   const auto add = [&](Int3 voxel, std::uint32_t word) { return files.add(voxel, (*colours)(word)); };
   if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
     return visited;
