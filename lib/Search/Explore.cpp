@@ -69,10 +69,16 @@ private:
   void take(Candidate candidate) {
     if (!known_.insert(keyOf(candidate)).second)
       return;
-    progress_.at("explore",
-                 static_cast<double>(++explored_.rated) / static_cast<double>(options_.mostFormats));
+    ++explored_.rated;
+    tell();
     if (auto format = rater_.rate(std::move(candidate), few_, model_, wish_.maxBytes))
       formats_.push_back({std::move(*format)});
+  }
+
+  /// How far it is: the first half ends with the most formats, or with the time for rating.
+  void tell() const {
+    const double byCount = static_cast<double>(explored_.rated) / static_cast<double>(options_.mostFormats);
+    progress_.at("explore", std::min(std::max(byCount, watch_.seconds() / options_.seconds), 1.0) / 2);
   }
 
   void expand(std::size_t index) {
@@ -81,7 +87,7 @@ private:
       return;
     const Composition from = *formats_[index].format.candidate.composition;
     for (const Composition &to : rewritesOf(from, options_.maxLevels))
-      if (!isOver() && tried_.insert(to).second)
+      if (tell(); !isOver() && tried_.insert(to).second)
         if (auto candidate = makeCandidate(toString(to), traits_, to.choices))
           take(std::move(*candidate));
   }
@@ -125,9 +131,10 @@ private:
         near.push_back(i);
     std::ranges::stable_sort(near, {}, [&](std::size_t i) { return far[i]; });
     const double end = watch_.seconds() + options_.seconds;
-    for (const std::size_t i : near)
-      if (!progress_.stopped() && watch_.seconds() <= end)
-        rater_.replayAgain(formats_[i].format, rays, model_);
+    for (std::size_t i = 0; i < near.size() && !progress_.stopped() && watch_.seconds() <= end; ++i) {
+      progress_.at("explore", (1 + static_cast<double>(i) / static_cast<double>(near.size())) / 2);
+      rater_.replayAgain(formats_[near[i]].format, rays, model_);
+    }
   }
 
   void keep(std::span<const RaySet> rays) {

@@ -12,9 +12,9 @@ namespace {
 /// Of the logarithm of bytes beside that of time.
 constexpr double kSizeWeight = 0.5;
 
-double regret(const RatedFormat &rated, Wish::Objective objective) {
-  const double time = std::log2(rated.time());
-  const double bytes = std::log2(static_cast<double>(rated.bytes()));
+double regret(const SizeTime &point, Wish::Objective objective) {
+  const double time = std::log2(point.nanoseconds);
+  const double bytes = std::log2(point.bytes);
   // What does not matter still decides between equals.
   constexpr double kHint = 1e-6;
   switch (objective) {
@@ -60,12 +60,20 @@ std::vector<bool> frontierOf(std::span<const RatedFormat> rated) {
   return frontier;
 }
 
-std::optional<std::size_t> choose(std::span<const RatedFormat> rated, const Wish &wish) {
-  if (rated.empty())
+std::optional<std::size_t> choose(std::span<const SizeTime> points, Wish::Objective objective) {
+  if (points.empty())
     return std::nullopt;
-  const auto best = std::ranges::min_element(
-      rated, {}, [&](const RatedFormat &format) { return regret(format, wish.objective); });
-  return static_cast<std::size_t>(best - rated.begin());
+  const auto best =
+      std::ranges::min_element(points, {}, [&](const SizeTime &point) { return regret(point, objective); });
+  return static_cast<std::size_t>(best - points.begin());
+}
+
+std::optional<std::size_t> choose(std::span<const RatedFormat> rated, const Wish &wish) {
+  std::vector<SizeTime> points;
+  points.reserve(rated.size());
+  for (const RatedFormat &format : rated)
+    points.push_back({static_cast<double>(format.bytes()), format.time()});
+  return choose(points, wish.objective);
 }
 
 } // namespace voxc

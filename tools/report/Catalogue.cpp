@@ -97,7 +97,9 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
   std::set<std::string> formats;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Entry entry = makeEntry(cells[i]);
-    formats.insert(entry.look.name);
+    // A search counts a format with other passes as another one.
+    formats.insert(entry.look.name +
+                   (catalogue.verdicts.empty() ? "" : passDifference(cells[i].format.passes, {})));
     entry.device = devices[i];
     const std::string &model = cells[i].model.name;
     entry.column = raysOfModels[model].size() > 1 ? model + ", " + titleOf(cells[i].rays) : model;
@@ -111,17 +113,37 @@ std::vector<Entry> makeEntries(const std::vector<Cell> &cells, Catalogue &catalo
   return entries;
 }
 
-void rank(const Stage &stage, std::vector<Entry> &entries) {
+/// Of a search, formats whose times are of other moments than those that are compared are beaten by the
+/// fastest leader that is no larger.
+void rankOther(Entry &entry, const std::vector<Entry> &entries, const std::vector<std::size_t> &compared) {
+  std::optional<std::size_t> rival;
+  for (const std::size_t i : compared)
+    if (const Entry &other = entries[i];
+        other.isLeading() &&
+        (!rival || (*other.bytes <= *entry.bytes && *other.bytes > *entries[*rival].bytes)))
+      rival = i;
+  if (rival)
+    entry.standing = {Place::Beaten, *rival};
+}
+
+void rank(const Stage &stage, std::vector<Entry> &entries, const SearchVerdict *verdict) {
   std::vector<MeasuredPoint> points;
-  std::vector<std::size_t> indices;
-  for (const std::size_t i : stage.entries)
-    if (entries[i].hasPoint()) {
+  std::vector<std::size_t> indices, others;
+  for (const std::size_t i : stage.entries) {
+    if (!entries[i].hasPoint())
+      continue;
+    const bool isCompared =
+        !verdict || verdict->compared.empty() || verdict->compared.contains(entries[i].cell);
+    if (isCompared)
       points.push_back({*entries[i].bytes, *entries[i].speed});
-      indices.push_back(i);
-    }
+    (isCompared ? indices : others).push_back(i);
+  }
   const std::vector<Standing> found = standings(points);
   for (std::size_t i = 0; i < indices.size(); ++i)
     entries[indices[i]].standing = {found[i].place, indices[found[i].rival]};
+  std::ranges::sort(indices, {}, [&](std::size_t i) { return *entries[i].bytes; });
+  for (const std::size_t i : others)
+    rankOther(entries[i], entries, indices);
 }
 
 Stage makeStage(const std::vector<Entry> &entries, const std::vector<std::size_t> &indices, Passes usual) {
@@ -164,12 +186,20 @@ bool Entry::hasPass(std::string_view pass) const {
   return std::ranges::find(cell->format.passes, pass) != cell->format.passes.end();
 }
 
-Catalogue makeCatalogue(const std::vector<Cell> &cells) {
+const SearchVerdict *Catalogue::verdictOn(const Stage &stage) const {
+  const std::string key = searchStage(*entries[stage.entries.front()].cell);
+  const auto found = std::ranges::find_if(
+      verdicts, [&](const SearchVerdict &verdict) { return verdict.stages.contains(key); });
+  return found == verdicts.end() ? nullptr : &*found;
+}
+
+Catalogue makeCatalogue(const std::vector<Cell> &cells, std::vector<SearchVerdict> verdicts) {
   Catalogue catalogue;
+  catalogue.verdicts = std::move(verdicts);
   catalogue.entries = makeEntries(cells, catalogue);
   catalogue.stages = makeStages(catalogue);
   for (const Stage &stage : catalogue.stages)
-    rank(stage, catalogue.entries);
+    rank(stage, catalogue.entries, catalogue.verdictOn(stage));
   return catalogue;
 }
 

@@ -6,6 +6,7 @@
 #include "report/FormatLook.h"
 #include "report/Pareto.h"
 #include "report/PassNames.h"
+#include "report/SearchVerdict.h"
 
 #include <cstddef>
 #include <optional>
@@ -64,10 +65,14 @@ struct Catalogue {
   std::vector<std::string> columns; ///< Likewise, of all entries.
   std::size_t formats = 0;
   std::vector<std::string> devices;
+  std::vector<SearchVerdict> verdicts; ///< Of what searches measured.
+
+  /// The verdict that a stage's cells are in; null if they are of no search.
+  const SearchVerdict *verdictOn(const Stage &stage) const;
 };
 
-/// The cells must outlive the catalogue.
-Catalogue makeCatalogue(const std::vector<Cell> &cells);
+/// The cells must outlive the catalogue; `verdicts` are on some of them.
+Catalogue makeCatalogue(const std::vector<Cell> &cells, std::vector<SearchVerdict> verdicts = {});
 
 /// What a speed counts in: "Mrays/CPU s" or "Mrays/GPU s".
 std::string speedUnit(bool hasClock);

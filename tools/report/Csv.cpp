@@ -3,6 +3,7 @@
 
 #include "report/BuildCommand.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace voxc::report {
@@ -34,6 +35,16 @@ Text yesOrNo(bool value) { return value ? "yes" : "no"; }
 
 Text standing(const Entry &entry) {
   return !entry.hasPoint() ? "" : entry.isLeading() ? "on" : entry.isAsGood() ? "as good" : "off";
+}
+
+/// The questions that the format answers in the verdict of its search: "smallest balanced".
+Text answered(const Catalogue &catalogue, const Entry &entry) {
+  Text questions;
+  for (const SearchVerdict &verdict : catalogue.verdicts)
+    for (const SearchAnswer &answer : verdict.answers)
+      if (std::ranges::count(verdict.frontier[answer.finalist].cells, entry.cell) > 0)
+        questions += (questions.empty() ? "" : "; ") + answer.question;
+  return questions;
 }
 
 template <typename Member> Text ofPrediction(const Entry &entry, Member tool::bench::PredictedPart::*figure) {
@@ -103,19 +114,20 @@ Text field(const Text &value) {
   return quoted + "\"";
 }
 
-template <typename FieldOf> Text line(FieldOf fieldOf) {
+/// The last column is of the whole catalogue.
+template <typename FieldOf> Text line(FieldOf fieldOf, const Text &last) {
   Text text;
   for (const Column &column : kColumns)
-    text += (&column == kColumns ? "" : ",") + field(fieldOf(column));
-  return text + "\r\n";
+    text += field(fieldOf(column)) + ",";
+  return text + field(last) + "\r\n";
 }
 
 } // namespace
 
 std::string toCsv(const Catalogue &catalogue) {
-  std::string csv = line([](const Column &column) { return Text(column.heading); });
+  std::string csv = line([](const Column &column) { return Text(column.heading); }, "verdict");
   for (const Entry &entry : catalogue.entries)
-    csv += line([&](const Column &column) { return column.text(entry); });
+    csv += line([&](const Column &column) { return column.text(entry); }, answered(catalogue, entry));
   return csv;
 }
 

@@ -13,6 +13,9 @@ namespace voxc::report {
 /// resolution with the same rays.
 std::string verdictHtml(const Catalogue &catalogue, const std::vector<const Stage *> &stages);
 
+/// The same of a search: what it answers for all of its sets of rays together, in its own words.
+std::string searchVerdictHtml(const SearchVerdict &verdict);
+
 /// The chart of a stage, the table of its leaders, and what else is to be said of it; nothing if it has no
 /// points. `isAlone`: no other figure stands beside it.
 std::string stageFigure(const Catalogue &catalogue, const Stage &stage, const ChartRange &range,

@@ -85,12 +85,19 @@ std::vector<Group> groupsOf(const Catalogue &catalogue, const std::string &model
   return groups;
 }
 
-/// The verdicts of a group, one for each set of rays, with their names where there are several.
+/// The verdicts of a group, one for each search and one for each other set of rays, with their names where
+/// there are several.
 std::string verdicts(const Catalogue &catalogue, const Group &group, bool isOnly) {
   std::vector<std::string> columns;
   std::vector<std::vector<const Stage *>> stages;
+  std::vector<const SearchVerdict *> searches;
   for (const std::size_t i : group.stages) {
     const Stage &stage = catalogue.stages[i];
+    if (const SearchVerdict *search = catalogue.verdictOn(stage)) {
+      if (std::ranges::find(searches, search) == searches.end())
+        searches.push_back(search);
+      continue;
+    }
     const auto place = static_cast<std::size_t>(std::ranges::find(columns, stage.column) - columns.begin());
     if (place == columns.size()) {
       columns.push_back(stage.column);
@@ -99,9 +106,11 @@ std::string verdicts(const Catalogue &catalogue, const Group &group, bool isOnly
     stages[place].push_back(&stage);
   }
   std::string text;
+  for (const SearchVerdict *search : searches)
+    text += searchVerdictHtml(*search);
   for (const auto &ofRays : stages) {
     const std::string verdict = verdictHtml(catalogue, ofRays);
-    const bool needsTitle = !verdict.empty() && (!isOnly || stages.size() > 1);
+    const bool needsTitle = !verdict.empty() && (!isOnly || stages.size() + searches.size() > 1);
     text += (needsTitle ? textTag("h3", {}, resolutionTitle(*ofRays.front())) : "") + verdict;
   }
   return text;

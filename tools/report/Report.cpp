@@ -42,6 +42,19 @@ Pictures loadPictures(const std::vector<Cell> &cells, std::size_t bytes, std::ve
   return pictures;
 }
 
+/// The verdict of a search that has just ended, and those on stages that it says nothing of.
+std::vector<SearchVerdict> allVerdicts(const std::vector<Cell> &cells, std::optional<SearchVerdict> own) {
+  std::vector<SearchVerdict> verdicts = searchVerdicts(cells);
+  if (!own)
+    return verdicts;
+  std::erase_if(verdicts, [&](const SearchVerdict &verdict) {
+    return std::ranges::any_of(verdict.stages,
+                               [&](const std::string &stage) { return own->stages.contains(stage); });
+  });
+  verdicts.insert(verdicts.begin(), std::move(*own));
+  return verdicts;
+}
+
 /// A section with its place in the list of contents, which it has if it is not empty.
 struct Section {
   const char *id, *name;
@@ -78,9 +91,10 @@ std::string makePage(const Catalogue &catalogue, const Pictures &pictures, const
 
 } // namespace
 
-Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes, const std::string &csvName) {
+Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes, const std::string &csvName,
+                  std::optional<SearchVerdict> own) {
   Report report;
-  const Catalogue catalogue = makeCatalogue(cells);
+  const Catalogue catalogue = makeCatalogue(cells, allVerdicts(cells, std::move(own)));
   const std::size_t taken = makePage(catalogue, {}, modelNotes, csvName).size();
   const std::size_t left = taken < kPageBytes ? kPageBytes - taken : 0;
   report.html = makePage(catalogue, loadPictures(cells, left, report.notes), modelNotes, csvName);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "report/Cells.h"
+#include "report/SearchVerdict.h"
 
 #include <map>
 #include <string>
@@ -19,8 +20,9 @@ struct Report {
 };
 
 /// The report of these cells; pictures are read from where the records say. `csvName` is what the page's
-/// link to the comma-separated values says; without it there is no link.
+/// link to the comma-separated values says; without it there is no link. `own` is the verdict of a search on
+/// some of the cells, by one that has just ended; what others of `voxc search` say is found by the cells.
 Report makeReport(const std::vector<Cell> &cells, const ModelNotes &modelNotes = {},
-                  const std::string &csvName = {});
+                  const std::string &csvName = {}, std::optional<SearchVerdict> own = {});
 
 } // namespace voxc::report

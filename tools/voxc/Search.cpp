@@ -6,6 +6,7 @@
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "common/TimeBudget.h"
 #include "report/Cells.h"
 #include "report/Report.h"
 #include "search/KeptWeights.h"
@@ -15,6 +16,7 @@
 #include "sweep/Machine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -25,8 +27,14 @@ namespace {
 /// Volumes of more than so many times the bytes of the smallest are not looked for.
 constexpr double kSizesOfUse = 64;
 
-/// Of the budget, that foretelling may take.
+/// Of the time that is left when the input was read, that rating formats may take, and replaying rays again,
 constexpr double kExploringShare = 0.25;
+/// and both together at most, whatever the formats are that it begins with: less where few seconds are left.
+constexpr double kMostExploring = 0.6, kLeastExploring = 0.25, kSecondsOfMeasuring = 12;
+
+/// Seconds that the report and the end of the process take, and the share of the budget that they are at
+/// most.
+constexpr double kEndSeconds = 0.3, kEndShare = 0.1;
 
 std::vector<std::string> namesOf(const std::vector<bench::RaySet> &sets) {
   std::vector<std::string> names;
@@ -42,6 +50,13 @@ public:
   Expected<void> run() override;
 
 private:
+  /// Progress that ends with the budget: not of what others are waited for.
+  Progress bounded() const { return options_.shares.areElsewhere() ? progress_ : budget_.within(progress_); }
+  /// Whether work was ended by the budget, and not by the user.
+  bool isOutOfTime(const Error &error) const {
+    return error.kind == ErrorKind::Interrupted && !progress_.stopped();
+  }
+  Error tooShort(const std::string &meanwhile) const;
   Explored foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
                     std::vector<Candidate> seeds) const;
   Expected<void> search(Scene &scene, Json &figures);
@@ -49,43 +64,81 @@ private:
                                   bench::SweepAxes &axes, Json &figures);
   Expected<void> measure(Scene &scene, bench::SweepAxes &axes, Explored explored, const SpeedModel &model,
                          Json &figures);
-  Expected<void> tell(const SearchResult &result, Json &figures);
+  /// What the verdict is told of.
+  struct Told {
+    const bench::SweepAxes &axes;
+    std::size_t rated; ///< Formats.
+    const Race &race;
+    const Contest &contest;
+  };
+  Expected<void> tell(const Told &told, Json &figures);
   void addKnown(const Scene &scene, std::vector<Candidate> &seeds) const;
 
   SearchOptions options_;
   Progress progress_;
   ProgressBar *bar_ = nullptr;
   Stopwatch watch_;
+  TimeBudget budget_; ///< Until what was found has to be told.
   std::shared_ptr<WorkingMemory> memory_;
   std::vector<bench::Record> known_; ///< What earlier searches found.
   std::string recordsName_ = bench::kResultsName;
 };
 
+/// The budget ended before anything was measured.
+Error SearchCommand::tooShort(const std::string &meanwhile) const {
+  constexpr double kUsual[] = {1,  2,   5,   10,  15,  20,   30,   45,   60,
+                               90, 120, 180, 300, 600, 1200, 1800, 3600, 7200};
+  // What comes after takes about as long again, and the machine may be busy.
+  constexpr double kTimes = 3;
+  const auto enough = std::ranges::lower_bound(kUsual, kTimes * std::max(watch_.seconds(), options_.budget));
+  const double seconds = enough == std::end(kUsual) ? kTimes * options_.budget : *enough;
+  return Error::usage("the budget ended while " + meanwhile + ", before one format was measured; about " +
+                      std::to_string(std::lround(seconds)) + "s is the least for this input (--budget)");
+}
+
 Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
                                  std::vector<Candidate> seeds) const {
   Rater rater(scene.priced());
   ExploreOptions options = options_.explore;
-  options.seconds = kExploringShare * options_.budget;
+  options.seconds = kExploringShare * std::max(budget_.left(), 0.0);
+  Progress progress = bounded();
   if (!options_.formatList.empty()) {
     // They and no others: nothing is rewritten, nothing left out.
     options.mostFormats = seeds.size();
     options.kept = std::numeric_limits<double>::infinity();
-  } else if (options_.maxLevels > 0) {
+  } else {
+    const double left = std::max(budget_.left(), 0.0);
+    const double most =
+        std::min(kMostExploring * left, std::max(kLeastExploring * left, left - kSecondsOfMeasuring));
+    progress = budget_.endingAfter(budget_.spent() + most).within(progress_);
+  }
+  if (options_.formatList.empty() && options_.maxLevels > 0) {
     options.maxLevels = options_.maxLevels;
     std::erase_if(seeds,
                   [&](const Candidate &seed) { return seed.format.levels.size() > options.maxLevels; });
   }
-  return explore(rater, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress_);
+  return explore(rater, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress);
 }
 
-Expected<void> SearchCommand::tell(const SearchResult &result, Json &figures) {
-  bar_->clear();
-  addSearchFigures(figures, result);
-  std::fputs(searchReport(result).c_str(), stdout);
+Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
   const auto cells = report::readCells({options_.folder});
   if (!cells)
     return cells.error();
-  const report::Report report = report::makeReport(*cells, {}, "report.csv");
+  report::SearchVerdict verdict = verdictOf(*cells, told.contest, options_.objective());
+  const SearchResult result{.input = options_.input,
+                            .arguments = options_.inputArguments,
+                            .device = told.axes.devices.front().part.name,
+                            .rays = namesOf(told.axes.models.front().rays),
+                            .rated = told.rated,
+                            .kept = told.race.formats().size(),
+                            .seconds = watch_.seconds(),
+                            .race = told.race,
+                            .contest = told.contest,
+                            .verdict = verdict};
+  bar_->clear();
+  addSearchFigures(figures, result);
+  std::fputs(searchReport(result).c_str(), stdout);
+  const report::Report report = report::makeReport(*cells, {}, "report.csv", std::move(verdict));
   for (const auto &[name, text] : {std::pair("/report.html", &report.html), {"/report.csv", &report.csv}})
     if (Expected<void> written = writeText(options_.folder + name, *text); !written)
       return written;
@@ -99,7 +152,6 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
                                       const SpeedModel &model, Json &figures) {
   const auto smallest = std::ranges::min_element(explored.formats, {}, &RatedFormat::bytes);
   const double mostBytes = kSizesOfUse * static_cast<double>(smallest->bytes());
-  const std::size_t kept = explored.formats.size();
   Race race(std::move(explored.formats), model, {.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
   auto writer = bench::RecordWriter::open(options_.folder + "/" + recordsName_);
   if (!writer)
@@ -113,12 +165,12 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
                               .maxBytes = options_.wish.maxBytes,
                               .folder = options_.folder,
                               .madeBy = bench::madeBy(options_.commandText())},
-                             memory_, progress_);
+                             memory_, bounded());
   if (!arena)
-    return arena.error();
+    return isOutOfTime(arena.error()) ? tooShort("exact hits were found") : arena.error();
   // What others took for their shares is not of this budget.
-  ContestOptions contestOptions{.seconds = options_.budget -
-                                           (options_.shares.areElsewhere() ? 0 : watch_.seconds())};
+  ContestOptions contestOptions{.budget =
+                                    options_.shares.areElsewhere() ? TimeBudget(options_.budget) : budget_};
   if (options_.all)
     contestOptions.leastGain = -1;
   if (options_.shares.share())
@@ -129,17 +181,9 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
   if ((!measured && (!isInterrupted || contest.findings().empty())) || options_.shares.share())
     return measured;
-  Expected<void> told = tell({.input = options_.input,
-                              .arguments = options_.inputArguments,
-                              .device = axes.devices.front().part.name,
-                              .wish = options_.wish,
-                              .rays = namesOf(axes.models.front().rays),
-                              .rated = explored.rated,
-                              .kept = kept,
-                              .seconds = watch_.seconds(),
-                              .race = race,
-                              .contest = contest},
-                             figures);
+  if (measured && contest.findings().empty())
+    return tooShort("the first format was built");
+  Expected<void> told = tell({axes, explored.rated, race, contest}, figures);
   // The answer stands without what the next search would begin with.
   if (Expected<void> remembered = keepSpeedModel(axes.devices.front().part.name, race.model());
       !remembered && !options_.common.quiet)
@@ -188,18 +232,19 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   known_ = std::move(*known);
   if (options_.formatList.empty())
     addKnown(scene, *seeds);
+  noteOtherSizes(*seeds, scene, options_.common);
   if (const auto share = options_.shares.share()) {
     recordsName_ = bench::shareFileName(searchDigest(*seeds, *axes), *share);
     keepShare(*seeds, *share);
   }
-  const SpeedModel model = speedModelFor(axes->devices.front().part.name);
+  const SpeedModel model = knownSpeedsOf(axes->devices.front().part.name).model;
   const Stopwatch exploring;
   Explored explored = foretell(scene, replayedRays(scene, *axes), model, *seeds);
   figures["explore_seconds"] = exploring.seconds();
   if (progress_.stopped())
     return Error::interrupted();
   if (explored.formats.empty())
-    return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
+    return budget_.isOver() ? tooShort("speeds were foretold") : explainNone(*seeds, scene);
   if (options_.shares.areElsewhere()) {
     if (Expected<void> measured = measureElsewhere(explored, *seeds, *axes, figures); !measured)
       return measured;
@@ -213,6 +258,7 @@ Expected<void> SearchCommand::run() {
   watch_ = {};
   if (Expected<void> usable = options_.read(); !usable)
     return usable;
+  budget_ = TimeBudget(options_.budget - std::min(kEndSeconds, kEndShare * options_.budget));
   if (Expected<void> made = makeOutputFolder(options_.folder + "/cache"); !made)
     return made;
   bench::disableShaderCaches();
@@ -222,8 +268,10 @@ Expected<void> SearchCommand::run() {
   memory_ = makeWorkingMemory(options_.building);
   Json figures;
   Expected<Scene> scene =
-      readScene(options_.input, options_.inputArguments, memory_, options_.common, progress_, figures);
-  return scene ? search(*scene, figures) : scene.error();
+      readScene(options_.input, options_.inputArguments, memory_, options_.common, bounded(), figures);
+  if (!scene)
+    return isOutOfTime(scene.error()) ? tooShort("the input was read") : scene.error();
+  return search(*scene, figures);
 }
 
 } // namespace

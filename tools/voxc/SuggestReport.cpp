@@ -2,6 +2,7 @@
 #include "SuggestReport.h"
 
 #include "search/BuildCommand.h"
+#include "search/KeptWeights.h"
 #include "search/RatedFigures.h"
 
 #include <algorithm>
@@ -54,6 +55,16 @@ std::string table(const Suggestion &suggestion) {
   return text;
 }
 
+/// How far off speeds may be, and how that is mended.
+std::string trustIn(const Suggestion &suggestion) {
+  if (suggestion.areSpeedsMeasured)
+    return "speeds are foretold by what a search measured on this machine\n";
+  return print("speeds are foretold from another machine's, and were up to %.1f times off\n  to measure on "
+               "this machine: ",
+               kWorstUnmeasured) +
+         searchCommand(suggestion.input, suggestion.arguments, suggestion.device) + "\n";
+}
+
 } // namespace
 
 std::string suggestReport(const Suggestion &suggestion, bool all) {
@@ -70,8 +81,7 @@ std::string suggestReport(const Suggestion &suggestion, bool all) {
     text += besides("fastest", *fastest, choice);
   if (smallest->bytes() < choice.bytes())
     text += besides("smallest", *smallest, choice);
-  text += print("  of %zu formats, priced to the word; speeds are foretold, and voxc bench measures them\n",
-                suggestion.rated.size());
+  text += print("  of %zu formats, priced to the word; ", suggestion.rated.size()) + trustIn(suggestion);
   if (all)
     text += table(suggestion);
   return text + "\n" + buildCommand(suggestion.input, suggestion.arguments, choice.candidate) + "\n";
@@ -81,6 +91,7 @@ void addSuggestFigures(Json &figures, const Suggestion &suggestion) {
   figures["input"] = suggestion.input;
   figures["resolution"] = suggestion.arguments.resolution;
   figures["device"] = suggestion.device;
+  figures["speeds_measured_here"] = suggestion.areSpeedsMeasured;
   figures["voxels"] = suggestion.voxels;
   figures["value_words"] = suggestion.valueWords;
   const std::vector<bool> frontier = frontierOf(suggestion.rated);

@@ -2,6 +2,7 @@
 // rays.
 #pragma once
 
+#include "voxc/Search/Frontier.h"
 #include "voxc/Search/Rater.h"
 
 #include <cstdint>
@@ -33,5 +34,7 @@ std::vector<bool> frontierOf(std::span<const RatedFormat> rated);
 
 /// The one that the wish asks for; none of none.
 std::optional<std::size_t> choose(std::span<const RatedFormat> rated, const Wish &wish);
+/// The same of sizes and times, as of formats that were measured.
+std::optional<std::size_t> choose(std::span<const SizeTime> points, Wish::Objective objective);
 
 } // namespace voxc

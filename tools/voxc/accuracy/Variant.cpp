@@ -70,10 +70,10 @@ Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volu
 }
 
 Expected<void> traceOnce(Contestant &contestant, std::span<const Ray> rays, bool counted,
-                         const std::atomic<bool> *stop) {
+                         const Progress &progress) {
   Json figures;
   contestant.hits.resize(rays.size());
-  const TraceOptions options{.spread = contestant.spread, .progress = {.stop = stop}};
+  const TraceOptions options{.spread = contestant.spread, .progress = progress.silent()};
   if (Expected<void> traced = contestant.tracing.trace(rays, contestant.hits, options, figures); !traced)
     return traced;
   contestant.order = figures["order"];
@@ -102,7 +102,7 @@ Expected<void> traceInTurn(std::span<const std::unique_ptr<Contestant>> contesta
       progress.at("trace", done / static_cast<double>((rounds + 1) * contestants.size()), 0);
       if (progress.stopped())
         return Error::interrupted();
-      if (Expected<void> traced = traceOnce(*contestants[i], rays, round > 0, progress.stop); !traced)
+      if (Expected<void> traced = traceOnce(*contestants[i], rays, round > 0, progress); !traced)
         return traced;
     }
   return {};

@@ -61,9 +61,9 @@ Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volu
                                               const std::string &order = kAutoOrder);
 
 /// Traces the rays once. The times are kept if they are `counted`; those of a first run are not. Errors: the
-/// device's; `Interrupted` if `stop` is set meanwhile.
+/// device's; `Interrupted` if it is told to stop meanwhile.
 Expected<void> traceOnce(Contestant &contestant, std::span<const Ray> rays, bool counted,
-                         const std::atomic<bool> *stop = nullptr);
+                         const Progress &progress = {});
 
 /// Traces the rays by each in turn, `rounds` times over (A B C A B C ...), after a round that is not counted
 /// and leaves the hits; earlier findings are replaced.

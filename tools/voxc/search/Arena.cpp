@@ -10,6 +10,7 @@
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Search/SceneSource.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
 #include <array>
@@ -57,8 +58,11 @@ struct Arena::Entrant {
   std::vector<SetTimes> times;
   std::optional<Failure> failure;
   bool isBeaten = false;
+  bool isLate = false;     ///< There was no time to prepare it.
+  unsigned rounds = 0;     ///< That it has been traced in, the first one not counted.
+  double roundSeconds = 0; ///< That the last of them took.
 
-  bool runs() const { return contestant && !failure && !isBeaten; }
+  bool runs() const { return contestant && !failure && !isBeaten && !isLate; }
   void fail(const char *stage, const Error &error) {
     failure = {stage, error.message, {}};
     contestant.reset();
@@ -160,7 +164,7 @@ std::optional<Volume> loadKept(const std::string &path, const std::string &figur
 
 } // namespace
 
-Expected<Volume> Arena::build(const RatedFormat &format, Record &record, const Progress &progress) const {
+Expected<Volume> Arena::build(const RatedFormat &format, Record &record, const Progress &progress) {
   const std::string path = volumePath(format);
   const std::string figuresPath = fs::path(path).replace_extension(kFiguresEnding).string();
   Json figures;
@@ -169,16 +173,18 @@ Expected<Volume> Arena::build(const RatedFormat &format, Record &record, const P
     return std::move(*kept);
   }
   const Format storage = storageFormat(format.candidate.format);
+  const Stopwatch compiling;
   const auto constructor = Constructor::compile(storage);
   if (!constructor)
     return constructor.error();
+  slowestCompile_ = std::max(slowestCompile_, compiling.seconds());
   const auto source = makeSceneSource(*scene_->colours, scene_->extent, scene_->voxelToModel);
   Expected<Built> built =
       constructor->build(*source, {.provenance = scene_->provenance,
                                    .threads = options_.threads,
                                    .memory = memory_,
                                    .path = path,
-                                   .progress = {.stop = progress.stop},
+                                   .progress = progress.silent(),
                                    .maxWords = options_.maxBytes / sizeof(std::uint32_t)});
   if (!built)
     return built.error();
@@ -198,7 +204,7 @@ Expected<Volume> Arena::build(const RatedFormat &format, Record &record, const P
   return std::move(built->volume);
 }
 
-Expected<void> Arena::prepare(Entrant &entrant, const Progress &progress) const {
+Expected<void> Arena::prepare(Entrant &entrant, const Heat &heat, const Progress &progress) {
   entrant.times.resize(rays_.size());
   Record &first = entrant.records.front();
   Expected<Volume> volume = build(*entrant.format, first, progress);
@@ -208,6 +214,8 @@ Expected<void> Arena::prepare(Entrant &entrant, const Progress &progress) const 
     entrant.fail("build", volume.error());
     return {};
   }
+  if (!heat.budget.allows(slowestCompile_))
+    return Error::interrupted();
   for (Record &record : entrant.records) {
     record.volume = first.volume;
     record.build = first.build;
@@ -216,11 +224,13 @@ Expected<void> Arena::prepare(Entrant &entrant, const Progress &progress) const 
   entrant.volume = std::move(*volume);
   Format kernel = entrant.format->candidate.format;
   kernel.setAttribute(kPrecisionAttribute, axes_->precisions.front());
+  const Stopwatch watch;
   auto contestant = tool::prepare({.precision = axes_->precisions.front(),
                                    .device = axes_->devices.front().asked,
                                    .format = std::move(kernel)},
                                   *entrant.volume, options_.threads,
                                   entrant.records.front().rays.order.value_or(kAutoOrder));
+  slowestCompile_ = std::max(slowestCompile_, watch.seconds());
   if (contestant)
     entrant.contestant = std::move(*contestant);
   else
@@ -231,7 +241,7 @@ Expected<void> Arena::prepare(Entrant &entrant, const Progress &progress) const 
 Expected<void> Arena::traceRound(Entrant &entrant, bool counted, const Progress &progress) const {
   for (std::size_t set = 0; set < rays_.size(); ++set) {
     Contestant &contestant = *entrant.contestant;
-    const auto traced = traceOnce(contestant, rays_[set].rays, counted, progress.stop);
+    const auto traced = traceOnce(contestant, rays_[set].rays, counted, progress);
     if (progress.stopped())
       return Error::interrupted();
     if (!traced) {
@@ -257,8 +267,9 @@ Expected<void> Arena::traceRound(Entrant &entrant, bool counted, const Progress 
   return {};
 }
 
-Expected<void> Arena::examine(Entrant &entrant, bool countsWork) const {
-  if (!countsWork)
+Expected<void> Arena::examine(Entrant &entrant, const Heat &heat) const {
+  // Words are counted by another kernel.
+  if (!heat.countsWork || !heat.budget.allows(2 * slowestCompile_))
     return {};
   Json ignored;
   Tracing &tracing = entrant.contestant->tracing;
@@ -306,24 +317,19 @@ Finding Arena::finish(Entrant &entrant) const {
   return finding;
 }
 
-Expected<std::vector<Finding>> Arena::measure(std::span<const RatedFormat *const> formats,
-                                              std::span<const std::vector<double>> predicted,
-                                              const Heat &heat, const Progress &progress) {
-  std::vector<Entrant> entrants;
-  for (std::size_t i = 0; i < formats.size(); ++i) {
-    Entrant &entrant = entrants.emplace_back(Entrant{formats[i], recordsOf(*formats[i]), {}, {}, {}, {}});
-    for (std::size_t set = 0; set < entrant.records.size(); ++set)
-      entrant.records[set].predicted = {formats[i]->price.words(), 1000 / predicted[i][set],
-                                        formats[i]->costs[set].turns, formats[i]->costs[set].lines};
-    if (Expected<void> prepared = prepare(entrant, progress); !prepared)
-      return prepared.error();
-  }
+Expected<void> Arena::traceRounds(std::vector<Entrant> &entrants, const Heat &heat,
+                                  const Progress &progress) const {
   for (unsigned round = 0; round <= heat.rounds; ++round)
     for (Entrant &entrant : entrants) {
       if (!entrant.runs())
         continue;
+      if (!heat.budget.allows(entrant.roundSeconds))
+        return Error::interrupted();
+      const Stopwatch watch;
       if (Expected<void> traced = traceRound(entrant, round > 0, progress); !traced)
         return traced.error();
+      entrant.rounds = round;
+      entrant.roundSeconds = watch.seconds();
       if (round < kLeastRounds || !heat.isBeaten || !entrant.runs())
         continue;
       double least = 0;
@@ -333,10 +339,36 @@ Expected<std::vector<Finding>> Arena::measure(std::span<const RatedFormat *const
       entrant.isBeaten = heat.isBeaten(static_cast<double>(entrant.format->bytes()),
                                        least / static_cast<double>(rays_.size()));
     }
+  return {};
+}
+
+Expected<std::vector<Finding>> Arena::measure(std::span<const RatedFormat *const> formats,
+                                              std::span<const std::vector<double>> predicted,
+                                              const Heat &heat, const Progress &progress) {
+  const Progress bounded = heat.budget.within(progress);
+  std::vector<Entrant> entrants;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    Entrant &entrant = entrants.emplace_back(Entrant{formats[i], recordsOf(*formats[i]), {}, {}, {}, {}});
+    for (std::size_t set = 0; set < entrant.records.size(); ++set)
+      entrant.records[set].predicted = {formats[i]->price.words(), 1000 / predicted[i][set],
+                                        formats[i]->costs[set].turns, formats[i]->costs[set].lines};
+    if (!bounded.stopped())
+      entrant.isLate = !prepare(entrant, heat, bounded);
+    else
+      entrant.isLate = true;
+  }
+  // What the budget ends keeps the rounds that were finished.
+  static_cast<void>(traceRounds(entrants, heat, bounded));
+  if (progress.stopped())
+    return Error::interrupted();
   std::vector<Finding> findings;
   for (Entrant &entrant : entrants) {
+    if (!entrant.failure && (entrant.isLate || entrant.rounds < heat.leastRounds)) {
+      findings.emplace_back();
+      continue;
+    }
     if (entrant.contestant && !entrant.failure)
-      if (const auto examined = examine(entrant, heat.countsWork); !examined)
+      if (const auto examined = examine(entrant, heat); !examined)
         entrant.fail("trace", examined.error());
     findings.push_back(finish(entrant));
   }

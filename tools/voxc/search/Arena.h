@@ -6,6 +6,7 @@
 
 #include "accuracy/Variant.h"
 #include "bench/Record.h"
+#include "common/TimeBudget.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Search/Rater.h"
 #include "voxc/Volume/Volume.h"
@@ -31,12 +32,16 @@ struct Heat {
   bool countsWork = false; ///< Finds steps and words a ray, for which another kernel may be compiled.
   /// True if a format that takes so many bytes, and at best so many nanoseconds a ray, need not be traced on.
   std::function<bool(double bytes, double nanoseconds)> isBeaten;
+  /// Until when: what it does not allow is not begun, and what is under way stops when it is over.
+  TimeBudget budget;
+  unsigned leastRounds = 1; ///< A format with fewer, when the budget is over, has no finding.
 };
 
 /// What was found of a format.
 struct Finding {
-  std::vector<bench::Record> records; ///< For each set of rays; all have failed, or none.
-  std::vector<double> nanoseconds;    ///< Of each set, by what the device's clock counts; empty if it failed.
+  std::vector<bench::Record>
+      records;                     ///< For each set of rays; all have failed, or none. Empty: no time left.
+  std::vector<double> nanoseconds; ///< Of each set, by what the device's clock counts; empty if it failed.
 };
 
 struct ArenaOptions {
@@ -55,7 +60,8 @@ public:
                                 const std::shared_ptr<WorkingMemory> &memory, const Progress &progress);
 
   /// Builds the formats, traces them in turn and checks them. `predicted` are nanoseconds of each format and
-  /// set. Error: `Interrupted`; what goes wrong with a format is its finding.
+  /// set. Error: `Interrupted`, by the caller's flag and not by the budget; what goes wrong with a format is
+  /// its finding.
   Expected<std::vector<Finding>> measure(std::span<const RatedFormat *const> formats,
                                          std::span<const std::vector<double>> predicted, const Heat &heat,
                                          const Progress &progress);
@@ -74,10 +80,12 @@ private:
         const std::shared_ptr<WorkingMemory> &memory)
       : scene_(&scene), axes_(&axes), options_(std::move(options)), memory_(memory) {}
 
-  Expected<Volume> build(const RatedFormat &format, bench::Record &record, const Progress &progress) const;
-  Expected<void> prepare(Entrant &entrant, const Progress &progress) const;
+  Expected<Volume> build(const RatedFormat &format, bench::Record &record, const Progress &progress);
+  Expected<void> prepare(Entrant &entrant, const Heat &heat, const Progress &progress);
   Expected<void> traceRound(Entrant &entrant, bool counted, const Progress &progress) const;
-  Expected<void> examine(Entrant &entrant, bool countsWork) const;
+  Expected<void> traceRounds(std::vector<Entrant> &entrants, const Heat &heat,
+                             const Progress &progress) const;
+  Expected<void> examine(Entrant &entrant, const Heat &heat) const;
   Finding finish(Entrant &entrant) const;
 
   const Scene *scene_;
@@ -86,6 +94,7 @@ private:
   std::shared_ptr<WorkingMemory> memory_;
   std::vector<MeasuredRays> rays_;
   std::unique_ptr<Oracle> oracle_;
+  double slowestCompile_ = 0; ///< Seconds that compiling took, which nothing can interrupt.
 };
 
 } // namespace voxc::tool

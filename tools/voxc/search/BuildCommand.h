@@ -16,4 +16,8 @@ std::string nameOf(const Candidate &candidate);
 std::string buildCommand(const std::string &input, const InputArguments &arguments,
                          const Candidate &candidate);
 
+/// "voxc search scene.ply --resolution=512 --device cpu -o found".
+std::string searchCommand(const std::string &input, const InputArguments &arguments,
+                          const std::string &device);
+
 } // namespace voxc::tool

@@ -19,6 +19,10 @@ constexpr double kNear = 1.04;
 constexpr double kLastCost = 2;
 /// What a format takes, until that is measured.
 constexpr double kUsualSeconds = 0.7;
+/// Of the last rounds, so many make times that can be compared.
+constexpr unsigned kLeastLastRounds = 3;
+/// Seconds by which the first format may be late, so that a search has an answer.
+constexpr double kGrace = 0.25;
 
 /// What a record says of the time of a ray.
 std::optional<double> nanosecondsOf(const Record &record) {
@@ -78,8 +82,15 @@ Expected<void> Contest::measure(const std::vector<std::size_t> &formats, const H
   auto found = arena_.measure(rated, predicted, heat, progress);
   if (!found)
     return found.error();
+  const auto isUnfinished = [](const Finding &finding) { return finding.records.empty(); };
+  const bool isLast = heat.leastRounds == kLeastLastRounds;
+  // Their times are to be compared: all are used, or none.
+  if (isLast && std::ranges::any_of(*found, isUnfinished))
+    return {};
   for (std::size_t i = 0; i < formats.size(); ++i) {
     Finding &finding = (*found)[i];
+    if (isUnfinished(finding))
+      continue;
     for (Record &record : finding.records) {
       // What was foretold before anything was known of the format stays.
       if (const auto before = findings_.find(formats[i]); before != findings_.end())
@@ -97,13 +108,15 @@ Expected<void> Contest::measure(const std::vector<std::size_t> &formats, const H
   race_.learn();
   measuredSeconds_ += watch.seconds();
   measuredCount_ += formats.size();
+  if (isLast)
+    last_.insert(formats.begin(), formats.end());
   return {};
 }
 
 std::vector<std::size_t> Contest::nearFrontier(double times) const {
   std::vector<std::size_t> order;
   for (const auto &[index, finding] : findings_)
-    if (race_.timeOf(index) && (last_.empty() || last_.contains(index)))
+    if (race_.timeOf(index) && isCompared(index))
       order.push_back(index);
   std::ranges::stable_sort(
       order, {}, [&](std::size_t i) { return std::pair(race_.formats()[i].bytes(), *race_.timeOf(i)); });
@@ -128,37 +141,60 @@ void Contest::forgetBeaten() const {
       arena_.forget(race_.formats()[index]);
 }
 
+double Contest::secondsOfOne() const {
+  return measuredCount_ == 0 ? kUsualSeconds : measuredSeconds_ / static_cast<double>(measuredCount_);
+}
+
 double Contest::reserve() const {
-  const double each =
-      measuredCount_ == 0 ? kUsualSeconds : measuredSeconds_ / static_cast<double>(measuredCount_);
-  return options_.lastRounds == 0 ? 0 : kLastCost * each * static_cast<double>(nearFrontier(kNear).size());
+  return options_.lastRounds == 0
+             ? 0
+             : kLastCost * secondsOfOne() * static_cast<double>(nearFrontier(kNear).size());
+}
+
+std::size_t Contest::nextBatch() const {
+  const double formats = (options_.budget.left() - reserve()) / secondsOfOne();
+  // Until one was measured, how long it takes is a guess.
+  const double share = measuredCount_ == 0 ? 0.5 : 1;
+  return formats <= 0 ? (findings_.empty() ? 1 : 0)
+                      : std::min(options_.together, static_cast<std::size_t>(share * formats) + 1);
 }
 
 Expected<void> Contest::measureFrontier(const Progress &progress) {
   const std::vector<std::size_t> near = nearFrontier(kNear);
-  if (near.empty())
+  if (near.empty() || options_.budget.isOver())
     return {};
-  if (auto measured = measure(near, {options_.lastRounds, true, {}}, progress); !measured)
-    return measured;
-  last_.insert(near.begin(), near.end());
-  return {};
+  return measure(near,
+                 {.rounds = options_.lastRounds,
+                  .countsWork = true,
+                  .budget = options_.budget,
+                  .leastRounds = kLeastLastRounds},
+                 progress);
 }
 
 Expected<void> Contest::run(const Progress &progress) {
   const Progress stop{.stop = progress.stop};
-  while (watch_.seconds() + reserve() < options_.seconds) {
-    const std::vector<std::size_t> batch = race_.next(options_.together, options_.leastGain);
+  const double begin = options_.budget.spent();
+  const double end = begin + options_.budget.left();
+  while (const std::size_t together = nextBatch()) {
+    const std::vector<std::size_t> batch = race_.next(together, options_.leastGain);
     isComplete_ = batch.empty();
     if (isComplete_)
       break;
-    progress.at("measure", std::min(watch_.seconds() / options_.seconds, 1.0), findings_.size());
-    last_.clear();
+    progress.at("measure", std::clamp((options_.budget.spent() - begin) / (end - begin), 0.0, 1.0),
+                findings_.size());
     const Frontier leading = race_.frontier();
     const auto isBeaten = [&](double bytes, double nanoseconds) {
       return nanoseconds > kBeaten * 1000 / std::max(leading.speedAt(bytes), 1e-9);
     };
-    if (Expected<void> measured = measure(batch, {options_.rounds, false, isBeaten}, stop); !measured)
+    const TimeBudget budget = findings_.empty() ? options_.budget.endingAfter(end + kGrace) : options_.budget;
+    const std::size_t before = findings_.size();
+    if (Expected<void> measured =
+            measure(batch, {.rounds = options_.rounds, .isBeaten = isBeaten, .budget = budget}, stop);
+        !measured)
       return measured;
+    if (findings_.size() == before && options_.budget.isOver())
+      break; // Nothing was finished in time.
+    last_.clear();
     forgetBeaten();
   }
   if (options_.lastRounds == 0 || (measuredCount_ == 0 && !last_.empty()))

@@ -16,7 +16,7 @@
 namespace voxc::tool {
 
 struct ContestOptions {
-  double seconds = 0;        ///< Wall time that may pass until the end, from the contest's beginning.
+  TimeBudget budget;         ///< In which it has to end.
   std::size_t together = 4;  ///< Formats of a batch.
   unsigned rounds = 3;       ///< In which each is traced.
   unsigned lastRounds = 7;   ///< The same of the frontier; 0: what is best is not measured once more.
@@ -32,6 +32,7 @@ public:
   /// Takes in what an earlier search measured.
   void takeKnown(const std::vector<bench::Record> &records);
 
+  /// Ends when nothing promises enough, or with the budget: what it leaves unfinished counts for nothing.
   /// Errors: `Interrupted`, with which everything that was found is there; `Environment`.
   Expected<void> run(const Progress &progress);
 
@@ -39,6 +40,8 @@ public:
   bool isComplete() const { return isComplete_; }
   /// What was found of each format, by its number in the race.
   const std::map<std::size_t, Finding> &findings() const { return findings_; }
+  /// Whether the times of a format were taken together with those of the others that this holds for.
+  bool isCompared(std::size_t index) const { return last_.empty() || last_.contains(index); }
   /// Numbers of measured formats that no other beats in both size and speed, from small to large; of those of
   /// the last rounds, if there were any, since times of other moments may be those of a busy machine.
   std::vector<std::size_t> frontier() const { return nearFrontier(1); }
@@ -46,6 +49,10 @@ public:
 private:
   Expected<void> measure(const std::vector<std::size_t> &formats, const Heat &heat, const Progress &progress);
   Expected<void> measureFrontier(const Progress &progress);
+  /// Seconds that a format is expected to take.
+  double secondsOfOne() const;
+  /// How many formats may be measured together in the time that is left for batches.
+  std::size_t nextBatch() const;
   /// Those that take at most so many times the time of the frontier at their size.
   std::vector<std::size_t> nearFrontier(double times) const;
   void forgetBeaten() const;
@@ -58,8 +65,7 @@ private:
   bench::RecordWriter &writer_;
   ContestOptions options_;
   std::map<std::size_t, Finding> findings_;
-  std::set<std::size_t> last_; ///< Formats of the last rounds.
-  Stopwatch watch_;
+  std::set<std::size_t> last_;    ///< Formats of the last rounds.
   double measuredSeconds_ = 0;    ///< Of batches,
   std::size_t measuredCount_ = 0; ///< and their formats.
   bool isComplete_ = false;

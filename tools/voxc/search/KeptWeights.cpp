@@ -61,15 +61,15 @@ bool isText(const Json &entry, const char *key) {
 
 } // namespace
 
-SpeedModel speedModelFor(std::string_view name) {
+KnownSpeeds knownSpeedsOf(std::string_view name) {
   const std::string processor = bench::madeBy("").processor, wanted = lowered(name);
   const Json kept = readKept();
   for (const Json &entry : kept["devices"])
     if (isText(entry, "device") && isText(entry, "processor") && entry["processor"] == processor &&
         lowered(entry["device"].get<std::string>()).find(wanted) != std::string::npos)
       if (const auto model = modelOf(entry))
-        return *model;
-  return defaultSpeedModel(name);
+        return {*model, true};
+  return {defaultSpeedModel(name), false};
 }
 
 Expected<void> keepSpeedModel(const std::string &device, const SpeedModel &model) {

@@ -118,4 +118,49 @@ Expected<std::vector<Candidate>> readCandidates(const std::string &list, const S
   return candidates;
 }
 
+namespace {
+
+int log2SideOf(const Candidate &candidate) { return longest(candidate.format.log2Extent()); }
+
+std::string sideText(int log2Side) { return std::to_string(std::uint64_t{1} << log2Side); }
+
+std::vector<std::string> formatsOfOtherSizes(const std::vector<Candidate> &candidates, const Scene &scene) {
+  std::vector<std::string> others;
+  for (const Candidate &candidate : candidates)
+    if (log2SideOf(candidate) != scene.shape.log2Side() &&
+        (others.empty() || others.back() != candidate.text))
+      others.push_back(candidate.text);
+  return others;
+}
+
+} // namespace
+
+void noteOtherSizes(const std::vector<Candidate> &candidates, const Scene &scene,
+                    const CommonOptions &common) {
+  const std::vector<std::string> others = formatsOfOtherSizes(candidates, scene);
+  const auto fits = [&](const Candidate &candidate) {
+    return log2SideOf(candidate) == scene.shape.log2Side();
+  };
+  if (!others.empty() && !common.quiet && std::ranges::any_of(candidates, fits))
+    printNote("formats that are not of " + sideText(scene.shape.log2Side()) +
+              " voxels a side, as the scene is, are left out: '" + others.front() + "'" +
+              (others.size() > 1 ? " and " + std::to_string(others.size() - 1) + " more" : ""));
+}
+
+Error explainNone(const std::vector<Candidate> &candidates, const Scene &scene) {
+  const auto fits = [&](const Candidate &candidate) {
+    return log2SideOf(candidate) == scene.shape.log2Side();
+  };
+  if (candidates.empty() || std::ranges::any_of(candidates, fits))
+    return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
+  const Candidate &first = candidates.front();
+  const bool isSmaller = log2SideOf(first) < scene.shape.log2Side();
+  return Error::input("no format of the list is of the scene's size: '" + first.text + "' has " +
+                      sideText(log2SideOf(first)) + " voxels a side, " + (isSmaller ? "fewer" : "more") +
+                      " than the " + sideText(scene.shape.log2Side()) +
+                      " that the scene takes; the numbers of a format's levels should add up to " +
+                      std::to_string(scene.shape.log2Side()) + ", as in G(" +
+                      std::to_string(scene.shape.log2Side()) + ")");
+}
+
 } // namespace voxc::tool

@@ -43,6 +43,13 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
 /// those that voxc suggest knows if `list` is "". Errors: those of lists, a line that is no format.
 Expected<std::vector<Candidate>> readCandidates(const std::string &list, const Scene &scene);
 
+/// Why no format of a list could be rated: none is as large as the scene, or all take more than is allowed.
+Error explainNone(const std::vector<Candidate> &candidates, const Scene &scene);
+/// Says which formats of a list are left out since they are for other sizes than the scene's, if only some
+/// are.
+void noteOtherSizes(const std::vector<Candidate> &candidates, const Scene &scene,
+                    const CommonOptions &common);
+
 /// Of each kind: more do not change which format it is.
 inline constexpr std::size_t kReplayedRays = 4096;
 /// Of each kind, among which those are chosen.

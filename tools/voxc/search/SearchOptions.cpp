@@ -111,6 +111,8 @@ std::string SearchOptions::commandText() const {
   std::string text = "voxc search " + shellWord(input);
   for (const std::string &word : bench::toWords(inputArguments))
     text += " " + word;
+  if (wish.objective != Wish::Objective::Balanced)
+    text += " --objective " + objective_;
   return text + " --budget " + budgetText_ + " -o " + shellWord(folder);
 }
 

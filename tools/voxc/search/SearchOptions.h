@@ -36,6 +36,8 @@ struct SearchOptions {
   void declare(const CommandLine &command);
   /// Reads what is written in words. Error: `Usage`.
   Expected<void> read();
+  /// "balanced", "fastest" or "smallest".
+  const std::string &objective() const { return objective_; }
   /// What was typed, as far as it matters to who reads the records.
   std::string commandText() const;
 

@@ -8,12 +8,15 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace voxc::tool {
 
 namespace {
 
 using bench::Record;
+using report::Finalist;
+using report::SearchAnswer;
 
 template <typename... Values> std::string print(const char *format, const Values &...values) {
   std::array<char, 512> text;
@@ -21,161 +24,133 @@ template <typename... Values> std::string print(const char *format, const Values
   return text.data();
 }
 
-std::string sizeText(double bytes) {
-  constexpr double kMebibyte = 1 << 20;
-  return bytes < kMebibyte ? print("%.1f KiB", bytes / 1024) : print("%.2f MiB", bytes / kMebibyte);
+std::string ratioText(const Finalist &finalist) {
+  return finalist.foretoldRatio > 0 ? print("%.2f", finalist.foretoldRatio) : "-";
 }
 
-const RatedFormat &formatOf(const SearchResult &result, std::size_t index) {
-  return result.race.formats()[index];
+std::string table(const report::SearchVerdict &verdict) {
+  std::string text = "\n        size  speed" + std::string(36, ' ') + "foretold/measured  format\n";
+  for (const Finalist &finalist : verdict.frontier)
+    text += print("  %10s  %-40s %17s  ", finalist.sizeText.c_str(), finalist.setSpeedsText.c_str(),
+                  ratioText(finalist).c_str()) +
+            finalist.name + "\n";
+  return text;
 }
 
-double speedOf(const SearchResult &result, std::size_t index) { return 1000 / *result.race.timeOf(index); }
-
-/// "12.1 M/s overview, 3.4 M/s bounced".
-std::string speedsOf(const SearchResult &result, std::size_t index) {
+std::string answers(const report::SearchVerdict &verdict) {
   std::string text;
-  for (const Record &record : result.contest.findings().at(index).records)
-    if (const auto &speed = bench::speedOf(record))
-      text += (text.empty() ? "" : ", ") + print("%.2f M/s ", speed->median) + record.rays.name;
-  return text;
-}
-
-/// How fast the format was foretold to be, of how fast it is; 0 if that is not known, as of what `voxc bench`
-/// measured.
-double foretold(const SearchResult &result, std::size_t index) {
-  double nanoseconds = 0;
-  const auto &records = result.contest.findings().at(index).records;
-  for (const Record &record : records) {
-    const double speed = record.predicted ? record.predicted->mraysPerS.value_or(0) : 0;
-    if (speed <= 0)
-      return 0;
-    nanoseconds += 1000 / speed / static_cast<double>(records.size());
+  for (const SearchAnswer &answer : verdict.answers) {
+    const Finalist &finalist = verdict.frontier[answer.finalist];
+    text += print("%-22s ", (answer.question + ":").c_str()) + finalist.name + ", " + finalist.sizeText +
+            " at " + finalist.speedText + "\n";
   }
-  return *result.race.timeOf(index) / nanoseconds;
-}
-
-std::string foretoldText(const SearchResult &result, std::size_t index) {
-  const double ratio = foretold(result, index);
-  return ratio > 0 ? print("%4.2f", ratio) : "-";
-}
-
-std::string table(const SearchResult &result, const std::vector<std::size_t> &leading) {
-  std::string text = "\n        size  speed" + std::string(38, ' ') + "foretold  format\n";
-  for (const std::size_t i : leading)
-    text +=
-        print("  %10s  %-40s  x %4s  ", sizeText(static_cast<double>(formatOf(result, i).bytes())).c_str(),
-              speedsOf(result, i).c_str(), foretoldText(result, i).c_str()) +
-        nameOf(formatOf(result, i).candidate) + "\n";
   return text;
 }
 
-std::string verdict(const SearchResult &result, const std::string &question, std::size_t index) {
-  const RatedFormat &format = formatOf(result, index);
-  return print("%-22s ", (question + ":").c_str()) + nameOf(format.candidate) +
-         print(", %s at %.2f M/s\n", sizeText(static_cast<double>(format.bytes())).c_str(),
-               speedOf(result, index));
+/// The format of the race that a finalist is; none if records of another kind lie in the folder.
+const RatedFormat *formatOf(const SearchResult &result, const Finalist &finalist) {
+  const bench::FormatPart &wanted = finalist.cells.front()->format;
+  const auto &formats = result.race.formats();
+  const auto found = std::ranges::find_if(formats, [&](const RatedFormat &format) {
+    return format.candidate.text == wanted.name && format.candidate.passes == wanted.passes;
+  });
+  return found == formats.end() ? nullptr : &*found;
 }
 
-/// The fastest that is no larger.
-std::size_t bestBelow(const SearchResult &result, const std::vector<std::size_t> &leading, double bytes) {
-  std::size_t best = leading.front();
-  for (const std::size_t i : leading)
-    if (static_cast<double>(formatOf(result, i).bytes()) <= bytes)
-      best = i;
-  return best;
-}
-
-std::string verdicts(const SearchResult &result, const std::vector<std::size_t> &leading) {
-  std::string text = verdict(result, "smallest", leading.front());
-  // Between the smallest and the fastest, sizes that people name: powers of two.
-  std::size_t last = leading.front();
-  const double least = static_cast<double>(formatOf(result, leading.front()).bytes());
-  const double most = static_cast<double>(formatOf(result, leading.back()).bytes());
-  for (double bytes = std::exp2(std::ceil(std::log2(least))); bytes < most; bytes *= 2)
-    if (const std::size_t best = bestBelow(result, leading, bytes); best != last) {
-      text += verdict(result, "best below " + sizeText(bytes), best);
-      last = best;
-    }
-  return text + verdict(result, "fastest", leading.back());
-}
-
-/// Rays that were checked, and how many of them were wrong.
-struct Checked {
-  std::uint64_t rays = 0, wrong = 0;
-};
-
-Checked checkedBy(const SearchResult &result) {
-  Checked checked;
-  for (const auto &[index, finding] : result.contest.findings())
-    for (const Record &record : finding.records) {
-      checked.rays += record.error.rays.value_or(0);
-      checked.wrong +=
-          record.error.missed.value_or(0) + record.error.ghost.value_or(0) + record.error.wrong.value_or(0);
-    }
-  return checked;
+/// What the command at the end builds.
+std::string meaningOf(const std::string &objective) {
+  constexpr std::pair<const char *, const char *> kMeanings[] = {
+      {"balanced", "balanced, as twice the speed is worth four times the bytes; --objective smallest or "
+                   "fastest prints another's command:"},
+      {"fastest", "fastest (--objective fastest):"},
+      {"smallest", "smallest (--objective smallest):"}};
+  return std::ranges::find(kMeanings, objective, [](const auto &row) { return std::string(row.first); })
+      ->second;
 }
 
 double medianError(const SearchResult &result) {
   std::vector<double> errors;
-  for (const auto &[index, finding] : result.contest.findings())
-    if (const double ratio = result.race.timeOf(index) ? foretold(result, index) : 0; ratio > 0)
-      errors.push_back(std::abs(ratio - 1));
+  for (const auto &[index, finding] : result.contest.findings()) {
+    double foretold = 0; // Nanoseconds.
+    for (const Record &record : finding.records)
+      foretold += record.predicted && record.predicted->mraysPerS.value_or(0) > 0
+                      ? 1000 / *record.predicted->mraysPerS / static_cast<double>(finding.records.size())
+                      : std::nan("");
+    if (const auto time = result.race.timeOf(index); time && foretold > 0)
+      errors.push_back(std::abs(*time / foretold - 1));
+  }
   return median(errors);
+}
+
+Json answerFigures(const Finalist &finalist) {
+  const bench::FormatPart &format = finalist.cells.front()->format;
+  return {{"name", finalist.name},
+          {"format", format.name},
+          {"passes", format.passes},
+          {"bytes", static_cast<std::uint64_t>(finalist.bytes)},
+          {"mrays_per_s", finalist.mraysPerS}};
+}
+
+Json verdictFigures(const report::SearchVerdict &verdict) {
+  Json figures{{"formats", verdict.formats}, {"objective", verdict.objective}};
+  for (const SearchAnswer &answer : verdict.answers)
+    figures[answer.question] = answerFigures(verdict.frontier[answer.finalist]);
+  return figures;
 }
 
 } // namespace
 
-std::optional<std::size_t> chosen(const SearchResult &result) {
-  std::vector<RatedFormat> measured;
-  std::vector<std::size_t> numbers;
-  for (const std::size_t i : result.contest.frontier()) {
-    RatedFormat &format = measured.emplace_back(formatOf(result, i));
-    format.nanoseconds = {*result.race.timeOf(i)};
-    numbers.push_back(i);
-  }
-  const auto choice = choose(measured, result.wish);
-  return choice ? std::optional(numbers[*choice]) : std::nullopt;
+report::SearchVerdict verdictOf(const std::vector<report::Cell> &cells, const Contest &contest,
+                                const std::string &objective) {
+  std::map<std::string, bool> isCompared; // By cells.
+  for (const auto &[index, finding] : contest.findings())
+    for (const Record &record : finding.records)
+      isCompared[record.cell] = contest.isCompared(index);
+  std::vector<const report::Cell *> own;
+  for (const report::Cell &cell : cells)
+    if (isCompared.contains(cell.cell))
+      own.push_back(&cell);
+  return report::makeSearchVerdict(
+      own, [&](const report::Cell &cell) { return isCompared.at(cell.cell); }, objective);
 }
 
 std::string searchReport(const SearchResult &result) {
-  const std::vector<std::size_t> leading = result.contest.frontier();
-  const Checked checked = checkedBy(result);
-  std::string text = print("%zu of %zu formats measured on %s in %.0f s; %llu of %llu checked rays wrong; "
-                           "speeds foretold within %.0f %%\n",
-                           result.contest.findings().size(), result.rated, result.device.c_str(),
-                           result.seconds, static_cast<unsigned long long>(checked.wrong),
-                           static_cast<unsigned long long>(checked.rays), 100 * medianError(result));
-  text += result.contest.isComplete() ? "nothing that was not measured promises more\n"
-                                      : "the budget ended first: run the command again to go on\n";
-  const auto choice = chosen(result);
-  if (!choice)
+  const report::SearchVerdict &verdict = result.verdict;
+  std::string text = print("%zu of %zu formats measured on %s in %.0f s; %llu of %llu checked rays wrong",
+                           verdict.formats, result.rated, result.device.c_str(), result.seconds,
+                           static_cast<unsigned long long>(verdict.wrongRays),
+                           static_cast<unsigned long long>(verdict.checkedRays));
+  if (const double factor = verdict.worstFactor(); factor > 0)
+    text += print("; speeds of the best foretold within a factor of %.2f", factor);
+  text += result.contest.isComplete() ? "\nnothing that was not measured promises more\n"
+                                      : "\nthe budget ended first: run the command again to go on\n";
+  if (verdict.frontier.empty())
     return text + "no format could be measured\n";
-  text += table(result, leading) + "\n" + verdicts(result, leading);
-  return text + "\n" + buildCommand(result.input, result.arguments, formatOf(result, *choice).candidate) +
-         "\n";
+  text += table(verdict) + "\n" + answers(verdict);
+  if (const RatedFormat *format = formatOf(result, verdict.answer(verdict.objective)))
+    text += "\n" + meaningOf(verdict.objective) + "\n" +
+            buildCommand(result.input, result.arguments, format->candidate) + "\n";
+  return text;
 }
 
 void addSearchFigures(Json &figures, const SearchResult &result) {
-  const Checked checked = checkedBy(result);
+  const report::SearchVerdict &verdict = result.verdict;
   figures["rated"] = result.rated;
   figures["kept"] = result.kept;
-  figures["measured"] = result.contest.findings().size();
+  figures["measured"] = verdict.formats;
   figures["complete"] = result.contest.isComplete();
   figures["seconds"] = result.seconds;
   figures["area"] = result.race.frontier().area();
-  figures["checked_rays"] = checked.rays;
-  figures["wrong_rays"] = checked.wrong;
+  figures["checked_rays"] = verdict.checkedRays;
+  figures["wrong_rays"] = verdict.wrongRays;
   figures["median_error"] = medianError(result);
-  const auto choice = chosen(result);
+  figures["worst_factor"] = verdict.worstFactor();
+  figures["verdict"] = verdictFigures(verdict);
   Json rows = Json::array();
-  for (const std::size_t i : result.contest.frontier()) {
-    const RatedFormat &format = formatOf(result, i);
-    rows.push_back({{"format", format.candidate.text},
-                    {"passes", format.candidate.passes},
-                    {"bytes", format.bytes()},
-                    {"mrays_per_s", speedOf(result, i)},
-                    {"chosen", choice == i}});
+  for (const Finalist &finalist : verdict.frontier) {
+    Json row = answerFigures(finalist);
+    row["chosen"] = &finalist == &verdict.answer(verdict.objective);
+    rows.push_back(std::move(row));
   }
   figures["frontier"] = std::move(rows);
   figures["formats"] = Json::array();

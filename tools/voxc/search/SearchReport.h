@@ -4,32 +4,33 @@
 #include "InputArguments.h"
 
 #include "common/Json.h"
+#include "report/SearchVerdict.h"
 #include "search/Contest.h"
-#include "voxc/Search/Suggest.h"
 
 #include <string>
 #include <vector>
 
 namespace voxc::tool {
 
+/// The verdict on what a contest measured; `cells` are the records of its folder, which must outlive it.
+report::SearchVerdict verdictOf(const std::vector<report::Cell> &cells, const Contest &contest,
+                                const std::string &objective);
+
 struct SearchResult {
   std::string input;
   InputArguments arguments; ///< As they were looked at.
   std::string device;
-  Wish wish;
   std::vector<std::string> rays; ///< Names of the sets.
   std::size_t rated = 0;         ///< Formats of which size and speed were foretold,
   std::size_t kept = 0;          ///< and those that came near the frontier.
   double seconds = 0;
   const Race &race;
   const Contest &contest;
+  const report::SearchVerdict &verdict;
 };
 
-/// The number in the race of the measured format that the wish asks for; none of none.
-std::optional<std::size_t> chosen(const SearchResult &result);
-
 /// The frontier as a table, a line for each question that one may ask of it, and the command that builds what
-/// the wish asks for.
+/// the objective asks for.
 std::string searchReport(const SearchResult &result);
 
 /// Adds what was measured, how well it was foretold, and what the formats cost that came near the frontier.

@@ -58,20 +58,24 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
   Expected<std::vector<RaySet>> rays = makeRays(request, *scene);
   if (!rays)
     return rays.error();
+  noteOtherSizes(*candidates, *scene, common);
+  const Error none = explainNone(*candidates, *scene);
   const Stopwatch watch;
   for (const RaySet &set : *rays)
     suggestion.rays.push_back(set.name);
   suggestion.voxels = scene->voxels;
   suggestion.valueWords = scene->valueWords;
-  auto rated = rateFormats(scene->priced(), std::move(*candidates), *rays, speedModelFor(request.device),
-                           request.wish, progress);
+  const KnownSpeeds speeds = knownSpeedsOf(request.device);
+  suggestion.areSpeedsMeasured = speeds.isMeasured;
+  auto rated =
+      rateFormats(scene->priced(), std::move(*candidates), *rays, speeds.model, request.wish, progress);
   figures["rate_seconds"] = watch.seconds();
   if (!rated)
     return rated.error();
   suggestion.rated = std::move(*rated);
   suggestion.choice = choose(suggestion.rated, request.wish);
   if (!suggestion.choice)
-    return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
+    return none;
   return suggestion;
 }
 

@@ -32,6 +32,7 @@ struct Suggestion {
   std::vector<std::string> rays; ///< Names of the sets.
   std::vector<RatedFormat> rated;
   std::optional<std::size_t> choice;
+  bool areSpeedsMeasured = false; ///< The model of speeds is of this machine, by a search.
 };
 
 /// Reads the input, rates formats and chooses. Figures of it are added. Errors: those of inputs and ray

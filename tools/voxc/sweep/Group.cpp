@@ -103,7 +103,7 @@ Expected<void> Group::traceRounds() {
   for (unsigned round = 0; round <= options_.rounds; ++round)
     for (Runner &runner : runners_) {
       if (runner.runs()) {
-        const auto traced = traceOnce(*runner.contestant, rays_.rays, round > 0, options_.progress.stop);
+        const auto traced = traceOnce(*runner.contestant, rays_.rays, round > 0, options_.progress);
         if (auto settled = settle(runner, "trace", traced); !settled)
           return settled;
       }
