@@ -20,7 +20,9 @@ VOXC_API voxc_error *voxc_format_parse(const char *text, const char *passes, vox
 /* The format of a volume. */
 VOXC_API voxc_error *voxc_format_of_volume(const voxc_volume *volume, voxc_format **format);
 VOXC_API void voxc_format_free(voxc_format *format);
-/* As the text of the level IR. */
+/* In short, without its passes: "R(4, 4, 4) G(5)". */
+VOXC_API const char *voxc_format_text(const voxc_format *format);
+/* As the text of the level IR, with all that passes decided. */
 VOXC_API const char *voxc_format_ir(const voxc_format *format);
 /* The voxels that it holds along x, y and z. */
 VOXC_API void voxc_format_extent(const voxc_format *format, int32_t extent[3]);
@@ -38,9 +40,9 @@ VOXC_API voxc_error *voxc_compile_spirv(const voxc_format *format, uint32_t **wo
 
 typedef struct voxc_build_options {
   size_t struct_size;
-  unsigned threads;       /* 0: 1. */
+  unsigned threads;       /* 0: all of the machine. */
   uint64_t memory_bytes;  /* That may be resident; what does not fit lies in a scratch file. 0: a quarter of
-                           * the  machine's. */
+                           * the machine's. */
   const char *path;       /* Where the volume is written while it is built; null: it stays in memory. */
   int compress;           /* Compresses the file at `path`. */
   const char *provenance; /* Kept in the volume; null: what the input says. */
@@ -80,12 +82,13 @@ VOXC_API voxc_error *voxc_build_source(const voxc_format *format, const voxc_sou
 typedef struct voxc_input_options {
   size_t struct_size;
   int32_t resolution; /* Voxels on the longest axis of a mesh; 0: what the format holds. */
-  const char
-      *coverage; /* Of a mesh: "conservative", "centre", "floodfill", as the command line names them. */
-  int z_up;      /* 1: +z is up; -1: +y is up; 0: by the kind of file. */
-  const double
-      *threshold; /* Samples of a dense volume from here up are voxels; null: found by the histogram. */
-  const char *colour_map; /* Of a dense volume. */
+  /* Which voxels a triangle of a mesh takes: "conservative" (null), all that it touches, or "thin". */
+  const char *coverage;
+  int z_up; /* 1: +z is up; -1: +y is up; 0: by the kind of file. */
+  /* Samples of a dense volume from here up are voxels; null: found by the histogram. */
+  const double *threshold;
+  /* Of a dense volume: "grey" (null), "heat", "dusk", "polar"; or "labels", also of MagicaVoxel models. */
+  const char *colour_map;
 } voxc_input_options;
 #define VOXC_INPUT_OPTIONS {.struct_size = sizeof(voxc_input_options)}
 
@@ -106,7 +109,8 @@ typedef struct voxc_picture_options {
   int32_t width;       /* 0: 1280. */
   int32_t height;      /* 0: 720. */
   const char *style;   /* "lit" (null), "flat", "ao", "normals", "depth". */
-  const char *view;    /* "auto" (null), "iso", "front", "top", "inside"; where no eye is given. */
+  /* Where no eye is given: "auto" (null), "iso", "front", "back", "left", "right", "top", "bottom", "inside". */
+  const char *view;
   const double *eye;   /* Three numbers, in voxels, */
   const double *look;  /* and the point looked at: both, or neither. */
   double vertical_fov; /* In degrees; 0: the view's own. */

@@ -27,20 +27,43 @@ float luminance(float red, float green, float blue) {
   return 0.2126f * red + 0.7152f * green + 0.0722f * blue;
 }
 
+constexpr float kClay = 0.8f;         ///< What white clay sends back.
+constexpr float kClayContrast = 2.5f; ///< As an exponent.
+constexpr float kMostSkyFactor = 4;
+
+constexpr float kMostlyHit = 0.5f; ///< The share of a pixel from which on it has a say.
+
+/// Of numbers, that which a hundredth of them exceeds. Precondition: there are some.
+float brightestOf(std::vector<float> &numbers) {
+  const auto top = numbers.begin() + std::ptrdiff_t(numbers.size() - 1 - numbers.size() / 100);
+  std::ranges::nth_element(numbers, top);
+  return *top;
+}
+
 } // namespace
+
+float skyExposureOf(std::span<const float> light) {
+  std::vector<float> shares;
+  for (std::size_t i = 0; i + 3 < light.size(); i += 4)
+    if (light[i + 3] >= kMostlyHit)
+      shares.push_back(light[i] / light[i + 3]);
+  if (shares.empty())
+    return 1;
+  const float most = brightestOf(shares);
+  return most > 0 ? std::clamp(1 / most, 1.0f, kMostSkyFactor) : 1;
+}
+
+float clayOf(float share) { return kClay * std::pow(std::clamp(share, 0.0f, 1.0f), kClayContrast); }
 
 float exposureOf(std::span<const float> light) {
   std::vector<float> bright;
-  constexpr float kMostlyHit = 0.5f;
   for (std::size_t i = 0; i + 3 < light.size(); i += 4)
     if (light[i + 3] >= kMostlyHit)
       bright.push_back(luminance(light[i], light[i + 1], light[i + 2]) / light[i + 3]);
   if (bright.empty())
     return 1;
-  const auto top = bright.begin() + std::ptrdiff_t(bright.size() - 1 - bright.size() / 100);
-  std::ranges::nth_element(bright, top);
   // What is black stays black, whatever the exposure, and has no say.
-  const float brightest = *top;
+  const float brightest = brightestOf(bright);
   const float darkest = 0.02f * brightest;
   double logarithms = 0, count = 0;
   for (const float value : bright)

@@ -13,6 +13,14 @@ namespace voxc {
 /// the brightest hundredth of the pixels below white. 1 if nothing was hit.
 float exposureOf(std::span<const float> light);
 
+/// The factor for the shares of the sky that the pixels of a picture see, as red in `Rendering::light`: it
+/// brings the greatest hundredth to the whole sky, up to a factor of 4. 1 if nothing was hit.
+float skyExposureOf(std::span<const float> light);
+
+/// The linear grey of clay that sees this share of the sky, up to 1. Most of what is seen from outside sees
+/// most of the sky; the curve spreads these shares, and the brightest is well below white.
+float clayOf(float share);
+
 /// Brings light into [0, 1]: as it is up to 0.7, then more and more compressed, as film does; what is far too
 /// bright turns white.
 glm::vec3 compress(const glm::vec3 &light);

@@ -36,10 +36,11 @@ public:
            const RenderOptions &options)
       : volume_(volume), camera_(camera), tracers_(tracers), options_(options), kind_(kindOf(options.style)),
         samples_(options.samples > 0 ? options.samples : kind_.samples),
-        sun_(glm::normalize(glm::vec3(options.sun))), ownNormals_(volume, options.threads),
-        normals_(options.normals ? options.normals : &ownNormals_) {
+        sun_(glm::normalize(glm::vec3(options.sun))), spacing_(camera.spacing),
+        ownNormals_(volume, options.threads), normals_(options.normals ? options.normals : &ownNormals_) {
     const Int3 extent = volume.info().extent;
-    openScale_ = 0.06f * float(std::max({extent.x, extent.y, extent.z, 1}));
+    const glm::vec3 sides = glm::vec3(extent.x, extent.y, extent.z) * spacing_;
+    openScale_ = 0.06f * std::max({sides.x, sides.y, sides.z, 1.0f});
   }
 
   Expected<Rendering> run();
@@ -54,11 +55,14 @@ private:
 
   Expected<void> expose(Film &film, unsigned sample);
   Expected<void> gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
+  Picture shadedFaces(std::vector<Ray> rays, const std::vector<Hit> &hits, const Film &film) const;
+  Surface spacedSurface(const Ray &ray, const Hit &hit) const;
   void gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const;
   Expected<void> light(Film &film, unsigned sample, const std::vector<Hit> &hits);
   Expected<void> lightBySun(Film &film, const std::vector<Hit> &hits);
   Expected<void> lightBySky(Film &film, unsigned sample, const std::vector<Hit> &hits);
   void finishDistances();
+  glm::vec3 exposed(const glm::vec3 &light, float share) const;
   Expected<void> develop(const Film &film, int first, int rows);
   Expected<void> finish();
   Expected<void> finishMap();
@@ -70,6 +74,7 @@ private:
   const StyleKind &kind_;
   unsigned samples_;
   glm::vec3 sun_;
+  glm::vec3 spacing_; ///< Of voxels: light goes through spaced space, rays are traced in voxels.
   SurfaceNormals ownNormals_;
   SurfaceNormals *normals_;
   float openScale_;
@@ -123,7 +128,7 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
 Expected<void> Renderer::gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
   surfaces_.resize(rays.size());
   // Colours of faces are those of a screen already.
-  const Picture faces = options_.style == Style::Flat ? shade(rays, hits, film.width, film.rows) : Picture{};
+  const Picture faces = options_.style == Style::Flat ? shadedFaces(rays, hits, film) : Picture{};
   return forRows(film.rows, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(film.width);
     for (std::size_t i = first; i < first + std::size_t(film.width); ++i) {
@@ -134,17 +139,34 @@ Expected<void> Renderer::gather(Film &film, const std::vector<Ray> &rays, const 
         continue;
       }
       if (hits[i].isHit())
-        surfaces_[i] = surfaceOf(rays[i], hits[i], isSmooth() ? normals_ : nullptr);
+        surfaces_[i] = spacedSurface(rays[i], hits[i]);
       gatherPixel(pixel, rays[i], hits[i], surfaces_[i]);
     }
   });
+}
+
+/// Pixels of faces; the sky behind them is that of spaced space.
+Picture Renderer::shadedFaces(std::vector<Ray> rays, const std::vector<Hit> &hits, const Film &film) const {
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (int axis = 0; axis < 3 && !hits[i].isHit(); ++axis)
+      rays[i].direction[axis] *= spacing_[axis];
+  return shade(rays, hits, film.width, film.rows);
+}
+
+/// The surface that was hit: where it begins in voxels, where it is and which way it faces in spaced space. A
+/// plane that is stretched faces where it is not stretched.
+Surface Renderer::spacedSurface(const Ray &ray, const Hit &hit) const {
+  Surface surface = surfaceOf(ray, hit, isSmooth() ? normals_ : nullptr);
+  surface.normal = glm::normalize(surface.normal / spacing_);
+  surface.point *= spacing_;
+  return surface;
 }
 
 void Renderer::gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const {
   if (options_.style == Style::Heatmap)
     pixel.value += float(hit.steps);
   if (!hit.isHit()) {
-    pixel.backdrop += backdrop(vectorOf(ray.direction));
+    pixel.backdrop += backdrop(vectorOf(ray.direction) * spacing_);
     return;
   }
   if (pixel.hits == 0) {
@@ -184,7 +206,7 @@ Expected<void> Renderer::lightBySun(Film &film, const std::vector<Hit> &hits) {
   std::vector<std::size_t> pixels;
   for (std::size_t i = 0; i < hits.size(); ++i)
     if (hits[i].isHit() && glm::dot(surfaces_[i].normal, sun_) > 0) {
-      rays.push_back(makeRay(surfaces_[i].start, sun_));
+      rays.push_back(makeRay(surfaces_[i].start, sun_ / spacing_));
       pixels.push_back(i);
     }
   std::vector<Hit> shadows(rays.size());
@@ -210,7 +232,8 @@ Expected<void> Renderer::lightBySky(Film &film, unsigned sample, const std::vect
     const int row = film.firstRow + int(i / std::size_t(film.width));
     const std::uint32_t pattern = patternOf(column, row);
     const std::uint32_t number = isSpread() ? sample * kDirections + pattern : pattern * samples_ + sample;
-    rays.push_back(makeRay(surfaces_[i].start, skyDirection(surfaces_[i].normal, evenNumbers(number))));
+    rays.push_back(
+        makeRay(surfaces_[i].start, skyDirection(surfaces_[i].normal, evenNumbers(number)) / spacing_));
     pixels.push_back(i);
   }
   std::vector<Hit> hidden(rays.size());
@@ -260,16 +283,28 @@ Expected<void> Renderer::finishMap() {
   return {};
 }
 
+/// The colour of what covers a share of a pixel, in what light it was found, times that share.
+glm::vec3 Renderer::exposed(const glm::vec3 &light, float share) const {
+  if (share <= 0)
+    return light;
+  if (options_.style == Style::Lit)
+    return compress(light * (result_.exposure / share)) * share;
+  if (options_.style == Style::Ambient)
+    return glm::vec3(clayOf(light.x * result_.exposure / share) * share);
+  return light;
+}
+
 Expected<void> Renderer::finish() {
-  result_.exposure = options_.style == Style::Lit ? exposureOf(result_.light) : 1;
+  if (options_.style == Style::Lit)
+    result_.exposure = exposureOf(result_.light);
+  if (options_.style == Style::Ambient)
+    result_.exposure = skyExposureOf(result_.light);
   result_.picture = {camera_.width, camera_.height, std::vector<std::uint32_t>(backdrop_.size())};
   return forRows(camera_.height, [&](int row) {
     const std::size_t first = std::size_t(row) * std::size_t(camera_.width);
     for (std::size_t i = first; i < first + std::size_t(camera_.width); ++i) {
       const float *const light = &result_.light[4 * i];
-      glm::vec3 colour = glm::vec3(light[0], light[1], light[2]);
-      if (options_.style == Style::Lit && light[3] > 0)
-        colour = compress(colour * (result_.exposure / light[3])) * light[3];
+      const glm::vec3 colour = exposed({light[0], light[1], light[2]}, light[3]);
       result_.picture.pixels[i] = screenPixel(colour + backdrop_[i]);
     }
   });

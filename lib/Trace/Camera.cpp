@@ -55,9 +55,9 @@ glm::dvec3 spacingOf(const Transform &voxelToModel) {
   for (int axis = 0; axis < 3; ++axis)
     sides[axis] = glm::length(voxelToModel[axis]);
   const double least = std::min({sides.x, sides.y, sides.z});
-  const double most = std::max({sides.x, sides.y, sides.z});
-  if (!(least > 0) || !(most <= least * kMost) || !std::isfinite(most))
-    return glm::dvec3(1);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(sides[axis] > 0 && sides[axis] <= least * kMost))
+      return glm::dvec3(1);
   for (int axis = 0; axis < 3; ++axis)
     sides[axis] = sides[axis] <= least * (1 + kEqual) ? 1 : sides[axis] / least;
   return sides;

@@ -65,6 +65,11 @@ Expected<FileCamera> parseCamera(const Json &file, const std::string &name, cons
     if (!(camera.fov > 0 && camera.fov < 180))
       return Error::input(where + " should have a fov between 0 and 180 degrees");
   }
+  if (entry.contains("height")) {
+    camera.height = number(entry, "height").value_or(0);
+    if (!(camera.height > 0))
+      return Error::input(where + " should have a height above 0, which makes it orthographic, or none");
+  }
   auto size = numbers<2>(file, "size");
   if (size && (*size)[0] >= 1 && (*size)[0] <= kMaxPictureSide && (*size)[1] >= 1 &&
       (*size)[1] <= kMaxPictureSide)

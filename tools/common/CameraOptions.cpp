@@ -3,6 +3,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -84,7 +85,7 @@ Expected<std::optional<std::array<int, 2>>> checkedSize(const CameraOptions &opt
   return std::optional(*size);
 }
 
-Expected<Camera> cameraOfFile(const CameraOptions &options, Int3 extent) {
+Expected<Camera> cameraOfFile(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {
   const std::string &text = options.camera;
   // The file's own name may hold colons; a camera's may not.
   std::size_t colon = text.rfind(':');
@@ -93,13 +94,26 @@ Expected<Camera> cameraOfFile(const CameraOptions &options, Int3 extent) {
   auto camera = readCamera(text.substr(0, colon), text.substr(colon + 1));
   if (!camera)
     return camera.error();
-  return makeCamera(options, *camera, extent);
+  return makeCamera(options, *camera, extent, voxelToModel);
+}
+
+/// The field of view and the projection that the options say.
+Camera withLens(const CameraOptions &options, Camera camera) {
+  if (options.fov != 0)
+    camera.verticalFov = options.fov;
+  camera = projected(camera, isOrthographic(options));
+  if (options.viewHeight != 0)
+    camera.orthographicHeight = options.viewHeight;
+  return camera;
 }
 
 Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel,
                              std::array<int, 2> size) {
-  if (options.camera.empty())
-    return frameExtent(extent, size[0], size[1]);
+  if (options.camera.empty()) {
+    Camera camera = frameExtent(extent, size[0], size[1]);
+    camera.spacing = spacingOf(options, voxelToModel);
+    return withLens(options, camera);
+  }
   const bool inModel = isInModelUnits(options);
   const std::string_view points =
       std::string_view(options.camera).substr(inModel ? std::strlen(kModelUnits) : 0);
@@ -112,14 +126,21 @@ Expected<Camera> placeCamera(const CameraOptions &options, Int3 extent, const Tr
       return Error::usage("--camera \"" + options.camera + "\" looks nowhere: its two points should differ");
     camera->width = size[0];
     camera->height = size[1];
-    return *camera;
+    camera->spacing = spacingOf(options, voxelToModel);
+    return withLens(options, *camera);
   }
-  return cameraOfFile(options, extent);
+  return cameraOfFile(options, extent, voxelToModel);
 }
 
 } // namespace
 
 bool isInModelUnits(const CameraOptions &options) { return options.camera.starts_with(kModelUnits); }
+
+bool isOrthographic(const CameraOptions &options) { return options.orthographic || options.viewHeight != 0; }
+
+glm::dvec3 spacingOf(const CameraOptions &options, const Transform &voxelToModel) {
+  return options.cubicVoxels ? glm::dvec3(1) : voxc::spacingOf(voxelToModel);
+}
 
 void addCameraPlace(const CommandLine &command, CameraOptions &options) {
   const OptionGroup group(command, "Picture");
@@ -128,7 +149,19 @@ void addCameraPlace(const CommandLine &command, CameraOptions &options) {
            "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
            "units of the model; or a camera of a camera file; the default sees the whole volume")
       .takes("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
-  command.add("--fov", options.fov, "Vertical field of view; the default is the camera's").takes("DEGREES");
+  const Option fov = command.add("--fov", options.fov, "Vertical field of view; the default is the camera's")
+                         .takes("DEGREES");
+  command.addFlag("--orthographic", options.orthographic,
+                  "Parallel rays: what is further off does not look smaller");
+  command
+      .add("--view-height", options.viewHeight,
+           "What an orthographic picture shows from bottom to top, in voxels (in their shortest sides, where "
+           "they are no cubes); by default what --fov would show at the point looked at")
+      .takes("VOXELS")
+      .between(1e-3, 1e9)
+      .excludes(fov);
+  command.addFlag("--cubic-voxels", options.cubicVoxels,
+                  "Draw voxels as cubes, not with the spacing that a scan has");
 }
 
 void addCameraOptions(const CommandLine &command, CameraOptions &options) {
@@ -141,19 +174,29 @@ Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Tra
   const auto given = checkedSize(options);
   if (!given)
     return given.error();
-  auto camera = placeCamera(options, extent, voxelToModel, given->value_or(kUsualSize));
-  if (camera && options.fov != 0)
-    camera->verticalFov = options.fov;
-  return camera;
+  return placeCamera(options, extent, voxelToModel, given->value_or(kUsualSize));
 }
 
-Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &camera, Int3 extent) {
+Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &camera, Int3 extent,
+                            const Transform &voxelToModel) {
   const auto given = checkedSize(options);
   if (!given)
     return given.error();
   const std::array<int, 2> size = given->value_or(camera.size.value_or(kUsualSize));
-  return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw,
-                          options.fov != 0 ? options.fov : camera.fov, size[0], size[1]);
+  const glm::dvec3 spacing = spacingOf(options, voxelToModel);
+  Camera made = cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw,
+                                 options.fov != 0 ? options.fov : camera.fov, size[0], size[1], spacing);
+  if (options.viewHeight != 0) {
+    made.orthographicHeight = options.viewHeight;
+  } else if (camera.height != 0) {
+    const glm::dvec3 sides = glm::dvec3(extent.x, extent.y, extent.z) * spacing;
+    made.orthographicHeight = camera.height * std::max({sides.x, sides.y, sides.z}) / 100;
+  } else if (options.orthographic) {
+    return Error::usage(
+        "--orthographic takes a camera with a height; give the camera of the file a \"height\", "
+        "in hundredths of the longest axis, or give --view-height");
+  }
+  return made;
 }
 
 Expected<std::array<int, 2>> parseSize(const std::string &text) {

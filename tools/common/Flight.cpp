@@ -7,10 +7,11 @@ namespace voxc::tool {
 namespace {
 
 /// What goes from one camera to the next.
-constexpr std::size_t kNumbers = 6;
+constexpr std::size_t kNumbers = 7;
 
 std::array<double, kNumbers> numbersOf(const FileCamera &camera) {
-  return {camera.position.x, camera.position.y, camera.position.z, camera.pitch, camera.yaw, camera.fov};
+  return {camera.position.x, camera.position.y, camera.position.z, camera.pitch,
+          camera.yaw,        camera.fov,        camera.height};
 }
 
 FileCamera cameraOf(const std::array<double, kNumbers> &numbers, const FileCamera &like) {
@@ -19,6 +20,7 @@ FileCamera cameraOf(const std::array<double, kNumbers> &numbers, const FileCamer
   camera.pitch = numbers[3];
   camera.yaw = numbers[4];
   camera.fov = numbers[5];
+  camera.height = numbers[6];
   return camera;
 }
 
@@ -47,6 +49,11 @@ Expected<Flight> Flight::through(const std::string &path) {
   if (stops->size() < 2)
     return Error::input(path + " should have two cameras or more for a flight through them; it has " +
                         std::to_string(stops->size()));
+  const bool isParallel = stops->front().height != 0;
+  if (std::ranges::any_of(*stops, [&](const FileCamera &stop) { return (stop.height != 0) != isParallel; }))
+    return Error::input(path +
+                        " should have cameras that all have a height, and so are orthographic, or none, "
+                        "for a flight through them");
   Flight flight;
   flight.stops_ = std::move(*stops);
   return flight;

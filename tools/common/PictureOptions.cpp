@@ -46,9 +46,11 @@ void addViewOptions(const CommandLine &command, PictureOptions &options) {
       .list()
       .values(2);
   command
-      .add("--view", options.view,
-           "A camera by a word: iso, from above a corner; front; top; inside, from where most of the inside "
-           "is seen; auto (default): inside of a building or a yard, else iso")
+      .add(
+          "--view", options.view,
+          "A camera by a word: iso, from above a corner; front, back, left, right, top, bottom; inside, from "
+          "where most of the inside is seen; auto (default): inside of what is surely a room or a yard, else "
+          "iso")
       .takes("WORD")
       .oneOf(namesOf<View>());
 }
@@ -87,6 +89,10 @@ Expected<void> checkPictureOptions(const PictureOptions &options) {
   if (options.normals != "auto" && !kind.needsNormals)
     return Error::usage("--normals is for the styles lit, ao and normals; the style " +
                         std::string(toString(kind.style)) + " has no use for them");
+  if (isOrthographic(options.camera) && (options.lod > 0 || options.coarse > 0))
+    return Error::usage(
+        "--lod and --allow-coarse go by what looks small from afar, and by parallel rays nothing "
+        "does; leave out --orthographic and --view-height");
   Expected<Camera> camera = makeCamera(options.camera, {1, 1, 1});
   return camera ? Expected<void>() : camera.error();
 }
@@ -104,12 +110,20 @@ Style styleOf(const PictureOptions &options) {
   return options.heatmap ? Style::Heatmap : fromString<Style>(options.style).value_or(Style::Lit);
 }
 
-Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
+Expected<PlacedCamera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
   Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);
-  if (!camera || !options.camera.camera.empty())
-    return camera;
+  if (!camera)
+    return camera.error();
+  if (!options.camera.camera.empty())
+    return PlacedCamera{*camera, "", false};
   const View view = fromString<View>(options.view).value_or(View::Auto);
-  return viewCamera(view, volume, trace, camera->width, camera->height, options.camera.fov);
+  camera->verticalFov = options.camera.fov;
+  Expected<FoundView> found = findView(view, volume, trace, *camera);
+  if (!found)
+    return found.error();
+  if (options.camera.viewHeight != 0)
+    found->camera.orthographicHeight = options.camera.viewHeight;
+  return PlacedCamera{found->camera, std::string(toString(found->view)), view == View::Auto};
 }
 
 RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
@@ -126,16 +140,16 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
 Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &volume,
                                    const RenderTracers &tracers, TraceRays probe, unsigned threads,
                                    const Progress &progress) {
-  Expected<Camera> camera = placeCamera(options, volume, probe);
-  if (!camera)
-    return camera.error();
+  const Expected<PlacedCamera> placed = placeCamera(options, volume, probe);
+  if (!placed)
+    return placed.error();
   RenderOptions render = renderOptions(options, volume);
   render.threads = threads;
   render.progress = progress;
-  Expected<Rendering> rendering = voxc::render(volume, *camera, tracers, render);
+  Expected<Rendering> rendering = voxc::render(volume, placed->camera, tracers, render);
   if (!rendering)
     return rendering.error();
-  return TakenPicture{std::move(*rendering), *camera};
+  return TakenPicture{std::move(*rendering), *placed};
 }
 
 bool looksAround(const PictureOptions &options, const VolumeInfo &info) {
@@ -146,6 +160,16 @@ Expected<void> writeTaken(const std::string &path, const TakenPicture &taken) {
   return writePicture(path, taken.rendering.picture, taken.rendering.light);
 }
 
+void addCameraFigures(Json &figures, const PictureOptions &options, const PlacedCamera &placed,
+                      const Volume &volume) {
+  figures["camera"] = cameraText(options, placed.camera, volume);
+  if (placed.view.empty())
+    return;
+  figures["view"] = placed.view;
+  if (placed.isAuto)
+    figures["view_is_auto"] = true;
+}
+
 std::string cameraText(const PictureOptions &options, const Camera &camera, const Volume &volume) {
   const bool inModel = isInModelUnits(options.camera);
   const Transform &toModel = volume.info().voxelToModel;
@@ -154,13 +178,16 @@ std::string cameraText(const PictureOptions &options, const Camera &camera, cons
       std::string("--camera ") + (inModel ? kModelUnits : "") + point(camera.eye) + ":" + point(camera.look);
   if (camera.up != glm::dvec3(0, 1, 0))
     text += ":" + pointText(inModel ? toModel * glm::dvec4(camera.up, 0) : camera.up);
-  char fov[32];
-  std::snprintf(fov, sizeof fov, " --fov %g", camera.verticalFov);
-  return text + fov;
+  char lens[48];
+  if (camera.isOrthographic())
+    std::snprintf(lens, sizeof lens, " --view-height %.6g", camera.orthographicHeight);
+  else
+    std::snprintf(lens, sizeof lens, " --fov %g", camera.verticalFov);
+  return text + lens + (options.camera.cubicVoxels ? " --cubic-voxels" : "");
 }
 
 std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume) {
-  const glm::dvec3 &eye = taken.camera.eye;
+  const glm::dvec3 &eye = taken.placed.camera.eye;
   const Int3 extent = volume.info().extent;
   const bool isWithin =
       eye.x >= 0 && eye.y >= 0 && eye.z >= 0 && eye.x < extent.x && eye.y < extent.y && eye.z < extent.z;

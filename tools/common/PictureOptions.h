@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CameraOptions.h"
+#include "Json.h"
 
 #include "voxc/Render/Render.h"
 
@@ -42,16 +43,23 @@ Style styleOf(const PictureOptions &options);
 /// How a volume is rendered by the options.
 RenderOptions renderOptions(const PictureOptions &options, const Volume &volume);
 
+/// A camera, and what is to be said of it.
+struct PlacedCamera {
+  Camera camera;
+  std::string view;    ///< Its word; "" if it was given by numbers or by a file.
+  bool isAuto = false; ///< Nobody has asked for this view.
+};
+
 /// Where from; the rays by which a view is found go to `trace`. Errors: those of tracing; an empty volume has
 /// no view.
-Expected<Camera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace);
+Expected<PlacedCamera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace);
 /// Whether the picture takes surfaces from the voxels around those that are hit, and so a volume with its
 /// words.
 bool looksAround(const PictureOptions &options, const VolumeInfo &info);
 
 struct TakenPicture {
   Rendering rendering;
-  Camera camera;
+  PlacedCamera placed;
 };
 
 /// Takes the picture; the rays by which a view is found go to `probe`. Errors: those of tracing; an empty
@@ -62,6 +70,10 @@ Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &
 
 /// Writes it to `path`, in the kind that its ending says.
 Expected<void> writeTaken(const std::string &path, const TakenPicture &taken);
+
+/// Adds `camera`, as options, and of a view `view`, with `view_is_auto` where nobody asked for it.
+void addCameraFigures(Json &figures, const PictureOptions &options, const PlacedCamera &placed,
+                      const Volume &volume);
 
 /// The camera that was used as options: "--camera ... --fov ...", in the units that it was given in.
 std::string cameraText(const PictureOptions &options, const Camera &camera, const Volume &volume);

@@ -22,6 +22,7 @@ constexpr KeyKind kKeys[] = {
     {Action::ToggleFly, "F", "fly: turn about the eye; or again orbit: about the point looked at", false},
     {Action::Orbit, "O", "look at the voxel that was clicked, and orbit around it", false},
     {Action::NextView, "V", "next view: iso, front, top, inside", false},
+    {Action::ToggleOrthographic, "X", "parallel rays, or again perspective", false},
     {Action::Home, "R", "return to the camera of the beginning", false},
     {Action::StyleLit, "1", "style lit", false},
     {Action::StyleFlat, "2", "style flat", false},

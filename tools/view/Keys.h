@@ -24,6 +24,7 @@ enum class Action {
   ToggleFly,
   Orbit,
   NextView,
+  ToggleOrthographic,
   Home,
   StyleLit,
   StyleFlat,

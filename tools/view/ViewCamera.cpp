@@ -41,29 +41,33 @@ glm::dvec3 uprightOf(const glm::dvec3 &forward, const glm::dvec3 &up) {
 } // namespace
 
 ViewCamera::ViewCamera(const Camera &camera)
-    : eye_(camera.eye), forward_(glm::normalize(camera.look - camera.eye)),
-      distance_(std::max(glm::distance(camera.look, camera.eye), kLeastDistance)),
-      verticalFov_(camera.verticalFov) {
-  upright_ = uprightOf(forward_, camera.up);
+    : eye_(camera.eye * camera.spacing),
+      forward_(glm::normalize((camera.look - camera.eye) * camera.spacing)),
+      distance_(std::max(lookDistance(camera), kLeastDistance)), verticalFov_(camera.verticalFov),
+      orthographicHeight_(camera.orthographicHeight), spacing_(camera.spacing) {
+  const glm::dvec3 up = camera.up * spacing_;
+  upright_ = uprightOf(forward_, up);
   const double angle = angleTo(upright_, forward_);
   if (angle == clampTilt(angle))
     return;
   // Straight up or down: the picture's way up says which way is on.
   const bool looksDown = glm::dot(forward_, upright_) < 0;
-  const glm::dvec3 on = looksDown ? camera.up : -camera.up;
+  const glm::dvec3 on = looksDown ? up : -up;
   const bool isTold = glm::length(glm::cross(on, upright_)) > 1e-9 * glm::length(on);
-  const glm::dvec3 look = camera.look;
+  const glm::dvec3 look = camera.look * spacing_;
   forward_ = tilted(isTold ? on : glm::dvec3(0.6, 0.5, -0.8), upright_, clampTilt(angle));
   eye_ = look - forward_ * distance_;
 }
 
 Camera ViewCamera::camera(int width, int height) const {
-  return {.eye = eye_,
-          .look = look(),
-          .up = upright_,
+  return {.eye = eye_ / spacing_,
+          .look = look() / spacing_,
+          .up = upright_ / spacing_,
           .verticalFov = verticalFov_,
           .width = width,
-          .height = height};
+          .height = height,
+          .spacing = spacing_,
+          .orthographicHeight = orthographicHeight_};
 }
 
 /// Forwards, but neither up nor down.
@@ -84,9 +88,20 @@ void ViewCamera::move(double right, double up, double forward) {
 }
 
 void ViewCamera::approach(double factor) {
+  if (isOrthographic()) {
+    orthographicHeight_ = std::max(orthographicHeight_ / factor, kLeastDistance);
+    return;
+  }
   const glm::dvec3 at = look();
   distance_ = std::max(distance_ / factor, kLeastDistance);
   eye_ = at - forward_ * distance_;
+}
+
+void ViewCamera::setOrthographic(bool isOrthographic) {
+  const Camera camera = projected(this->camera(1, 1), isOrthographic);
+  eye_ = camera.eye * spacing_;
+  distance_ = std::max(lookDistance(camera), kLeastDistance);
+  orthographicHeight_ = camera.orthographicHeight;
 }
 
 CameraMotion ViewCamera::since(const ViewCamera &before) const {
@@ -95,7 +110,7 @@ CameraMotion ViewCamera::since(const ViewCamera &before) const {
   const double tilt = angleTo(upright_, forward_);
   motion.turn = {std::atan2(glm::dot(level(), sideBefore), glm::dot(level(), before.level())),
                  angleTo(upright_, before.forward_) - tilt};
-  motion.approach = std::log(before.distance_ / distance_);
+  motion.approach = std::log(before.reach() / reach());
   // Turning leaves the look in orbit and the eye in flight; approaching leaves the look.
   const glm::dvec3 by = turning_ == Turning::Orbit
                             ? look() - before.look()
@@ -113,7 +128,8 @@ void ViewCamera::apply(const CameraMotion &motion, double times) {
   approach(std::exp(motion.approach * times));
 }
 
-void ViewCamera::lookAt(const glm::dvec3 &point) {
+void ViewCamera::lookAt(const glm::dvec3 &place) {
+  const glm::dvec3 point = place * spacing_;
   const double distance = glm::distance(point, eye_);
   if (distance < kLeastDistance)
     return;

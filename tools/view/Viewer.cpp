@@ -240,11 +240,22 @@ void Viewer::nextView() {
   tool::PictureOptions options = options_.picture;
   options.view = toString(view);
   options.camera.camera.clear();
+  // From inside, parallel rays see nothing.
+  options.camera.orthographic = camera_->isOrthographic() && view != voxc::View::Inside;
+  options.camera.viewHeight = 0;
   options.camera.size = std::to_string(options_.width) + "x" + std::to_string(options_.height);
   painter_.ask([this, options](const Shot &shot) {
     const Expected<tool::PlacedCamera> placed = placeIn(*shot.scene, options);
     placed_.put(placed ? Expected<Camera>(placed->camera) : placed.error());
   });
+}
+
+void Viewer::toggleOrthographic() {
+  if (!camera_)
+    return;
+  camera_->setOrthographic(!camera_->isOrthographic());
+  log_.tell(camera_->isOrthographic() ? "rays parallel" : "rays from the eye");
+  show();
 }
 
 void Viewer::takeCamera(const Expected<Camera> &camera) {

@@ -109,6 +109,7 @@ private:
   void show();
   void fail(const Error &error);
   void nextView();
+  void toggleOrthographic();
   void nextDevice();
   void nextPoint(int step);
   void orbitTouched();

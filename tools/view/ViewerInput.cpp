@@ -25,6 +25,7 @@ void Viewer::press(Action action) {
       {Action::ToggleFly, [](Viewer &viewer) { viewer.setFlying(!viewer.state_.isFlying); }},
       {Action::Orbit, [](Viewer &viewer) { viewer.orbitTouched(); }},
       {Action::NextView, [](Viewer &viewer) { viewer.nextView(); }},
+      {Action::ToggleOrthographic, [](Viewer &viewer) { viewer.toggleOrthographic(); }},
       {Action::Home,
        [](Viewer &viewer) {
          if (viewer.home_)

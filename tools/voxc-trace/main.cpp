@@ -121,7 +121,7 @@ Expected<void> takePicture(const Options &options, const Volume &volume, Tracer 
   bar.clear();
   if (const auto warning = cameraWarning(*taken, volume); warning && !options.common.quiet)
     printNote("warning: " + *warning);
-  figures["camera"] = cameraText(options.picture, taken->camera, volume);
+  addCameraFigures(figures, options.picture, taken->placed, volume);
   return writeTaken(options.output, *taken);
 }
 

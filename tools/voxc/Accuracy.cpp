@@ -35,7 +35,7 @@ public:
 private:
   void declareChoice(const CommandLine &command);
   Expected<void> checkUsage() const;
-  Expected<Rays> loadRays(Int3 extent) const;
+  Expected<Rays> loadRays(const VolumeInfo &volume) const;
   Expected<Findings> compete(const Volume &volume, const Rays &rays, const Progress &progress);
   Expected<std::vector<std::unique_ptr<Contestant>>> prepareAll(const std::vector<Variant> &variants,
                                                                 const Volume &volume) const;
@@ -122,8 +122,8 @@ void AccuracyCommand::declare(const CommandLine &command) {
 }
 
 Expected<void> AccuracyCommand::checkUsage() const {
-  const bool isPicture =
-      !camera_.camera.empty() || !camera_.size.empty() || camera_.fov != 0 || !lods_.empty();
+  const bool isPicture = !camera_.camera.empty() || !camera_.size.empty() || camera_.fov != 0 ||
+                         isOrthographic(camera_) || camera_.cubicVoxels || !lods_.empty();
   if (!raysPath_.empty() && isPicture)
     return Error::usage("--rays is no picture: --camera, --size, --fov and --lods are for cameras");
   if (Expected<Camera> camera = makeCamera(camera_, {1, 1, 1}); !camera)
@@ -131,7 +131,7 @@ Expected<void> AccuracyCommand::checkUsage() const {
   return folder_.empty() ? Expected<void>() : makeOutputFolder(folder_);
 }
 
-Expected<Rays> AccuracyCommand::loadRays(Int3 extent) const {
+Expected<Rays> AccuracyCommand::loadRays(const VolumeInfo &volume) const {
   Rays rays;
   if (!raysPath_.empty()) {
     Expected<std::vector<Ray>> read = readRays(raysPath_);
@@ -142,7 +142,7 @@ Expected<Rays> AccuracyCommand::loadRays(Int3 extent) const {
     rays.rays = std::move(*read);
     return rays;
   }
-  Expected<Camera> camera = makeCamera(camera_, extent);
+  Expected<Camera> camera = makeCamera(camera_, volume.extent, volume.voxelToModel);
   if (!camera)
     return camera.error();
   rays.camera = *camera;
@@ -262,7 +262,7 @@ Expected<void> AccuracyCommand::run() {
   Expected<Volume> volume = volume_.load();
   if (!volume)
     return volume.error();
-  Expected<Rays> rays = loadRays(volume->info().extent);
+  Expected<Rays> rays = loadRays(volume->info());
   if (!rays)
     return rays.error();
   Expected<Findings> findings = compete(*volume, *rays, bar.progress());

@@ -1,9 +1,12 @@
 // Figures of a run, as a few lines for people and as JSON.
 #include "Figures.h"
 
+#include "Stages.h"
+
 #include "common/Statistics.h"
 
 #include <cinttypes>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -64,6 +67,12 @@ std::string builtText(const Json &figures) {
   return "in " + secondsText(number(figures, "build_seconds"));
 }
 
+std::string exportedText(const Json &figures) {
+  if (!figures.contains("export_seconds") || !figures.contains("file_bytes"))
+    return {};
+  return bytesText(number(figures, "file_bytes")) + ", in " + secondsText(number(figures, "export_seconds"));
+}
+
 std::string volumeText(const Json &figures) {
   if (!figures.contains("extent") || !figures.contains("bytes"))
     return {};
@@ -95,13 +104,25 @@ std::string errorText(const Json &figures) {
          textOf(", t off by %.3g voxels at most", number(error, "max_dt"));
 }
 
+/// A budget in which no page would have been read twice, if some were.
+std::string enoughText(const Json &figures) {
+  const double used = number(figures, "pages_used");
+  if (number(figures, "pages_read") <= used)
+    return {};
+  constexpr double kKiB = 1024, kMiB = 1024 * kKiB;
+  const double bytes = number(figures, "enough_bytes");
+  const std::string size =
+      bytes < kMiB ? textOf("%.0fKiB", std::ceil(bytes / kKiB)) : textOf("%.0fMiB", std::ceil(bytes / kMiB));
+  return "; the " + countText(used) + " different ones have room in --device-memory " + size;
+}
+
 std::string pagedText(const Json &figures) {
   if (!figures.contains("pages_read"))
     return {};
   return countText(number(figures, "pages_read")) + " pages read, " +
          countText(number(figures, "page_hits")) + " found" +
          textOf(", a hit rate of %.2f %%; in ", 100 * number(figures, "page_hit_rate")) +
-         bytesText(number(figures, "paging_bytes"));
+         bytesText(number(figures, "paging_bytes")) + enoughText(figures);
 }
 
 std::string coarseText(const Json &figures) {
@@ -124,15 +145,23 @@ std::string flightText(const Json &figures) {
 
 std::string cameraText(const Json &figures) { return figures.value("camera", ""); }
 
+/// Of a view that nobody asked for.
+std::string viewText(const Json &figures) {
+  if (!figures.value("view_is_auto", false))
+    return {};
+  const std::string view = figures.value("view", "");
+  return view == "inside" ? "inside; --view iso looks from outside" : view + ", from outside";
+}
+
 struct Line {
   const char *label;
   std::string (*text)(const Json &figures); ///< Empty: the line is left out.
 };
 
 constexpr Line kLines[] = {
-    {"read", readText},     {"volume", volumeText}, {"built", builtText},
-    {"traced", tracedText}, {"paged", pagedText},   {"coarse", coarseText},
-    {"checked", errorText}, {"flight", flightText}, {"camera", cameraText},
+    {"read", readText},   {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
+    {"paged", pagedText}, {"coarse", coarseText}, {"checked", errorText}, {"flight", flightText},
+    {"view", viewText},   {"camera", cameraText}, {"file", exportedText}, {"took", stagesText},
 };
 
 void printLine(const std::string &label, const std::string &text) {

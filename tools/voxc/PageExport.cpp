@@ -110,14 +110,19 @@ void PageExport::declare(const CommandLine &command) {
 bool PageExport::isGiven() const {
   const CameraOptions &camera = picture_.camera;
   return !title_.empty() || !url_.empty() || !picture_.view.empty() || !picture_.sun.empty() ||
-         !camera.camera.empty() || camera.fov != 0;
+         !camera.camera.empty() || camera.fov != 0 || isOrthographic(camera) || camera.cubicVoxels;
 }
 
 Expected<void> PageExport::check(const std::string &path) const {
   if (!isPage(path) && isGiven())
-    return Error::usage("'" + path +
-                        "' is no page; --title, --url, --view, --camera, --fov and --sun are for one, whose "
-                        "name ends in .html");
+    return Error::usage(
+        "'" + path +
+        "' is no page; --title, --url, --sun and what says where a picture is taken from are for one, "
+        "whose name ends in .html");
+  if (isOrthographic(picture_.camera))
+    return Error::usage(
+        "--orthographic and --view-height are for pictures and the viewer; the camera of a page is "
+        "a pinhole");
   return checkPictureOptions(picture_);
 }
 
@@ -162,15 +167,16 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   const Expected<TakenPicture> taken = takePicture(options, volume, {trace, trace}, trace, 0, progress);
   if (!taken)
     return taken.error();
-  if (!isUpright(taken->camera))
+  if (!isUpright(taken->placed.camera))
     return Error::usage("--camera \"" + options.camera.camera +
                         "\" is tilted; the way up of a page is +y, so leave out the third point");
   page::PageContents contents;
   contents.title = title_.empty() ? std::filesystem::path(source).stem().string() : title_;
-  contents.camera = taken->camera;
+  contents.camera = taken->placed.camera;
   contents.sun = sunOf(options);
   contents.smooth = isSmoothSurface(volume.info());
   contents.exposure = taken->rendering.exposure;
+  contents.picture = taken->rendering.picture;
   if (!url_.empty())
     if (Expected<void> streamed = stream(volume, source, contents); !streamed)
       return streamed;
@@ -179,7 +185,7 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   const Expected<std::string> page = page::makePage(volume, contents);
   if (!page)
     return page.error();
-  figures["camera"] = cameraText(options, taken->camera, volume);
+  addCameraFigures(figures, options, taken->placed, volume);
   figures["exposure"] = contents.exposure;
   figures["fast_error"] = errorJson(contents.fast);
   return writeText(path, *page);

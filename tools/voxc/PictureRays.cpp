@@ -14,18 +14,19 @@ auto PictureRays::through(RayTally &tally) {
   };
 }
 
-Expected<Camera> PictureRays::findCamera(const PictureOptions &options, const Volume &volume) {
+Expected<PlacedCamera> PictureRays::findCamera(const PictureOptions &options, const Volume &volume) {
   RayTally finder;
   return placeCamera(options, volume, through(finder));
 }
 
-Expected<TakenPicture> PictureRays::take(const Volume &volume, const Camera &camera, RenderOptions options) {
+Expected<TakenPicture> PictureRays::take(const Volume &volume, const PlacedCamera &placed,
+                                         RenderOptions options) {
   const auto eye = through(eye_), light = through(light_);
   options.threads = tracing_.threads();
-  Expected<voxc::Rendering> rendering = voxc::render(volume, camera, {eye, light}, options);
+  Expected<voxc::Rendering> rendering = voxc::render(volume, placed.camera, {eye, light}, options);
   if (!rendering)
     return rendering.error();
-  return TakenPicture{std::move(*rendering), camera};
+  return TakenPicture{std::move(*rendering), placed};
 }
 
 void PictureRays::addFigures(Json &figures) const {

@@ -16,9 +16,9 @@ public:
   PictureRays(Tracing &tracing, std::size_t sample) : tracing_(tracing), eye_(sample) {}
 
   /// Where the options take a picture from. Errors as `placeCamera`.
-  Expected<Camera> findCamera(const PictureOptions &options, const Volume &volume);
+  Expected<PlacedCamera> findCamera(const PictureOptions &options, const Volume &volume);
   /// Takes a picture. Errors: those of tracing.
-  Expected<TakenPicture> take(const Volume &volume, const Camera &camera, RenderOptions options);
+  Expected<TakenPicture> take(const Volume &volume, const PlacedCamera &placed, RenderOptions options);
 
   /// What paging has done so far, if that is how rays are traced.
   std::optional<PagingReport> paging() const { return tracing_.paging(); }

@@ -2,6 +2,7 @@
 #include "DeviceMemory.h"
 #include "Figures.h"
 #include "Rendering.h"
+#include "Stages.h"
 #include "Subcommand.h"
 #include "VolumeArgument.h"
 
@@ -26,14 +27,15 @@ public:
   }
 
   Expected<void> run() override {
+    rendering_.allowCoarse(memory_.allowedCoarse());
     if (Expected<void> checked = rendering_.check(volume_.path(), common_); !checked)
       return checked;
-    rendering_.allowCoarse(memory_.allowedCoarse());
     Json figures;
     ProgressBar bar(common_.quiet);
     if (Expected<void> rendered = render(bar, figures); !rendered)
       return rendered;
     bar.clear();
+    addStages(figures, watch_.seconds());
     return tellFigures(common_, figures);
   }
 
@@ -52,8 +54,10 @@ private:
     if (Expected<void> applied = rendering_.applyTo(*format); !applied)
       return applied;
     tracing_.useCache();
+    const Stopwatch opening;
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
+    figures["open_seconds"] = opening.seconds();
     if (memory_.isGiven())
       return renderPages(*volume, *format, bar, figures);
     if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
@@ -76,6 +80,7 @@ private:
     return rendered;
   }
 
+  Stopwatch watch_; ///< Of all.
   VolumeArgument volume_;
   Rendering rendering_;
   DeviceMemory memory_; // Outlives the tracer.

@@ -9,9 +9,13 @@
 #include "voxc/IR/Query.h"
 
 #include <filesystem>
+#include <utility>
 
 namespace voxc::tool {
 namespace {
+
+/// The seconds so far; the watch begins anew.
+double lap(Stopwatch &watch) { return std::exchange(watch, {}).seconds(); }
 
 void addSize(Json &figures, const Camera &camera) {
   figures["width"] = camera.width;
@@ -26,6 +30,8 @@ Json frameFigures(const FileCamera &camera, double seconds, const std::optional<
                 {"yaw", camera.yaw},
                 {"fov", camera.fov},
                 {"seconds", seconds}};
+  if (camera.height != 0)
+    frame["height"] = camera.height;
   if (before && after) {
     frame["pages_read"] = after->reads - before->reads;
     frame["page_hits"] = after->found - before->found;
@@ -93,11 +99,14 @@ Expected<void> Rendering::render(const Volume &volume, SurfaceNormals &normals, 
     return warning.error();
   figures["style"] = toString(styleOf(picture_));
   rays.addFigures(figures);
+  const Stopwatch checking;
   // No picture needs faces, and a heatmap has counts in their place.
   if (Expected<void> checked =
           check_.run(volume, rays.eye().sampledRays(), rays.eye().sampledHits(), {}, bar.progress(), figures);
       !checked)
     return checked;
+  if (check_.rays() > 0)
+    figures["check_seconds"] = checking.seconds();
   figures["render_seconds"] = watch.seconds();
   bar.clear();
   if (*warning && !common.quiet)
@@ -107,19 +116,23 @@ Expected<void> Rendering::render(const Volume &volume, SurfaceNormals &normals, 
 
 Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, const RenderOptions &options,
                                                 PictureRays &rays, Json &figures) const {
-  const Expected<Camera> camera = rays.findCamera(picture_, volume);
-  if (!camera)
-    return camera.error();
-  const Expected<TakenPicture> taken = rays.take(volume, *camera, options);
+  Stopwatch watch;
+  const Expected<PlacedCamera> placed = rays.findCamera(picture_, volume);
+  if (!placed)
+    return placed.error();
+  figures["camera_seconds"] = lap(watch);
+  const Expected<TakenPicture> taken = rays.take(volume, *placed, options);
   if (!taken)
     return taken.error();
-  addSize(figures, *camera);
-  figures["camera"] = cameraText(picture_, *camera, volume);
+  figures["picture_seconds"] = lap(watch);
+  addSize(figures, placed->camera);
+  addCameraFigures(figures, picture_, *placed, volume);
   figures["exposure"] = taken->rendering.exposure;
   figures["nearest_voxels"] = taken->rendering.nearest;
   figures["median_voxels"] = taken->rendering.middle;
   if (Expected<void> written = writeTaken(output_, *taken); !written)
     return written.error();
+  figures["file_seconds"] = lap(watch);
   addWritten(figures, output_);
   return cameraWarning(*taken, volume);
 }
@@ -131,26 +144,33 @@ Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, const R
   RenderOptions ofFrame = options;
   ofFrame.progress = {.stop = options.progress.stop};
   Warning warning;
+  double taking = 0, writing = 0;
   for (unsigned frame = 0; frame < flight_.frames(); ++frame) {
     const Stopwatch watch;
     FileCamera place = flight_.camera(frame);
-    const Expected<Camera> camera = makeCamera(picture_.camera, place, volume.info().extent);
+    const Expected<Camera> camera =
+        makeCamera(picture_.camera, place, volume.info().extent, volume.info().voxelToModel);
     if (!camera)
       return camera.error();
     place.fov = camera->verticalFov; // As --fov says, if it does.
     const auto before = rays.paging();
-    const Expected<TakenPicture> taken = rays.take(volume, *camera, ofFrame);
+    const Expected<TakenPicture> taken = rays.take(volume, PlacedCamera{*camera}, ofFrame);
     if (!taken)
       return taken.error();
+    const double took = watch.seconds();
     const std::string name = frameName(output_, frame);
     if (Expected<void> written = writeTaken(name, *taken); !written)
       return written.error();
     addSize(figures, *camera);
+    taking += took;
+    writing += watch.seconds() - took;
     figures["frames"].push_back(frameFigures(place, watch.seconds(), before, rays.paging()));
     if (const auto odd = cameraWarning(*taken, volume); odd && !warning)
       warning = "in frame " + std::to_string(frame) + " " + *odd;
     options.progress.at("render", double(frame + 1) / flight_.frames(), frame + 1);
   }
+  figures["picture_seconds"] = taking;
+  figures["file_seconds"] = writing;
   figures["files_written"] = flight_.frames();
   addWritten(figures, output_);
   return warning;

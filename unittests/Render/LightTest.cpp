@@ -57,6 +57,21 @@ TEST(Exposure, BlackThingsHaveNoSay) {
   EXPECT_FLOAT_EQ(exposureOf(light), alone);
 }
 
+TEST(Exposure, OfClayKeepsReliefAndDoesNotBurn) {
+  // What sees all of the sky is light, not white; shares that lie close to each other are told apart.
+  EXPECT_LT(toScreen(clayOf(1)) * 255, 235);
+  EXPECT_GT(toScreen(clayOf(1)) * 255, 215);
+  EXPECT_GT((toScreen(clayOf(0.95f)) - toScreen(clayOf(0.85f))) * 255, 18);
+  EXPECT_EQ(clayOf(2), clayOf(1));
+  EXPECT_EQ(clayOf(0), 0);
+  // The brightest are brought to the whole sky, but not out of the deepest dark.
+  EXPECT_FLOAT_EQ(skyExposureOf(greyLight(0.5f)), 2);
+  EXPECT_FLOAT_EQ(skyExposureOf(greyLight(0.5f, 0.7f)), 2);
+  EXPECT_FLOAT_EQ(skyExposureOf(greyLight(0.01f)), 4);
+  EXPECT_EQ(skyExposureOf(greyLight(0)), 1);
+  EXPECT_EQ(skyExposureOf(greyLight(1, 0)), 1);
+}
+
 TEST(Compress, KeepsOrderAndStaysBelowOne) {
   float last = 0;
   for (const float value : {0.1f, 0.5f, 0.7f, 0.9f, 2.0f, 50.0f}) {

@@ -109,6 +109,83 @@ TEST(CameraFromAngles, FollowsTheCameraFiles) {
   expectDirection(cameraRays(cameraFromAngles({9, 9, 9}, {}, 30, 0, 90, 3, 3))[4], 0, 0.5, std::sqrt(0.75));
 }
 
+TEST(CameraFromAngles, MeasuresScansInSpacedSpace) {
+  // The longest axis is z: 100 voxels of 3.
+  const Camera camera = cameraFromAngles({200, 200, 100}, {50, 50, 50}, 0, 90, 90, 3, 3, {1, 1, 3});
+  EXPECT_EQ(camera.eye, (glm::dvec3{150, 150, 50}));
+  EXPECT_EQ(camera.spacing, (glm::dvec3{1, 1, 3}));
+}
+
+TEST(Spacing, IsThatOfTheSidesOfVoxels) {
+  const auto ofSides = [](double x, double y, double z) {
+    return spacingOf(Transform({x, 0, 0}, {0, 0, y}, {0, -z, 0}, {5, 6, 7}));
+  };
+  EXPECT_EQ(spacingOf({}), glm::dvec3(1));
+  EXPECT_EQ(ofSides(0.5, 0.5, 1.5), (glm::dvec3{1, 1, 3}));
+  EXPECT_EQ(ofSides(8, 4, 2), (glm::dvec3{4, 2, 1}));
+  // Sides that only rounding tells apart are equal; so are voxels of cubes whatever their size.
+  EXPECT_EQ(ofSides(double(0.9375f), 0.9375000001, 0.93750000003), glm::dvec3(1));
+  EXPECT_EQ(ofSides(1e-30, 1e-30, 1e-30), glm::dvec3(1));
+  // Turned.
+  EXPECT_EQ(spacingOf(Transform({0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 2}, {})), (glm::dvec3{1, 1, 2}));
+  // What no picture can show.
+  EXPECT_EQ(ofSides(1, 1, 0), glm::dvec3(1));
+  EXPECT_EQ(ofSides(1, 1, INFINITY), glm::dvec3(1));
+  EXPECT_EQ(ofSides(1, NAN, 1), glm::dvec3(1));
+  EXPECT_EQ(ofSides(1, 1, 1e6), glm::dvec3(1));
+}
+
+TEST(CameraRays, GoThroughStretchedVoxelsAsThroughCubes) {
+  // The same picture of the same points: rays end where they would in cubes, at the same t.
+  const glm::dvec3 spacing(1, 2, 5);
+  const Camera cubes{.eye = {3, 40, -7}, .look = {20, 10, 30}, .width = 5, .height = 4};
+  Camera scan = cubes;
+  scan.eye /= spacing;
+  scan.look /= spacing;
+  scan.spacing = spacing;
+  for (const bool isOrthographic : {false, true}) {
+    const auto expected = cameraRays(projected(cubes, isOrthographic));
+    const auto rays = cameraRays(projected(scan, isOrthographic));
+    ASSERT_EQ(rays.size(), expected.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(rays[i].origin[axis] * spacing[axis], expected[i].origin[axis], 1e-4);
+        EXPECT_NEAR(rays[i].direction[axis] * spacing[axis], expected[i].direction[axis], 1e-6);
+      }
+  }
+}
+
+TEST(Orthographic, RaysAreParallelAndBeginInThePlaneOfTheEye) {
+  const Camera camera{.eye = {1, 2, 3}, .look = {1, 2, -7}, .width = 4, .height = 2, .orthographicHeight = 6};
+  const auto rays = cameraRays(camera);
+  ASSERT_EQ(rays.size(), 8u);
+  for (const Ray &ray : rays) {
+    expectDirection(ray, 0, 0, -1);
+    EXPECT_EQ(ray.origin[2], 3);
+  }
+  // Two rows of 3 each, four columns of 3: middles of pixels.
+  EXPECT_EQ(rays[0].origin[0], 1 - 4.5f);
+  EXPECT_EQ(rays[0].origin[1], 2 + 1.5f);
+  EXPECT_EQ(rays[7].origin[0], 1 + 4.5f);
+  EXPECT_EQ(rays[7].origin[1], 2 - 1.5f);
+  EXPECT_EQ(pixelSpread(camera), 0);
+  EXPECT_EQ(shownHeight(camera, 1000), 6);
+}
+
+TEST(Orthographic, ShowsAsMuchOfThePlaneLookedAt) {
+  const Camera pinhole{.eye = {0, 0, 10}, .look = {0, 0, 0}, .verticalFov = 90};
+  const Camera parallel = projected(pinhole, true);
+  EXPECT_NEAR(parallel.orthographicHeight, 20, 1e-9);
+  EXPECT_EQ(parallel.eye, pinhole.eye);
+  // And back, from where so much is seen.
+  Camera nearer = parallel;
+  nearer.orthographicHeight = 10;
+  const Camera back = projected(nearer, false);
+  EXPECT_FALSE(back.isOrthographic());
+  EXPECT_NEAR(back.eye.z, 5, 1e-9);
+  EXPECT_NEAR(shownHeight(back, lookDistance(back)), 10, 1e-9);
+}
+
 TEST(CameraFromAngles, RightIsFrontCrossUp) {
   auto rays = cameraRays(cameraFromAngles({9, 9, 9}, {}, 0, 0, 90, 3, 1));
   // Looking along +z with y up, the right hand points along -x.

@@ -101,6 +101,35 @@ TEST(ViewCamera, LooksAtAPointFromWhereItIs) {
   expectNear(camera.camera(1, 1).look, {0, 3, 4});
 }
 
+TEST(ViewCamera, MovesInSpacedSpace) {
+  // Slices lie 3 apart: a quarter of a turn around a point goes as far in mm, which is a third in slices.
+  const Camera scan{.eye = {-30, 0, 0}, .look = {0, 0, 0}, .spacing = {1, 1, 3}};
+  ViewCamera camera(scan);
+  EXPECT_NEAR(camera.distance(), 30, kNear);
+  camera.turn(glm::radians(90.0), 0);
+  expectNear(camera.camera(1, 1).eye, {0, 0, -10});
+  EXPECT_EQ(camera.camera(1, 1).spacing, scan.spacing);
+  camera.approach(2);
+  expectNear(camera.camera(1, 1).eye, {0, 0, -5});
+  camera.lookAt({0, 0, 5});
+  EXPECT_NEAR(camera.distance(), 30, kNear);
+}
+
+TEST(ViewCamera, ByParallelRaysShowsLessInsteadOfGoingNearer) {
+  ViewCamera camera(ahead());
+  camera.setOrthographic(true);
+  EXPECT_TRUE(camera.isOrthographic());
+  const double height = camera.camera(1, 1).orthographicHeight;
+  EXPECT_NEAR(height, 20 * std::tan(glm::radians(25.0)), kNear);
+  camera.approach(4);
+  EXPECT_NEAR(camera.camera(1, 1).orthographicHeight, height / 4, kNear);
+  expectNear(camera.camera(1, 1).eye, {0, 0, 0});
+  // A pinhole shows the same from a fourth of the way.
+  camera.setOrthographic(false);
+  expectNear(camera.camera(1, 1).eye, {7.5, 0, 0});
+  expectNear(camera.camera(1, 1).look, {10, 0, 0});
+}
+
 TEST(Motion, ATapIsAlwaysTheSameStep) {
   for (const int calls : {1, 3}) {
     ViewCamera camera(ahead());
