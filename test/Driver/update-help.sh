@@ -3,7 +3,7 @@
 set -euo pipefail
 readonly bin="${1:-build/release}/bin" inputs="$(dirname "$0")/Inputs"
 for tool in voxc voxc-opt voxc-trace; do "$bin/$tool" --help >"$inputs/help-$tool.txt"; done
-for command in compile build render view run trace verify hard-rays accuracy bench export facts suggest search plan submit status merge split edit attach info devices cache manual completion; do
+for command in compile build render view run trace verify hard-rays accuracy bench export facts suggest search plan submit status merge split edit attach info devices doctor cache manual completion; do
   "$bin/voxc" "$command" --help >"$inputs/help-$command.txt"
 done
 for action in export import report; do

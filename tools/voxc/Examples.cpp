@@ -60,6 +60,7 @@ constexpr Example kExamples[] = {
     {"info", "voxc info model.obj", "the triangles, box and colours of a mesh; nothing is built"},
     {"cache", "voxc cache --clear",
      "compiled code of earlier runs, which is made again when it is asked for"},
+    {"doctor", "voxc doctor", "devices, caches, scratch space, the viewer and the Python module"},
     {"devices", "voxc devices", "numbers and names for --device"},
 };
 

@@ -43,6 +43,7 @@ std::unique_ptr<Subcommand> makeSuggestCommand();
 std::unique_ptr<Subcommand> makeSearchCommand();
 std::unique_ptr<Subcommand> makeInfoCommand();
 std::unique_ptr<Subcommand> makeDevicesCommand();
+std::unique_ptr<Subcommand> makeDoctorCommand();
 std::unique_ptr<Subcommand> makeEditCommand();
 std::unique_ptr<Subcommand> makeCacheCommand();
 std::unique_ptr<Subcommand> makeManualCommand();

@@ -62,6 +62,8 @@ constexpr CommandKind kCommands[] = {
     {kLarge, "status", "Say what stands of a build plan", makeStatusCommand},
     {kLarge, "merge", "Join the fragments of a volume", makeMergeCommand},
     {kLarge, "split", "Cut a volume into fragments, the inverse of merge", makeSplitCommand},
+    {kHelp, "doctor", "Say whether this machine has what voxc needs, and how to mend what it lacks",
+     makeDoctorCommand},
     {kHelp, "cache", "Say what is kept of compiled code, or clear it", makeCacheCommand},
     {kHelp, "manual", "Write the manual page of a command, or all of them", makeManualCommand},
     {kHelp, "completion", "Write what a shell needs to complete this command line", makeCompletionCommand},

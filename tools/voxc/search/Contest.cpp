@@ -22,7 +22,7 @@ constexpr double kUsualSeconds = 0.7;
 /// Of the last rounds, so many make times that can be compared.
 constexpr unsigned kLeastLastRounds = 3;
 /// Seconds by which the first format may be late, so that a search has an answer.
-constexpr double kGrace = 0.25;
+constexpr double kGrace = 1.2;
 
 /// What a record says of the time of a ray.
 std::optional<double> nanosecondsOf(const Record &record) {
