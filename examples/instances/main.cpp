@@ -49,15 +49,15 @@ std::vector<voxc::Ray> look(const std::vector<glm::mat4> &places, const glm::vec
     high = glm::max(high, middle + size * 0.5f);
   }
   const glm::vec3 middle = (low + high) * 0.5f;
-  const glm::vec3 eye = middle + glm::length(high - low) * glm::vec3(-0.6f, -0.5f, 0.45f);
+  const glm::vec3 eye = middle + glm::length(high - low) * glm::vec3(-0.45f, -0.35f, 0.3f);
   const glm::vec3 forward = glm::normalize(middle - eye);
   const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 0, 1)));
   const glm::vec3 up = glm::cross(right, forward);
   std::vector<voxc::Ray> rays;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      const float across = (static_cast<float>(x) + 0.5f) / kHeight - 0.5f * kWidth / kHeight;
-      const float down = (static_cast<float>(y) + 0.5f) / kHeight - 0.5f;
+      const float across = 0.8f * ((static_cast<float>(x) + 0.5f) / kHeight - 0.5f * kWidth / kHeight);
+      const float down = 0.8f * ((static_cast<float>(y) + 0.5f) / kHeight - 0.5f);
       rays.push_back(voxc::makeRay(eye, forward + across * right - down * up));
     }
   return rays;
@@ -98,7 +98,7 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "usage: instances VOLUME.hvx [DEVICE [MOST]]\n");
     return 2;
   }
-  auto volume = voxc::Volume::open(argv[1]);
+  auto volume = voxc::Volume::load(argv[1]);
   if (!volume)
     return fail(volume.error());
   // Rays that end at the nearest hit so far: a kernel with bounds.
@@ -114,7 +114,7 @@ int main(int argc, char **argv) {
   for (int count = 1; count <= most; count *= 10) {
     std::vector<voxc::Instance> instances;
     for (const glm::mat4 &place : field(count, size))
-      instances.push_back({tracer->get(), extent, place, true});
+      instances.push_back({(*tracer).get(), extent, place, true});
     auto world = voxc::InstancedTracer::create(instances);
     if (!world)
       return fail(world.error());

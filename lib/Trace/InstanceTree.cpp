@@ -50,6 +50,7 @@ public:
   /// Adds a node over these instances, at least one, of which there are `level` of two above.
   std::uint32_t build(Numbers numbers, unsigned level) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
+    levels = std::max(levels, level / 2 + 1);
     nodes_.push_back(emptyNode());
     std::array<Numbers, 4> parts{};
     unsigned count = 0;
@@ -64,6 +65,8 @@ public:
     }
     return index;
   }
+
+  std::uint32_t levels = 0; ///< Of nodes.
 
 private:
   static Node emptyNode() {
@@ -184,7 +187,9 @@ InstanceTree::InstanceTree(std::span<const InstanceBox> boxes) {
     return;
   low_ = all.low;
   high_ = all.high;
-  Builder(boxes, nodes_).build(numbers, 0);
+  Builder builder(boxes, nodes_);
+  builder.build(numbers, 0);
+  levels_ = builder.levels;
 }
 
 BoxRay::BoxRay(const Ray &ray, const InstanceTree &tree) {

@@ -54,13 +54,15 @@ public:
   static constexpr std::uint32_t kLeaf = std::uint32_t{1} << 31;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  /// More can be on the stack of no traversal: three siblings a level, of at most 32 levels.
+  /// No traversal of any tree has more nodes on its stack: three siblings a level, of at most 32 levels.
   static constexpr std::size_t kMostStacked = 100;
 
   explicit InstanceTree(std::span<const InstanceBox> boxes);
 
   /// The first is the root; none: there are no boxes.
   std::span<const Node> nodes() const { return nodes_; }
+  /// The most nodes on the stack of a traversal of this tree.
+  std::uint32_t mostStacked() const { return 3 * levels_ + 1; }
   /// Instances that any ray may hit.
   std::span<const std::uint32_t> everywhere() const { return everywhere_; }
   const glm::vec3 &low() const { return low_; }
@@ -92,6 +94,7 @@ private:
   std::vector<std::uint32_t> everywhere_;
   glm::vec3 low_{0}, high_{0};
   float leastDirection_ = 0;
+  std::uint32_t levels_ = 0; ///< Of nodes.
 };
 
 /// Moments by float32 are off by less than this, of them.

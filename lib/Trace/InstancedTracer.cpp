@@ -1,12 +1,10 @@
 // Rays through several volumes that stand in one world.
 #include "voxc/Trace/InstancedTracer.h"
 
+#include "InstancePlaces.h"
 #include "InstanceRounds.h"
 
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,34 +14,6 @@ namespace {
 
 /// Rays are taken so many at a time: more would take memory, and are not traced faster.
 constexpr std::size_t kSliceRays = std::size_t{1} << 18;
-
-bool isFinite(const glm::dmat4 &matrix) {
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(matrix[column][row]))
-        return false;
-  return true;
-}
-
-bool isAffine(const glm::dmat4 &matrix) {
-  return matrix[0][3] == 0 && matrix[1][3] == 0 && matrix[2][3] == 0 && matrix[3][3] == 1;
-}
-
-/// The inverse of an instance's matrix, or why there is none.
-Expected<glm::dmat4> inverseOf(const Instance &instance, std::size_t number) {
-  const auto wrong = [&](const char *problem) {
-    return Error::usage("instance " + std::to_string(number) + " " + problem);
-  };
-  if (!instance.tracer)
-    return wrong("has no tracer");
-  const glm::dmat4 toWorld(instance.toWorld);
-  if (!isFinite(toWorld) || !isAffine(toWorld))
-    return wrong("has a matrix that is not affine: its last row must be 0, 0, 0, 1, and all of it finite");
-  const glm::dmat4 fromWorld = glm::inverse(toWorld);
-  if (!isFinite(fromWorld))
-    return wrong("has a matrix without an inverse");
-  return fromWorld;
-}
 
 /// Puts instances together that one tracer takes in one call.
 class Groups {
@@ -84,7 +54,9 @@ Expected<InstancedTracer> InstancedTracer::create(const std::vector<Instance> &i
   Groups groups;
   std::vector<InstanceBox> boxes;
   for (const Instance &instance : instances) {
-    const auto fromWorld = inverseOf(instance, placed.size());
+    if (!instance.tracer)
+      return wrongInstance(placed.size(), "has no tracer");
+    const auto fromWorld = fromWorldOf(instance.toWorld, placed.size());
     if (!fromWorld)
       return fromWorld.error();
     placed.push_back({*fromWorld, instance.extent, groups.of(instance)});

@@ -4,7 +4,7 @@
 #include "Capabilities.h"
 #include "DeviceVolume.h"
 #include "KernelFit.h"
-#include "TracePipeline.h"
+#include "RecorderState.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,38 +13,19 @@
 
 namespace voxc {
 
-struct TraceRecorder::State {
-  Device::State *device;
-  TracePipeline pipeline;
-  std::uint64_t storageDigest;
-  Addressing addressing;
-  Counted counted;
-  unsigned resumes;         ///< 0 where no loop is cut short.
-  std::uint64_t bytesOfRay; ///< As the kernel takes it.
-};
-
-struct BoundTrace::State {
-  std::shared_ptr<const TraceRecorder::State> recorder;
-  std::shared_ptr<const DeviceVolume::State> volume;
-  BoundBuffers buffers;
-  std::uint32_t rays;
-  std::uint32_t tileRays; ///< So many at once.
-};
-
 std::uint32_t BoundTrace::rays() const { return state_->rays; }
 
 std::uint64_t scratchBytes(std::uint64_t rays) { return leftListBytes(rays); }
-
-namespace {
 
 VkDescriptorBufferInfo descriptorOf(const BufferRange &range) {
   return {range.buffer, range.offset, range.bytes};
 }
 
+namespace {
 /// Kernels load four words at once.
 constexpr VkDeviceSize kRecordAlignment = 16;
+} // namespace
 
-/// Checks a range that is to hold at least one record, behind a header.
 Expected<void> checkRange(const Device::State &device, std::string_view what, const BufferRange &range,
                           std::uint64_t leastBytes) {
   const VkPhysicalDeviceLimits &limits = device.physical.limits;
@@ -65,6 +46,8 @@ Expected<void> checkRange(const Device::State &device, std::string_view what, co
                  " reaches at most " + std::to_string(limits.maxStorageBufferRange) + " at once");
   return {};
 }
+
+namespace {
 
 Expected<void> checkRanges(const Device::State &device, const DeviceVolume &volume,
                            const TraceBuffers &buffers, std::uint64_t bytesOfRay) {

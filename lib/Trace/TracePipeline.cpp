@@ -16,8 +16,6 @@ constexpr std::uint32_t kMostBindings = std::tuple_size_v<KernelBuffers>;
 constexpr std::size_t kWords = 2;
 constexpr std::size_t kLeft = 3;
 
-constexpr VkPushConstantRange kPushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(RayTile)};
-
 constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {0, offsetof(Constants, countLookups), sizeof(Constants::countLookups)},
     {1, offsetof(Constants, spread), sizeof(Constants::spread)},
@@ -26,14 +24,6 @@ constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {4, offsetof(Constants, pages.log2PageWords), sizeof(PageShape::log2PageWords)},
     {5, offsetof(Constants, pages.pages), sizeof(PageShape::pages)},
 };
-
-Expected<ShaderModuleHandle> createModule(const Device::State &device, std::span<const std::uint32_t> spirv) {
-  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  info.codeSize = spirv.size_bytes();
-  info.pCode = spirv.data();
-  return createObject<ShaderModuleHandle>(device, &VulkanFunctions::CreateShaderModule, info,
-                                          "take the kernel");
-}
 
 template <typename T> std::string_view bytesOf(std::span<const T> values) {
   return {reinterpret_cast<const char *>(values.data()), values.size_bytes()};
@@ -49,35 +39,14 @@ Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kerne
   if (!module)
     return module.error();
   pipeline.module_ = std::move(*module);
-  if (auto created = pipeline.createLayouts(); !created)
-    return created.error();
-  return pipeline;
-}
-
-Expected<void> TracePipeline::createLayouts() {
-  std::array<VkDescriptorSetLayoutBinding, kMostBindings> bindings{};
-  for (std::uint32_t index = 0; index < bindings_; ++index)
-    bindings[index] = {index, typeOf(index), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-  VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  setInfo.bindingCount = bindings_;
-  setInfo.pBindings = bindings.data();
-  auto setLayout = createObject<SetLayoutHandle>(*device_, &VulkanFunctions::CreateDescriptorSetLayout,
-                                                 setInfo, "create a descriptor layout");
-  if (!setLayout)
-    return setLayout.error();
-  setLayout_ = std::move(*setLayout);
-  VkDescriptorSetLayout set = setLayout_.get();
-  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  info.setLayoutCount = 1;
-  info.pSetLayouts = &set;
-  info.pushConstantRangeCount = 1;
-  info.pPushConstantRanges = &kPushRange;
-  auto layout = createObject<PipelineLayoutHandle>(*device_, &VulkanFunctions::CreatePipelineLayout, info,
-                                                   "create a pipeline layout");
+  std::array<VkDescriptorType, kMostBindings> types{};
+  for (std::uint32_t index = 0; index < pipeline.bindings_; ++index)
+    types[index] = pipeline.typeOf(index);
+  auto layout = ComputeLayout::create(device, std::span(types).first(pipeline.bindings_), sizeof(RayTile));
   if (!layout)
     return layout.error();
-  layout_ = std::move(*layout);
-  return {};
+  pipeline.layout_ = std::move(*layout);
+  return pipeline;
 }
 
 VkDescriptorType TracePipeline::typeOf(std::uint32_t binding) const {
@@ -100,49 +69,15 @@ Expected<void> TracePipeline::viewTexels(const VkDescriptorBufferInfo &words, Bo
   return {};
 }
 
-Expected<void> TracePipeline::allocateSet(BoundBuffers &bound) const {
-  std::array<VkDescriptorPoolSize, kMostBindings> sizes{};
-  for (std::uint32_t index = 0; index < bindings_; ++index)
-    sizes[index] = {typeOf(index), 1};
-  VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  poolInfo.maxSets = 1;
-  poolInfo.poolSizeCount = bindings_;
-  poolInfo.pPoolSizes = sizes.data();
-  auto pool = createObject<DescriptorPoolHandle>(*device_, &VulkanFunctions::CreateDescriptorPool, poolInfo,
-                                                 "create a descriptor pool");
-  if (!pool)
-    return pool.error();
-  bound.pool = std::move(*pool);
-  VkDescriptorSetLayout layout = setLayout_.get();
-  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  info.descriptorPool = bound.pool.get();
-  info.descriptorSetCount = 1;
-  info.pSetLayouts = &layout;
-  if (VkResult result = device_->vk.AllocateDescriptorSets(device_->device, &info, &bound.set);
-      result != VK_SUCCESS)
-    return vulkanError("allocate a descriptor set", result);
-  return {};
-}
-
 Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
   BoundBuffers bound{.left = buffers[kLeft]};
   if (addressing_ == Addressing::Texels)
     if (auto viewed = viewTexels(buffers[kWords], bound); !viewed)
       return viewed.error();
-  if (auto allocated = allocateSet(bound); !allocated)
-    return allocated.error();
-  const VkBufferView texels = bound.texels.get();
-  std::array<VkWriteDescriptorSet, kMostBindings> writes{};
-  for (std::uint32_t index = 0; index < bindings_; ++index) {
-    writes[index].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    writes[index].dstSet = bound.set;
-    writes[index].dstBinding = index;
-    writes[index].descriptorCount = 1;
-    writes[index].descriptorType = typeOf(index);
-    writes[index].pBufferInfo = &buffers[index];
-    writes[index].pTexelBufferView = &texels;
-  }
-  device_->vk.UpdateDescriptorSets(device_->device, bindings_, writes.data(), 0, nullptr);
+  auto set = layout_.bind(std::span(buffers).first(bindings_), bound.texels.get());
+  if (!set)
+    return set.error();
+  bound.set = std::move(*set);
   return bound;
 }
 
@@ -167,33 +102,25 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread, VkPipelineC
 Expected<PipelineHandle> TracePipeline::createPipeline(const Constants &constants, VkPipelineCache cache) {
   VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                       &constants};
-  VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = module_.get();
-  info.stage.pName = "main";
-  info.stage.pSpecializationInfo = &specialization;
-  info.layout = layout_.get();
-  VkPipeline pipeline = VK_NULL_HANDLE;
-  VkResult result = device_->vk.CreateComputePipelines(device_->device, cache, 1, &info, nullptr, &pipeline);
-  if (result != VK_SUCCESS)
-    return vulkanError("compile the kernel", result);
-  return PipelineHandle(*device_, pipeline);
+  return layout_.createPipeline(module_.get(), specialization, cache);
 }
 
 void TracePipeline::start(VkCommandBuffer commands, const PipelineHandle &pipeline,
                           const BoundBuffers &buffers, const RayTile &tile) const {
-  const VulkanFunctions &vk = device_->vk;
-  vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
-  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &buffers.set, 0,
-                           nullptr);
-  vk.CmdPushConstants(commands, layout_.get(), kPushRange.stageFlags, 0, sizeof tile, &tile);
+  layout_.start(commands, pipeline, buffers.set, std::as_bytes(std::span(&tile, 1)));
+}
+
+void TracePipeline::dispatch(VkCommandBuffer commands, const RayTile &tile, const GroupsThere &groups) const {
+  if (groups.buffer == VK_NULL_HANDLE)
+    device_->vk.CmdDispatch(commands, groupsOf(tile), 1, 1);
+  else
+    device_->vk.CmdDispatchIndirect(commands, groups.buffer, groups.offset);
 }
 
 void TracePipeline::recordDispatch(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
-                                   const RayTile &tile) const {
+                                   const RayTile &tile, const GroupsThere &groups) const {
   start(commands, variants_[std::size_t(counted)].settles, buffers, tile);
-  device_->vk.CmdDispatch(commands, groupsOf(tile), 1, 1);
+  dispatch(commands, tile, groups);
 }
 
 void TracePipeline::recordDispatches(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
@@ -214,9 +141,9 @@ void TracePipeline::recordEmptyList(VkCommandBuffer commands, const BoundBuffers
 }
 
 void TracePipeline::recordLeaving(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
-                                  const RayTile &tile) const {
+                                  const RayTile &tile, const GroupsThere &groups) const {
   start(commands, variants_[std::size_t(counted)].leaves, buffers, tile);
-  device_->vk.CmdDispatch(commands, groupsOf(tile), 1, 1);
+  dispatch(commands, tile, groups);
 }
 
 void TracePipeline::recordLeftOver(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Buffer.h"
+#include "ComputeLayout.h"
 
 #include "voxc/Trace/Kernel.h"
 
@@ -57,10 +58,15 @@ inline VkDescriptorBufferInfo wholeOf(const Buffer &buffer) { return {buffer.get
 
 /// Buffers that are bound to a kernel.
 struct BoundBuffers {
-  DescriptorPoolHandle pool;
-  BufferViewHandle texels;              ///< Of the words, where kernels read them so.
-  VkDescriptorSet set = VK_NULL_HANDLE; ///< Belongs to the pool.
-  VkDescriptorBufferInfo left{};        ///< The list.
+  BufferViewHandle texels; ///< Of the words, where kernels read them so.
+  BoundSet set;
+  VkDescriptorBufferInfo left{}; ///< The list.
+};
+
+/// Where a device finds the number of groups of a dispatch, if only it knows how many rays there are.
+struct GroupsThere {
+  VkBuffer buffer = VK_NULL_HANDLE; ///< Null: as many as the tile's rays need.
+  VkDeviceSize offset = 0;
 };
 
 class TracePipeline {
@@ -81,7 +87,7 @@ public:
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant, in one dispatch
   /// that settles what float32 cannot tell.
   void recordDispatch(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
-                      const RayTile &tile) const;
+                      const RayTile &tile, const GroupsThere &groups = {}) const;
   /// The same by two: one that settles nothing, and one over the rays which that leaves.
   void recordDispatches(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                         const RayTile &tile) const;
@@ -89,7 +95,7 @@ public:
   /// The parts of that, between which there must be barriers: an empty list, one dispatch, and the other.
   void recordEmptyList(VkCommandBuffer commands, const BoundBuffers &buffers) const;
   void recordLeaving(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
-                     const RayTile &tile) const;
+                     const RayTile &tile, const GroupsThere &groups = {}) const;
   void recordLeftOver(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                       const RayTile &tile) const;
 
@@ -100,10 +106,8 @@ private:
     if (device.cache)
       spirv_ = kernel.spirv;
   }
-  Expected<void> createLayouts();
   VkDescriptorType typeOf(std::uint32_t binding) const;
   Expected<void> viewTexels(const VkDescriptorBufferInfo &words, BoundBuffers &bound) const;
-  Expected<void> allocateSet(BoundBuffers &bound) const;
 
   struct Variant {
     PipelineHandle leaves;  ///< Leaves the rays over that float32 cannot tell all of.
@@ -114,6 +118,7 @@ private:
   Expected<PipelineHandle> createPipeline(const Constants &constants, VkPipelineCache cache);
   void start(VkCommandBuffer commands, const PipelineHandle &pipeline, const BoundBuffers &buffers,
              const RayTile &tile) const;
+  void dispatch(VkCommandBuffer commands, const RayTile &tile, const GroupsThere &groups) const;
 
   Device::State *device_;
   Addressing addressing_;
@@ -121,8 +126,7 @@ private:
   PageShape pages_;
   std::vector<std::uint32_t> spirv_; ///< What pipelines are found by, where the device has a cache.
   ShaderModuleHandle module_;
-  SetLayoutHandle setLayout_;
-  PipelineLayoutHandle layout_;
+  ComputeLayout layout_;
   Variant variants_[kCountedKinds]; ///< By what they count.
 };
 

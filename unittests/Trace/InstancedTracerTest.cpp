@@ -1,6 +1,9 @@
 // Volumes that stand in one world: the nearest hit of all, on every device.
 #include "voxc/Trace/InstancedTracer.h"
-#include "testing/HardRays.h"
+
+#include "Instances.h"
+
+#include "TestLength.h"
 #include "testing/HardScenes.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/OpenTracer.h"
@@ -32,21 +35,13 @@ std::unique_ptr<Tracer> open(const Volume &volume, const char *device = "cpu") {
   return std::move(*tracer);
 }
 
-/// The ray in an instance's voxels, as it is defined.
-Ray rayIn(const glm::mat4 &toWorld, const Ray &ray) {
-  const glm::dmat4 m = glm::inverse(glm::dmat4(toWorld));
-  const glm::dvec4 o = m * glm::dvec4(ray.origin[0], ray.origin[1], ray.origin[2], 1);
-  const glm::dvec4 d = m * glm::dvec4(ray.direction[0], ray.direction[1], ray.direction[2], 0);
-  return makeRay(glm::vec3(glm::dvec3(o)), glm::vec3(glm::dvec3(d)));
-}
-
 /// The nearest hit of a ray by tracing it through every instance.
 std::vector<InstanceHit> nearestOf(const std::vector<Instance> &instances, const std::vector<Ray> &rays) {
   std::vector<InstanceHit> nearest(rays.size(), InstanceHit{{{-1, -1, -1}, 0, 0, 0}});
   for (std::uint32_t number = 0; number < instances.size(); ++number) {
     std::vector<Ray> own;
     for (const Ray &ray : rays)
-      own.push_back(rayIn(instances[number].toWorld, ray));
+      own.push_back(test::rayIn(instances[number].toWorld, ray));
     std::vector<Hit> hits(rays.size());
     EXPECT_TRUE(instances[number].tracer->trace(own, hits));
     for (std::size_t i = 0; i < rays.size(); ++i)
@@ -56,13 +51,6 @@ std::vector<InstanceHit> nearestOf(const std::vector<Instance> &instances, const
   return nearest;
 }
 
-std::size_t countDifferent(const std::vector<InstanceHit> &a, const std::vector<InstanceHit> &b) {
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    different += std::memcmp(&a[i], &b[i], sizeof a[i]) != 0;
-  return different;
-}
-
 std::vector<InstanceHit> traced(const std::vector<Instance> &instances, const std::vector<Ray> &rays) {
   auto tracer = InstancedTracer::create(instances);
   EXPECT_TRUE(tracer) << tracer.error().message;
@@ -70,15 +58,6 @@ std::vector<InstanceHit> traced(const std::vector<Instance> &instances, const st
   const auto outcome = tracer->trace(rays, hits);
   EXPECT_TRUE(outcome) << outcome.error().message;
   return hits;
-}
-
-glm::mat4 randomPlace(std::mt19937 &random) {
-  const auto number = [&](float low, float high) {
-    return std::uniform_real_distribution<float>(low, high)(random);
-  };
-  glm::mat4 matrix = glm::translate(glm::mat4(1), {number(-20, 20), number(-20, 20), number(-20, 20)});
-  matrix = glm::rotate(matrix, number(0, 6), glm::vec3(number(-1, 1), number(-1, 1), 1));
-  return glm::scale(matrix, {number(0.2f, 2), number(-2, -0.2f), number(0.2f, 2)});
 }
 
 std::vector<Ray> raysAround(std::size_t count) {
@@ -98,10 +77,11 @@ TEST(InstancedTracer, FindsTheNearestOfAllInstances) {
   for (int round = 0; round < 4; ++round) {
     std::vector<Instance> instances;
     for (int i = 0; i < 6; ++i)
-      instances.push_back(i % 2 == 0 ? Instance{first.get(), tree.format().extent(), randomPlace(random)}
-                                     : Instance{second.get(), grid.format().extent(), randomPlace(random)});
+      instances.push_back(
+          i % 2 == 0 ? Instance{first.get(), tree.format().extent(), test::randomPlace(random, 20)}
+                     : Instance{second.get(), grid.format().extent(), test::randomPlace(random, 20)});
     const auto expected = nearestOf(instances, rays);
-    EXPECT_EQ(countDifferent(traced(instances, rays), expected), 0u);
+    EXPECT_EQ(test::countDifferent(traced(instances, rays), expected), 0u);
     EXPECT_GT(std::ranges::count_if(expected, [](const InstanceHit &hit) { return hit.instance > 2; }), 1000);
   }
 }
@@ -114,11 +94,11 @@ TEST(InstancedTracer, FindsTheSameOnADevice) {
   std::mt19937 random(8);
   std::vector<Instance> instances;
   for (int i = 0; i < 3; ++i)
-    instances.push_back({cpu.get(), volume.format().extent(), randomPlace(random)});
+    instances.push_back({cpu.get(), volume.format().extent(), test::randomPlace(random, 20)});
   std::vector<Instance> others = instances;
   others[0].tracer = others[2].tracer = device.get(); // Of both kinds at once.
   const std::vector<Ray> rays = raysAround(3000);
-  EXPECT_EQ(countDifferent(traced(others, rays), traced(instances, rays)), 0u);
+  EXPECT_EQ(test::countDifferent(traced(others, rays), traced(instances, rays)), 0u);
 }
 
 std::unique_ptr<Tracer> openBounded(const Volume &volume) {
@@ -136,12 +116,12 @@ TEST(InstancedTracer, CutsRaysOffBehindWhatTheyHit) {
   std::mt19937 random(11);
   std::vector<Instance> instances;
   for (int i = 0; i < 5; ++i)
-    instances.push_back({whole.get(), volume.format().extent(), randomPlace(random)});
+    instances.push_back({whole.get(), volume.format().extent(), test::randomPlace(random, 20)});
   std::vector<Instance> others = instances;
   for (Instance &instance : others)
     instance = {cut.get(), instance.extent, instance.toWorld, true};
   const std::vector<Ray> rays = raysAround(20000);
-  EXPECT_EQ(countDifferent(traced(others, rays), traced(instances, rays)), 0u);
+  EXPECT_EQ(test::countDifferent(traced(others, rays), traced(instances, rays)), 0u);
 }
 
 TEST(InstancedTracer, KeepsTheBoundsOfRays) {
@@ -154,20 +134,20 @@ TEST(InstancedTracer, KeepsTheBoundsOfRays) {
     boundedRays.push_back(bounded(ray, {float(random() % 10), float(5 + random() % 40)}));
   std::vector<Instance> instances;
   for (int i = 0; i < 3; ++i)
-    instances.push_back({cut.get(), volume.format().extent(), randomPlace(random), true});
+    instances.push_back({cut.get(), volume.format().extent(), test::randomPlace(random, 20), true});
   std::vector<InstanceHit> hits(rays.size()), expected(rays.size(), InstanceHit{{{-1, -1, -1}, 0, 0, 0}});
   ASSERT_TRUE(InstancedTracer::create(instances)->trace(boundedRays, hits));
   for (std::uint32_t number = 0; number < instances.size(); ++number) {
     std::vector<BoundedRay> own;
     for (const BoundedRay &ray : boundedRays)
-      own.push_back(bounded(rayIn(instances[number].toWorld, ray.ray()), ray.bounds()));
+      own.push_back(bounded(test::rayIn(instances[number].toWorld, ray.ray()), ray.bounds()));
     std::vector<Hit> found(rays.size());
     ASSERT_TRUE(cut->trace(own, found));
     for (std::size_t i = 0; i < rays.size(); ++i)
       if (found[i].isHit() && (!expected[i].isHit() || found[i].t < expected[i].hit.t))
         expected[i] = {found[i], number};
   }
-  EXPECT_EQ(countDifferent(hits, expected), 0u);
+  EXPECT_EQ(test::countDifferent(hits, expected), 0u);
   EXPECT_GT(std::ranges::count_if(hits, &InstanceHit::isHit), 300);
   instances[1] = {whole.get(), volume.format().extent()};
   const auto refused = InstancedTracer::create(instances)->trace(boundedRays, hits);
@@ -213,6 +193,49 @@ TEST(InstancedTracer, VolumesSideBySideAreAsOne) {
   }
   EXPECT_EQ(wrong, 0u);
   EXPECT_GT(found, 1000u);
+}
+
+/// Hard rays of single volumes, each taken to the world from the voxels of an instance.
+std::vector<Ray> hardRaysAmong(const std::vector<glm::mat4> &places, std::size_t count) {
+  std::vector<Ray> rays;
+  std::mt19937 random(13);
+  for (const Ray &ray : raysAround(count)) {
+    const glm::mat4 &place = places[random() % places.size()];
+    const auto there = [&](const float(&v)[3], float w) {
+      return glm::vec3(place * glm::vec4(v[0], v[1], v[2], w));
+    };
+    rays.push_back(makeRay(there(ray.origin, 1), there(ray.direction, 0)));
+  }
+  return rays;
+}
+
+/// Against the oracle, traced through every one.
+TEST(InstancedTracer, FindsTheNearestAmongMany) {
+  const Volume volume = makeVolume("G(4)", 7);
+  const auto oracle = Oracle::of(volume);
+  ASSERT_TRUE(oracle) << oracle.error().message;
+  const auto whole = open(volume), cut = openBounded(volume);
+  std::mt19937 random(14);
+  std::vector<glm::mat4> places;
+  std::vector<Instance> instances;
+  for (int i = 0; i < 120; ++i) {
+    places.push_back(test::randomPlace(random, 60));
+    instances.push_back(i % 3 ? Instance{cut.get(), {16, 16, 16}, places.back(), true}
+                              : Instance{whole.get(), {16, 16, 16}, places.back()});
+  }
+  const std::vector<Ray> rays = hardRaysAmong(places, 1000 * test::rounds(1));
+  const auto expected = test::nearestOfOracle(*oracle, places, rays);
+  EXPECT_EQ(test::countDifferent(traced(instances, rays), expected), 0u) << "of " << rays.size();
+  EXPECT_GT(static_cast<std::size_t>(std::ranges::count_if(expected, &InstanceHit::isHit)), rays.size() / 3);
+}
+
+/// Instances that lie in each other at one place: of the same t the first is taken.
+TEST(InstancedTracer, TakesTheFirstOfTheSame) {
+  const Volume volume = makeVolume("G(4)", 7);
+  const auto cut = openBounded(volume);
+  std::vector<Instance> instances(40, Instance{cut.get(), {16, 16, 16}, glm::mat4(1), true});
+  for (const InstanceHit &hit : traced(instances, raysAround(2000)))
+    EXPECT_EQ(hit.instance, hit.hit.isHit() ? 0u : InstanceHit::kNone);
 }
 
 TEST(InstancedTracer, OfNoInstancesHasNoHits) {

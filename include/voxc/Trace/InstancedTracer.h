@@ -33,6 +33,8 @@ struct InstanceHit {
   bool isHit() const { return instance != kNone; }
 };
 
+static_assert(sizeof(InstanceHit) == 28);
+
 /// Traces rays of the world. A ray is taken to the voxels of an instance in float64, by the inverse of its
 /// matrix, and rounded to float32 once; directions are not made unit length, so that t means the same
 /// everywhere. The hit in each instance is exact for that ray. Of the instances that a ray hits, the one of

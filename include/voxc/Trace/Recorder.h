@@ -100,6 +100,7 @@ public:
   Expected<BoundTrace> bind(const DeviceVolume &volume, const TraceBuffers &buffers) const;
 
   struct State;
+  const State &state() const { return *state_; }
 
 private:
   explicit TraceRecorder(std::shared_ptr<const State> state) : state_(std::move(state)) {}
