@@ -1,6 +1,8 @@
-// Where the picture is taken from: a place that is looked at, a direction, and how far off the eye is.
+// Where the picture is taken from: a place that is looked at, a direction, and how far off the eye is. All of it is in spaced space: that of
+// voxels, stretched to their sides.
 
-const extent = scene.extent, size = Math.max(...extent);
+const extent = scene.extent, spacing = scene.spacing;
+const sides = extent.map((side, axis) => side * spacing[axis]), size = Math.max(...sides);
 const add = (a, b, times = 1) => a.map((value, axis) => value + b[axis] * times);
 const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 const camera = {
@@ -19,7 +21,7 @@ const camera = {
     const { front, right } = this.axes(), eye = this.eye(), most = this.tangent * scene.camera.aspect;
     let wide = 0;
     for (let corner = 0; corner < 8; corner++) {
-      const way = add(extent.map((side, axis) => corner >> axis & 1 ? side : 0), eye, -1);
+      const way = add(sides.map((side, axis) => corner >> axis & 1 ? side : 0), eye, -1);
       const far = dot(way, front);
       wide = Math.max(wide, far > 0 ? Math.abs(dot(way, right)) / far * 1.04 : most);
     }
@@ -30,7 +32,7 @@ const camera = {
     return { front: [cp * s, sp, cp * c], right: [-c, 0, s], up: [-sp * s, cp, -sp * c] };
   },
   eye() { return add(this.look, this.axes().front, -this.distance); },
-  isInside() { return this.eye().every((value, axis) => value >= 0 && value < extent[axis]); },
+  isInside() { return this.eye().every((value, axis) => value >= 0 && value < sides[axis]); },
   // A picture that is too narrow is taken with a wider angle, from outside also from further off.
   view(width, height) {
     const { front, right, up } = this.axes();

@@ -15,7 +15,7 @@ function functionsOf(precision) {
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\n` + functionsOf(precision);
+    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\nconst vec3 SPACING = vec3(${scene.spacing});\n` + functionsOf(precision);
     const pictures = () => programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
     const programs = { develop: programOf(shaders["develop.frag"]) };
     if (volume.isStreamed) { // First what shows something.
@@ -84,6 +84,15 @@ function answered(task) {
 }
 const isLate = () => moved || asking;
 
+// The poster lies over the canvas until its picture is about as fine, or of another place than the maker's.
+const placeOfEye = () => String([camera.yaw, camera.pitch, camera.distance, ...camera.look]), placeOfPoster = placeOfEye();
+function tellPicture(film, part) {
+  if (part < 0.5 && placeOfEye() === placeOfPoster && element("poster")) return;
+  element("poster")?.remove();
+  if (part < 1) element("status").textContent = `${english(film.width)} × ${english(film.height)} pixels so far`;
+  else tellSamples(film.samples);
+}
+
 // What puts a film on the canvas, as far as it is exposed.
 const showing = (programs, film) => () => {
   film.develop(programs, null, canvas.width, canvas.height);
@@ -98,6 +107,7 @@ async function takeQuickPicture(programs, films) {
   if (volume.isStreamed) await exposePass(programs, film, () => film.isAgain && isLate(), show);
   else await exposeSample(programs, film, () => false);
   show();
+  tellPicture(film, part);
   return part;
 }
 
@@ -129,7 +139,7 @@ async function show() {
       const show = showing(programs, film);
       if (!await exposeSample(programs, film, isLate, show)) continue;
       show();
-      if (part === 1) tellSamples(film.samples);
+      tellPicture(film, part);
       if (part === 1 && isChecked !== precision) {
         isChecked = precision;
         await checkHere();
@@ -144,7 +154,8 @@ async function show() {
 const mostSamples = () => volume.isStreamed && volume.figures.gone ? FEW_SAMPLES : MOST_SAMPLES;
 
 function tellSamples(samples) {
-  element("status").textContent = `${english(samples)} of ${mostSamples()} samples a pixel`;
+  const most = mostSamples();
+  element("status").textContent = `${english(samples)} of ${most} samples a pixel` + (samples < most ? "" : ": the picture is finished");
   document.documentElement.dataset.samples = samples;
 }
 
@@ -152,10 +163,11 @@ function tellSamples(samples) {
 async function pick(x, y) {
   const { eye, front, right, up } = camera.view(canvas.clientWidth, canvas.clientHeight);
   const [across, down] = [2 * x / canvas.clientWidth - 1, 2 * y / canvas.clientHeight - 1];
-  const ray = new Float32Array([...eye, ...add(add(front, right, across), up, -down)]);
+  const way = add(add(front, right, across), up, -down);
+  const ray = new Float32Array([...eye, ...way].map((value, i) => value / spacing[i % 3]));
   const hits = await answered(async () => trace(await answers(precision), ray));
   const t = new Float32Array(hits.buffer)[4];
-  return hits[0] >> 31 ? null : [0, 1, 2].map(axis => ray[axis] + t * ray[3 + axis]);
+  return hits[0] >> 31 ? null : add(eye, way, t);
 }
 
 // For tests and the curious.

@@ -46,12 +46,13 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   pixel.y = size.y - 1 - pixel.y;
   vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
-  vec3 origin = eye;
-  vec3 direction = normalize(front + right * at.x - up * at.y);
+  // Rays are in voxels; angles, t and light in spaced space.
+  vec3 origin = eye / SPACING;
+  vec3 direction = normalize(front + right * at.x - up * at.y) / SPACING;
   vec3 by_sun = vec3(0.0);
   vec4 by_sky = vec4(0.0);
   uint first = 0u; // Face and t.
-  vec3 colour, normal, point, start, face, before_face;
+  vec3 colour, normal, point, start, face, before_face, across_voxels;
   float room = 0.0; // Above a smooth surface, so many voxels, its steps hide nothing of it any more.
   for (int task = 0; task < DONE;) {
     voxc_scene_Hit hit;
@@ -69,7 +70,7 @@ void main() {
       if (found) {
         first = floatBitsToUint(hit.t) >> 12 << 12 | (hit.axis < 0 ? 6u : uint(2 * hit.axis + max(hit.side, 0))) << 9 | uint(!is_sketch);
         colour = colour_of_word(hit.colour);
-        normal = face = hit.axis < 0 ? -direction : voxc_scene_normal(hit);
+        normal = face = hit.axis < 0 ? -normalize(direction * SPACING) : voxc_scene_normal(hit);
         point = origin + hit.t * direction;
         start = before_face = voxc_scene_outside(origin, direction, hit);
         if (is_smooth && !is_sketch && hit.axis >= 0)
@@ -78,7 +79,9 @@ void main() {
           normal = face;
         } else if (normal != face) {
           room = 2.0;
-          start = point + room * normal;
+          across_voxels = normal;
+          start = point + room * across_voxels;
+          normal = normalize(normal / SPACING);
         }
         task = is_sketch ? DONE : dot(normal, sun) > 0.0 ? SUN : SKY;
       }
@@ -86,7 +89,7 @@ void main() {
       // There is no room for that: nearer, or as the face is.
       room -= 1.0;
       normal = room > 0.0 ? normal : face;
-      start = room > 0.0 ? point + room * normal : before_face;
+      start = room > 0.0 ? point + room * across_voxels : before_face;
       by_sun = vec3(0.0);
       task = dot(normal, sun) > 0.0 ? SUN : SKY;
     } else if (task == SUN) {
@@ -97,7 +100,7 @@ void main() {
       task = DONE;
     }
     origin = start;
-    direction = task == SUN ? sun : sky_direction(normal, numbers_of(pixel));
+    direction = (task == SUN ? sun : sky_direction(normal, numbers_of(pixel))) / SPACING;
   }
   if (is_further) {
     uvec4 sun_before = texelFetch(before_sun, ivec2(gl_FragCoord.xy), 0);

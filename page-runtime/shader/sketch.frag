@@ -28,9 +28,9 @@ void main() {
   begin_loads(uvec2(here), uint(number));
   ivec2 pixel = ivec2(here.x, size.y - 1 - here.y);
   vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
-  vec3 direction = normalize(front + right * at.x - up * at.y);
+  vec3 direction = normalize(front + right * at.x - up * at.y) / SPACING;
   voxc_scene_Hit hit;
-  bool found = voxc_scene_first(0, eye, direction, hit);
+  bool found = voxc_scene_first(0, eye / SPACING, direction, hit);
   bool lacks = voxc_scene_lacks_page;
   vec3 face = hit.axis < 0 ? -direction : voxc_scene_normal(hit);
   vec3 colour = (lacks ? UNKNOWN : colour_of_word(hit.colour)) * (0.9 + 0.2 * face.y - 0.1 * abs(face.x));

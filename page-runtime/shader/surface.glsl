@@ -20,7 +20,7 @@ ivec3 voxel_of(ivec2 at, uint first) {
   uint face = first >> 9 & 7u;
   if (face < 6u)
     into[face >> 1] = (face & 1u) == 0u ? 0.5 : -0.5;
-  return ivec3(floor(eye + point_of(at, first) + into));
+  return ivec3(floor((eye + point_of(at, first)) / SPACING + into));
 }
 
 // The least eigenvalue of a symmetric matrix and the next, by the cosine formula.

@@ -7,6 +7,7 @@ Every hit that a page finds is compared with `voxc trace`'s, which the exact ora
 import contextlib
 import json
 import math
+import subprocess
 import sys
 import tempfile
 import time
@@ -108,6 +109,21 @@ class Pages(unittest.TestCase):
             page.evaluate("voxc.scene.smooth = false")
             self.assertGreater(page.difference(self.folder / "ball.png", size, samples, exposure)[1], 2 * far)
 
+    def test_scans_have_their_spacing(self):
+        size, samples, scan = (320, 180), 4, self.folder / "scan.nii"
+        subprocess.run([sys.executable, volume_page.HERE.parent / "Driver" / "Inputs" / "ball.py", scan], check=True)
+        voxc("build", "R(3^3) G(4)", scan, "-o", self.folder / "scan.hvx")
+        page, made = page_of(self.folder / "scan.hvx", self.folder)
+        exposure = render(self.folder / "scan.hvx", self.folder / "scan.png", size, samples, made["camera"])
+        with self.opened(page) as page:
+            self.assertEqual(page.evaluate("voxc.scene.spacing"), [1, 3, 1])
+            mean, far = page.difference(self.folder / "scan.png", size, samples, exposure)
+            self.assertLess(mean, 2)
+            self.assertLess(far, 0.05)
+        # Voxels as cubes are another picture.
+        with self.opened(page_of(self.folder / "scan.hvx", self.folder, "--cubic-voxels")[0]) as page:
+            self.assertGreater(page.difference(self.folder / "scan.png", size, samples, exposure)[1], 0.2)
+
     def test_says_what_it_is(self):
         with self.opened(self.page) as page:
             text = page.evaluate("document.getElementById('about').textContent")
@@ -128,6 +144,43 @@ class Pages(unittest.TestCase):
                 box = page.evaluate("(b => [b.left, b.top, b.right, b.bottom])(document.getElementById('about').getBoundingClientRect())")
                 self.assertTrue(0 <= box[0] < box[2] <= width and 0 <= box[1] < box[3] <= height, box)
                 self.assertEqual(page.evaluate("document.getElementById('about').open"), width == 1280)
+
+    def shown(self, page, name):
+        """A screenshot of a page without what it says."""
+        page.evaluate("document.getElementById('about').hidden = true")
+        path = self.folder / f"{name}.png"
+        page.picture(path, height=page.size[1])
+        return path
+
+    def test_shows_a_poster_where_its_picture_will_be(self):
+        for width, height in ((1280, 800), (390, 844)):
+            with self.subTest(width):
+                lacking = self.enterContext(Browser(width, height, draws=True))
+                lacking.call("Page.addScriptToEvaluateOnNewDocument", source="HTMLCanvasElement.prototype.getContext = () => null")
+                lacking.open(self.page)
+                poster = self.shown(lacking, "poster")
+                self.assertEqual(lacking.evaluate("document.querySelector('#poster img').naturalWidth >= 240"), True)
+                with self.opened(self.page, width, height) as page:
+                    page.wait("!document.getElementById('poster')")
+                    page.wait("document.getElementById('status').textContent.endsWith(' samples a pixel')")
+                    mean, far = volume_page.far_apart(page, poster, self.shown(page, "picture"))
+                    self.assertLess(mean, 12)
+                    self.assertLess(far, 0.1)
+
+    def test_says_when_the_picture_is_finished(self):
+        with self.opened(self.page, 64, 48) as page:
+            page.wait("document.getElementById('status').textContent !== voxc.scene.wait")
+            page.wait("document.getElementById('status').textContent === '256 of 256 samples a pixel: the picture is finished'")
+            self.assertEqual(page.evaluate("document.getElementById('poster')"), None)
+            page.evaluate("voxc.camera.turn(0.5, 0)")
+            page.evaluate("voxc.changed()")
+            page.wait("!document.getElementById('status').textContent.includes('finished')")
+
+    def test_has_no_poster_once_somebody_has_moved(self):
+        with self.opened(self.page, 1280, 800) as page:
+            page.evaluate("voxc.camera.turn(0.5, 0)")
+            page.evaluate("voxc.changed()")
+            page.wait("!document.getElementById('poster')")
 
     def test_is_light_and_dark(self):
         with self.opened(self.page) as page:

@@ -33,13 +33,11 @@ std::vector<Ray> checkRays(Int3 extent, std::size_t count) {
 }
 
 PictureView viewOf(const Camera &camera) {
-  const auto rounded = [](const glm::dvec3 &v) { return glm::dvec3(glm::vec3(v)); };
-  const double high = std::tan(glm::radians(camera.verticalFov) / 2);
-  const glm::dvec3 front = glm::normalize(camera.look - camera.eye);
-  const glm::dvec3 right = glm::normalize(glm::cross(front, camera.up));
-  const glm::dvec3 up = glm::cross(right, front);
-  return {rounded(camera.eye), rounded(front), rounded(right * (high * camera.width / camera.height)),
-          rounded(up * high)};
+  const auto inVoxels = [&](const glm::dvec3 &v) { return glm::dvec3(glm::vec3(v / camera.spacing)); };
+  const double high = shownHeight(camera, 1) / 2;
+  const auto [front, right, up] = axesOf(camera);
+  return {glm::dvec3(glm::vec3(camera.eye)), inVoxels(front),
+          inVoxels(right * (high * camera.width / camera.height)), inVoxels(up * high)};
 }
 
 std::vector<Ray> pictureRays(const PictureView &view, std::size_t count) {

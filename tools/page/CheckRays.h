@@ -17,7 +17,8 @@ namespace voxc::page {
 /// page-runtime/script/rays.js makes too, to the bit.
 std::vector<Ray> checkRays(Int3 extent, std::size_t count);
 
-/// What a picture is of, in numbers of float32: from its middle, `front` far off, to its edges.
+/// What a picture of a pinhole is of, in voxels and numbers of float32: from its middle, `front` far off, to
+/// its edges.
 struct PictureView {
   glm::dvec3 eye, front, right, up;
 };

@@ -103,10 +103,11 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
   const Int3 extent = volume.info().extent;
   const Camera &camera = contents.camera;
   return {{"extent", {extent.x, extent.y, extent.z}},
-          {"camera",
-           {{"eye", numbers(camera.eye)},
-            {"look", numbers(camera.look)},
-            {"up", numbers(camera.up)},
+          {"spacing", numbers(camera.spacing)},
+          {"camera", // In spaced space.
+           {{"eye", numbers(camera.eye * camera.spacing)},
+            {"look", numbers(camera.look * camera.spacing)},
+            {"up", numbers(camera.up * camera.spacing)},
             {"fov", camera.verticalFov},
             {"aspect", double(camera.width) / camera.height}}},
           {"sun", numbers(glm::normalize(contents.sun))},
