@@ -99,6 +99,29 @@ class Page(Browser):
         }})()""")
 
 
+def far_apart(page, first, second):
+    """How far two pictures of one size are apart: the mean over all channels, and the share of pixels that are off by more than 48. The
+    browser compares them."""
+    images = ", ".join(f'"{base64.b64encode(Path(path).read_bytes()).decode()}"' for path in (first, second))
+    return page.evaluate(f"""(async () => {{
+        const [one, other] = await Promise.all([{images}].map(async data => {{
+          const image = new Image();
+          image.src = "data:image/png;base64," + data;
+          await image.decode();
+          const context = Object.assign(document.createElement("canvas"), {{ width: image.width, height: image.height }}).getContext("2d");
+          context.drawImage(image, 0, 0);
+          return context.getImageData(0, 0, image.width, image.height).data;
+        }}));
+        let sum = 0, far = 0;
+        for (let i = 0; i < one.length; i += 4) {{
+          const off = [0, 1, 2].map(k => Math.abs(one[i + k] - other[i + k]));
+          sum += off[0] + off[1] + off[2];
+          far += Math.max(...off) > 48;
+        }}
+        return [sum / (one.length * 3 / 4), far / (one.length / 4)];
+    }})()""")
+
+
 def exact_hits(volume, rays, folder):
     """What `voxc trace` answers, once the oracle has agreed."""
     (folder / "rays.bin").write_bytes(rays)

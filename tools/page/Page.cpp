@@ -2,6 +2,7 @@
 #include "page/Page.h"
 
 #include "page/Packed.h"
+#include "page/Poster.h"
 #include "page/Script.h"
 
 #include "Emit/Template.h"
@@ -72,17 +73,19 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
     return script.error();
   const std::string packed = deflated(*script + planesOf(words) + contents.checks);
   TemplateNames names;
-  names.holes = {{"BYTES", std::to_string(packed.size())},
-                 {"SCRIPT_BYTES", std::to_string(script->size())},
-                 {"WORDS", std::to_string(words.size())},
-                 {"BLOCK_WORDS", std::to_string(kBlockWords)},
-                 {"TITLE", escaped(contents.title)},
-                 {"STYLE", tersely("style.css")},
-                 {"FACTS", factsOf(volume) + (streamed ? factsOf(*streamed) : "")},
-                 {"WAIT", std::string(kWait)},
-                 // Whoever is on a server is asked for an icon.
-                 {"ICON", streamed ? "<link rel=\"icon\" href=\"data:,\">\n" : ""},
-                 {"PACKED", sevenBitText(packed)}};
+  names.holes = {
+      {"BYTES", std::to_string(packed.size())},
+      {"SCRIPT_BYTES", std::to_string(script->size())},
+      {"WORDS", std::to_string(words.size())},
+      {"BLOCK_WORDS", std::to_string(kBlockWords)},
+      {"TITLE", escaped(contents.title)},
+      {"STYLE", tersely("style.css")},
+      {"FACTS", factsOf(volume) + (streamed ? factsOf(*streamed) : "")},
+      {"WAIT", std::string(kWait)},
+      {"POSTER", posterHtml(contents.picture, contents.camera, volume.info().extent, packed.size())},
+      // Whoever is on a server is asked for an icon.
+      {"ICON", streamed ? "<link rel=\"icon\" href=\"data:,\">\n" : ""},
+      {"PACKED", sevenBitText(packed)}};
   const Expected<std::string> unpack = fillTemplate(tersely("unpack.js"), names);
   if (!unpack)
     return unpack.error();

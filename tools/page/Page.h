@@ -4,6 +4,7 @@
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Camera.h"
+#include "voxc/Trace/Picture.h"
 #include "voxc/Volume/Volume.h"
 
 #include "page/CheckRays.h"
@@ -32,6 +33,7 @@ struct StreamedVolume {
 /// What a page says and shows beside the volume.
 struct PageContents {
   std::string title;
+  Picture picture;     ///< Taken by `camera`: what is to be seen until the page has a picture of its own.
   Camera camera;       ///< With which it begins. What is level is level in its picture.
   glm::dvec3 sun;      ///< Towards it; of any length but 0.
   bool smooth = false; ///< Surfaces have the direction of their neighbourhood, as `RenderOptions::isSmooth`.

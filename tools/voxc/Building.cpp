@@ -76,9 +76,11 @@ Expected<Format> Building::suggestFormat(const std::string &device, const Common
   SuggestRequest request{.input = input_, .arguments = inputArguments_, .device = device};
   request.wish.maxBytes = std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t);
   request.memory = makeWorkingMemory(buildArguments_);
+  const Stopwatch watch;
   Expected<Suggestion> suggestion = makeSuggestion(request, common, progress, figures);
   if (!suggestion)
     return suggestion.error();
+  figures["choose_seconds"] = watch.seconds();
   const Candidate &candidate = suggestion->rated[*suggestion->choice].candidate;
   inputArguments_ = suggestion->arguments;
   format_ = candidate.text;
@@ -147,10 +149,12 @@ Expected<void> Building::chooseByFacts(Format &format, VoxelSource &source,
     return {};
   if (Expected<void> checked = payload_.check(format); payload_.isAuto() && !checked)
     return checked;
+  const Stopwatch watch;
   const std::unique_ptr<VoxelSource> view = source.view();
   const auto facts = measureFacts(view ? *view : source, {.memory = memory}, progress);
   if (!facts)
     return facts.error();
+  figures["choose_seconds"] = watch.seconds();
   const std::optional<int> bits = asksBits ? choosePointers(*facts, common, figures) : std::nullopt;
   if (!payload_.isAuto()) {
     Expected<Format> formed = formOf(format, nullptr, bits);
@@ -251,9 +255,11 @@ Expected<Building::Opened> Building::open(Format &format, const CommonOptions &c
   options.progress = progress;
   options.memory = memory;
   options.threads = threadsOf(buildArguments_);
+  const Stopwatch opening;
   Expected<Input> input = openInput(input_, options);
   if (!input)
     return input.error();
+  figures["input_seconds"] = opening.seconds();
   tellWarnings(*input, common);
   if (Expected<void> chosen = chooseByFacts(format, *input->source, memory, common, progress, figures);
       !chosen)

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
 
 namespace voxc::tool {
 
@@ -79,6 +80,9 @@ public:
     if (figures.value("files_written", 1) == 1)
       addFileFigure(figures, output_);
     addWritten(figures, output_);
+    bar.clear();
+    if (!common_.quiet)
+      tellSize(figures, *volume);
     return tellFigures(common_, figures);
   }
 
@@ -134,6 +138,21 @@ private:
     figures["colour_error"] = errorFigures(*exported.loss);
     if (!common_.quiet)
       printNote("note: 255 colours stand for those of the volume: " + errorText(*exported.loss));
+  }
+
+  /// Of a surface that other programs will hardly open, for it has each face of each voxel that is seen.
+  void tellSize(const Json &figures, const Volume &volume) const {
+    constexpr double kMuch = 100e6, kMega = 1e6;
+    const double bytes = figures.value("file_bytes", 0.0);
+    if (bytes < kMuch || !output_.ends_with(".glb"))
+      return;
+    char text[256];
+    std::snprintf(
+        text, sizeof text,
+        "warning: %.0f MB of faces; a volume of half the resolution has about a quarter of them, and "
+        "-o NAME.hvx --compress keeps all voxels in less than %.1f MB",
+        bytes / kMega, std::max(double(volume.words().size_bytes()) / kMega, 0.1));
+    printNote(text);
   }
 
   VolumeArgument volume_;

@@ -161,7 +161,7 @@ struct Line {
 constexpr Line kLines[] = {
     {"read", readText},   {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
     {"paged", pagedText}, {"coarse", coarseText}, {"checked", errorText}, {"flight", flightText},
-    {"view", viewText},   {"camera", cameraText}, {"file", exportedText}, {"took", stagesText},
+    {"view", viewText},   {"camera", cameraText}, {"file", exportedText},
 };
 
 void printLine(const std::string &label, const std::string &text) {
@@ -181,6 +181,8 @@ Expected<void> tellFigures(const CommonOptions &common, const Json &figures) {
       for (const Json &file : figures["files"])
         if (file != "-")
           printLine("wrote", file.get<std::string>());
+    if (const std::string text = stagesText(figures); !text.empty())
+      printLine("took", text);
   }
   return writeStatistics(common.stats, figures);
 }

@@ -14,8 +14,20 @@
 namespace voxc::tool {
 namespace {
 
-/// The seconds so far; the watch begins anew.
-double lap(Stopwatch &watch) { return std::exchange(watch, {}).seconds(); }
+/// Times that follow each other: what one does not have the next has, even if this thread has to wait
+/// between.
+class Laps {
+public:
+  /// Seconds since it was made, or since the last lap.
+  double next() {
+    const double now = watch_.seconds();
+    return now - std::exchange(last_, now);
+  }
+
+private:
+  Stopwatch watch_;
+  double last_ = 0;
+};
 
 void addSize(Json &figures, const Camera &camera) {
   figures["width"] = camera.width;
@@ -49,6 +61,7 @@ void Rendering::declare(const CommandLine &command) {
                "; the default is named after the input and the style")
       .takes("PICTURE");
   addPictureOptions(command, picture_);
+  addClipOptions(command, clip_);
   flight_.declare(command);
   command
       .add("--lod", picture_.lod,
@@ -72,6 +85,10 @@ Expected<void> Rendering::check(const std::string &source, const CommonOptions &
     return writable;
   if (Expected<void> named = checkPictureName(output_); !named)
     return named;
+  if (clip_.isGiven() && (picture_.lod > 0 || picture_.coarse > 0))
+    return Error::usage("--clip-box and --clip-plane show voxels alone; leave out --lod and --allow-coarse");
+  if (const Expected<Clip> clip = clipOf(clip_); !clip)
+    return clip.error();
   return checkPictureOptions(picture_);
 }
 
@@ -83,13 +100,18 @@ Expected<void> Rendering::applyTo(Format &format) const {
         "for a --heatmap");
   if (picture_.lod > 0)
     format.setAttribute(kDetailAttribute, "cone");
+  if (clip_.isGiven())
+    format.setAttribute(kBoundsAttribute, "yes");
   return {};
 }
 
 Expected<void> Rendering::render(const Volume &volume, SurfaceNormals &normals, Tracing &tracing,
                                  const CommonOptions &common, ProgressBar &bar, Json &figures) const {
   const Stopwatch watch;
-  PictureRays rays(tracing, check_.rays());
+  Expected<Clip> clip = clipOf(clip_, volume.info().voxelToModel);
+  if (!clip)
+    return clip.error();
+  PictureRays rays(tracing, check_.rays(), std::move(*clip));
   RenderOptions options = renderOptions(picture_, volume);
   options.normals = &normals;
   options.progress = bar.progress();
@@ -116,15 +138,15 @@ Expected<void> Rendering::render(const Volume &volume, SurfaceNormals &normals, 
 
 Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, const RenderOptions &options,
                                                 PictureRays &rays, Json &figures) const {
-  Stopwatch watch;
+  Laps laps;
   const Expected<PlacedCamera> placed = rays.findCamera(picture_, volume);
   if (!placed)
     return placed.error();
-  figures["camera_seconds"] = lap(watch);
+  figures["camera_seconds"] = laps.next();
   const Expected<TakenPicture> taken = rays.take(volume, *placed, options);
   if (!taken)
     return taken.error();
-  figures["picture_seconds"] = lap(watch);
+  figures["picture_seconds"] = laps.next();
   addSize(figures, placed->camera);
   addCameraFigures(figures, picture_, *placed, volume);
   figures["exposure"] = taken->rendering.exposure;
@@ -132,9 +154,9 @@ Expected<Rendering::Warning> Rendering::takeOne(const Volume &volume, const Rend
   figures["median_voxels"] = taken->rendering.middle;
   if (Expected<void> written = writeTaken(output_, *taken); !written)
     return written.error();
-  figures["file_seconds"] = lap(watch);
+  figures["file_seconds"] = laps.next();
   addWritten(figures, output_);
-  return cameraWarning(*taken, volume);
+  return cameraWarning(*taken, volume, clip_.isGiven());
 }
 
 // One tracer takes all frames, so pages that one frame has brought are there for the next; and so are
@@ -165,7 +187,7 @@ Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, const R
     taking += took;
     writing += watch.seconds() - took;
     figures["frames"].push_back(frameFigures(place, watch.seconds(), before, rays.paging()));
-    if (const auto odd = cameraWarning(*taken, volume); odd && !warning)
+    if (const auto odd = cameraWarning(*taken, volume, clip_.isGiven()); odd && !warning)
       warning = "in frame " + std::to_string(frame) + " " + *odd;
     options.progress.at("render", double(frame + 1) / flight_.frames(), frame + 1);
   }

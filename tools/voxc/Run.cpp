@@ -3,6 +3,7 @@
 #include "Figures.h"
 #include "Outputs.h"
 #include "Rendering.h"
+#include "Stages.h"
 #include "Subcommand.h"
 
 #include "common/Terminal.h"
@@ -36,14 +37,17 @@ public:
     if (Expected<void> rendered = buildAndRender(bar, figures); !rendered)
       return rendered;
     bar.clear();
+    addStages(figures, watch_.seconds());
     return tellFigures(common_, figures);
   }
 
 private:
   Expected<void> buildAndRender(ProgressBar &bar, Json &figures) {
     tracing_.useCache();
+    const Stopwatch opening;
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
+    figures["open_seconds"] = opening.seconds();
     Expected<Format> format =
         building_.readFormat(tracing_.deviceInfo().name, common_, bar.progress(), figures);
     if (!format)
@@ -62,6 +66,7 @@ private:
     return rendering_.render(*volume, normals, tracing_, common_, bar, figures);
   }
 
+  Stopwatch watch_; ///< Of all.
   Building building_;
   AttributeOptions attributes_;
   Rendering rendering_;

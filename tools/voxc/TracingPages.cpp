@@ -69,6 +69,8 @@ void Tracing::addPagingFigures(Json &figures) const {
   figures["page_hits"] = paging.found;
   figures["page_hit_rate"] =
       double(paging.found) / double(std::max<std::uint64_t>(paging.found + paging.reads, 1));
+  figures["pages_used"] = paging.used;
+  figures["enough_bytes"] = paging.usedBytes;
   figures["rounds"] = paging.rounds;
   figures["page_seconds"] = paging.decodeSeconds;
   if (paging.coarseSide == 0)

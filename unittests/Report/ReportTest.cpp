@@ -2,6 +2,7 @@
 #include "MakeCell.h"
 
 #include "report/Report.h"
+#include "common/SmallPicture.h"
 #include "report/Thumbnail.h"
 
 #include "common/Png.h"
@@ -166,10 +167,10 @@ protected:
 
 TEST_F(PictureTest, AreShrunkToMeans) {
   const Picture picture{4, 2, {0xff000000u, 0xff0000ffu, 1, 1, 0xff000000u, 0xff0000ffu, 3, 3}};
-  const Picture small = shrunk(picture, 2);
+  const Picture small = tool::shrunk(picture, 2);
   EXPECT_EQ(small.height, 1);
   EXPECT_EQ(small.pixels, (std::vector<std::uint32_t>{0xff000080u, 0xff000002u}));
-  EXPECT_EQ(shrunk(picture, 4).pixels, picture.pixels);
+  EXPECT_EQ(tool::shrunk(picture, 4).pixels, picture.pixels);
 }
 
 TEST_F(PictureTest, LieInThePageWithinABound) {

@@ -33,9 +33,11 @@ struct PagingReport {
   std::uint64_t reads = 0;       ///< Pages that came: those that a round asked for and did not find.
   std::uint64_t ahead = 0;       ///< Of these, pages that lay on the shelf, and were not read from the file.
   std::uint64_t found = 0;       ///< Pages that a round used and found, summed over rounds.
-  std::uint64_t rounds = 0;      ///< How often rays were sent on.
-  double decodeSeconds = 0;      ///< Wall time of reading, decoding and placing pages.
-  int coarseSide = 0;            ///< Of a coarse block, in voxels; 0: none were read.
+  std::uint64_t used = 0;        ///< Different pages that rays have asked for or used.
+  std::uint64_t usedBytes = 0; ///< Of slots for all of these at once, with the table: none would come twice.
+  std::uint64_t rounds = 0;    ///< How often rays were sent on.
+  double decodeSeconds = 0;    ///< Wall time of reading, decoding and placing pages.
+  int coarseSide = 0;          ///< Of a coarse block, in voxels; 0: none were read.
   std::uint64_t coarseBlocks = 0;
   std::uint64_t coarseBytes = 0; ///< That they take on this processor.
 };

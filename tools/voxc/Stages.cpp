@@ -1,0 +1,81 @@
+// Stages, from the figures that a run has left.
+#include "Stages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+
+namespace voxc::tool {
+namespace {
+
+double sum(const Json &figures, std::initializer_list<const char *> keys) {
+  double seconds = 0;
+  for (const char *key : keys)
+    seconds += figures.value(key, 0.0);
+  return seconds;
+}
+
+struct Stage {
+  const char *name;
+  double (*seconds)(const Json &figures);
+};
+
+/// In the order in which they are.
+constexpr Stage kStages[] = {
+    {"device", [](const Json &f) { return sum(f, {"open_seconds"}); }},
+    {"format", [](const Json &f) { return sum(f, {"choose_seconds"}); }},
+    {"input",
+     [](const Json &f) { return sum(f, {f.contains("input_seconds") ? "input_seconds" : "load_seconds"}); }},
+    {"code", [](const Json &f) { return sum(f, {"compile_seconds"}); }},
+    {"build", [](const Json &f) { return sum(f, {"build_seconds"}); }},
+    {"kernel", [](const Json &f) { return sum(f, {"kernel_seconds", "upload_seconds"}); }},
+    {"camera", [](const Json &f) { return sum(f, {"camera_seconds"}); }},
+    {"rays",
+     [](const Json &f) { return f.contains("picture_seconds") ? sum(f, {"seconds", "light_seconds"}) : 0; }},
+    {"shading",
+     [](const Json &f) {
+       return std::max(sum(f, {"picture_seconds"}) - sum(f, {"seconds", "light_seconds"}), 0.0);
+     }},
+    {"check", [](const Json &f) { return sum(f, {"check_seconds"}); }},
+    {"writing", [](const Json &f) { return sum(f, {"file_seconds"}); }},
+};
+
+/// Hundredths, as they are printed: of these the parts add up.
+long hundredths(double seconds) { return std::lround(100 * seconds); }
+
+std::string text(long hundredths) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", double(hundredths) / 100);
+  return text;
+}
+
+} // namespace
+
+void addStages(Json &figures, double totalSeconds) {
+  Json stages = Json::object();
+  double left = totalSeconds;
+  for (const Stage &stage : kStages)
+    if (const double seconds = stage.seconds(figures); seconds > 0) {
+      stages[stage.name] = seconds;
+      left -= seconds;
+    }
+  stages["rest"] = std::max(left, 0.0);
+  figures["total_seconds"] = totalSeconds;
+  figures["stages"] = std::move(stages);
+}
+
+std::string stagesText(const Json &figures) {
+  if (!figures.contains("stages"))
+    return {};
+  long left = hundredths(figures["total_seconds"]);
+  std::string parts;
+  for (const Stage &stage : kStages)
+    if (const long part = hundredths(figures["stages"].value(stage.name, 0.0)); part > 0) {
+      parts += std::string(stage.name) + " " + text(part) + ", ";
+      left -= part;
+    }
+  return text(hundredths(figures["total_seconds"])) + " s: " + parts + "rest " + text(std::max(left, 0L));
+}
+
+} // namespace voxc::tool
