@@ -34,6 +34,11 @@ struct PlaceKind {
 
 std::vector<PlaceKind> placeKinds() {
   return {
+      {"upright",
+       [](Random &random) {
+         return glm::scale(glm::translate(glm::mat4(1), vector(random, 100)),
+                           glm::vec3(number(random, 0.1f, 3), number(random, -3, -0.1f), 1 / 3.0f));
+       }},
       {"turned", [](Random &random) { return test::randomPlace(random, 100); }},
       {"far from the origin",
        [](Random &random) {
@@ -70,10 +75,12 @@ Ray rayAt(Random &random, const glm::mat4 &place, int log2Distance) {
   const auto coordinate = [&] { return static_cast<float>(random() % 3) * 8; };
   const glm::vec3 corner(place * glm::vec4(coordinate(), coordinate(), coordinate(), 1));
   const glm::vec3 away(place * glm::vec4(vector(random, 16), 0));
-  const glm::vec3 origin = corner + away * std::exp2(static_cast<float>(log2Distance));
-  glm::vec3 direction = corner - origin;
-  if (random() % 4 == 0)
-    direction[static_cast<int>(random() % 3)] = 0;
+  glm::vec3 origin = corner + away * std::exp2(static_cast<float>(log2Distance));
+  if (random() % 4 == 0) {
+    const int axis = static_cast<int>(random() % 3);
+    origin[axis] = corner[axis]; // In a plane, which a box that is not larger may end before.
+  }
+  const glm::vec3 direction = corner - origin;
   return makeRay(origin, direction * std::exp2(number(random, -40, 40)));
 }
 

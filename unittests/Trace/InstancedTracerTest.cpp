@@ -97,7 +97,7 @@ TEST(InstancedTracer, FindsTheSameOnADevice) {
     instances.push_back({cpu.get(), volume.format().extent(), test::randomPlace(random, 20)});
   std::vector<Instance> others = instances;
   others[0].tracer = others[2].tracer = device.get(); // Of both kinds at once.
-  const std::vector<Ray> rays = raysAround(3000);
+  const std::vector<Ray> rays = raysAround(3000 * static_cast<std::size_t>(test::rounds(1)));
   EXPECT_EQ(test::countDifferent(traced(others, rays), traced(instances, rays)), 0u);
 }
 
@@ -223,7 +223,7 @@ TEST(InstancedTracer, FindsTheNearestAmongMany) {
     instances.push_back(i % 3 ? Instance{cut.get(), {16, 16, 16}, places.back(), true}
                               : Instance{whole.get(), {16, 16, 16}, places.back()});
   }
-  const std::vector<Ray> rays = hardRaysAmong(places, 1000 * test::rounds(1));
+  const std::vector<Ray> rays = hardRaysAmong(places, 1000 * static_cast<std::size_t>(test::rounds(1)));
   const auto expected = test::nearestOfOracle(*oracle, places, rays);
   EXPECT_EQ(test::countDifferent(traced(instances, rays), expected), 0u) << "of " << rays.size();
   EXPECT_GT(static_cast<std::size_t>(std::ranges::count_if(expected, &InstanceHit::isHit)), rays.size() / 3);
