@@ -80,8 +80,10 @@ VOXC_API voxc_error *voxc_volume_save(const voxc_volume *volume, const char *pat
 /* The digest of its format's storage, which says how its words lie: kernels and emitted functions are for this
  * volume if theirs (VOXC_..._STORAGE_DIGEST in voxc_..._c.h) is the same, and else must not read its words. */
 VOXC_API uint64_t voxc_volume_digest(const voxc_volume *volume);
-/* Its format, as the text of the level IR. */
+/* Its format in short, without its passes: "R(4, 4, 4) G(5)". */
 VOXC_API const char *voxc_volume_format(const voxc_volume *volume);
+/* The same as the text of the level IR, with all that passes decided. */
+VOXC_API const char *voxc_volume_ir(const voxc_volume *volume);
 /* How it was made, as "name=value" with blanks between; may be empty. */
 VOXC_API const char *voxc_volume_provenance(const voxc_volume *volume);
 /* Voxels of the input along x, y and z; the rest of the format is padding. */

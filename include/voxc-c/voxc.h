@@ -108,7 +108,7 @@ typedef struct voxc_picture_options {
   size_t struct_size;
   int32_t width;       /* 0: 1280. */
   int32_t height;      /* 0: 720. */
-  const char *style;   /* "lit" (null), "flat", "ao", "normals", "depth". */
+  const char *style;   /* "lit" (null), "flat", "ao", "normals", "depth", "heatmap". */
   /* Where no eye is given: "auto" (null), "iso", "front", "back", "left", "right", "top", "bottom", "inside". */
   const char *view;
   const double *eye;   /* Three numbers, in voxels, */

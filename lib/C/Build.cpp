@@ -1,6 +1,7 @@
 // Building volumes in C.
 #include "C/FormatHandle.h"
 #include "Source/GridExtent.h"
+#include "Support/ParallelFor.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Input/Input.h"
 #include "voxc/Source/Sources.h"
@@ -26,7 +27,7 @@ voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_bui
     return wrap(constructor.error());
   BuildOptions options;
   options.provenance = textOr(given.provenance, provenance.c_str());
-  options.threads = std::max(given.threads, 1u);
+  options.threads = threadsOrAll(given.threads);
   options.memory = std::move(memory);
   options.path = textOr(given.path, "");
   options.progress = progress;
@@ -136,9 +137,9 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
     choices.colourMap = textOr(read.colour_map, choices.colourMap.c_str());
     const std::string coverage = textOr(read.coverage, "conservative");
     if (coverage != "conservative" && coverage != "thin")
-      return wrap(Error::usage("the coverage is conservative or thin, not '" + coverage + "'"));
+      return wrap(Error::usage("'" + coverage + "' is no coverage; there are conservative, thin"));
     choices.coverage = coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
-    choices.threads = std::max(given.threads, 1u);
+    choices.threads = given.threads;
     choices.memory = memoryOf(given);
     choices.progress = progress.get();
     Expected<Input> opened = openInput(input, choices);

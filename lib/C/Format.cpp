@@ -45,6 +45,8 @@ voxc_error *voxc_format_of_volume(const voxc_volume *volume, voxc_format **forma
 
 void voxc_format_free(voxc_format *format) { delete format; }
 
+const char *voxc_format_text(const voxc_format *format) { return format->text.c_str(); }
+
 const char *voxc_format_ir(const voxc_format *format) { return format->ir.c_str(); }
 
 void voxc_format_extent(const voxc_format *format, int32_t extent[3]) {

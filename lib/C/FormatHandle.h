@@ -12,9 +12,11 @@
 #include <vector>
 
 struct voxc_format {
-  explicit voxc_format(voxc::Format made) : format(std::move(made)), ir(printIr(format)) {}
+  explicit voxc_format(voxc::Format made)
+      : format(std::move(made)), text(toString(format)), ir(printIr(format)) {}
 
   voxc::Format format;
+  std::string text;
   std::string ir;
 };
 

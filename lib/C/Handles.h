@@ -25,10 +25,12 @@ struct voxc_error {
 
 struct voxc_volume {
   explicit voxc_volume(voxc::Volume made)
-      : volume(std::make_shared<const voxc::Volume>(std::move(made))), format(printIr(volume->format())) {}
+      : volume(std::make_shared<const voxc::Volume>(std::move(made))), format(toString(volume->format())),
+        ir(printIr(volume->format())) {}
 
   std::shared_ptr<const voxc::Volume> volume;
   std::string format;
+  std::string ir;
 };
 
 struct voxc_tracer {

@@ -24,6 +24,13 @@ voxc_error *traceAll(voxc_tracer &tracer, const RaySpan &rays, voxc_hit *hits) {
   return traced ? nullptr : wrap(traced.error());
 }
 
+/// A format as people write it, and by its digest, since passes do not show.
+std::string shown(const Volume &volume) {
+  char digest[24];
+  std::snprintf(digest, sizeof digest, "0x%016llx", static_cast<unsigned long long>(volume.storageDigest()));
+  return toString(volume.format()) + " (digest " + digest + ")";
+}
+
 voxc_device_info infoOf(const DeviceInfo &device) {
   voxc_device_info info{};
   copyText(info.name, device.name);
@@ -103,6 +110,11 @@ void voxc_face_normal(uint32_t face, float normal[3]) {
 
 voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume, uint64_t *copied_bytes) {
   return guarded([&]() -> voxc_error * {
+    const Volume &own = *tracer->volume;
+    if (own.storageDigest() != volume->volume->storageDigest())
+      return wrap(Error::usage("the volume is of another format, " + shown(*volume->volume) +
+                               ", than that of the tracer, " + shown(own) +
+                               "; it takes a tracer of its own"));
     const Expected<UpdateReport> updated = tracer->tracer->update(*tracer->volume, *volume->volume);
     if (!updated)
       return wrap(updated.error());

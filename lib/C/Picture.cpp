@@ -30,8 +30,9 @@ Expected<Camera> cameraOf(const voxc_picture_options &options, const Volume &vol
   if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels)
     return Error::usage("a picture has 1 to 32768 pixels on each axis");
   if (!options.eye != !options.look)
-    return Error::usage(options.eye ? "an eye is given without the point that it looks at; give both, or neither"
-                                    : "a point to look at is given without an eye; give both, or neither");
+    return Error::usage(options.eye
+                            ? "an eye is given without the point that it looks at; give both, or neither"
+                            : "a point to look at is given without an eye; give both, or neither");
   if (!(options.vertical_fov >= 0 && options.vertical_fov < 180))
     return Error::usage("a field of view lies between 0 and 180 degrees");
   if (!options.eye) {

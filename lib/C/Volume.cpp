@@ -57,6 +57,8 @@ uint64_t voxc_volume_digest(const voxc_volume *volume) { return volume->volume->
 
 const char *voxc_volume_format(const voxc_volume *volume) { return volume->format.c_str(); }
 
+const char *voxc_volume_ir(const voxc_volume *volume) { return volume->ir.c_str(); }
+
 const char *voxc_volume_provenance(const voxc_volume *volume) {
   return volume->volume->info().provenance.c_str();
 }

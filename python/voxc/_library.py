@@ -5,6 +5,8 @@ import os
 import pathlib
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint, c_uint32, c_uint64, c_void_p
 
+from ._interrupts import Interrupts
+
 ABI_VERSION = 0
 
 
@@ -76,6 +78,7 @@ FUNCTIONS = {
     "voxc_volume_save": (c_void_p, [c_void_p, c_char_p, c_int]),
     "voxc_volume_digest": (c_uint64, [c_void_p]),
     "voxc_volume_format": (c_char_p, [c_void_p]),
+    "voxc_volume_ir": (c_char_p, [c_void_p]),
     "voxc_volume_provenance": (c_char_p, [c_void_p]),
     "voxc_volume_extent": (None, [c_void_p, POINTER(c_int32)]),
     "voxc_volume_voxels": (c_uint64, [c_void_p]),
@@ -93,6 +96,7 @@ FUNCTIONS = {
     "voxc_tracer_update": (c_void_p, [c_void_p, c_void_p, POINTER(c_uint64)]),
     "voxc_format_parse": (c_void_p, [c_char_p, c_char_p, POINTER(c_void_p)]),
     "voxc_format_free": (None, [c_void_p]),
+    "voxc_format_text": (c_char_p, [c_void_p]),
     "voxc_format_ir": (c_char_p, [c_void_p]),
     "voxc_format_extent": (None, [c_void_p, POINTER(c_int32)]),
     "voxc_emit_header": (c_void_p, [c_void_p, c_char_p, POINTER(c_void_p)]),
@@ -162,19 +166,21 @@ def options(kind, **members):
 
 
 class Reporter:
-    """A function (stage, fraction, done) as the library's progress; what it raises ends the work and is raised again."""
+    """A function (stage, fraction, done) as the library's progress. What it raises ends the work and is raised again, and so does
+    Control-C: nothing is raised within a callback."""
 
     def __init__(self, function):
         self.failure = None
         self.function = function
         self.callback = REPORT(self.report)
         self.progress = Progress(self.callback, None)
+        self.interrupts = Interrupts()
 
     def guard(self, function):
         """A function as a callback that returns 0 from its first exception on, which ends the work and is raised again."""
         def guarded(*arguments):
             try:
-                return 0 if self.failure else function(*arguments)
+                return 0 if self.failure or self.interrupts.came else function(*arguments)
             except BaseException as failure:
                 self.failure = failure
                 return 0
@@ -182,25 +188,25 @@ class Reporter:
 
     def report(self, _, stage, fraction, done):
         try:
-            if self.failure:
+            if self.failure or self.interrupts.asked():
                 return 1
             if self.function:
                 self.function(stage.decode(), fraction, done)
             return 0
-        except BaseException as failure:  # Control-C among them.
+        except BaseException as failure:
             self.failure = failure
             return 1
 
-    def check(self, error):
-        if self.failure and error:
+    def call(self, function, *arguments):
+        """Calls a function of the library that reports to this, and raises what it returned or what a callback raised."""
+        with self.interrupts:
+            error = function(*arguments)
+        if self.interrupts.came and not self.failure:
+            self.failure = KeyboardInterrupt()
+        if self.failure:
             lib.voxc_error_free(error)
             raise self.failure
         check(error)
-
-    def check_failure(self):
-        """Raises what a callback has raised, though the work came to its end."""
-        if self.failure:
-            raise self.failure
 
     @property
     def pointer(self):

@@ -7,11 +7,20 @@ MOST_LABEL = 0xFFFF
 INT32 = np.iinfo(np.int32)
 
 
+def array_of(given, what):
+    """An array as it is. One that says of some elements that they have no value is none."""
+    if isinstance(given, np.ma.MaskedArray):
+        raise ValueError(f"{what} are a masked array, whose masked elements have no value; filled(0) gives them one")
+    return np.asarray(given)
+
+
 def grid_of(voxels):
     """The words [z, y, x] of voxels that are words, bool, or bytes of RGBA or RGB."""
-    voxels = np.asarray(voxels)
+    voxels = array_of(voxels, "voxels")
     if voxels.ndim == 4:
-        return np.ascontiguousarray(bytes_as_words(voxels))
+        words = bytes_as_words(voxels)
+        check_axes(words)
+        return np.ascontiguousarray(words)
     check_axes(voxels)
     if voxels.dtype == bool:
         return np.where(voxels, SOLID, np.uint32(0))
@@ -20,7 +29,7 @@ def grid_of(voxels):
 
 def labels_of(labels):
     """Words that are labels: whole numbers from 0, which is empty, to 65535."""
-    labels = np.asarray(labels)
+    labels = array_of(labels, "labels")
     check_axes(labels)
     if labels.dtype.kind not in "iub":
         raise ValueError(f"labels are whole numbers, not {labels.dtype}; labels.astype('uint16') makes them so")
@@ -30,7 +39,7 @@ def labels_of(labels):
 
 def greys_of(greys):
     """Words of greys from 0, which is empty, to 255."""
-    greys = np.asarray(greys)
+    greys = array_of(greys, "greys")
     check_axes(greys)
     if greys.dtype != np.uint8:
         raise ValueError(f"greys are uint8, not {greys.dtype}; densities= takes other numbers, with a threshold")
@@ -40,14 +49,15 @@ def greys_of(greys):
 
 def densities_of(densities, threshold, window=None):
     """Words of what is dense: numbers from `threshold` up, as greys from black to white over `window`, or over what there is."""
-    densities = np.asarray(densities)
+    densities = array_of(densities, "densities")
     check_axes(densities)
     if densities.dtype.kind not in "iuf":
         raise ValueError(f"densities are numbers, not {densities.dtype}")
     if threshold is None or np.isnan(threshold):
         raise ValueError("densities need a threshold, a number from which on they are voxels")
-    if np.isnan(densities).any():
-        raise ValueError("some densities are no number (NaN); numpy.nan_to_num makes them 0")
+    if densities.dtype.kind == "f" and not np.isfinite(densities).all():
+        raise ValueError("some densities are no number (NaN) or infinite; numpy.nan_to_num makes them finite")
+    threshold = np.float64(threshold)  # Compared in float64, whatever the densities are.
     solid = densities >= threshold
     if not solid.any():
         raise ValueError(f"no density reaches the threshold {threshold}; they are {densities.min()} to {densities.max()}")
@@ -61,7 +71,7 @@ def densities_of(densities, threshold, window=None):
 
 def places_of(places):
     """Whole numbers x, y, z of n voxels as int32 (n, 3)."""
-    places = np.asarray(places)
+    places = array_of(places, "places")
     if places.ndim != 2 or places.shape[1] != 3:
         raise ValueError(f"places are x, y, z of n voxels, (n, 3), not of the shape {places.shape}")
     if places.dtype.kind not in "iuf":
@@ -76,7 +86,7 @@ def colours_of(colours, count):
     """A word for each of so many voxels: white, words, or bytes of RGBA or RGB."""
     if colours is None:
         return np.full(count, SOLID, np.uint32)
-    colours = np.asarray(colours)
+    colours = array_of(colours, "colours")
     words = np.ascontiguousarray(bytes_as_words(colours) if colours.ndim == 2 else as_words(colours))
     if len(words) != count:
         raise ValueError(f"there are {count} places, but {len(words)} colours")
@@ -85,8 +95,8 @@ def colours_of(colours, count):
 
 def as_words(numbers):
     """Whole numbers that are words, R in the low byte and alpha in the high one."""
-    if numbers.dtype == np.uint32:
-        return numbers
+    if numbers.dtype.kind == "u" and numbers.itemsize == 4:
+        return numbers.astype(np.uint32, copy=False)  # In the order of this machine's bytes.
     if numbers.dtype.kind == "f":
         raise ValueError(f"words are uint32, not {numbers.dtype}; densities= takes such numbers, with a threshold")
     if numbers.dtype.kind not in "iu":
@@ -118,9 +128,49 @@ def bytes_as_words(colours):
     return np.where(alpha != 0, words | alpha << np.uint32(24), np.uint32(0))
 
 
+def rays_of(origins, directions):
+    """Origins and directions as float32, of one shape (..., 3)."""
+    pair = []
+    for what, given in (("origins", origins), ("directions", directions)):
+        array = array_of(given, what)
+        if array.dtype.kind not in "iuf":
+            raise ValueError(f"{what} are numbers, not {array.dtype}")
+        if array.shape[-1:] != (3,):
+            raise ValueError(f"{what} have three numbers each, (..., 3), and not the shape {array.shape}")
+        pair.append(array.astype(np.float32))
+    try:
+        return np.broadcast_arrays(*pair)
+    except ValueError:
+        raise ValueError(f"origins of the shape {pair[0].shape} and directions of the shape {pair[1].shape} do not fit together: "
+                         "give as many of both, or one for all") from None
+
+
+def bounds_of(bounds, shape, what):
+    """Numbers that are one for all rays, or one for each."""
+    array = array_of(bounds, what)
+    if array.dtype.kind not in "iuf":
+        raise ValueError(f"{what} is a number for all rays or one for each, not {array.dtype}")
+    try:
+        return np.broadcast_to(array, shape)
+    except ValueError:
+        raise ValueError(f"{what} is a number for all rays or one for each; it has the shape {array.shape}, and the rays {shape}") from None
+
+
+def elements_of(elements, count):
+    """The elements of an attribute, one for each voxel, in little-endian bytes."""
+    elements = array_of(elements, "elements")
+    if elements.dtype.hasobject or elements.dtype.kind in "OUSMm":
+        raise ValueError(f"elements of an attribute are numbers or structures of them, not {elements.dtype}")
+    if elements.ndim == 0 or len(elements) != count:
+        raise ValueError(f"there are {elements.shape[0] if elements.ndim else 'no'} elements, but {count} voxels")
+    return np.ascontiguousarray(elements, dtype=elements.dtype.newbyteorder("<"))
+
+
 def check_axes(voxels):
     if voxels.ndim != 3:
         raise ValueError(f"a grid of voxels is indexed [z, y, x], but this array has the shape {voxels.shape}")
+    if voxels.size == 0:
+        raise ValueError(f"a grid has at least one voxel an axis, and this array has the shape {voxels.shape}")
 
 
 def check_range(numbers, least, most, what):

@@ -1,13 +1,16 @@
 """Building volumes from arrays, functions and files."""
 import ctypes
+import inspect
 
 from . import _library as c
 from . import arrays
+from ._names import refuse_unknown
+from .automatic import build_automatic
 from .format import Format
 from .volume import Volume
 
 
-INPUT_OPTIONS = ("resolution", "coverage", "z_up", "threshold", "colour_map")
+INPUT_OPTIONS = ("resolution", "coverage", "z_up", "colour_map")
 
 
 def build(format, input=None, *, voxels=None, labels=None, greys=None, densities=None, threshold=None, window=None, places=None,
@@ -27,44 +30,63 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
 
     What cannot be kept as it is raises ValueError: nothing is cast or left out in silence.
 
+    With the format "auto" it is the one that `voxc suggest` names, and the program voxc builds it, without `progress`.
+
     With `path` the volume is written to that file while it is built. `progress` is called with a stage, a fraction and a
-    number now and then; what it raises ends the build.
+    number now and then; what it raises ends the build. `threads` of None are all of the machine.
     """
     if sum(given is not None for given in (input, voxels, labels, greys, densities, places, voxel)) != 1:
         raise TypeError("build takes one of input, voxels, labels, greys, densities, places and voxel")
-    for name in input_options:
-        if name not in INPUT_OPTIONS:
-            raise TypeError(f"build has no option {name}; those of files are {', '.join(INPUT_OPTIONS)}")
-        if input is None:
-            raise TypeError(f"{name} is for files alone")
-    if threshold is not None and input is None and densities is None:
-        raise TypeError("threshold is for files and densities")
-    if window is not None and densities is None:
-        raise TypeError("window is for densities")
+    refuse_unknown("build", input_options, OPTIONS)
+    meant = {"threshold": (threshold, input is not None or densities is not None, "files and densities"),
+             "window": (window, densities is not None, "densities"), "colours": (colours, places is not None, "places"),
+             "extent": (extent, places is not None or voxel is not None, "places and functions"),
+             "is_empty": (is_empty, voxel is not None, "functions"),
+             "passes": (passes, not isinstance(format, Format), "formats that are texts"),
+             "compress": (compress or None, path is not None, "a path")}
+    meant.update({name: (value, input is not None, "files alone") for name, value in input_options.items()})
+    for name, (value, applies, what) in meant.items():
+        if value is not None and not applies:
+            raise TypeError(f"{name} is for {what}")
+    if isinstance(format, str) and format.strip() == "auto":
+        if passes is not None or progress is not None:
+            raise TypeError("passes and progress are for a format that is named")
+        words = dict(voxels=voxels, labels=labels, greys=greys, densities=densities, window=window, places=places, colours=colours,
+                     voxel=voxel, is_empty=is_empty, extent=extent)
+        return build_automatic(build, input, words, threshold, path, compress, dict(input_options, threads=threads, memory=memory_bytes))
     made = format if isinstance(format, Format) else Format(format, passes)
     reporter = c.Reporter(progress)
+    if voxel is not None and threads is None:
+        threads = 1  # A function of Python runs on one at a time.
     options = c.options(c.BuildOptions, threads=threads, memory_bytes=memory_bytes, path=c.text(path),
                         compress=int(compress), progress=reporter.pointer)
     volume = ctypes.c_void_p()
     last = ctypes.byref(options), ctypes.byref(volume)
     if input is not None:
-        error = c.lib.voxc_build_input(made._handle, c.text(input), ctypes.byref(_input(threshold=threshold, **input_options)),
-                                       *last)
+        read = _input(threshold=threshold, **input_options)
+        reporter.call(c.lib.voxc_build_input, made._handle, c.text(input), ctypes.byref(read), *last)
     elif places is not None:
-        error = _build_places(made, places, colours, extent, last)
+        _build_places(reporter, made, places, colours, extent, last)
     elif voxel is None:
         words = _grid(voxels, labels, greys, densities, threshold, window)
         size = (ctypes.c_int32 * 3)(*words.shape[::-1])
-        error = c.lib.voxc_build_grid(made._handle, words.ctypes.data, size, *last)
+        reporter.call(c.lib.voxc_build_grid, made._handle, words.ctypes.data, size, *last)
     else:
         asked = c.VOXEL(reporter.guard(lambda _, x, y, z: arrays.word_of(voxel(x, y, z))))
-        source = c.Source((ctypes.c_int32 * 3)(*extent), asked,
+        source = c.Source(_three(extent, "extent"), asked,
                           c.IS_EMPTY(reporter.guard(lambda _, *cube: bool(is_empty and is_empty(*cube)))), None)
-        error = c.lib.voxc_build_source(made._handle, ctypes.byref(source), *last)
-    reporter.check(error)
-    built = Volume(volume)
-    reporter.check_failure()
-    return built
+        reporter.call(c.lib.voxc_build_source, made._handle, ctypes.byref(source), *last)
+    return Volume(volume)
+
+
+OPTIONS = tuple(name for name in inspect.signature(build).parameters if name not in ("format", "input_options")) + INPUT_OPTIONS
+
+
+def _three(extent, what):
+    """Voxels along x, y and z."""
+    if extent is None or len(extent) != 3:
+        raise ValueError(f"{what} is voxels along x, y and z, and not {extent}")
+    return (ctypes.c_int32 * 3)(*extent)
 
 
 def _grid(voxels, labels, greys, densities, threshold, window):
@@ -82,8 +104,8 @@ def _input(resolution=None, coverage=None, z_up=None, threshold=None, colour_map
                      colour_map=c.text(colour_map))
 
 
-def _build_places(made, places, colours, extent, last):
+def _build_places(reporter, made, places, colours, extent, last):
     places = arrays.places_of(places)
     words = arrays.colours_of(colours, len(places))
-    size = None if extent is None else (ctypes.c_int32 * 3)(*extent)
-    return c.lib.voxc_build_voxels(made._handle, places.ctypes.data, words.ctypes.data, len(places), size, *last)
+    size = None if extent is None else _three(extent, "extent")
+    reporter.call(c.lib.voxc_build_voxels, made._handle, places.ctypes.data, words.ctypes.data, len(places), size, *last)

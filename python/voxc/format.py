@@ -21,8 +21,13 @@ class Format:
             lib.voxc_format_free(self._handle)
 
     @property
+    def text(self):
+        """The format in short, without its passes: "R(4, 4, 4) G(5)"."""
+        return lib.voxc_format_text(self._handle).decode()
+
+    @property
     def ir(self):
-        """The format as IR text."""
+        """The format as IR text, with all that passes decided."""
         return lib.voxc_format_ir(self._handle).decode()
 
     @property
@@ -50,3 +55,6 @@ class Format:
 
     def __repr__(self):
         return self.ir.strip()
+
+    def __str__(self):
+        return self.text

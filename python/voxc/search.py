@@ -2,10 +2,9 @@
 import csv
 import os
 import pathlib
-import subprocess
 import tempfile
 
-from ._library import Error, installed
+from ._program import run
 
 
 def search(input, folder=None, budget=None, program=None, **options):
@@ -14,14 +13,12 @@ def search(input, folder=None, budget=None, program=None, **options):
     are those of the tool: max_bytes="64MiB", device="cpu"."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(folder or scratch)
-        command = [program or os.environ.get("VOXC") or installed("bin/voxc") or "voxc", "search", os.fspath(input), "-o", os.fspath(folder), "--quiet"]
+        command = ["search", os.fspath(input), "-o", os.fspath(folder), "--quiet"]
         if budget is not None:
             command += ["--budget", f"{budget}s"]
         for name, value in options.items():
             command.append("--" + name.replace("_", "-") + ("" if value is True else f"={value}"))
-        done = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-        if done.returncode:
-            raise Error(done.stderr.strip().removeprefix("voxc: "), done.returncode)
+        run(command, program)
         [table] = folder.glob("*.csv")
         with open(table, newline="") as file:
             return [{name: _number(value) for name, value in row.items()} for row in csv.DictReader(file)]

@@ -4,6 +4,7 @@ import ctypes
 import numpy as np
 
 from . import _library as c
+from .arrays import bounds_of, rays_of
 from .format import list_of
 
 RAY = np.dtype([("origin", "<f4", 3), ("direction", "<f4", 3)])
@@ -39,22 +40,36 @@ def _rays(origins, directions, tmin, tmax):
     """Rays as the library takes them, with bounds if there are any."""
     is_bounded = tmin is not None or tmax is not None
     if directions is None:
-        kind = getattr(origins, "dtype", RAY)
-        given = np.ascontiguousarray(origins, dtype=BOUNDED_RAY if kind == BOUNDED_RAY else RAY)
+        kind = getattr(origins, "dtype", None)
+        if kind not in (RAY, BOUNDED_RAY):
+            raise ValueError("rays are origins and directions, or an array of voxc.RAY or voxc.BOUNDED_RAY alone; there are no directions")
+        given = np.ascontiguousarray(origins, dtype=kind)
         if not is_bounded:
             return given
         if kind == BOUNDED_RAY:
             raise ValueError("rays that have bounds take no others")
         origins, directions = given["origin"], given["direction"]
-    origins, directions = np.broadcast_arrays(np.asarray(origins, np.float32), np.asarray(directions, np.float32))
-    if origins.shape[-1:] != (3,):
-        raise ValueError(f"origins and directions have three numbers each, not the shape {origins.shape}")
+    origins, directions = rays_of(origins, directions)
     rays = np.empty(origins.shape[:-1], BOUNDED_RAY if is_bounded else RAY)
     rays["origin"], rays["direction"] = origins, directions
     if is_bounded:
-        rays["tmin"] = 0 if tmin is None else tmin
-        rays["tmax"] = np.inf if tmax is None else tmax
+        rays["tmin"] = bounds_of(0 if tmin is None else tmin, rays.shape, "tmin")
+        rays["tmax"] = bounds_of(np.inf if tmax is None else tmax, rays.shape, "tmax")
     return rays
+
+
+def _point(given, what):
+    """A point as three doubles; None stays None."""
+    if given is None:
+        return None
+    point = np.asarray(given)
+    if point.shape != (3,) or point.dtype.kind not in "iuf":
+        raise ValueError(f"{what} is a point x, y, z, and not {given}")
+    return (ctypes.c_double * 3)(*point)
+
+
+TRACER_OPTIONS = ("threads", "query", "outputs", "precision", "passes", "bounds")
+RENDER_OPTIONS = ("style", "view", "eye", "look", "fov", "samples", "progress")
 
 
 class Tracer:
@@ -102,18 +117,23 @@ class Tracer:
 
     def update(self, volume):
         """Takes another volume of the same format, such as an edited one, in place of its own. Only what differs is brought
-        to the device; returns how many bytes that was."""
+        to the device; returns how many bytes that was. A volume of another format takes a tracer of its own:
+        `volume.tracer()`."""
         copied = ctypes.c_uint64()
-        c.check(c.lib.voxc_tracer_update(self._handle, volume._handle, ctypes.byref(copied)))
-        return copied.value
+        total = 0
+        handles = [handle for handle in (self._handle, self._bounded_handle) if handle]
+        for handle in {handle.value: handle for handle in handles}.values():
+            c.check(c.lib.voxc_tracer_update(handle, volume._handle, ctypes.byref(copied)))
+            total += copied.value
+        self._volume = volume
+        return total
 
     def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,
                progress=None):
         """A picture as an array (height, width, 4) of uint8. `style` and `view` are those of `voxc render`; `eye` and
         `look` are points in voxels, both or neither."""
         reporter = c.Reporter(progress)
-        triple = lambda point: None if point is None else (ctypes.c_double * 3)(*point)
-        eye, look = triple(eye), triple(look)
+        eye, look = _point(eye, "eye"), _point(look, "look")
         pointer = lambda point: None if point is None else ctypes.cast(point, ctypes.POINTER(ctypes.c_double))
         options = c.options(c.PictureOptions, width=width, height=height, style=c.text(style), view=c.text(view),
                             eye=pointer(eye), look=pointer(look), vertical_fov=fov, samples=samples,
@@ -121,5 +141,5 @@ class Tracer:
         if not (0 < width <= 32768 and 0 < height <= 32768):
             raise ValueError(f"a picture has 1 to 32768 pixels on each axis, not {width} x {height}")
         pixels = np.empty((height, width, 4), np.uint8)
-        reporter.check(c.lib.voxc_render(self._handle, ctypes.byref(options), pixels.ctypes.data))
+        reporter.call(c.lib.voxc_render, self._handle, ctypes.byref(options), pixels.ctypes.data)
         return pixels

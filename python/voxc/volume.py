@@ -4,7 +4,9 @@ import ctypes
 import numpy as np
 
 from . import _library as c
-from .tracer import Tracer
+from ._names import refuse_unknown
+from .arrays import elements_of
+from .tracer import RENDER_OPTIONS, TRACER_OPTIONS, Tracer
 
 
 class Volume:
@@ -29,8 +31,13 @@ class Volume:
 
     @property
     def format(self):
-        """Its format, as IR text."""
+        """Its format in short, without its passes: "R(4, 4, 4) G(5)"."""
         return c.lib.voxc_volume_format(self._handle).decode()
+
+    @property
+    def ir(self):
+        """Its format as IR text, with all that passes decided: what `voxc.build` takes for another volume of the same."""
+        return c.lib.voxc_volume_ir(self._handle).decode()
 
     @property
     def digest(self):
@@ -89,9 +96,7 @@ class Volume:
     def with_attribute(self, name, elements):
         """The same volume with an attribute more: an array whose first axis is that of the voxels, by
         their numbers."""
-        elements = np.ascontiguousarray(elements)
-        if len(elements) != self.voxels:
-            raise ValueError(f"there are {len(elements)} elements, but {self.voxels} voxels")
+        elements = elements_of(elements, self.voxels)
         size = elements.itemsize * int(np.prod(elements.shape[1:]))
         return Volume(c.make(c.lib.voxc_volume_with_attribute, self._handle, c.text(name), size, elements.ctypes.data))
 
@@ -115,15 +120,18 @@ class Volume:
 
     def tracer(self, device=None, **options):
         """A Tracer of this volume."""
+        refuse_unknown("tracer", options, TRACER_OPTIONS)
         return Tracer(self, device, **options)
 
     def trace(self, origins, directions, device=None, *, tmin=None, tmax=None, **options):
         """The hits of rays, once: `Tracer.trace` of a new tracer, for those who trace no more than this."""
+        refuse_unknown("trace", options, TRACER_OPTIONS)
         is_bounded = tmin is not None or tmax is not None
         return self.tracer(device, bounds=is_bounded, **options).trace(origins, directions, tmin, tmax)
 
     def render(self, width=1280, height=720, device=None, **options):
         """A picture, once: `Tracer.render` of a new tracer."""
+        refuse_unknown("render", options, RENDER_OPTIONS)
         return self.tracer(device).render(width, height, **options)
 
     def __repr__(self):

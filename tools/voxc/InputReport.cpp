@@ -15,7 +15,7 @@ namespace voxc::tool {
 
 namespace {
 
-constexpr int kMost = 1 << kMaxLog2Extent;
+constexpr int kMostSide = 1 << kMaxLog2Extent;
 
 /// A name as a key: with underscores.
 std::string keyOf(std::string name) {
@@ -76,7 +76,7 @@ Expected<void> reportInput(const std::string &input, const CommonOptions &common
   InputArguments arguments;
   fillResolution(arguments, input);
   ProgressBar bar(common.quiet);
-  InputOptions options = makeInputOptions(arguments, {kMost, kMost, kMost});
+  InputOptions options = makeInputOptions(arguments, {kMostSide, kMostSide, kMostSide});
   options.describe = true;
   options.memory = makeWorkingMemory(BuildArguments());
   options.progress = bar.progress();

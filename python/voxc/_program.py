@@ -1,0 +1,18 @@
+"""The program voxc, where the library has no function for what it does."""
+import os
+import subprocess
+
+from ._library import Error, installed
+
+
+def run(arguments, program=None):
+    """Runs voxc with these arguments; what it says when it fails is raised. Error: the program is not found."""
+    name = program or os.environ.get("VOXC") or installed("bin/voxc") or "voxc"
+    try:
+        done = subprocess.run([name, *arguments], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+    except OSError as failure:
+        raise Error(f"this runs the program voxc, and '{name}' cannot be run: {failure.strerror}; VOXC names another", 3) from None
+    if done.returncode == 130:
+        raise KeyboardInterrupt
+    if done.returncode:
+        raise Error(done.stderr.strip().removeprefix("voxc: error: "), done.returncode)
