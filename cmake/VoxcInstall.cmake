@@ -3,6 +3,21 @@
 include(CMakePackageConfigHelpers)
 set(packageDirectory "${CMAKE_INSTALL_LIBDIR}/cmake/voxc")
 
+# What a component needs to be built, looked for before anything is installed: `./demo` builds a part of it.
+function(voxc_needs component)
+  install(CODE "foreach(file IN ITEMS ${ARGN})
+  if(NOT EXISTS \"\${file}\")
+    message(FATAL_ERROR \"only a part of voxc is built: \${file} is missing; build the rest by 'cmake --build ${PROJECT_BINARY_DIR}'\")
+  endif()
+endforeach()" COMPONENT ${component})
+endfunction()
+voxc_needs(tools "$<TARGET_FILE:voxc>" "$<TARGET_FILE:voxc-opt>" "$<TARGET_FILE:voxc-trace>" "${PROJECT_BINARY_DIR}/manual/voxc")
+voxc_needs(runtime "$<TARGET_FILE:voxc-c>" "$<TARGET_FILE:voxc-c-runtime>")
+voxc_needs(dev "$<TARGET_FILE:voxc-runtime>" "$<TARGET_FILE:voxc-compiler>")
+if(TARGET voxc-viewer)
+  voxc_needs(viewer "$<TARGET_FILE:voxc-viewer>")
+endif()
+
 # The libraries for C++, whose interface changes with the version: archives.
 foreach(component runtime compiler)
   set_target_properties(voxc-${component} PROPERTIES EXPORT_NAME ${component})
@@ -43,12 +58,17 @@ if(TARGET voxc-viewer)
   install(TARGETS voxc-viewer RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/voxc" COMPONENT viewer)
 endif()
 set(manual "${PROJECT_BINARY_DIR}/manual")
+# The program voxc-trace and the command `voxc trace` have one page, as they have one name there.
 add_custom_command(OUTPUT "${manual}/voxc" "${manual}/man1/voxc.1"
                    COMMAND voxc manual -o "${manual}/man1"
+                   COMMAND voxc-opt --manual > "${manual}/man1/voxc-opt.1"
+                   COMMAND voxc-trace --manual > "${manual}/program.1"
+                   COMMAND "${CMAKE_COMMAND}" -E cat "${manual}/program.1" "${manual}/man1/voxc-trace.1" > "${manual}/both.1"
+                   COMMAND "${CMAKE_COMMAND}" -E rename "${manual}/both.1" "${manual}/man1/voxc-trace.1"
                    COMMAND voxc completion bash > "${manual}/voxc"
                    COMMAND voxc completion zsh > "${manual}/_voxc"
                    COMMAND voxc completion fish > "${manual}/voxc.fish"
-                   DEPENDS voxc VERBATIM)
+                   DEPENDS voxc voxc-opt voxc-trace VERBATIM)
 add_custom_target(manual ALL DEPENDS "${manual}/voxc")
 install(DIRECTORY "${manual}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT tools)
 install(FILES "${manual}/voxc" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT tools)
@@ -64,5 +84,8 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_
 set(VOXC_PYTHON_DIRECTORY "lib/python3/dist-packages" CACHE STRING "Where Python looks for modules, below the prefix")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/voxc" DESTINATION "${VOXC_PYTHON_DIRECTORY}" COMPONENT python
         FILES_MATCHING PATTERN "*.py")
+
+# `cmake --build BUILD --target uninstall` removes what was installed.
+add_custom_target(uninstall COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" -P "${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake" VERBATIM)
 
 include(VoxcPackages)

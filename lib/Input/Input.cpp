@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <span>
 #include <string_view>
 
@@ -69,6 +70,9 @@ const InputKind *kindOf(const std::string &input, std::span<const InputKind> oth
 
 Expected<Input> dispatch(const std::string &input, const InputOptions &options) {
   const InputKind *const kind = kindOf(input, options.otherKinds);
+  std::error_code ignored;
+  if (!kind && std::filesystem::is_directory(input, ignored))
+    return Error::input("'" + input + "' is a directory; name a file");
   if (!kind)
     return unknownKind(input, options.otherKinds);
   const bool isPrefixed = kind->mark.ends_with(':');

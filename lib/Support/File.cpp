@@ -48,6 +48,8 @@ Expected<MappedFile> MappedFile::open(const std::string &path) {
   struct stat status{};
   if (file.value < 0 || ::fstat(file.value, &status) != 0)
     return Error::input("cannot read '" + path + "': " + reason());
+  if (S_ISDIR(status.st_mode))
+    return Error::input("'" + path + "' is a directory; name a file");
   if (!S_ISREG(status.st_mode))
     return Error::input("'" + path + "' is not a regular file");
   MappedFile mapped;

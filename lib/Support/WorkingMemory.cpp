@@ -12,6 +12,7 @@
 #include <mutex>
 #include <string_view>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
@@ -34,6 +35,21 @@ std::uint64_t wholePages(std::uint64_t bytes) {
 }
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
+
+/// Addresses are reserved for the most that may be, and memory is taken as it is used.
+Error lackOfAddresses(std::uint64_t bytes) {
+  std::string text = "cannot reserve addresses for " + std::to_string(bytes) + " bytes";
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    text += ": a limit allows this process " + std::to_string(limit.rlim_cur) +
+            "; 'ulimit -v unlimited' raises it (memory is only taken as it is used, and --memory bounds it)";
+  return Error::environment(std::move(text));
+}
+
+Error cannotWrite(std::uint64_t bytes, int why) {
+  return Error::environment("cannot write another " + megabytes(bytes) + ": " + std::strerror(why) +
+                            (why == ENOSPC ? "; name a file on a disk that has room" : ""));
+}
 
 std::string scratchFolderOr(std::string chosen) {
   if (!chosen.empty())
@@ -163,7 +179,7 @@ Expected<MemoryBlock> WorkingMemory::reserve(std::uint64_t most) {
                       ? MAP_FAILED
                       : ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (address == MAP_FAILED)
-    return Error::environment("no memory has the addresses for " + std::to_string(most) + " bytes");
+    return lackOfAddresses(most);
   MemoryBlock block;
   block.owner_ = shared_from_this();
   block.data_ = static_cast<std::byte *>(address);
@@ -232,7 +248,7 @@ Expected<void> WorkingMemory::settle(MemoryBlock &block, std::uint64_t begin, st
                                      std::uint64_t offset) {
   std::byte *const pages = block.data_ + begin;
   if (!writeWithHoles(file, {pages, bytes}, offset))
-    return Error::environment("cannot write another " + megabytes(bytes) + ": " + reason());
+    return cannotWrite(bytes, errno);
   const std::lock_guard lock(state_->mutex);
   if (::mmap(pages, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, file, static_cast<off_t>(offset)) == MAP_FAILED)
     return Error::environment("cannot map what was written: " + reason());

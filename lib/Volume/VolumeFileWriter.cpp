@@ -13,12 +13,15 @@ Expected<VolumeFileWriter> VolumeFileWriter::create(const std::string &path, con
   auto file = OutputFile::create(path);
   if (!file)
     return file.error();
-  return VolumeFileWriter(std::move(*file), volumeHeadBytes(info, streams));
+  return VolumeFileWriter(path, std::move(*file), volumeHeadBytes(info, streams));
 }
 
 Expected<void> VolumeFileWriter::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes,
                                         WorkingMemory &memory) {
-  return memory.settle(block, begin, bytes, file_.descriptor(), wordsOffset_ + begin);
+  Expected<void> settled = memory.settle(block, begin, bytes, file_.descriptor(), wordsOffset_ + begin);
+  if (!settled)
+    return Error{settled.error().kind, "'" + path_ + "': " + settled.error().message};
+  return settled;
 }
 
 Expected<void> VolumeFileWriter::write(std::uint64_t offset, std::span<const std::byte> bytes,

@@ -32,10 +32,11 @@ public:
                         std::pair<std::uint64_t, std::uint64_t> settled, WorkingMemory &memory);
 
 private:
-  VolumeFileWriter(OutputFile file, std::uint64_t wordsOffset)
-      : file_(std::move(file)), wordsOffset_(wordsOffset) {}
+  VolumeFileWriter(std::string path, OutputFile file, std::uint64_t wordsOffset)
+      : path_(std::move(path)), file_(std::move(file)), wordsOffset_(wordsOffset) {}
   Expected<void> write(std::uint64_t offset, std::span<const std::byte> bytes, WorkingMemory &memory);
 
+  std::string path_;
   OutputFile file_;
   std::uint64_t wordsOffset_; ///< In bytes.
 };

@@ -1,16 +1,21 @@
 // How every command is run.
 #include "Command.h"
 
+#include "Files.h"
 #include "Interrupt.h"
+#include "ManualPage.h"
 #include "Misspelling.h"
 #include "Process.h"
+#include "Signature.h"
 
 #include "voxc/Support/Version.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
+#include <span>
 #include <vector>
 
 namespace voxc::tool {
@@ -70,10 +75,16 @@ void addCommonOptions(const CommandLine &command, CommonOptions &options) {
 }
 
 int runTool(const CommandLine &program, int argc, char **argv, const std::function<Expected<void>()> &body) {
+  signAs(program.name().c_str());
   catchInterrupts();
   if (Expected<void> prepared = prepareProcess(); !prepared) {
     printError(prepared.error());
     return exitCode(prepared.error().kind);
+  }
+  const std::span<char *const> words(argv, static_cast<std::size_t>(argc));
+  if (program.find("--manual") && std::ranges::count(words, std::string_view("--manual")) > 0) {
+    std::fputs(manualPage(program).c_str(), stdout);
+    return 0;
   }
   try {
     program.app().parse(argc, argv);
@@ -83,6 +94,8 @@ int runTool(const CommandLine &program, int argc, char **argv, const std::functi
   try {
     Expected<void> outcome = body();
     heedInterrupt();
+    if (outcome)
+      outcome = flushStandardOutput();
     if (outcome)
       return 0;
     printError(outcome.error());
@@ -104,12 +117,12 @@ int exitCode(ErrorKind kind) {
 void printError(const Error &error) {
   // Diagnostics come rendered, with their own "error:" and several lines.
   bool rendered = error.message.find('\n') != std::string::npos;
-  std::cerr << (rendered ? "" : "voxc: error: ") << error.message;
+  std::cerr << (rendered ? "" : std::string(signature()) + ": error: ") << error.message;
   if (!error.message.ends_with('\n'))
     std::cerr << '\n';
 }
 
-void printNote(std::string_view text) { std::cerr << "voxc: " << text << '\n'; }
+void printNote(std::string_view text) { std::cerr << signature() << ": " << text << '\n'; }
 
 std::string versionText() {
   const int numbers[] = {VOXC_VERSION_MAJOR, VOXC_VERSION_MINOR, VOXC_VERSION_PATCH};

@@ -3,24 +3,50 @@
 
 #include "voxc/Support/File.h"
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
 #include <iterator>
+#include <poll.h>
+#include <unistd.h>
 
 namespace voxc::tool {
 namespace {
 
 constexpr std::string_view kStandardStream = "-";
 
+bool isReaderGone() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
+}
+
+/// Why standard output took no more. Who reads it may have enough: then this ends the process by the signal
+/// that ends other tools, without a word.
+Error outputFailure(int why) {
+  if (why == EPIPE || isReaderGone()) {
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+  }
+  return Error::environment("cannot write to standard output" +
+                            (why == 0 ? "" : std::string(": ") + std::strerror(why)));
+}
+
 Expected<void> writeStandardOutput(std::string_view bytes) {
-  std::size_t written = std::fwrite(bytes.data(), 1, bytes.size(), stdout);
-  if (written != bytes.size() || std::fflush(stdout) != 0)
-    return Error::environment("cannot write to standard output");
-  return {};
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size())
+    return outputFailure(errno);
+  return flushStandardOutput();
 }
 
 } // namespace
+
+Expected<void> flushStandardOutput() {
+  if (std::fflush(stdout) != 0)
+    return outputFailure(errno);
+  // What was written before may have failed unseen.
+  return std::ferror(stdout) == 0 ? Expected<void>() : outputFailure(0);
+}
 
 Expected<void> writeText(const std::string &path, std::string_view text) {
   return path == kStandardStream ? writeStandardOutput(text) : writeFile(path, text);

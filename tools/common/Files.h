@@ -19,6 +19,10 @@ namespace voxc::tool {
 Expected<void> writeBytes(const std::string &path, std::span<const std::byte> bytes);
 Expected<void> writeText(const std::string &path, std::string_view text);
 
+/// Hands on what was written to standard output. Where its reader has gone, as `head` does, the process ends
+/// by SIGPIPE, without a word. Error: `Environment`, with the reason if that is known.
+Expected<void> flushStandardOutput();
+
 /// A ray file of either version. Errors: unreadable, or as of `parseRayFile`.
 Expected<RayFile> readRayFile(const std::string &path);
 

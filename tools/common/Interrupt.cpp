@@ -1,7 +1,10 @@
 // SIGINT, SIGTERM and SIGHUP as a flag that long work asks for, and the end of work that does not.
 #include "Interrupt.h"
 
+#include "Signature.h"
+
 #include <csignal>
+#include <cstring>
 #include <unistd.h>
 
 namespace voxc::tool {
@@ -21,7 +24,8 @@ void setFlag(int) {
 /// Work that has not asked by now, such as a driver's compiler, is not waited for. Output has no name yet, so
 /// nothing is left of it.
 [[noreturn]] void giveUp(int) {
-  constexpr char kText[] = "voxc: error: interrupted\n";
+  constexpr char kText[] = ": error: interrupted\n";
+  static_cast<void>(!::write(STDERR_FILENO, signature(), std::strlen(signature())));
   static_cast<void>(!::write(STDERR_FILENO, kText, sizeof kText - 1));
   ::_exit(kInterruptedExit);
 }

@@ -186,12 +186,12 @@ std::string cameraText(const PictureOptions &options, const Camera &camera, cons
   return text + lens + (options.camera.cubicVoxels ? " --cubic-voxels" : "");
 }
 
-std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume) {
+std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume, bool isClipped) {
   const glm::dvec3 &eye = taken.placed.camera.eye;
   const Int3 extent = volume.info().extent;
   const bool isWithin =
       eye.x >= 0 && eye.y >= 0 && eye.z >= 0 && eye.x < extent.x && eye.y < extent.y && eye.z < extent.z;
-  if (isWithin && volume.lookup({int(eye.x), int(eye.y), int(eye.z)}).value != 0)
+  if (!isClipped && isWithin && volume.lookup({int(eye.x), int(eye.y), int(eye.z)}).value != 0)
     return "the camera stands in a voxel that is not empty, and sees nothing but that";
   const Rendering &rendering = taken.rendering;
   if (rendering.middle == 0)

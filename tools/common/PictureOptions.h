@@ -80,6 +80,8 @@ std::string cameraText(const PictureOptions &options, const Camera &camera, cons
 
 /// What is odd about where the camera stands, in a sentence: in a voxel, right before a wall, with nothing in
 /// sight. Nothing if all is well.
-std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume);
+/// With something cut away the voxel in which the camera stands is cut away too.
+std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume &volume,
+                                         bool isClipped = false);
 
 } // namespace voxc::tool

@@ -1,6 +1,8 @@
 // Signals and limits of the process.
 #include "Process.h"
 
+#include "Signature.h"
+
 #include "voxc/IR/Limits.h"
 
 #include <algorithm>
@@ -25,7 +27,8 @@ constexpr rlim_t kUsualStack = rlim_t{8} << 20;
 /// A mapped file was cut short by another process, or its disk failed: nothing that was read can be trusted,
 /// and only calls that are safe in a handler can tell.
 [[noreturn]] void tellLostFile(int) {
-  constexpr char kText[] = "voxc: error: a file that is in use was cut short, or cannot be read\n";
+  constexpr char kText[] = ": error: a file that is in use was cut short, or cannot be read\n";
+  static_cast<void>(!::write(STDERR_FILENO, signature(), std::strlen(signature())));
   static_cast<void>(!::write(STDERR_FILENO, kText, sizeof kText - 1));
   ::_exit(kEnvironmentExit);
 }

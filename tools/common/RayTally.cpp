@@ -24,8 +24,9 @@ void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceRe
   // Each call gives as many as all should; whoever checks them leaves some out.
   const std::size_t count = std::min(sample_, rays.size());
   for (std::size_t i = 0; i < count; ++i) {
-    sampledRays_.push_back(rays[i * rays.size() / count]);
-    sampledHits_.push_back(hits[i * rays.size() / count]);
+    const std::size_t at = i * rays.size() / count;
+    sampledRays_.push_back(bounded(rays[at], rays.bounds(at)));
+    sampledHits_.push_back(hits[at]);
   }
 }
 

@@ -24,7 +24,7 @@ public:
   }
   /// Of each repeat, the sum over the calls.
   const std::vector<TraceTime> &times() const { return report_.repeats; }
-  std::span<const Ray> sampledRays() const { return sampledRays_; }
+  std::span<const BoundedRay> sampledRays() const { return sampledRays_; }
   std::span<const Hit> sampledHits() const { return sampledHits_; }
 
   /// Adds the figures of tracing.
@@ -35,7 +35,7 @@ private:
   RayCounts counts_;
   bool counted_ = false;
   TraceReport report_;
-  std::vector<Ray> sampledRays_;
+  std::vector<BoundedRay> sampledRays_;
   std::vector<Hit> sampledHits_;
 };
 

@@ -59,31 +59,50 @@ void ProgressBar::draw(std::string_view stage, double fraction, std::uint64_t do
   lastDraw_ = now;
   drawn_ = true;
   double shown = std::clamp(fraction, 0.0, 1.0);
-  int filled = static_cast<int>(shown * kBarCells);
-  std::string bar = std::string(std::size_t(filled), '#') + std::string(std::size_t(kBarCells - filled), '.');
   double seconds = std::chrono::duration<double>(now - stageBegin_).count();
-  char text[160];
-  std::snprintf(text, sizeof text, "%-12s [%s] %3d%%%s", stage_.c_str(), bar.c_str(),
-                static_cast<int>(shown * 100), paceText(seconds, shown, done, countedIn(stage)).c_str());
   // A line that wraps could not be erased.
-  std::fprintf(stderr, "%s%.*s", kEraseLine, std::max(terminalColumns(STDERR_FILENO, kUsualColumns) - 1, 1),
-               text);
+  std::fprintf(stderr, "%s%s", kEraseLine,
+               barText(stage_, shown, paceOf(seconds, shown, done, countedIn(stage)),
+                       std::max(terminalColumns(STDERR_FILENO, kUsualColumns) - 1, 1))
+                   .c_str());
 }
 
-std::string paceText(double seconds, double fraction, std::uint64_t done, std::string_view counted) {
+std::string barText(std::string_view stage, double fraction, const Pace &pace, int columns) {
+  constexpr int kStageColumns = 12, kLeastCells = 4;
+  char percent[8];
+  std::snprintf(percent, sizeof percent, " %3d%%", static_cast<int>(fraction * 100));
+  std::string head(stage), tail = percent + pace.rate + pace.left;
+  head.resize(std::max<std::size_t>(head.size(), kStageColumns), ' ');
+  const auto cellsLeft = [&] {
+    constexpr int kFrame = 3; // " [" and "]".
+    return columns - static_cast<int>(head.size() + tail.size()) - kFrame;
+  };
+  if (cellsLeft() < kLeastCells)
+    tail = percent + pace.left;
+  if (const int cells = std::min(cellsLeft(), kBarCells); cells >= kLeastCells) {
+    const auto filled = static_cast<std::size_t>(fraction * cells);
+    return head + " [" + std::string(filled, '#') + std::string(std::size_t(cells) - filled, '.') + "]" +
+           tail;
+  }
+  const auto room = static_cast<std::size_t>(std::max(columns, 0));
+  head.resize(room > tail.size() ? std::min(stage.size(), room - tail.size()) : 0);
+  return (head + tail).substr(0, room);
+}
+
+Pace paceOf(double seconds, double fraction, std::uint64_t done, std::string_view counted) {
   // Before half a second or a hundredth of the way any number would be a guess.
   if (seconds < 0.5)
     return {};
   char text[64];
-  std::string pace;
+  Pace pace;
   if (done > 0 && !counted.empty()) {
     std::snprintf(text, sizeof text, "  %.1f M ", static_cast<double>(done) / seconds * 1e-6);
-    pace += text + std::string(counted) + "/s";
+    pace.rate = text + std::string(counted) + "/s";
   }
   if (fraction >= 0.01 && fraction < 1) {
     auto left = std::lround(seconds / fraction - seconds);
     std::snprintf(text, sizeof text, "  %ld:%02ld left", left / 60, left % 60);
-    pace += text;
+    pace.left = text;
   }
   return pace;
 }

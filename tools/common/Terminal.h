@@ -36,8 +36,16 @@ private:
   Clock::time_point lastDraw_{};
 };
 
-/// What stands behind the bar: "12.3 M rays/s", if `counted` says what `done` is, and "0:42 left", once that
-/// can be told.
-std::string paceText(double seconds, double fraction, std::uint64_t done, std::string_view counted);
+/// What stands behind the bar.
+struct Pace {
+  std::string rate; ///< "  12.3 M rays/s"; "" if nothing is counted.
+  std::string left; ///< "  0:42 left"; "" before that can be told.
+};
+Pace paceOf(double seconds, double fraction, std::uint64_t done, std::string_view counted);
+
+/// "build        [####........]  33%  12.3 M voxels/s  0:42 left", in at most so many columns. Where there
+/// are fewer, first the bar becomes shorter, then the rate is left out, then the bar, and then the stage is
+/// cut: the percentage and the time that is left stay.
+std::string barText(std::string_view stage, double fraction, const Pace &pace, int columns);
 
 } // namespace voxc::tool

@@ -4,6 +4,7 @@
 
 #include "common/Command.h"
 #include "common/CommandLine.h"
+#include "common/ManualPage.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Passes/Pass.h"
@@ -46,6 +47,7 @@ constexpr DescriptionRow kDescriptions[] = {
 
 void declare(const CommandLine &command, Options &options) {
   command.addVersion(versionText());
+  addManual(command);
   command
       .add("INPUT", options.input,
            "A format string, or a file with one, with IR or with a plan; - for standard input")

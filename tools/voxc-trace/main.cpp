@@ -2,6 +2,7 @@
 #include "common/Command.h"
 #include "common/CommandLine.h"
 #include "common/Files.h"
+#include "common/ManualPage.h"
 #include "common/OrderOption.h"
 #include "common/PictureFile.h"
 #include "common/PictureOptions.h"
@@ -58,6 +59,7 @@ void addOptions(const CommandLine &command, Options &options) {
       .takes("NAME");
   addOrderArgument(command, options.order);
   command.addFlag("--trusted", options.trusted, "Skip the check of every offset in the volume");
+  addManual(command);
   addCommonOptions(command, options.common);
 }
 

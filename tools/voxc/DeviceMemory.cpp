@@ -2,6 +2,7 @@
 #include "DeviceMemory.h"
 
 #include "BuildArguments.h"
+#include "VolumeArgument.h"
 
 #include "common/Statistics.h"
 
@@ -31,7 +32,7 @@ void DeviceMemory::declareCoarse(const CommandLine &command) {
 Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
   auto opened = PagedVolume::open(path);
   if (!opened)
-    return opened.error();
+    return volumeFailure(opened.error());
   volume_.emplace(std::move(*opened));
   const PagedStream &words = volume_->streams().front();
   Volume outline(volume_->info(), std::vector<std::uint32_t>(2));

@@ -4,6 +4,7 @@
 #include "Subcommand.h"
 
 #include "common/Help.h"
+#include "common/ManualPage.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
@@ -15,110 +16,25 @@ namespace voxc::tool {
 
 namespace {
 
-/// Text as roff takes it.
-std::string escape(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '\\')
-      escaped += "\\e";
-    else if (c == '-')
-      escaped += "\\-";
-    else if ((c == '.' || c == '\'') && (escaped.empty() || escaped.back() == '\n'))
-      escaped += std::string("\\&") + c; // No request begins here.
-    else
-      escaped += c;
-  }
-  return escaped;
-}
-
-std::string upper(std::string text) {
-  for (char &c : text)
-    c = char(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
-std::string section(const std::string &name) { return ".SH " + upper(escape(name)) + "\n"; }
-
-/// A paragraph that hangs below its tag.
-std::string tagged(std::string_view tag, std::string_view text) {
-  return ".TP\n.B " + escape(tag) + "\n" + escape(text) + "\n";
-}
-
-std::string pageName(const CommandLine &command) {
-  const std::optional<CommandLine> program = command.parent();
-  return (program ? pageName(*program) + "-" : "") + command.name();
-}
-
-std::string spokenName(const CommandLine &command) {
-  const std::optional<CommandLine> program = command.parent();
-  return (program ? spokenName(*program) + " " : "") + command.name();
-}
-
-std::string synopsis(const CommandLine &command) {
-  std::string text = section("synopsis") + ".B " + escape(spokenName(command)) + "\n[options]\n";
-  for (const Option &option : command.options())
-    if (option.isWord())
-      text += ".I " + escape(option.isRequired() ? option.name() : "[" + option.name() + "]") + "\n";
-  if (!command.commands().empty())
-    text += ".I command\n";
-  return text;
-}
-
-/// The options of a command by their groups, as its help has them.
-std::string optionSections(const CommandLine &command) {
-  std::string text;
-  for (const Option &option : command.options())
-    if (option.isWord())
-      text += (text.empty() ? section("arguments") : "") + tagged(option.name(), option.text());
-  for (const std::string &group : command.groups()) {
-    std::string rows;
-    for (const Option &option : command.options())
-      if (option.group() == group && !option.isWord())
-        rows += tagged(option.usage(), option.text());
-    if (!rows.empty() && !group.empty())
-      text += section(group) + rows;
-  }
-  return text;
-}
-
-std::string commandSection(const CommandLine &command) {
-  std::string text;
-  for (const CommandLine &sub : command.commands())
-    if (!sub.group().empty())
-      text += tagged(sub.name(), sub.text() + "; " + pageName(sub) + "(1)");
-  return text.empty() ? "" : section("commands") + text;
-}
-
 std::string exampleSection(const CommandLine &command) {
   std::string text;
   for (const Example &example : examples())
     if (example.command == command.name())
-      text += ".PP\n" + escape(example.does) + ":\n.PP\n.nf\n.RS\n" + escape(example.line) + "\n.RE\n.fi\n";
-  return text.empty() ? "" : section("examples") + text;
+      text +=
+          ".PP\n" + roffText(example.does) + ":\n.PP\n.nf\n.RS\n" + roffText(example.line) + "\n.RE\n.fi\n";
+  return text.empty() ? "" : roffSection("examples") + text;
 }
 
-constexpr const char *kExitSection =
-    ".SH EXIT STATUS\n"
-    ".TP\n0\ndone\n"
-    ".TP\n1\nthe input is wrong, or a check failed\n"
-    ".TP\n2\nthe command line is wrong\n"
-    ".TP\n3\nthe machine lacks something: a device, a permission, disk space\n"
-    ".TP\n130\ninterrupted\n";
-
-/// A whole page.
+/// The page of a command, with its examples.
 std::string pageOf(const CommandLine &command) {
-  const std::string name = pageName(command);
-  std::string text = ".TH " + upper(escape(name)) + " 1 \"\" \"" + versionText() + "\" \"User commands\"\n";
-  text += section("name") + escape(name) + " \\- " + escape(command.text()) + "\n" + synopsis(command);
+  ManualExtras extras{.examples = exampleSection(command)};
   if (command.find("FORMAT"))
-    text += section("formats") + ".nf\n" + escape(wrap(formatHelp(), 64)) + ".fi\n";
-  text += commandSection(command) + optionSections(command) + exampleSection(command) + kExitSection;
-  const std::optional<CommandLine> program = command.parent();
-  return program ? text + section("see also") + ".BR " + pageName(*program) + " (1)\n" : text;
+    extras.formats = roffSection("formats") + ".nf\n" + roffText(wrap(formatHelp(), 64)) + ".fi\n";
+  return manualPage(command, extras);
 }
 
 Expected<void> writePages(const CommandLine &command, const std::filesystem::path &folder) {
-  if (Expected<void> written = writeFile(folder / (pageName(command) + ".1"), pageOf(command)); !written)
+  if (Expected<void> written = writeFile(folder / (manualName(command) + ".1"), pageOf(command)); !written)
     return written;
   for (const CommandLine &sub : command.commands())
     if (!sub.group().empty())

@@ -5,6 +5,12 @@
 
 namespace voxc::tool {
 
+Error volumeFailure(Error error) {
+  if (error.message.ends_with("is not a .hvx volume"))
+    error.message += "; 'voxc build' makes a volume of another input, and 'voxc run' a picture";
+  return error;
+}
+
 void VolumeArgument::declare(const CommandLine &command, const std::string &help) {
   command.add("VOLUME", path_, help).required().takes("");
   command.addFlag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
@@ -25,7 +31,8 @@ void VolumeArgument::declareKernelOptions(const CommandLine &command) {
 Expected<Volume> VolumeArgument::load() const {
   LoadOptions options{.trusted = trusted_, .mostCubes = mostCubes_};
   options.progress.stop = &catchInterrupts();
-  return Volume::load(path_, options);
+  Expected<Volume> volume = Volume::load(path_, options);
+  return volume ? std::move(volume) : volumeFailure(volume.error());
 }
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {

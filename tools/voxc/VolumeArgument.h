@@ -10,6 +10,9 @@
 
 namespace voxc::tool {
 
+/// The error of opening a volume; where the file is none, with what is done with other inputs.
+Error volumeFailure(Error error);
+
 class VolumeArgument {
 public:
   /// Adds VOLUME and --trusted to a command. `help`: what else it takes.

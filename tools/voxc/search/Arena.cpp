@@ -323,6 +323,7 @@ Expected<void> Arena::traceRounds(std::vector<Entrant> &entrants, const Heat &he
     for (Entrant &entrant : entrants) {
       if (!entrant.runs())
         continue;
+      progress.at("measure", 0);
       if (!heat.budget.allows(entrant.roundSeconds))
         return Error::interrupted();
       const Stopwatch watch;
@@ -352,6 +353,7 @@ Expected<std::vector<Finding>> Arena::measure(std::span<const RatedFormat *const
     for (std::size_t set = 0; set < entrant.records.size(); ++set)
       entrant.records[set].predicted = {formats[i]->price.words(), 1000 / predicted[i][set],
                                         formats[i]->costs[set].turns, formats[i]->costs[set].lines};
+    progress.at("measure", 0);
     if (!bounded.stopped())
       entrant.isLate = !prepare(entrant, heat, bounded);
     else

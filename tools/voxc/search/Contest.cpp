@@ -172,16 +172,19 @@ Expected<void> Contest::measureFrontier(const Progress &progress) {
 }
 
 Expected<void> Contest::run(const Progress &progress) {
-  const Progress stop{.stop = progress.stop};
   const double begin = options_.budget.spent();
   const double end = begin + options_.budget.left();
+  // How far it is, is told by the time that has gone.
+  const auto tell = [&](std::string_view stage, double, std::uint64_t) {
+    progress.at(stage, std::clamp((options_.budget.spent() - begin) / (end - begin), 0.0, 1.0),
+                findings_.size());
+  };
+  const Progress telling{.report = tell, .stop = progress.stop};
   while (const std::size_t together = nextBatch()) {
     const std::vector<std::size_t> batch = race_.next(together, options_.leastGain);
     isComplete_ = batch.empty();
     if (isComplete_)
       break;
-    progress.at("measure", std::clamp((options_.budget.spent() - begin) / (end - begin), 0.0, 1.0),
-                findings_.size());
     const Frontier leading = race_.frontier();
     const auto isBeaten = [&](double bytes, double nanoseconds) {
       return nanoseconds > kBeaten * 1000 / std::max(leading.speedAt(bytes), 1e-9);
@@ -189,7 +192,7 @@ Expected<void> Contest::run(const Progress &progress) {
     const TimeBudget budget = findings_.empty() ? options_.budget.endingAfter(end + kGrace) : options_.budget;
     const std::size_t before = findings_.size();
     if (Expected<void> measured =
-            measure(batch, {.rounds = options_.rounds, .isBeaten = isBeaten, .budget = budget}, stop);
+            measure(batch, {.rounds = options_.rounds, .isBeaten = isBeaten, .budget = budget}, telling);
         !measured)
       return measured;
     if (findings_.size() == before && options_.budget.isOver())
@@ -199,8 +202,7 @@ Expected<void> Contest::run(const Progress &progress) {
   }
   if (options_.lastRounds == 0 || (measuredCount_ == 0 && !last_.empty()))
     return {}; // Not asked for, or all is known from before.
-  progress.at("measure the frontier", 1);
-  if (Expected<void> measured = measureFrontier(stop); !measured)
+  if (Expected<void> measured = measureFrontier(telling); !measured)
     return measured;
   forgetBeaten();
   return {};
