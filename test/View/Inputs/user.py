@@ -136,6 +136,8 @@ def switch(viewer, folder):
     print("   " + told())
     step("write what is none", load(viewer, "R(3^3) G("))
     step("write what is too small", load(viewer, "G(4)"))
+    # The error comes when the frames that the key has brought are over.
+    step("write what the voxels do not fit", load(viewer, "R(3^3) G(3) --palette=1"))
     print("   " + fits(viewer))
     viewer.screen.save(os.path.join(folder, "error.png"))
     viewer.key("g")
