@@ -16,7 +16,7 @@ constexpr double kBeaten = 1.25;
 /// Formats that take so many times the frontier's time are in the last rounds too: they may be as fast.
 constexpr double kNear = 1.04;
 /// The last rounds are more than those of a batch, and count words by a kernel of their own.
-constexpr double kLastCost = 2;
+constexpr double kLastCost = 1.5;
 /// What a format takes, until that is measured.
 constexpr double kUsualSeconds = 0.7;
 /// Of the last rounds, so many make times that can be compared.
