@@ -24,14 +24,20 @@ std::vector<Value> enlarge(const Camera &small, const Camera &large, const At &a
 
 } // namespace
 
+Expected<TraceReport> traceClipped(const Scene &scene, const Clip &clip, std::span<const Ray> rays,
+                                   std::span<Hit> hits, const TraceOptions &options) {
+  return clip.cutsNothing() ? scene.tracer->trace(rays, hits, options)
+                            : scene.tracer->trace(clip.bounded(rays, scene.threads), hits, options);
+}
+
 Expected<Picture> paint(const Shot &shot, const RefinementStep &step, const Progress &progress) {
   const auto &[scene, camera, look] = shot;
   Camera small = camera;
   small.width = std::max(camera.width / step.divisor, 1);
   small.height = std::max(camera.height / step.divisor, 1);
-  const auto trace = [&scene = *shot.scene](std::span<const Ray> rays, std::span<Hit> hits,
-                                            const TraceOptions &options) -> Expected<void> {
-    const Expected<TraceReport> report = scene.tracer->trace(rays, hits, options);
+  const auto trace = [&shot](std::span<const Ray> rays, std::span<Hit> hits,
+                             const TraceOptions &options) -> Expected<void> {
+    const Expected<TraceReport> report = traceClipped(*shot.scene, shot.look.clip, rays, hits, options);
     return report ? Expected<void>() : report.error();
   };
   RenderOptions options{.style = look.style, .samples = step.samples, .isSmooth = look.isSmooth};
@@ -40,6 +46,7 @@ Expected<Picture> paint(const Shot &shot, const RefinementStep &step, const Prog
   options.normals = scene->normals.get();
   options.isDraft = step.isDraft;
   options.threads = scene->threads;
+  options.clip = look.clip.cutsNothing() ? nullptr : &look.clip;
   options.progress = progress;
   Expected<Rendering> rendering = render(*scene->model.volume, small, {trace, trace}, options);
   if (!rendering)

@@ -5,6 +5,7 @@
 #include "view/Scene.h"
 
 #include "voxc/Render/Render.h"
+#include "voxc/Trace/Clip.h"
 
 namespace voxc::view {
 
@@ -14,6 +15,7 @@ struct Look {
   bool isSmooth = false; ///< This and the others as in `RenderOptions`.
   glm::dvec3 sun{-0.42, 0.76, 0.5};
   double coarse = 0;
+  Clip clip; ///< What of the volume is looked at; the scene's kernel has bounds if that cuts anything.
 
   bool operator==(const Look &) const = default;
 };
@@ -24,6 +26,10 @@ struct Shot {
   Camera camera;
   Look look;
 };
+
+/// Traces rays through what is to be seen of a scene. Errors: those of tracing.
+Expected<TraceReport> traceClipped(const Scene &scene, const Clip &clip, std::span<const Ray> rays,
+                                   std::span<Hit> hits, const TraceOptions &options = {});
 
 /// Renders a shot by the step and enlarges it to the size of its camera; the legend of maps is drawn after
 /// that, so that it can be read in any step. Errors: those of tracing; interrupted, by `progress`.

@@ -7,8 +7,10 @@ namespace voxc::view {
 
 Expected<Touch> touch(const Shot &shot, int column, int row) {
   const std::vector<Ray> rays = cameraRays(shot.camera, row, 1, {0.5, 0.5});
-  Touch touch{shot, rays[std::size_t(column)], {}};
-  const Expected<TraceReport> report = shot.scene->tracer->trace(std::span(&touch.ray, 1), {&touch.hit, 1});
+  const Ray ray = rays[std::size_t(column)];
+  const Clip &clip = shot.look.clip;
+  Touch touch{shot, bounded(ray, clip.cutsNothing() ? RayBounds() : clip.boundsOf(ray)), {}};
+  const Expected<TraceReport> report = traceClipped(*shot.scene, clip, std::span(&ray, 1), {&touch.hit, 1});
   return report ? Expected<Touch>(std::move(touch)) : report.error();
 }
 

@@ -9,7 +9,7 @@ namespace voxc::view {
 
 struct Touch {
   Shot shot;
-  Ray ray;
+  BoundedRay ray;
   Hit hit;
 };
 

@@ -28,13 +28,20 @@ constexpr double kStride = 0.3;
 constexpr double kLongestStep = 0.1;
 
 /// Traces by a scene that no other thread has.
-Expected<tool::PlacedCamera> placeIn(const Scene &scene, const tool::PictureOptions &options) {
-  const auto trace = [&scene](std::span<const Ray> rays, std::span<Hit> hits,
-                              const TraceOptions &traceOptions) -> Expected<void> {
-    const Expected<TraceReport> report = scene.tracer->trace(rays, hits, traceOptions);
+Expected<tool::PlacedCamera> placeIn(const Scene &scene, const tool::PictureOptions &options,
+                                     const Clip &clip) {
+  const auto trace = [&](std::span<const Ray> rays, std::span<Hit> hits,
+                         const TraceOptions &traceOptions) -> Expected<void> {
+    const Expected<TraceReport> report = traceClipped(scene, clip, rays, hits, traceOptions);
     return report ? Expected<void>() : report.error();
   };
   return tool::placeCamera(options, *scene.model.volume, trace);
+}
+
+/// What is to be seen of a scene. Precondition: the options are right, whatever the volume.
+Clip clipIn(const Scene &scene, const tool::ClipOptions &options) {
+  const Expected<Clip> clip = tool::clipOf(options, scene.model.volume->info().voxelToModel);
+  return clip ? *clip : Clip();
 }
 
 } // namespace
@@ -63,7 +70,8 @@ void Viewer::request(const SceneWish &wish) {
     if (stop)
       return;
     if (loaded.scene && !old) {
-      const Expected<tool::PlacedCamera> camera = placeIn(**loaded.scene, options_.picture);
+      const Expected<tool::PlacedCamera> camera =
+          placeIn(**loaded.scene, options_.picture, clipIn(**loaded.scene, options_.clip));
       if (camera)
         loaded.placed = *camera;
       else
@@ -128,7 +136,7 @@ Shot Viewer::shot() const {
   const RenderOptions options = tool::renderOptions(options_.picture, *scene_->model.volume);
   const bool isSmooth = options.isSmooth && kindOf(state_.style).needsNormals;
   return {scene_, camera_->camera(options_.width, options_.height),
-          Look{state_.style, isSmooth, options.sun, options.coarse}};
+          Look{state_.style, isSmooth, options.sun, options.coarse, clipIn(*scene_, options_.clip)}};
 }
 
 void Viewer::show() {
@@ -245,7 +253,7 @@ void Viewer::nextView() {
   options.camera.viewHeight = 0;
   options.camera.size = std::to_string(options_.width) + "x" + std::to_string(options_.height);
   painter_.ask([this, options](const Shot &shot) {
-    const Expected<tool::PlacedCamera> placed = placeIn(*shot.scene, options);
+    const Expected<tool::PlacedCamera> placed = placeIn(*shot.scene, options, shot.look.clip);
     placed_.put(placed ? Expected<Camera>(placed->camera) : placed.error());
   });
 }

@@ -9,6 +9,7 @@
 #include "view/SearchPoints.h"
 #include "view/Witness.h"
 
+#include "common/ClipOptions.h"
 #include "common/PictureOptions.h"
 
 #include <functional>
@@ -22,6 +23,7 @@ namespace voxc::view {
 
 struct ViewerOptions {
   tool::PictureOptions picture;
+  tool::ClipOptions clip; ///< If given, the kernels of scenes have bounds.
   int width = 1280, height = 720;
   SceneWish wish;                   ///< The first scene.
   std::vector<std::string> devices; ///< Names that a scene may wish for.

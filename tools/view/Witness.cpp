@@ -51,7 +51,7 @@ Expected<Testimony> Witness::answer(const Touch &touch, const std::atomic<bool> 
     oracle_.emplace(std::move(*oracle));
     volume_ = touch.shot.scene->model.volume;
   }
-  const Explanation explanation = oracle_->explain(touch.ray, kMostCells);
+  const Explanation explanation = oracle_->explain(touch.ray.ray(), kMostCells, touch.ray.bounds());
   return Testimony{touch, explanation.hit, explanation.face, explanation.cells.size()};
 }
 

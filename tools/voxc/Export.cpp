@@ -9,6 +9,7 @@
 #include "Subcommand.h"
 #include "VolumeArgument.h"
 
+#include "common/NumberedName.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "voxc/Source/Export.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
+#include <optional>
 
 namespace voxc::tool {
 
@@ -37,6 +39,13 @@ public:
         "--lossy", options_.lossy,
         "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
         "to fail; the errors are told");
+    command
+        .add("--slices", slices_,
+             "Of .png pictures, the plane that they lie in: z (default), y or x, one for each cell along "
+             "that axis; "
+             "or of a scan, by its own axes: axial, coronal, sagittal")
+        .takes("PLANE")
+        .oneOf({kEnumNames<SlicePlane>.begin(), kEnumNames<SlicePlane>.end()});
     addCompressArgument(command, options_.save.compress);
     page_.declare(command);
     command
@@ -78,8 +87,9 @@ public:
     addVolumeFigures(figures, *volume);
     figures["export_seconds"] = watch.seconds();
     if (figures.value("files_written", 1) == 1)
-      addFileFigure(figures, output_);
-    addWritten(figures, output_);
+      addFileFigure(figures, numbered_ ? (*numbered_)(0) : output_);
+    for (std::uint64_t number = 0; number < files_; ++number)
+      addWritten(figures, numbered_ ? (*numbered_)(number) : output_);
     bar.clear();
     if (!common_.quiet)
       tellSize(figures, *volume);
@@ -96,6 +106,12 @@ private:
 
   Expected<void> write(const Volume &volume, Json &figures) {
     const bool isVox = output_.ends_with(".vox") || output_.ends_with(".VOX");
+    const bool isPicture = output_.ends_with(".png") || output_.ends_with(".PNG");
+    if (!slices_.empty() && !isPicture)
+      return Error::usage("--slices is for pictures, whose name ends in .png");
+    options_.slices = fromString<SlicePlane>(slices_).value_or(SlicePlane::Z);
+    if (isVox || isPicture)
+      numbered_ = NumberedName::parse(output_);
     if (options_.lossy && !isVox)
       return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
     if (isPage(output_)) {
@@ -108,7 +124,8 @@ private:
 #ifdef VOXC_HAS_OPENVDB
     options_.otherKinds = {openVdbExport()};
 #endif
-    const Expected<Exported> exported = exportVoxels(volume, output_, options_);
+    const Expected<Exported> exported =
+        exportVoxels(volume, numbered_ ? numbered_->asPercent() : output_, options_);
     if (!exported)
       return exported.error();
     tell(*exported, figures);
@@ -128,7 +145,8 @@ private:
     return withCoarseBlocks(std::make_shared<const Volume>(std::move(volume)), std::move(*blocks));
   }
 
-  void tell(const Exported &exported, Json &figures) const {
+  void tell(const Exported &exported, Json &figures) {
+    files_ = exported.files;
     if (exported.files != 1)
       figures["files_written"] = exported.files;
     if (exported.rectangles != 0)
@@ -160,7 +178,10 @@ private:
   ExportOptions options_;
   PageExport page_;
   std::string pageBytes_ = "256KiB";
-  std::string coarseSide_; ///< Empty: none.
+  std::string coarseSide_;               ///< Empty: none.
+  std::string slices_;                   ///< Empty: the default.
+  std::optional<NumberedName> numbered_; ///< If there may be several files.
+  std::uint64_t files_ = 1;
   CommonOptions common_;
 };
 

@@ -168,6 +168,19 @@ void printLine(const std::string &label, const std::string &text) {
   std::fprintf(stderr, "  %-8s %s\n", label.c_str(), text.c_str());
 }
 
+/// Names of files that were written; of many the first and the last.
+void printFiles(const Json &files) {
+  constexpr std::size_t kMost = 3;
+  if (files.size() > kMost) {
+    printLine("wrote", files.front().get<std::string>() + " to " + files.back().get<std::string>() + ", " +
+                           std::to_string(files.size()) + " files");
+    return;
+  }
+  for (const Json &file : files)
+    if (file != "-")
+      printLine("wrote", file.get<std::string>());
+}
+
 } // namespace
 
 void addWritten(Json &figures, const std::string &path) { figures["files"].push_back(path); }
@@ -177,10 +190,7 @@ Expected<void> tellFigures(const CommonOptions &common, const Json &figures) {
     for (const Line &line : kLines)
       if (const std::string text = line.text(figures); !text.empty())
         printLine(line.label, text);
-    if (figures.contains("files"))
-      for (const Json &file : figures["files"])
-        if (file != "-")
-          printLine("wrote", file.get<std::string>());
+    printFiles(figures.value("files", Json::array()));
     if (const std::string text = stagesText(figures); !text.empty())
       printLine("took", text);
   }

@@ -8,20 +8,6 @@ namespace {
 
 constexpr unsigned kMostFrames = 1000000;
 
-/// Where the number stands.
-struct Place {
-  std::size_t first = 0;
-  std::size_t count = 0;
-};
-
-Place placeIn(const std::string &pattern) {
-  const std::size_t first = pattern.find('#');
-  if (first == std::string::npos)
-    return {};
-  const std::size_t end = pattern.find_first_not_of('#', first);
-  return {first, (end == std::string::npos ? pattern.size() : end) - first};
-}
-
 } // namespace
 
 void FlightOption::declare(const CommandLine &command) {
@@ -29,8 +15,8 @@ void FlightOption::declare(const CommandLine &command) {
   const Option flight =
       command
           .add("--flight", path_,
-               "A picture for each frame of a flight through all cameras of a camera file; --output has # "
-               "in its name, for the frame's number")
+               "A picture for each frame of a flight through all cameras of a camera file; --output has ### "
+               "or %03d in its name, for the frame's number")
           .takes("FILE")
           .excludes(command.option("--camera"))
           .excludes(command.option("--view"));
@@ -42,23 +28,16 @@ void FlightOption::declare(const CommandLine &command) {
 }
 
 Expected<void> FlightOption::check(const std::string &output) {
-  const Place place = placeIn(output);
-  if (place.count == 0 || output.find('#', place.first + place.count) != std::string::npos)
+  name_ = NumberedName::parse(output);
+  if (!name_)
     return Error::usage("a flight is many pictures, but the name '" + output +
-                        "' has not one place for the number of the frame; give one such as flight-###.png");
+                        "' has not one place for the number of the frame; give one such as flight-###.png or "
+                        "flight-%03d.png");
   auto flight = Flight::through(path_);
   if (!flight)
     return flight.error();
   flight_ = std::move(*flight);
   return {};
-}
-
-std::string frameName(const std::string &pattern, unsigned frame) {
-  const Place place = placeIn(pattern);
-  std::string number = std::to_string(frame);
-  if (number.size() < place.count)
-    number.insert(0, place.count - number.size(), '0');
-  return std::string(pattern).replace(place.first, place.count, number);
 }
 
 } // namespace voxc::tool

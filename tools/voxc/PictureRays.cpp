@@ -6,10 +6,13 @@ namespace voxc::tool {
 auto PictureRays::through(RayTally &tally) {
   return [this, &tally](std::span<const Ray> rays, std::span<Hit> hits,
                         const TraceOptions &options) -> Expected<void> {
-    Expected<TraceReport> report = tracing_.trace(rays, hits, options);
+    const std::vector<BoundedRay> kept =
+        clip_.cutsNothing() ? std::vector<BoundedRay>() : clip_.bounded(rays, tracing_.threads());
+    const RaySpan traced = clip_.cutsNothing() ? RaySpan(rays) : RaySpan(kept);
+    Expected<TraceReport> report = tracing_.trace(traced, hits, options);
     if (!report)
       return report.error();
-    tally.add(rays, hits, *report, options.countSteps);
+    tally.add(traced, hits, *report, options.countSteps);
     return {};
   };
 }
@@ -23,6 +26,7 @@ Expected<TakenPicture> PictureRays::take(const Volume &volume, const PlacedCamer
                                          RenderOptions options) {
   const auto eye = through(eye_), light = through(light_);
   options.threads = tracing_.threads();
+  options.clip = clip_.cutsNothing() ? nullptr : &clip_;
   Expected<voxc::Rendering> rendering = voxc::render(volume, placed.camera, {eye, light}, options);
   if (!rendering)
     return rendering.error();

@@ -5,6 +5,7 @@
 
 #include "common/PictureOptions.h"
 #include "common/RayTally.h"
+#include "voxc/Trace/Clip.h"
 
 #include <optional>
 
@@ -12,8 +13,10 @@ namespace voxc::tool {
 
 class PictureRays {
 public:
-  /// Traces with `tracing`, which is prepared; keeps so many of the rays of every trace from the eye.
-  PictureRays(Tracing &tracing, std::size_t sample) : tracing_(tracing), eye_(sample) {}
+  /// Traces with `tracing`, which is prepared, what `clip` keeps, by a kernel with bounds if that cuts
+  /// anything; keeps so many of the rays of every trace from the eye.
+  PictureRays(Tracing &tracing, std::size_t sample, Clip clip)
+      : tracing_(tracing), clip_(std::move(clip)), eye_(sample) {}
 
   /// Where the options take a picture from. Errors as `placeCamera`.
   Expected<PlacedCamera> findCamera(const PictureOptions &options, const Volume &volume);
@@ -33,6 +36,7 @@ private:
   auto through(RayTally &tally);
 
   Tracing &tracing_;
+  Clip clip_;
   RayTally eye_, light_;
 };
 

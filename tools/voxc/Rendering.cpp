@@ -180,9 +180,10 @@ Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, const R
     if (!taken)
       return taken.error();
     const double took = watch.seconds();
-    const std::string name = frameName(output_, frame);
+    const std::string name = flight_.pictureName(frame);
     if (Expected<void> written = writeTaken(name, *taken); !written)
       return written.error();
+    addWritten(figures, name);
     addSize(figures, *camera);
     taking += took;
     writing += watch.seconds() - took;
@@ -194,7 +195,6 @@ Expected<Rendering::Warning> Rendering::takeFlight(const Volume &volume, const R
   figures["picture_seconds"] = taking;
   figures["file_seconds"] = writing;
   figures["files_written"] = flight_.frames();
-  addWritten(figures, output_);
   return warning;
 }
 

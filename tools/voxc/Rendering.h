@@ -6,6 +6,7 @@
 #include "PictureRays.h"
 #include "Tracing.h"
 
+#include "common/ClipOptions.h"
 #include "common/Command.h"
 #include "common/PictureOptions.h"
 #include "common/Terminal.h"
@@ -46,6 +47,7 @@ private:
   std::string output_;
   PictureOptions picture_;
   FlightOption flight_;
+  ClipOptions clip_;
   ErrorCheck check_{0}; // A picture is to be seen; checking takes an oracle of the whole volume.
 };
 

@@ -19,6 +19,7 @@ public:
   void declare(const CommandLine &command) override {
     source_.declare(command);
     addPictureOptions(command, picture_);
+    addClipOptions(command, clip_);
     command.option("--samples").text("Rays through each pixel of the finest picture; default: 16");
     command.option("--size").text("Pixels of the window; the default is the camera file's, or 1280x720");
     command.add("--search", search_, "Shows what voxc search measured as a chart, whose points load formats")
@@ -37,6 +38,12 @@ public:
       return checked;
     if (Expected<void> checked = source_.check(); !checked)
       return checked;
+    if (const Expected<Clip> clip = clipOf(clip_); !clip)
+      return clip.error();
+    if (clip_.isGiven() && source_.memory().allowedCoarse() > 0)
+      return Error::usage("--clip-box and --clip-plane show voxels alone; leave out --allow-coarse");
+    if (clip_.isGiven())
+      source_.useBounds();
     picture_.coarse = source_.memory().allowedCoarse();
     if (std::error_code ignored; !std::filesystem::is_directory(screenshots_, ignored))
       return Error::usage("--screenshots " + screenshots_ + " is no folder");
@@ -44,6 +51,7 @@ public:
     if (!camera)
       return camera.error();
     view::ViewerOptions options{.picture = picture_,
+                                .clip = clip_,
                                 .width = camera->width,
                                 .height = camera->height,
                                 .wish = source_.wish(),
@@ -67,6 +75,7 @@ public:
 private:
   SceneSource source_;
   PictureOptions picture_;
+  ClipOptions clip_;
   std::string search_, screenshots_ = ".", log_;
   CommonOptions common_;
 };

@@ -6,6 +6,7 @@
 #include "voxc/Support/Error.h"
 #include "voxc/Support/FunctionRef.h"
 #include "voxc/Trace/Camera.h"
+#include "voxc/Trace/Clip.h"
 #include "voxc/Trace/Picture.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Volume.h"
@@ -30,6 +31,8 @@ struct RenderOptions {
   bool isSmooth = false; ///< Surfaces have the direction of their neighbourhood, not of a voxel's face.
   /// Normals that other pictures of this volume have found, to which this one adds; null: it finds its own.
   SurfaceNormals *normals = nullptr;
+  /// What of the volume the tracers see: surfaces at its cuts lie in its planes; null: all of it.
+  const Clip *clip = nullptr;
   /// Looks for no normals beyond those: other surfaces show their faces, as they do in a first draft.
   bool isDraft = false;
   glm::dvec3 sun{-0.42, 0.76, 0.5}; ///< Towards it; of any length but 0.

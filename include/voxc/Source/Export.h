@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Source/Rounding.h"
+#include "voxc/Support/EnumText.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
@@ -20,11 +21,26 @@ struct OtherExport {
   Expected<void> (*write)(const Volume &volume, const std::string &path, const ExportOptions &options);
 };
 
+/// The plane in which slices lie.
+enum class SlicePlane {
+  Z,        ///< One for each z: x to the right, y downwards. Pictures as inputs are read so.
+  Y,        ///< One for each y: x to the right, z downwards.
+  X,        ///< One for each x: z to the right, y downwards.
+  Axial,    ///< By the axes of a scan, in the units of the model: x to the right, y upwards, from low z on.
+  Coronal,  ///< x to the right, z upwards, from low y on.
+  Sagittal, ///< y to the right, z upwards, from low x on.
+};
+
+template <>
+inline constexpr std::array<std::string_view, 6> kEnumNames<SlicePlane> = {"z",     "y",       "x",
+                                                                           "axial", "coronal", "sagittal"};
+
 /// How a volume is exported.
 struct ExportOptions {
   SaveOptions save; ///< Of a .hvx file; its `progress` and `memory` of every kind.
   /// A kind that holds too few colours gets those that stand best for the volume's, rather than to fail.
   bool lossy = false;
+  SlicePlane slices = SlicePlane::Z;   ///< Of pictures.
   std::vector<OtherExport> otherKinds; ///< Asked before the kinds known here.
 };
 
@@ -51,7 +67,9 @@ std::vector<ExportFormat> exportFormats();
 ///   such as scene%d.vox a file for each cube of 1024 cells a side, with colours of its own;
 /// - .nvdb: a NanoVDB grid of RGBA8 values, active where there are voxels;
 /// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex;
-/// - .png: a picture for each z; `path` is a pattern with %d or %04d in place of z, unless there is but one;
+/// - .png: a picture for each slice in the plane `options.slices`; `path` is a pattern with %d or %04d in
+/// place
+///   of its number, unless there is but one;
 /// - .vdb: OpenVDB grids, where `otherKinds` has what writes them;
 /// - .hvx: the volume itself, as `Volume::save` writes it.
 /// Each file is written under a temporary name and renamed. Errors: another ending; `Usage`,

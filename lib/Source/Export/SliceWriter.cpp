@@ -1,12 +1,15 @@
-// Slices as PNG pictures, one for each z.
+// Slices as PNG pictures.
 #include "Source/Export/NumberedFiles.h"
+#include "Source/Export/SliceAxes.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 
 #include <png.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,60 +20,107 @@ namespace {
 /// What a reader takes, too.
 constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
 
-Expected<std::vector<std::byte>> encode(const std::vector<std::uint32_t> &words, Int3 extent) {
+/// Slices that are read at once take this many cells, or are one: of those that lie across the rows of a
+/// volume each reads all rows.
+constexpr std::int64_t kCellsAtOnce = std::int64_t{1} << 24;
+
+Expected<std::string> encode(std::span<const std::uint32_t> words, std::int32_t width, std::int32_t height) {
   png_image image;
   std::memset(&image, 0, sizeof image);
   image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(extent.x);
-  image.height = static_cast<png_uint_32>(extent.y);
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_RGBA;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::vector<std::byte> bytes(size);
+  std::string bytes(size, '\0');
   if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, words.data(), 0, nullptr))
     return Error::environment(std::string("a slice cannot be encoded: ") + image.message);
   bytes.resize(size);
   return bytes;
 }
 
-/// The picture of a slice. `words` are its cells, to be used again.
-Expected<std::string> sliceOf(const Volume &volume, std::int32_t z, std::vector<std::uint32_t> &words) {
-  const Int3 extent = volume.info().extent;
-  const auto width = static_cast<std::size_t>(extent.x);
-  for (std::int32_t y = 0; y < extent.y; ++y)
-    readRow(volume, {0, y, z}, std::span(words).subspan(static_cast<std::size_t>(y) * width, width));
-  const auto bytes = encode(words, extent);
-  if (!bytes)
-    return bytes.error();
-  return std::string(reinterpret_cast<const char *>(bytes->data()), bytes->size());
+/// The slices of a volume, some at a time.
+class Slices {
+public:
+  Slices(const Volume &volume, SlicePlane plane)
+      : volume_(volume), extent_(volume.info().extent), axes_(sliceAxes(plane, volume.info().voxelToModel)) {}
+
+  std::int32_t width() const { return extent_[axes_.right.axis]; }
+  std::int32_t height() const { return extent_[axes_.down.axis]; }
+  std::int32_t count() const { return extent_[axes_.through.axis]; }
+  std::int64_t cells() const { return std::int64_t{width()} * height(); }
+  std::int32_t atOnce() const {
+    return std::int32_t(
+        std::clamp<std::int64_t>(kCellsAtOnce / std::max<std::int64_t>(cells(), 1), 1, count()));
+  }
+
+  /// Reads so many slices from `first` on into `words`, one behind another.
+  void read(std::int32_t first, std::int32_t count, std::span<std::uint32_t> words) const;
+
+private:
+  /// Where along what an axis goes along a cell lies.
+  std::int32_t placeOf(const SliceAxis &axis, Int3 cell) const {
+    return axis.isBackward ? extent_[axis.axis] - 1 - cell[axis.axis] : cell[axis.axis];
+  }
+
+  const Volume &volume_;
+  Int3 extent_;
+  SliceAxes axes_;
+};
+
+void Slices::read(std::int32_t first, std::int32_t count, std::span<std::uint32_t> words) const {
+  Int3 low{}, high = extent_;
+  const int through = axes_.through.axis;
+  low[through] = axes_.through.isBackward ? extent_[through] - first - count : first;
+  high[through] = low[through] + count;
+  std::vector<std::uint32_t> row(static_cast<std::size_t>(high.x - low.x));
+  for (std::int32_t z = low.z; z < high.z; ++z)
+    for (std::int32_t y = low.y; y < high.y; ++y) {
+      readRow(volume_, {low.x, y, z}, row);
+      for (std::int32_t x = low.x; x < high.x; ++x) {
+        const Int3 cell{x, y, z};
+        const std::int64_t at = placeOf(axes_.through, cell) - first;
+        const std::int64_t place = (at * height() + placeOf(axes_.down, cell)) * width();
+        words[static_cast<std::size_t>(place + placeOf(axes_.right, cell))] =
+            row[static_cast<std::size_t>(x - low.x)];
+      }
+    }
 }
 
 } // namespace
 
 Expected<void> writeSlices(const Volume &volume, const std::string &path, const ExportOptions &options,
                            Exported &exported) {
-  const Int3 extent = volume.info().extent;
+  const Slices slices(volume, options.slices);
   const auto pattern = NumberedPath::parse(path);
-  if (!pattern && extent.z != 1)
-    return Error::usage("'" + path + "' is one picture, but the volume has " + std::to_string(extent.z) +
-                        " slices; write %04d where the number of each shall stand");
-  if (std::int64_t{extent.x} * extent.y > kMostCells)
-    return Error::input("a slice of " + std::to_string(extent.x) + "x" + std::to_string(extent.y) +
+  if (!pattern && slices.count() != 1)
+    return Error::usage("'" + path + "' is one picture, but the volume has " +
+                        std::to_string(slices.count()) +
+                        " slices; write ### or %04d where the number of each shall stand");
+  if (slices.cells() > kMostCells)
+    return Error::input("a slice of " + std::to_string(slices.width()) + "x" +
+                        std::to_string(slices.height()) +
                         " cells is too large for a picture; it may have 2^26");
   std::optional<NumberedFiles> files;
   if (pattern)
     files.emplace(*pattern);
-  std::vector<std::uint32_t> words(static_cast<std::size_t>(extent.x) * static_cast<std::size_t>(extent.y));
-  for (std::int32_t z = 0; z < extent.z; ++z) {
+  const auto cells = static_cast<std::size_t>(slices.cells());
+  std::vector<std::uint32_t> words(cells * static_cast<std::size_t>(slices.atOnce()));
+  for (std::int32_t number = 0; number < slices.count(); ++number) {
     if (options.save.progress.stopped())
       return Error::interrupted();
-    options.save.progress.at("write", static_cast<double>(z) / extent.z);
-    const auto slice = sliceOf(volume, z, words);
+    options.save.progress.at("write", static_cast<double>(number) / slices.count());
+    const std::int32_t place = number % slices.atOnce();
+    if (place == 0)
+      slices.read(number, std::min(slices.atOnce(), slices.count() - number), words);
+    const auto slice = encode(std::span(words).subspan(static_cast<std::size_t>(place) * cells, cells),
+                              slices.width(), slices.height());
     if (!slice)
       return slice.error();
     if (auto written = files ? files->add(*slice) : writeFile(path, *slice); !written)
       return written;
   }
-  exported.files = static_cast<std::uint64_t>(extent.z);
+  exported.files = static_cast<std::uint64_t>(slices.count());
   return files ? files->finish() : Expected<void>();
 }
 

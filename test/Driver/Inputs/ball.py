@@ -1,5 +1,5 @@
 """Writes a ball as a scan of 128 x 128 x 40 samples that are 1 x 1 x 3 mm apart: as ball.nii or ball.nrrd, or with
---hollow as a shell with a small ball in it."""
+--hollow as a shell with a small ball in it; with --corner one corner only, low in x and y, high in z."""
 import struct
 import sys
 
@@ -7,16 +7,18 @@ WIDE, HIGH, DEEP = 128, 128, 40
 SPACING = (1.0, 1.0, 3.0)
 
 
-def sample(x, y, z, hollow):
+def sample(x, y, z, kind):
     """255 within 56.4 mm of the middle; a shell is 6 mm thick, and what is in it is 100."""
     square = (x + 0.5 - 64) ** 2 + (y + 0.5 - 64) ** 2 + ((z - 20) * 3) ** 2
-    if hollow and square < 49 ** 2:
+    if kind == "--corner":
+        return 255 if x < 32 and y < 32 and z >= 30 else 0
+    if kind == "--hollow" and square < 49 ** 2:
         return 100 if square < 20 ** 2 else 0
     return 255 if square < 56.4 ** 2 else 0
 
 
 path = sys.argv[1]
-samples = bytes(sample(x, y, z, "--hollow" in sys.argv) for z in range(DEEP) for y in range(HIGH) for x in range(WIDE))
+samples = bytes(sample(x, y, z, sys.argv[-1]) for z in range(DEEP) for y in range(HIGH) for x in range(WIDE))
 with open(path, "wb") as file:
     if path.endswith(".nii"):
         header = bytearray(352)

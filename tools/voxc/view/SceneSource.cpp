@@ -7,6 +7,7 @@
 #include "search/Suggestion.h"
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/IR/Attribute.h"
 
 #include <algorithm>
 
@@ -181,6 +182,13 @@ Expected<Tracing> SceneSource::openTracing(const std::string &device, unsigned t
   return tracing;
 }
 
+Format SceneSource::kernelFormat(const view::Model &model) const {
+  Format format = model.format;
+  if (hasBounds_)
+    format.setAttribute(kBoundsAttribute, "yes");
+  return format;
+}
+
 Expected<view::Tracers> SceneSource::makeTracers(const view::Model &model, const CommonOptions &common,
                                                  std::string &device) const {
   Expected<Tracing> tracing = openTracing(device, building_.threads, common);
@@ -190,7 +198,7 @@ Expected<view::Tracers> SceneSource::makeTracers(const view::Model &model, const
   if (model.pagedBytes > 0)
     return makePagedTracers(model, common, std::move(*tracing));
   Json figures;
-  if (Expected<void> prepared = tracing->prepare(*model.volume, model.format, figures); !prepared)
+  if (Expected<void> prepared = tracing->prepare(*model.volume, kernelFormat(model), figures); !prepared)
     return prepared.error();
   return view::Tracers{std::make_unique<KeptTracer>(model.volume, std::move(*tracing))};
 }
@@ -203,10 +211,10 @@ Expected<view::Tracers> SceneSource::makePagedTracers(const view::Model &model, 
     return scouting.error();
   const auto shelf = memory_.makeShelf();
   Json figures;
-  if (Expected<void> prepared = memory_.prepare(tracing, model.format, figures, {.takesFrom = shelf});
+  if (Expected<void> prepared = memory_.prepare(tracing, kernelFormat(model), figures, {.takesFrom = shelf});
       !prepared)
     return prepared.error();
-  if (Expected<void> prepared = memory_.prepare(*scouting, model.format, figures, {.putsOn = shelf});
+  if (Expected<void> prepared = memory_.prepare(*scouting, kernelFormat(model), figures, {.putsOn = shelf});
       !prepared)
     return prepared.error();
   auto kept = std::make_unique<KeptTracer>(model.volume, std::move(tracing));

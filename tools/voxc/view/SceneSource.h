@@ -27,6 +27,8 @@ public:
   unsigned threads() const { return building_.threads; }
   /// Whether and how the volume is traced by its pages.
   const DeviceMemory &memory() const { return memory_; }
+  /// Makes kernels that take rays with bounds.
+  void useBounds() { hasBounds_ = true; }
   /// The scene that was asked for.
   view::SceneWish wish() const { return {"", device_}; }
   /// Makes this and other scenes of the input. It refers to this object.
@@ -47,9 +49,10 @@ private:
                                       std::string &device) const;
   Expected<view::Tracers> makePagedTracers(const view::Model &model, const CommonOptions &common,
                                            Tracing tracing) const;
+  Format kernelFormat(const view::Model &model) const;
 
   std::string input_, format_, device_;
-  bool trusted_ = false;
+  bool trusted_ = false, hasBounds_ = false;
   InputArguments inputArguments_;
   BuildArguments building_;
   DeviceMemory memory_; ///< Its file stays open as long as this.
