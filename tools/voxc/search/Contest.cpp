@@ -89,8 +89,10 @@ Expected<void> Contest::measure(const std::vector<std::size_t> &formats, const H
     return {};
   for (std::size_t i = 0; i < formats.size(); ++i) {
     Finding &finding = (*found)[i];
-    if (isUnfinished(finding))
+    if (isUnfinished(finding)) {
+      unfinished_.insert(formats[i]);
       continue;
+    }
     for (Record &record : finding.records) {
       // What was foretold before anything was known of the format stays.
       if (const auto before = findings_.find(formats[i]); before != findings_.end())
@@ -131,14 +133,18 @@ std::vector<std::size_t> Contest::nearFrontier(double times) const {
   return near;
 }
 
-/// Volumes of formats that are not on the frontier any more make room.
+/// Volumes of formats that are not on the frontier any more, or that there was no time for, make room.
 void Contest::forgetBeaten() const {
   std::set<std::string> needed;
   for (const std::size_t i : frontier())
     needed.insert(arena_.volumePath(race_.formats()[i]));
-  for (const auto &[index, finding] : findings_)
+  const auto forget = [&](std::size_t index) {
     if (!needed.contains(arena_.volumePath(race_.formats()[index])))
       arena_.forget(race_.formats()[index]);
+  };
+  for (const auto &[index, finding] : findings_)
+    forget(index);
+  std::ranges::for_each(unfinished_, forget);
 }
 
 double Contest::secondsOfOne() const {
@@ -195,10 +201,12 @@ Expected<void> Contest::run(const Progress &progress) {
             measure(batch, {.rounds = options_.rounds, .isBeaten = isBeaten, .budget = budget}, telling);
         !measured)
       return measured;
-    if (findings_.size() == before && options_.budget.isOver())
-      break; // Nothing was finished in time.
-    last_.clear();
+    const bool isOver = findings_.size() == before && options_.budget.isOver();
+    if (!isOver)
+      last_.clear();
     forgetBeaten();
+    if (isOver)
+      break; // Nothing was finished in time.
   }
   if (options_.lastRounds == 0 || (measuredCount_ == 0 && !last_.empty()))
     return {}; // Not asked for, or all is known from before.

@@ -65,9 +65,10 @@ private:
   bench::RecordWriter &writer_;
   ContestOptions options_;
   std::map<std::size_t, Finding> findings_;
-  std::set<std::size_t> last_;    ///< Formats of the last rounds.
-  double measuredSeconds_ = 0;    ///< Of batches,
-  std::size_t measuredCount_ = 0; ///< and their formats.
+  std::set<std::size_t> last_;       ///< Formats of the last rounds,
+  std::set<std::size_t> unfinished_; ///< and those that there was no time for.
+  double measuredSeconds_ = 0;       ///< Of batches,
+  std::size_t measuredCount_ = 0;    ///< and their formats.
   bool isComplete_ = false;
 };
 

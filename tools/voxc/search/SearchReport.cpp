@@ -57,6 +57,15 @@ const RatedFormat *formatOf(const SearchResult &result, const Finalist &finalist
   return found == formats.end() ? nullptr : &*found;
 }
 
+/// ": compile: ...", of the first format that failed.
+std::string whyNone(const SearchResult &result) {
+  for (const auto &[index, finding] : result.contest.findings())
+    for (const Record &record : finding.records)
+      if (record.failure)
+        return ": " + record.failure->stage + ": " + record.failure->reason;
+  return {};
+}
+
 /// What the command at the end builds.
 std::string meaningOf(const std::string &objective) {
   constexpr std::pair<const char *, const char *> kMeanings[] = {
@@ -125,7 +134,7 @@ std::string searchReport(const SearchResult &result) {
   text += result.contest.isComplete() ? "\nnothing that was not measured promises more\n"
                                       : "\nthe budget ended first: run the command again to go on\n";
   if (verdict.frontier.empty())
-    return text + "no format could be measured\n";
+    return text + "no format could be measured" + whyNone(result) + "\n";
   text += table(verdict) + "\n" + answers(verdict);
   if (const RatedFormat *format = formatOf(result, verdict.answer(verdict.objective)))
     text += "\n" + meaningOf(verdict.objective) + "\n" +
