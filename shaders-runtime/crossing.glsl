@@ -77,10 +77,10 @@ OUT_OF_LINE int compare_exactly(const Ray ray, int a, int face_a, int b, int fac
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
 %if ieee
   int order = compare_by_doubles(ray, a, face_a, b, face_b);
-%else
-  int order = 0;
-%end
   return order != 0 ? order : compare_exactly(ray, a, face_a, b, face_b);
+%else
+  return compare_exactly(ray, a, face_a, b, face_b);
+%end
 }
 
 int undecided_axis(const Range range) {

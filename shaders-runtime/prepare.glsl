@@ -11,21 +11,21 @@ OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
     exponent[axis] = exponent_of(size[axis]) + findMSB(significand);
     largest = significand != 0u ? max(largest, exponent[axis]) : largest;
   }
-  vec3 scaled;
+  vec3 result;
   for (int axis = 0; axis < 3; axis++) {
     uint significand = significand_of(size[axis]);
-    scaled[axis] = float(significand) * power_of_two(-findMSB(significand)) * power_of_two(max(exponent[axis] - largest, -60));
+    result[axis] = float(significand) * power_of_two(-findMSB(significand)) * power_of_two(max(exponent[axis] - largest, -60));
   }
-  return scaled;
+  return result;
 }
 
 // The same, by float32 where that is exact.
 vec3 scaled(uvec3 size, bool plain) {
   uint exponent = max(max(size.x, size.y), size.z) & INFINITY_BITS;
-  vec3 scaled = uintBitsToFloat(size) * uintBitsToFloat(0x7f000000u - exponent);
+  vec3 result = uintBitsToFloat(size) * uintBitsToFloat(0x7f000000u - exponent);
   if (SETTLES && !plain)
-    scaled = scaled_exactly(size);
-  return max(scaled, LEAST_COMPONENT);
+    result = scaled_exactly(size);
+  return max(result, LEAST_COMPONENT);
 }
 
 Ray prepare_ray(uvec3 origin, uvec3 direction) {

@@ -2,6 +2,7 @@
 #include "Embedded.h"
 #include "KernelFunctions.h"
 #include "Names.h"
+#include "Wrap.h"
 
 #include "voxc/Emit/Emit.h"
 
@@ -94,7 +95,8 @@ std::string headerFile(std::string_view name) { return "voxc_" + std::string(nam
 
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
-  return runtime("header/begin", names) + prefixed("", kQueries, plan, names) + runtime("header/end", names);
+  return wrapped(runtime("header/begin", names) + prefixed("", kQueries, plan, names) +
+                 runtime("header/end", names));
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {
@@ -108,10 +110,10 @@ std::string emitCDefinitions(const Plan &plan, std::string_view name) {
 std::string emitWebGl(const Plan &plan, std::string_view name) {
   TemplateNames names = headerNames(plan, name);
   const std::string builtins = runtime("webgl/builtins", names) + "\n" + runtime("carries", names);
-  return runtime("webgl/begin", names) +
-         prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
-                  names) +
-         runtime("webgl/end", names);
+  return wrapped(
+      runtime("webgl/begin", names) +
+      prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan, names) +
+      runtime("webgl/end", names));
 }
 
 std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "carries.glsl"); }

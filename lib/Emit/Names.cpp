@@ -142,6 +142,18 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["plus-around"] = isWide(stratum) ? " + around" : "";
 }
 
+/// What a look-up of a cell takes beside the cell: the ray, and the gap that it may widen.
+void addCellArguments(TemplateNames &names, const Plan &plan, const Stratum &stratum) {
+  const bool isPoint = plan.query == Query::Occupancy;
+  const bool tells = !isPoint && stratum.slots->tellsGap(stratum);
+  const bool takesRay = tells && stratum.skip != Skip::L1;
+  const bool takesGap = tells || (!isPoint && lookUpMayBeCut(plan, stratum));
+  names.holes["cell-ray-and"] = takesRay ? "const Ray ray, " : "";
+  names.holes["cell-and-gap"] = takesGap ? ", inout Gap gap" : "";
+  names.holes["cell-ray,"] = takesRay ? "ray, " : "";
+  names.holes["cell,gap"] = takesGap ? ", gap" : "";
+}
+
 /// How a leaf of a stratum, or a full cell, becomes its value in generated text.
 void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
@@ -237,8 +249,6 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   const bool isPoint = plan.query == Query::Occupancy;
   const bool hasArrival = outputs.t || outputs.face;
   names.holes["answers"] = kAnswers[static_cast<std::size_t>(plan.query)];
-  names.holes["ray-and"] = isPoint ? "" : "const Ray ray, ";
-  names.holes["and-gap"] = isPoint ? "" : ", inout Gap gap";
   names.holes["and-an-arrival"] = hasArrival ? ", const Arrival arrival" : "";
   names.holes["and-arrival"] = hasArrival ? ", arrival" : "";
   names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
@@ -326,6 +336,7 @@ TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   addHoles(names, plan, index);
   addLeaves(names, plan, index);
   addSkip(names, plan.layout.strata[index]);
+  addCellArguments(names, plan, plan.layout.strata[index]);
   addLayers(names, plan, index);
   addConditions(names, plan, index);
   return names;

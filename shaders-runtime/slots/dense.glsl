@@ -14,7 +14,7 @@ uint slot_level_${N}(uint grid, ivec3 cell) {
   grid += ${slots-times}uint(${granule-of-cell});
   return ${slots-times}uint(${cell-in-granule});
 %else
-  return grid + ${slot-words}u * uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+  return grid + ${slots-times}uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
 %end
 }
 
@@ -32,7 +32,7 @@ uint cell_level_${N}(uint grid, ivec3 cell) {
 %else
 %if distances
 // The value of a cell, or 0 if it is empty; `gap` then counts ${what-skip-counts}.
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
   uint slot = slot_level_${N}(grid, cell);
   uint word = load_word(${grid,}slot);
 %if distances-beside
@@ -48,12 +48,12 @@ uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %else
 // The value of a cell, or 0 if it is empty.
 %if granules
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
   uint slot = slot_level_${N}(grid, cell);
   return load_word(grid, slot);
 }
 %else
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) { return load_word(slot_level_${N}(grid, cell)); }
+uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) { return load_word(slot_level_${N}(grid, cell)); }
 %end
 %end
 %end

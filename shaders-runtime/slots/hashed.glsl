@@ -5,7 +5,7 @@
 %else
 // The value of a cell, or 0 if it is empty.
 %end
-uint cell_level_${N}(${ray-and}uint table, ivec3 cell${and-gap}) {
+uint cell_level_${N}(${cell-ray-and}uint table, ivec3 cell${cell-and-gap}) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
   uint log2_entries = load_word(table);

@@ -212,12 +212,12 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 // What a voxel's value is nobody asks: the grid stands for it.
 %end
 %end
-uint cell_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
   return is_full_level_${N}(ray, grid, cell, gap) ? ${full-cell} : 0u;
 }
 %else
 // The value of a cell, or 0 if it is empty.
-uint cell_level_${N}(${ray-and}uint grid, ivec3 cell${and-gap}) {
+uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
 %if first
   ivec3 at = cell;
 %else

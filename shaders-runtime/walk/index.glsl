@@ -7,7 +7,7 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
 %end
     count_lookup(walk);
     Gap gap = Gap(LEVEL_${N}_LOG2_CELL, 1);
-    uint value = cell_level_${N}(ray, grid, walk.cell >> LEVEL_${N}_LOG2_CELL, gap);
+    uint value = cell_level_${N}(${cell-ray,}grid, walk.cell >> LEVEL_${N}_LOG2_CELL${cell,gap});
 %if look-up-may-be-cut
     if (value == 0u && gap.count == 0)
       continue; // The device ended the look-up.

@@ -18,7 +18,7 @@ ${real3} faces_level_${N}(const Ray ray, ivec3 cell, const Gap gap) {
 // The voxel around a cell, from this grid down; 0, and ${what-is-empty}, if there is none.
 uint locate_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap${and-faces}) {
   gap = Gap(LEVEL_${N}_LOG2_CELL, 1);
-  uint value = cell_level_${N}(ray, grid, cell >> LEVEL_${N}_LOG2_CELL, gap);
+  uint value = cell_level_${N}(${cell-ray,}grid, cell >> LEVEL_${N}_LOG2_CELL${cell,gap});
 %if marches
   gap.count = (gap.count + 2) / 3; // The largest cube ahead whose cells are all nearer than the distance.
 %if first

@@ -5,7 +5,7 @@
 %else
 %if grid
         gap = Gap(LEVEL_${N}_LOG2_CELL, 1);
-        node = cell_level_${N}(ray, node, walk.cell >> LEVEL_${N}_LOG2_CELL, gap);
+        node = cell_level_${N}(${cell-ray,}node, walk.cell >> LEVEL_${N}_LOG2_CELL${cell,gap});
 %else
         bool leaf = false;
         int below = ${LAST} - layer;
