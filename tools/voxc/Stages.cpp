@@ -9,7 +9,7 @@
 namespace voxc::tool {
 namespace {
 
-double sum(const Json &figures, std::initializer_list<const char *> keys) {
+double sumOf(const Json &figures, std::initializer_list<const char *> keys) {
   double seconds = 0;
   for (const char *key : keys)
     seconds += figures.value(key, 0.0);
@@ -23,28 +23,32 @@ struct Stage {
 
 /// In the order in which they are.
 constexpr Stage kStages[] = {
-    {"device", [](const Json &f) { return sum(f, {"open_seconds"}); }},
-    {"format", [](const Json &f) { return sum(f, {"choose_seconds"}); }},
+    {"device", [](const Json &f) { return sumOf(f, {"open_seconds"}); }},
+    {"format", [](const Json &f) { return sumOf(f, {"choose_seconds"}); }},
     {"input",
-     [](const Json &f) { return sum(f, {f.contains("input_seconds") ? "input_seconds" : "load_seconds"}); }},
-    {"code", [](const Json &f) { return sum(f, {"compile_seconds"}); }},
-    {"build", [](const Json &f) { return sum(f, {"build_seconds"}); }},
-    {"kernel", [](const Json &f) { return sum(f, {"kernel_seconds", "upload_seconds"}); }},
-    {"camera", [](const Json &f) { return sum(f, {"camera_seconds"}); }},
+     [](const Json &f) {
+       return sumOf(f, {f.contains("input_seconds") ? "input_seconds" : "load_seconds"});
+     }},
+    {"code", [](const Json &f) { return sumOf(f, {"compile_seconds"}); }},
+    {"build", [](const Json &f) { return sumOf(f, {"build_seconds"}); }},
+    {"kernel", [](const Json &f) { return sumOf(f, {"kernel_seconds", "upload_seconds"}); }},
+    {"camera", [](const Json &f) { return sumOf(f, {"camera_seconds"}); }},
     {"rays",
-     [](const Json &f) { return f.contains("picture_seconds") ? sum(f, {"seconds", "light_seconds"}) : 0; }},
+     [](const Json &f) {
+       return f.contains("picture_seconds") ? sumOf(f, {"seconds", "light_seconds"}) : 0;
+     }},
     {"shading",
      [](const Json &f) {
-       return std::max(sum(f, {"picture_seconds"}) - sum(f, {"seconds", "light_seconds"}), 0.0);
+       return std::max(sumOf(f, {"picture_seconds"}) - sumOf(f, {"seconds", "light_seconds"}), 0.0);
      }},
-    {"check", [](const Json &f) { return sum(f, {"check_seconds"}); }},
-    {"writing", [](const Json &f) { return sum(f, {"file_seconds"}); }},
+    {"check", [](const Json &f) { return sumOf(f, {"check_seconds"}); }},
+    {"writing", [](const Json &f) { return sumOf(f, {"file_seconds"}); }},
 };
 
 /// Hundredths, as they are printed: of these the parts add up.
 long hundredths(double seconds) { return std::lround(100 * seconds); }
 
-std::string text(long hundredths) {
+std::string printed(long hundredths) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", double(hundredths) / 100);
   return text;
@@ -72,10 +76,11 @@ std::string stagesText(const Json &figures) {
   std::string parts;
   for (const Stage &stage : kStages)
     if (const long part = hundredths(figures["stages"].value(stage.name, 0.0)); part > 0) {
-      parts += std::string(stage.name) + " " + text(part) + ", ";
+      parts += std::string(stage.name) + " " + printed(part) + ", ";
       left -= part;
     }
-  return text(hundredths(figures["total_seconds"])) + " s: " + parts + "rest " + text(std::max(left, 0L));
+  return printed(hundredths(figures["total_seconds"])) + " s: " + parts + "rest " +
+         printed(std::max(left, 0L));
 }
 
 } // namespace voxc::tool
