@@ -1,6 +1,7 @@
 // Binary glTF: a head that is written last, the corners of rectangles as they are found, then their indices.
 #include "Source/Export/Faces.h"
 #include "Source/Export/Writers.h"
+#include "voxc/Volume/LabelColour.h"
 
 #include <algorithm>
 #include <array>
@@ -171,7 +172,10 @@ Expected<void> writeSurface(const Volume &volume, OutputFile &file, const Export
   Expected<void> written = surface.begin();
   if (!written)
     return written;
-  const auto add = [&](const FaceRectangle &face) {
+  // Labels are seen in colours of their own; what else they are has no place in a mesh.
+  const bool areLabels = volume.layout().payload == Payload::Material;
+  const auto add = [&](FaceRectangle face) {
+    face.word = areLabels ? labelColour(face.word) : face.word;
     written = surface.add(face);
     return bool(written);
   };
