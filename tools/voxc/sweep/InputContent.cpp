@@ -60,19 +60,24 @@ Expected<void> addCompanions(const std::string &path, std::map<std::string, bool
   return {};
 }
 
-/// Where the path does not say it all: the size of a grid, and the ending that tells the kind.
+bool isPrefixed(const std::string &input) { return input.starts_with("grid:") || input.starts_with("raw:"); }
+
+/// Where the path does not say it all: the size of a grid, and the ending that tells the kind, with a frame's
+/// number.
 std::string kindOf(const std::string &input) {
-  const std::string path = fileOf(input);
-  return path == input ? fs::path(path).extension().string() : input.substr(0, input.rfind(':'));
+  return isPrefixed(input) ? input.substr(0, input.rfind(':')) : fs::path(input).extension().string();
 }
 
 } // namespace
 
 std::string fileOf(const std::string &input) {
-  for (const std::string_view prefix : {"grid:", "raw:"})
-    if (input.starts_with(prefix))
-      return input.substr(input.rfind(':') + 1);
-  return input;
+  if (isPrefixed(input))
+    return input.substr(input.rfind(':') + 1);
+  // The number of a frame: scene.vox#3.
+  const std::size_t mark = input.rfind('#');
+  const bool isFrame = mark != std::string::npos && mark + 1 < input.size() &&
+                       input.find_first_not_of("0123456789", mark + 1) == std::string::npos;
+  return isFrame ? input.substr(0, mark) : input;
 }
 
 Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
