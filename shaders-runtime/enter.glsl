@@ -59,6 +59,7 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
     }
   }
   vec3 slack = error * abs(vec3(ray.inverse));
+  ray.late = ${real3}(0.0f);
   bound_errors(ray, cell, error, 2.0f * max(max(slack.x, slack.y), slack.z));
 }
 
@@ -66,7 +67,7 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
 // never change.
 Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   Crossing crossing;
-  crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis];
+  crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
   crossing.axis = axis;
   crossing.face = face;
   crossing.rising = !ray.falls[axis];
@@ -123,18 +124,13 @@ bool enter_volume(inout Ray ray, inout Walk walk) {
   ivec3 enters = (below & ray.ahead) + above * ivec3(ray.falls);
   if (enters != below + above)
     return false;
-%if doubles
-  // No t is above 2^18 then, and of a component that was raised to LEAST_COMPONENT that makes less than one rounding.
-  float far_away = 131072.0f;
-%else
-  float far_away = float(2 * max(max(size.x, size.y), size.z));
-%end
-  bool starts_far = any(greaterThan(abs(uintBitsToFloat(ray.given_origin)), mix(vec3(NEVER), vec3(far_away), ray.moves)));
-  bound_errors(ray, cell, vec3(0.0f), any(starts_tiny(ray)) ? NEVER : 0.0f);
-  walk.cell = cell;
   ivec3 face = mix(ivec3(0), size, ray.falls);
+  bvec3 axes = greaterThan(enters, ivec3(0));
+  Start near = come_near(ray, axes, face);
+  bool starts_far = near.is_far;
+  bound_errors(ray, cell, vec3(near.wrong), any(starts_tiny(ray)) ? NEVER : near.slack);
+  walk.cell = cell;
   if (enters != ivec3(0)) {
-    bvec3 axes = greaterThan(enters, ivec3(0));
     bool sure;
     Walk start = entered(ray, walk, axes, face, sure);
     bool unsure = !sure || starts_far;

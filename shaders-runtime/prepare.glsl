@@ -42,6 +42,7 @@ Ray prepare_ray(uvec3 origin, uvec3 direction) {
   component = mix(component, -component, ray.falls);
   ray.direction = mix(${real3}(0.0f), ${real3}(component), ray.moves);
   ray.inverse = mix(${real3}(1.0f), 1.0f / ${real3}(component), ray.moves);
+  ray.late = ${real3}(0.0f);
   ray.heading = ivec3(ray.moves) - 2 * ivec3(ray.falls);
   ray.ahead = -max(ray.heading, ivec3(0));
   ray.beyond = -${real3}(ray.falls);

@@ -5,6 +5,7 @@ struct Ray {
   ${real3-wide} origin;          // Where walking counts from: the given origin, or where a ray from far away enters.
   ${real3-wide} direction;       // Scaled by a power of two: the largest component is in [1, 2), and none so small that
   ${real3-wide} inverse;         // its inverse overflows. All t are those of this direction, from this origin.
+  ${real3-wide} late;            // By how much each t comes late that is counted from there.
   ${real} slack;           // What is wrong of a t, beside a few roundings.
   ${real3-wide} lowest;          // The least that is certain of the coordinates at the origin,
   ${real3-wide} doubt;           // and how much more any coordinate on the way may be, in voxels.
@@ -135,4 +136,4 @@ ivec3 faces_ahead(const Ray ray, ivec3 cell, const Gap gap) {
 }
 
 // About when each coordinate passes its face.
-${real3} times_of(const Ray ray, ivec3 face) { return (${real3}(face) - ray.origin) * ray.inverse; }
+${real3} times_of(const Ray ray, ivec3 face) { return (${real3}(face) - ray.origin) * ray.inverse - ray.late; }

@@ -171,7 +171,9 @@ private:
   void word() {
     const bool isParameter = last_ == '(' || last_ == ',';
     const std::string_view text = tokens_[next_].text;
-    if (text == "inout")
+    if (text == "precise")
+      replace("VOXC_PRECISE");
+    else if (text == "inout")
       parameter("VOXC_INOUT(");
     else if (text == "out")
       parameter("VOXC_OUT(");
@@ -179,6 +181,13 @@ private:
       parameter("VOXC_IN(");
     else
       name();
+  }
+
+  /// A word that languages have in different ways, or not at all.
+  void replace(std::string_view macro) {
+    text_ += macro;
+    last_ = macro.back();
+    ++next_;
   }
 
   /// A parameter that has a qualifier, which goes around its type.

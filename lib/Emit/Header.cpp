@@ -41,6 +41,7 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   TemplateNames names = planNames(plan);
   const std::string prefix = headerPrefix(name);
   names.holes["prefix"] = prefix;
+  names.conditions["keeps-sums"] = true;
   names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
   names.holes["PREFIX"] = upperCase(prefix);
   names.holes["glsl-in-cpp"] = glslInCpp();
@@ -109,6 +110,7 @@ std::string emitCDefinitions(const Plan &plan, std::string_view name) {
 
 std::string emitWebGl(const Plan &plan, std::string_view name) {
   TemplateNames names = headerNames(plan, name);
+  names.conditions["keeps-sums"] = false; // It has no `precise`.
   const std::string builtins = runtime("webgl/builtins", names) + "\n" + runtime("carries", names);
   return wrapped(
       runtime("webgl/begin", names) +

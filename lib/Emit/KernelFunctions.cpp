@@ -13,7 +13,7 @@ namespace voxc {
 namespace {
 
 constexpr const char *kBeforeStep[] = {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"};
-constexpr const char *kAfterStep[] = {"step.glsl", "enter.glsl", "prepare.glsl", "root.glsl"};
+constexpr const char *kAfterStep[] = {"step.glsl", "near.glsl", "enter.glsl", "prepare.glsl", "root.glsl"};
 
 class FunctionEmitter {
 public:

@@ -86,7 +86,8 @@ Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
   result.constants = {{0, "COUNT_LOOKUPS", "bool", "false"},
                       {1, "SPREAD", "float32", "0"},
                       {2, "COUNT_WORDS", "bool", "false"},
-                      {3, "SETTLES", "bool", "true"}};
+                      {3, "SETTLES", "bool", "true"},
+                      {6, "COMES_NEAR", "bool", "true"}};
   result.features = std::move(*features);
   return result;
 }

@@ -107,7 +107,7 @@ Expected<void> VulkanPaging::take(RaySpan rays, std::span<Hit> hits, const Trace
     return uploaded;
   report.transfer += wallSeconds() - begin;
   const Counted counted = countedBy(options);
-  if (pipeline_.isPrepared(counted, options.spread))
+  if (pipeline_.isPrepared(counted, options.spread, Origins::Anywhere))
     return {};
   const double compiles = wallSeconds();
   if (auto prepared = pipeline_.prepare(counted, options.spread); !prepared)

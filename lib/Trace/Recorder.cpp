@@ -88,7 +88,8 @@ Expected<TraceRecorder> TraceRecorder::create(Device &device, const Kernel &kern
   if (!pipeline)
     return pipeline.error();
   const Counted counted = options.countSteps ? Counted::Lookups : Counted::Nothing;
-  if (auto prepared = pipeline->prepare(counted, options.spread, options.pipelineCache); !prepared)
+  if (auto prepared = pipeline->prepare(counted, options.spread, Origins::Anywhere, options.pipelineCache);
+      !prepared)
     return prepared.error();
   const bool cuts = state.info().loops == Loops::Cut;
   return TraceRecorder(std::make_shared<State>(State{&state, std::move(*pipeline), kernel.storageDigest,

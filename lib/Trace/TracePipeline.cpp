@@ -21,6 +21,7 @@ constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {1, offsetof(Constants, spread), sizeof(Constants::spread)},
     {2, offsetof(Constants, countWords), sizeof(Constants::countWords)},
     {3, offsetof(Constants, settles), sizeof(Constants::settles)},
+    {6, offsetof(Constants, comesNear), sizeof(Constants::comesNear)},
     {4, offsetof(Constants, pages.log2PageWords), sizeof(PageShape::log2PageWords)},
     {5, offsetof(Constants, pages.pages), sizeof(PageShape::pages)},
 };
@@ -81,8 +82,9 @@ Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
   return bound;
 }
 
-Expected<void> TracePipeline::prepare(Counted counted, float spread, VkPipelineCache cache) {
-  Constants constants{counted == Counted::Lookups, spread, counted == Counted::Words, false, pages_};
+Expected<void> TracePipeline::prepare(Counted counted, float spread, Origins origins, VkPipelineCache cache) {
+  Constants constants{counted == Counted::Lookups,  spread, counted == Counted::Words, false,
+                      origins == Origins::Anywhere, pages_};
   const bool isKept = cache == VK_NULL_HANDLE && !spirv_.empty();
   const PipelineCache kept(*device_, isKept ? device_->cache : nullptr, bytesOf<std::uint32_t>(spirv_),
                            bytesOf<Constants>({&constants, 1}));
@@ -95,7 +97,7 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread, VkPipelineC
   if (!settles)
     return settles.error();
   kept.store();
-  variants_[std::size_t(counted)] = {std::move(*leaves), std::move(*settles), spread};
+  variants_[std::size_t(counted)] = {std::move(*leaves), std::move(*settles), spread, origins};
   return {};
 }
 

@@ -34,6 +34,12 @@ constexpr std::uint64_t leftListBytes(std::uint64_t rays) { return sizeof(std::u
 enum class Counted { Nothing, Lookups, Words };
 inline constexpr std::size_t kCountedKinds = 3;
 
+/// Where rays begin, for which a kernel is made ready. It traces others right too.
+enum class Origins {
+  Near,     ///< Within twice the volume's longest edge: the fewest instructions.
+  Anywhere, ///< Farther away too, as fast.
+};
+
 /// The pages of a volume, for kernels of `Addressing::Paged`.
 struct PageShape {
   std::uint32_t log2PageWords = 0;
@@ -46,6 +52,7 @@ struct Constants {
   float spread;
   VkBool32 countWords;
   VkBool32 settles;
+  VkBool32 comesNear;
   PageShape pages;
 };
 
@@ -75,14 +82,16 @@ public:
 
   Expected<BoundBuffers> bind(const KernelBuffers &buffers) const;
 
-  /// Whether the variant that counts this is made already for this spread.
-  bool isPrepared(Counted counted, float spread) const {
+  /// Whether the variant that counts this is made already for this spread, and for rays that begin there.
+  bool isPrepared(Counted counted, float spread, Origins origins) const {
     const Variant &variant = variants_[std::size_t(counted)];
-    return variant.settles && variant.spread == spread;
+    return variant.settles && variant.spread == spread &&
+           (variant.origins == Origins::Anywhere || origins == Origins::Near);
   }
-  /// Makes a variant, in place of that for another spread; may compile for long. Nothing may be running.
-  /// `cache` is a host's; without one it is the device's (`Device::useCache`).
-  Expected<void> prepare(Counted counted, float spread, VkPipelineCache cache = VK_NULL_HANDLE);
+  /// Makes a variant, in place of that for another spread or other origins; may compile for long. Nothing may
+  /// be running. `cache` is a host's; without one it is the device's (`Device::useCache`).
+  Expected<void> prepare(Counted counted, float spread, Origins origins = Origins::Anywhere,
+                         VkPipelineCache cache = VK_NULL_HANDLE);
 
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant, in one dispatch
   /// that settles what float32 cannot tell.
@@ -113,6 +122,7 @@ private:
     PipelineHandle leaves;  ///< Leaves the rays over that float32 cannot tell all of.
     PipelineHandle settles; ///< Traces every ray to its end.
     float spread = 0;
+    Origins origins = Origins::Near;
   };
 
   Expected<PipelineHandle> createPipeline(const Constants &constants, VkPipelineCache cache);

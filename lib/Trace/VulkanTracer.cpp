@@ -7,6 +7,7 @@
 #include "FittingRays.h"
 #include "KernelFit.h"
 #include "OrderedTracer.h"
+#include "RayOrigins.h"
 
 #include <algorithm>
 #include <array>
@@ -51,9 +52,11 @@ struct VulkanTracer::Work {
 };
 
 VulkanTracer::VulkanTracer(Device::State &device, std::uint64_t storageDigest, Transfer transfer,
-                           VolumeWords words, TracePipeline pipeline, TileQueue tiles, bool bounded)
+                           VolumeWords words, TracePipeline pipeline, TileQueue tiles, bool bounded,
+                           Int3 extent)
     : device_(&device), storageDigest_(storageDigest), transfer_(std::move(transfer)),
-      words_(std::move(words)), pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), bounded_(bounded) {}
+      words_(std::move(words)), pipeline_(std::move(pipeline)), tiles_(std::move(tiles)), bounded_(bounded),
+      extent_(extent) {}
 
 Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, const Kernel &kernel,
                                                        const Volume &volume) {
@@ -78,7 +81,7 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
     return tiles.error();
   return std::unique_ptr<Tracer>(new VulkanTracer(device, kernel.storageDigest, std::move(*transfer),
                                                   std::move(*words), std::move(*pipeline), std::move(*tiles),
-                                                  kernel.bounded));
+                                                  kernel.bounded, volume.info().extent));
 }
 
 Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
@@ -131,6 +134,8 @@ Expected<UpdateReport> VulkanTracer::update(const Volume &before, const Volume &
     return notTraced();
   const VkBuffer binding = words_.binding().get();
   auto report = words_.update(transfer_, before.words(), after.words());
+  if (report)
+    extent_ = after.info().extent;
   if (!report || !batch_ || words_.binding().get() == binding)
     return report;
   if (auto bound = bind(*batch_); !bound)
@@ -144,7 +149,7 @@ Expected<void> VulkanTracer::traceBatch(const RaySpan &rays, std::span<Hit> hits
     return uploaded;
   work.report.transfer += wallSeconds() - uploadBegin;
   auto count = static_cast<std::uint32_t>(rays.size());
-  if (auto warm = warmUp(count, work); !warm)
+  if (auto warm = warmUp(rays, work); !warm)
     return warm;
   TilePass pass{
       .pipeline = &pipeline_, .buffers = &bound_, .counted = countedBy(work.options), .rays = count};
@@ -197,22 +202,24 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
   return {};
 }
 
-Expected<void> VulkanTracer::warmUp(std::uint32_t rays, Work &work) {
+Expected<void> VulkanTracer::warmUp(const RaySpan &rays, Work &work) {
   const Counted counted = countedBy(work.options);
   const float spread = work.options.spread;
-  if (pipeline_.isPrepared(counted, spread))
+  const Origins origins = originsOf(rays, extent_);
+  if (pipeline_.isPrepared(counted, spread, origins))
     return {};
   // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
   // both.
   double begin = wallSeconds();
-  if (auto prepared = pipeline_.prepare(counted, spread); !prepared)
+  if (auto prepared = pipeline_.prepare(counted, spread, origins); !prepared)
     return prepared;
   for (const bool settlesAtOnce : {true, false})
-    if (auto time = tiles_.run({.pipeline = &pipeline_,
-                                .buffers = &bound_,
-                                .counted = counted,
-                                .rays = std::min(rays, kWorkgroupSize),
-                                .settlesAtOnce = settlesAtOnce});
+    if (auto time = tiles_.run(
+            {.pipeline = &pipeline_,
+             .buffers = &bound_,
+             .counted = counted,
+             .rays = static_cast<std::uint32_t>(std::min<std::size_t>(rays.size(), kWorkgroupSize)),
+             .settlesAtOnce = settlesAtOnce});
         !time)
       return time.error();
   work.report.firstDispatch = wallSeconds() - begin;

@@ -23,14 +23,14 @@ private:
   struct Work;
 
   VulkanTracer(Device::State &device, std::uint64_t storageDigest, Transfer transfer, VolumeWords words,
-               TracePipeline pipeline, TileQueue tiles, bool bounded);
+               TracePipeline pipeline, TileQueue tiles, bool bounded, Int3 extent);
   Expected<void> reserve(std::uint64_t rays);
   Expected<void> bind(const RayBuffers &batch);
   Expected<void> traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work);
   Expected<void> download(std::span<Hit> hits, Work &work);
   /// Goes on with rays that the device cut short (`Kernel`), until none is left.
   Expected<void> finishRays(std::span<Hit> hits, Work &work);
-  Expected<void> warmUp(std::uint32_t rays, Work &work);
+  Expected<void> warmUp(const RaySpan &rays, Work &work);
 
   Device::State *device_;
   std::uint64_t storageDigest_; ///< Of the kernel.
@@ -41,6 +41,7 @@ private:
   BoundBuffers bound_; ///< Those, and the words.
   TileQueue tiles_;
   bool bounded_; ///< Rays have bounds.
+  Int3 extent_;  ///< Of the volume.
 };
 
 } // namespace voxc

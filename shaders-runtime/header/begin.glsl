@@ -41,6 +41,7 @@ using namespace voxc::glsl;
 #define VOXC_FUNCTION static inline
 #define VOXC_SELDOM [[gnu::noinline, gnu::cold, maybe_unused]] static
 #define VOXC_INDEX (unsigned long long)
+#define VOXC_PRECISE
 #if !defined(VOXC_VOLUME) && !defined(VOXC_LOAD)
 #define VOXC_OWN_VOLUME
 #define VOXC_VOLUME const unsigned int *
@@ -55,6 +56,7 @@ using namespace voxc::glsl;
 #define VOXC_FUNCTION
 #define VOXC_SELDOM
 #define VOXC_INDEX uint
+#define VOXC_PRECISE precise
 #if !defined(VOXC_VOLUME) || !defined(VOXC_LOAD)
 #error define VOXC_VOLUME as the type of a volume and VOXC_LOAD(volume, index) as a word of one
 #endif

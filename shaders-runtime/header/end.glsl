@@ -5,6 +5,7 @@
 #undef VOXC_FUNCTION
 #undef VOXC_SELDOM
 #undef VOXC_INDEX
+#undef VOXC_PRECISE
 
 #ifdef __cplusplus
 

@@ -2,6 +2,14 @@
 const bool COUNT_LOOKUPS = false;
 // Exact arithmetic is at hand, and settles what float32 leaves open.
 const bool SETTLES = true;
+%if keeps-sums
+// Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another order.
+const bool COMES_NEAR = true;
+%else
+// Nothing keeps a compiler of this language from putting sums in another order, by which rays from far away come near: they are
+// settled instead.
+const bool COMES_NEAR = false;
+%end
 
 %if paged
 // A word was looked for that is not here. From then on all words are 0: what would be asked for next might follow from it.

@@ -13,7 +13,7 @@ ${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
 
 // How the ray leaves cells through the first of the faces ahead. Not sure if ${real-name} cannot tell which that is.
 Exit leave(const Ray ray, ${real3} face) {
-  ${real3} t = (face - ray.origin) * ray.inverse;
+  ${real3} t = (face - ray.origin) * ray.inverse - ray.late;
   ${real} first = lesser(lesser(t.x, t.y), t.z);
   ${real} second = greater(lesser(t.x, t.y), lesser(greater(t.x, t.y), t.z)); // Of negative ones, none that is sure.
   return Exit(first, equal(t, ${real3}(first)), second > first + (first * ROUNDINGS + ray.slack));

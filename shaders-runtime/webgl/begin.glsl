@@ -45,6 +45,7 @@
 #define VOXC_FUNCTION
 #define VOXC_SELDOM
 #define VOXC_INDEX uint
+#define VOXC_PRECISE
 
 precision highp float;
 precision highp int;

@@ -5,3 +5,4 @@
 #undef VOXC_FUNCTION
 #undef VOXC_SELDOM
 #undef VOXC_INDEX
+#undef VOXC_PRECISE

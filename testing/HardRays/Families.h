@@ -31,6 +31,7 @@ Ray scaledRay(RandomSource &random, const RayTarget &target);
 Ray mixedRay(RandomSource &random, const RayTarget &target);
 Ray farRay(RandomSource &random, const RayTarget &target);
 Ray farthestRay(RandomSource &random, const RayTarget &target);
+Ray retreatRay(RandomSource &random, const RayTarget &target);
 Ray largeRay(RandomSource &random, const RayTarget &target);
 Ray hugeRay(RandomSource &random, const RayTarget &target);
 Ray onBoundaryRay(RandomSource &random, const RayTarget &target);

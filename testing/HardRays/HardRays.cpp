@@ -34,6 +34,7 @@ constexpr HardRayClass kClasses[] = {
     {"mixed", "components whose exponents have nothing in common", mixedRay, 0},
     {"far", "origins ten thousand to a million voxels away", farRay, 0},
     {"farthest", "origins up to a billion voxels away, aimed at the grid", farthestRay, 0},
+    {"retreat", "other hard rays from 2 to 2^40 times the grid's size back on their lines", retreatRay, 0},
     {"large", "origins with coordinates about 2^21", largeRay, 0},
     {"huge", "components up to the largest float32", hugeRay, 0},
     {"on-boundary", "from faces, edges and corners of cells", onBoundaryRay, 0},

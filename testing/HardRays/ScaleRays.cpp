@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace voxc::test {
@@ -53,6 +54,27 @@ Ray farthestRay(RandomSource &random, const RayTarget &target) {
     if (axis == along || (diagonal && random.flip()))
       origin[axis] = aim[axis] + random.sign() * distance;
   return between(origin, aim);
+}
+
+/// A ray that is hard for another reason, from so far back on its own line: twice the grid's size, where its
+/// numbers begin to be wrong by more than those of rays from near, up to 2^40 times. Of whole numbers nothing
+/// is rounded on the way back, and what was a tie stays one.
+Ray retreatRay(RandomSource &random, const RayTarget &target) {
+  constexpr Ray (*kKinds[])(RandomSource &, const RayTarget &) = {
+      cameraRay,  wholeRay,    diagonalRay, exactTieRay, brokenTieRay, nearTieRay,
+      grazingRay, axisFaceRay, axisEdgeRay, touchRay,    cornerRay,    onBoundaryRay};
+  Ray ray = kKinds[random.integer(0, std::size(kKinds) - 1)](random, target);
+  const auto [x, y, z] = ray.direction;
+  const float largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+  const int longest = std::max({target.extent.x, target.extent.y, target.extent.z});
+  if (!(largest > 0) || !std::isfinite(largest))
+    return ray;
+  // Most from where float32 has a fraction left; then a power of two, so that products are exact.
+  const int edges = random.integer(0, 3) == 0 ? random.integer(1, 40) : random.integer(1, 14);
+  const double moment = std::exp2(std::ilogb(longest) + edges - std::ilogb(largest));
+  for (int axis = 0; axis < 3; ++axis)
+    ray.origin[axis] = static_cast<float>(ray.origin[axis] - moment * ray.direction[axis]);
+  return ray;
 }
 
 /// From just about 2^21, where a float32 has three bits behind the point.

@@ -1,0 +1,80 @@
+// Rays that begin far away, whose numbers would be too wrong to tell anything of a volume: they are moved along themselves until they
+// begin near it.
+//
+// A ray is moved by a moment of which 12 bits are set, so that the moment times the upper 12 bits of a component of the direction is a
+// float32, and times the lower 12 bits too: no product is rounded. What is summed up is kept as two float32, `high` and `low`, of
+// which the lower one is wrong by a few of its own roundings. A ray that comes to the volume after a moment M begins at most the volume's
+// size and 2 M away from it, so that a move loses less than 2^-43 (4 M + far_away()), whichever way sums are rounded. It ends
+// before the volume, at 2^-11 of the distance.
+//
+// A move keeps where the ray goes, so that nothing that is exact is touched: only what float32 says of it.
+
+// The distance in voxels beyond which a ray is far.
+float far_away() {
+  int side = max(max(VOLUME_SIZE.x, VOLUME_SIZE.y), VOLUME_SIZE.z);
+%if doubles
+  // Of a component that was raised to LEAST_COMPONENT, a t that is not larger makes less than one rounding.
+  return float(max(2 * side, 131072));
+%else
+  return float(2 * side);
+%end
+}
+
+// What is known of a ray that may have been moved.
+struct Start {
+  bool is_far; // It still begins far away, and float32 tells nothing of it.
+  float wrong; // What may be wrong of its coordinates, beside a few roundings,
+  float slack; // and of a t.
+};
+
+bool is_far(${real3} coordinate, bvec3 moves) {
+  return any(greaterThan(abs(vec3(coordinate)), mix(vec3(NEVER), vec3(far_away()), moves)));
+}
+
+%if doubles
+// Moves coordinates; doubles lose one rounding of 2^-53.
+void move_by(dvec3 way, inout dvec3 high, inout dvec3 low) { high += way; }
+%else
+// Moves coordinates that are sums of two. What the first sum loses is added to the second.
+void move_by(vec3 way, inout vec3 high, inout vec3 low) {
+  precise vec3 sum = high + way;
+  precise vec3 of_way = sum - high;
+  precise vec3 of_high = sum - of_way;
+  precise vec3 lost = (high - of_high) + (way - of_way);
+  high = sum;
+  low += lost;
+}
+%end
+
+// Moves a ray that begins far away, and enters the volume by some of these faces. Once is enough up to a thousand times that distance.
+Start come_near(inout Ray ray, bvec3 enters, ivec3 face) {
+  const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
+  const int MOST_MOVES = 3;
+  Start start = Start(is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+  if (!COMES_NEAR || !start.is_far)
+    return start;
+  vec3 direction = vec3(ray.direction);
+  vec3 upper = uintBitsToFloat(floatBitsToUint(direction) & UPPER);
+  ${real3} high = ray.origin, low = ${real3}(0.0f);
+  float latest = 0.0f;
+  for (int moves = 0; moves < MOST_MOVES && start.is_far; moves++) {
+    vec3 t = mix(vec3(-NEVER), vec3((${real3}(face) - high) * ray.inverse), enters);
+    latest = max(max(t.x, t.y), t.z);
+    bool is_ahead = latest > 0.0f && latest < NEVER;
+    float moment = is_ahead ? uintBitsToFloat(floatBitsToUint(latest * (1.0f - 1.0f / 1048576.0f)) & UPPER) : 0.0f;
+    start.wrong += (4.0f * moment + far_away()) / 8796093022208.0f; // 2^43.
+    move_by(${real3}(moment * upper), high, low);
+    move_by(${real3}(moment * (direction - upper)), high, low);
+    latest -= moment;
+    start.is_far = is_far(high, ray.moves);
+  }
+  precise ${real3} whole = high + low;
+  precise ${real3} behind = low - (whole - high);
+  ray.origin = start.is_far ? ray.origin : whole;
+  ray.late = start.is_far ? ray.late : behind * ray.inverse;
+  ${real3} steep = abs(ray.inverse);
+  // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest side, which is half of what is far.
+  start.slack = 2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + 0.5f * far_away()) * float(ROUNDINGS) / 4.0f;
+  start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
+  return start;
+}
