@@ -17,6 +17,7 @@ set(VOXC_INPUT_READERS
   NanoVdb/NanoVdbGrid.cpp
   NanoVdb/ValueKind.cpp
   Openers/InputText.cpp
+  Openers/NumberedPaths.cpp
   Openers/OpenBinvox.cpp
   Openers/OpenMagicaVoxel.cpp
   Openers/OpenNanoVdb.cpp

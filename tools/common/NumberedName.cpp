@@ -2,6 +2,7 @@
 #include "NumberedName.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace voxc::tool {
 namespace {
@@ -15,6 +16,17 @@ constexpr std::size_t kMostDigits = 9;
 std::optional<NumberedName> NumberedName::parse(const std::string &text) {
   std::optional<NumberedName> name = parsePercent(text);
   return name ? name : parseSigns(text);
+}
+
+std::string NumberedName::stemOf(const std::string &path) {
+  const std::optional<NumberedName> name = parsePercent(path);
+  if (!name)
+    return std::filesystem::path(path).stem().string();
+  const std::size_t last = name->before_.find_last_not_of("-_. /");
+  if (last != std::string::npos)
+    return std::filesystem::path(name->before_.substr(0, last + 1)).filename().string();
+  const std::string stem = std::filesystem::path("n" + name->after_).stem().string();
+  return stem.substr(std::min(stem.find_first_not_of("-_. ", 1), stem.size()));
 }
 
 std::optional<NumberedName> NumberedName::parsePercent(const std::string &text) {

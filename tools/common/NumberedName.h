@@ -14,6 +14,10 @@ public:
   /// Nothing if the text has no such place, or two.
   static std::optional<NumberedName> parse(const std::string &text);
 
+  /// What the files of a path with %d or %03d are called: "slice" of slice-%03d.png, "ct" of ct/%d.png; may
+  /// be empty. Of a path without such a place its stem.
+  static std::string stemOf(const std::string &path);
+
   /// The name of a number, with zeros in front to fill the place.
   std::string operator()(std::uint64_t number) const;
   /// The same pattern with %03d for three digits; the digits of more than nine # are nine.

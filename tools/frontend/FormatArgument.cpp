@@ -1,6 +1,7 @@
 // Reading FORMAT arguments.
 #include "frontend/FormatArgument.h"
 
+#include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/File.h"
 
 #include <iostream>
@@ -30,7 +31,7 @@ Expected<Format> readFormat(const std::string &argument) {
     return readFormatFile(argument);
   if (!looksLikeFile(argument))
     return parseFormat(argument);
-  if (Expected<MappedFile> file = MappedFile::open(argument); !file)
+  if (Expected<MappedFile> file = MappedFile::open(argument); !file && !namesFiles(argument))
     return file.error();
   return Error::input("'" + argument +
                       "' is no format; write one such as \"R(4,4,4) G(8)\", or name a .vir file");

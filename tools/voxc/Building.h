@@ -43,8 +43,8 @@ public:
     InputOptions options;
   };
 
-  /// INPUT as it was written.
-  const std::string &input() const { return input_; }
+  /// INPUT as it was written, also where it stands alone in FORMAT's place.
+  const std::string &input() const { return hasInputAlone() ? format_ : input_; }
   bool isLossy() const { return lossy_; }
   /// Opens the input for a format, which gets its payload and the bits of short pointers by it if that is
   /// asked for.

@@ -4,11 +4,11 @@
 #include "Figures.h"
 #include "Outputs.h"
 
+#include "common/NumberedName.h"
 #include "common/PictureFile.h"
 #include "common/Statistics.h"
 #include "voxc/IR/Query.h"
 
-#include <filesystem>
 #include <utility>
 
 namespace voxc::tool {
@@ -74,7 +74,7 @@ void Rendering::declare(const CommandLine &command) {
 
 Expected<void> Rendering::check(const std::string &source, const CommonOptions &common) {
   if (output_.empty()) {
-    const std::string stem = std::filesystem::path(source.substr(source.rfind(':') + 1)).stem().string();
+    const std::string stem = NumberedName::stemOf(source.substr(source.rfind(':') + 1));
     output_ = (stem.empty() ? "picture" : stem) + "-" + std::string(toString(styleOf(picture_))) +
               (flight_.isGiven() ? "-###.png" : ".png");
   }

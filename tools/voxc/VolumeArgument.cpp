@@ -2,6 +2,9 @@
 #include "VolumeArgument.h"
 
 #include "common/Interrupt.h"
+#include "voxc/Input/NumberedPaths.h"
+
+#include <filesystem>
 
 namespace voxc::tool {
 
@@ -31,6 +34,9 @@ void VolumeArgument::declareKernelOptions(const CommandLine &command) {
 Expected<Volume> VolumeArgument::load() const {
   LoadOptions options{.trusted = trusted_, .mostCubes = mostCubes_};
   options.progress.stop = &catchInterrupts();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path_, ignored) && namesFiles(path_))
+    return volumeFailure(Error::input("'" + path_ + "' is not a .hvx volume"));
   Expected<Volume> volume = Volume::load(path_, options);
   return volume ? std::move(volume) : volumeFailure(volume.error());
 }

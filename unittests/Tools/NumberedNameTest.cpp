@@ -25,6 +25,16 @@ TEST(NumberedName, APercentMakesThePlaceAndSignsBesideItStay) {
   EXPECT_EQ((*NumberedName::parse("50%-##.png"))(3), "50%-03.png");
 }
 
+TEST(NumberedName, FilesOfAPatternAreCalledByWhatStandsBefore) {
+  EXPECT_EQ(NumberedName::stemOf("a/slice-%03d.png"), "slice");
+  EXPECT_EQ(NumberedName::stemOf("../ct/%d.png"), "ct");
+  EXPECT_EQ(NumberedName::stemOf("%03d-brain.png"), "brain");
+  EXPECT_EQ(NumberedName::stemOf("%03d.png"), "");
+  EXPECT_EQ(NumberedName::stemOf("../%03d.png"), "");
+  EXPECT_EQ(NumberedName::stemOf("a/50%.nii.gz"), "50%.nii");
+  EXPECT_EQ(NumberedName::stemOf("walk.vox#2"), "walk");
+}
+
 TEST(NumberedName, IsNothingWithoutOnePlace) {
   for (const char *const text : {"", "a.png", "a-#-#.png", "%d-%d.png", "%s.png", "%0d.png", "%04", "%"})
     EXPECT_FALSE(NumberedName::parse(text)) << text;

@@ -31,10 +31,6 @@ InputFact countFact(std::string name, std::uint64_t count);
 /// cropped.
 Int3 modelExtent(const InputOptions &options);
 
-/// The paths of a pattern such as slice%04d.png, from number 0 or 1 on to the last before one that is not
-/// there; of another path that itself. Errors: none is there; more than `most`.
-Expected<std::vector<std::string>> numberedPaths(const std::string &path, std::size_t most);
-
 /// A whole positive number, and nothing else.
 std::optional<int> parseCount(std::string_view text);
 

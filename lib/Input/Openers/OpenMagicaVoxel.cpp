@@ -8,6 +8,7 @@
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
 #include "Support/WatchedFile.h"
+#include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>

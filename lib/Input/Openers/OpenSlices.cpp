@@ -6,6 +6,7 @@
 #include "Input/Openers/Openers.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
+#include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <cstring>

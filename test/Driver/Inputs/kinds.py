@@ -55,5 +55,6 @@ def inputs(folder, run):
     run("build", "G(5)", "ball.nrrd", "-o", "ball.hvx", "--quiet")
     for ending in ("vox", "nvdb", "ply"):
         run("export", "ball.hvx", "-o", f"ball.{ending}", "--quiet")
+    run("export", "ball.hvx", "-o", "ball%02d.png", "--quiet")
     return ["box.obj", "ball.ply", "ball.vox", "ball.nii.gz", "ball.nrrd", "ball.binvox", "ball.nvdb", "ball.hvx", "raw:24x24x24:uint8:ball.raw",
-            "builtin:terrain:32"]
+            "builtin:terrain:32", "ball%02d.png"]

@@ -24,7 +24,7 @@ def run(*words):
 
 
 # A search takes its time: one input of each class of options.
-SEARCHED = ("box.obj", "ball.vox", "ball.nii.gz", "ball.hvx")
+SEARCHED = ("box.obj", "ball.vox", "ball.nii.gz", "ball.hvx", "ball%02d.png")
 
 
 def build(command):

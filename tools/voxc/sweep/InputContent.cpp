@@ -2,12 +2,14 @@
 #include "bench/Digest.h"
 #include "sweep/Model.h"
 
+#include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string_view>
 
 namespace voxc::tool::bench {
@@ -20,11 +22,18 @@ constexpr std::array<std::string_view, 4> kReferring = {".obj", ".gltf", ".nhdr"
 constexpr std::size_t kMostCompanions = 10000;
 constexpr int kDeepest = 4;
 
-bool refers(const fs::path &path) {
+/// Inputs whose path may be a pattern of numbered files, and the most of these.
+constexpr std::array<std::string_view, 2> kNumbered = {".png", ".vox"};
+constexpr std::size_t kMostNumbered = std::size_t{1} << 21;
+
+/// Whether the ending of a path, in lower case, is one of these.
+bool endsWith(const fs::path &path, std::span<const std::string_view> endings) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::ranges::find(kReferring, ending) != kReferring.end();
+  return std::ranges::find(endings, ending) != endings.end();
 }
+
+bool refers(const fs::path &path) { return endsWith(path, kReferring); }
 
 /// The files of a folder and of those below it, by path so that their order is always the same.
 std::map<std::string, bool> filesBelow(const fs::path &folder) {
@@ -85,6 +94,14 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
   if (input.starts_with("builtin:"))
     return content;
   const std::string path = fileOf(input);
+  if (!isPrefixed(input) && endsWith(path, kNumbered)) {
+    const auto paths = numberedPaths(path, kMostNumbered);
+    if (!paths)
+      return paths.error();
+    for (const std::string &numbered : *paths)
+      content.push_back({kindOf(input), numbered});
+    return content;
+  }
   content.push_back({kindOf(input), path});
   if (refers(path)) {
     const fs::path folder = fs::path(path).parent_path();

@@ -2,6 +2,7 @@
 #include "sweep/Model.h"
 
 #include "bench/Digest.h"
+#include "common/NumberedName.h"
 
 #include <algorithm>
 #include <cctype>
@@ -53,9 +54,8 @@ std::string joined(const std::vector<double> &numbers) {
 
 std::string nameOfInput(const std::string &input) {
   constexpr std::string_view kBuiltin = "builtin:";
-  std::string name = input.starts_with(kBuiltin)
-                         ? input.substr(kBuiltin.size())
-                         : fs::path(input.substr(input.rfind(':') + 1)).stem().string();
+  std::string name = input.starts_with(kBuiltin) ? input.substr(kBuiltin.size())
+                                                 : NumberedName::stemOf(input.substr(input.rfind(':') + 1));
   std::ranges::replace_if(name, [](char c) { return !isNameCharacter(c); }, '-');
   return isName(name) ? name : "model";
 }

@@ -1,0 +1,20 @@
+// Inputs of several files that are numbered.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// The paths of a pattern such as slice%04d.png, from number 0 or 1 on to the last before one that is not
+/// there; of another path that itself. Errors: `Input`, none is there, or one between others is not, or there
+/// are more than `most`.
+Expected<std::vector<std::string>> numberedPaths(const std::string &path, std::size_t most);
+
+/// Whether a path is a pattern of which there are files.
+bool namesFiles(const std::string &path);
+
+} // namespace voxc
