@@ -441,6 +441,39 @@ class Pictures(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"eye is a point x, y, z, and not \(1, 2\)"):
             tracer.render(20, 20, eye=(1, 2), look=(0, 0, 0))
 
+    def test_cuts_and_parallel_rays(self):
+        words = np.full((32, 32, 32), 0xFF0000FF, np.uint32)  # Red, and green from z = 16 on down.
+        words[:16] = 0xFF00FF00
+        tracer = voxc.build("G(5)", voxels=words).tracer("cpu")
+        options = dict(style="flat", eye=(16, 16, 90), look=(16, 16, 16))
+        centre = lambda **more: tracer.render(21, 21, **options, **more)[10, 10, :3].argmax()
+        self.assertEqual(centre(), 0)
+        self.assertEqual(centre(clip_box=((0, 0, 0), (32, 32, 16))), 1)
+        self.assertEqual(centre(clip_planes=(0, 0, -1, -10)), 1)
+        self.assertEqual(centre(clip_planes=np.array([[0, 0, -1, -20], [1, 0, 0, 2]])), 0)
+        self.assertEqual(centre(clip_planes=[]), 0)
+        # By parallel rays the block is as large wherever the eye is: half of what is shown.
+        reds = [np.count_nonzero((tracer.render(64, 64, style="flat", eye=(16, 16, z), look=(16, 16, 16), view_height=64)[..., :3] == (255, 0, 0)).all(-1))
+                for z in (50, 90)]
+        self.assertEqual(reds[0], reds[1])
+        plain = tracer.render(40, 30, view="iso")
+        self.assertFalse((tracer.render(40, 30, view="iso", orthographic=True) == plain).all())
+        np.testing.assert_array_equal(tracer.render(40, 30, view="iso", orthographic=False), plain)
+        for error, wrong, sentence in (
+                (ValueError, dict(clip_box=(1, 2, 3)), r"clip_box is two corners, .*, and not \(1, 2, 3\)"),
+                (ValueError, dict(clip_box=((1, 2), (3,))), "clip_box is two corners"),
+                (ValueError, dict(clip_planes=5), "clip_planes are planes .*, and not 5"),
+                (ValueError, dict(clip_planes=[(1, 2, 3)]), "clip_planes are planes"),
+                (ValueError, dict(clip_planes=[(1, 2, 3, 4), (1,)]), "clip_planes are planes"),
+                (voxc.Error, dict(clip_box=((1, 2, 3), (1, 9, 9))), "a box of a picture holds nothing"),
+                (voxc.Error, dict(clip_planes=(0, 0, 0, 1)), "a plane of a picture should be a direction"),
+                (voxc.Error, dict(clip_planes=(0, np.nan, 1, 1)), "a plane of a picture should be a direction"),
+                (voxc.Error, dict(view_height=-1), "lies between 0.001 and 1e9 voxels"),
+                (voxc.Error, dict(view_height=9, fov=40), "give one of the two"),
+                (voxc.Error, dict(view="inside", orthographic=True), "an orthographic camera sees nothing from inside")):
+            with self.assertRaisesRegex(error, sentence):
+                tracer.render(8, 8, **wrong)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -116,12 +116,22 @@ typedef struct voxc_picture_options {
   double vertical_fov; /* In degrees; 0: the view's own. */
   unsigned samples;    /* Rays a pixel; 0: the style's own. */
   const voxc_progress *progress;
+  int orthographic;    /* 1: parallel rays; what is further off does not look smaller. */
+  /* What an orthographic picture shows from bottom to top, in voxels (in their shortest sides, where they are
+   * no cubes), from 0.001 to 1e9: the picture is orthographic, and has no field of view. 0: what the view or
+   * the field of view shows at the point looked at. */
+  double view_height;
+  /* Cuts, of a tracer with bounds (voxc_tracer_options): inner voxels show where others are cut away. */
+  const double *clip_box; /* Shows what lies between two corners: six numbers, in voxels; null: all. */
+  /* So many planes of four numbers: nx, ny, nz, d cuts away where nx x + ny y + nz z is less than d. */
+  const double *clip_planes;
+  size_t clip_plane_count;
 } voxc_picture_options;
 #define VOXC_PICTURE_OPTIONS {.struct_size = sizeof(voxc_picture_options)}
 
 /* A picture by a tracer of the closest hits with voxel, t and colour: rows from the top, RGBA8 with R in the
  * low byte, as many as width times height. Errors: a style or view that there is not; an eye without a point;
- * those of tracing. */
+ * a box that holds nothing; cuts for a tracer without bounds; those of tracing. */
 VOXC_API voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels);
 
 #ifdef __cplusplus

@@ -62,7 +62,9 @@ class InputOptions(ctypes.Structure):
 class PictureOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("width", c_int32), ("height", c_int32), ("style", c_char_p),
                 ("view", c_char_p), ("eye", POINTER(c_double)), ("look", POINTER(c_double)),
-                ("vertical_fov", c_double), ("samples", c_uint), ("progress", POINTER(Progress))]
+                ("vertical_fov", c_double), ("samples", c_uint), ("progress", POINTER(Progress)),
+                ("orthographic", c_int), ("view_height", c_double), ("clip_box", POINTER(c_double)),
+                ("clip_planes", POINTER(c_double)), ("clip_plane_count", c_size_t)]
 
 
 # Name: result, arguments. What can fail returns a pointer to an error.

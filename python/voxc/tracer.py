@@ -68,8 +68,36 @@ def _point(given, what):
     return (ctypes.c_double * 3)(*point)
 
 
+def _clip_box(given):
+    """Two corners as six doubles; None stays None."""
+    if given is None:
+        return None
+    try:
+        box = np.asarray(given)
+    except ValueError:  # Of corners that are not of one length.
+        box = np.empty(0)
+    if box.shape not in ((6,), (2, 3)) or box.dtype.kind not in "iuf":
+        raise ValueError(f"clip_box is two corners, ((x0, y0, z0), (x1, y1, z1)), and not {given}")
+    return (ctypes.c_double * 6)(*box.reshape(-1))
+
+
+def _clip_planes(given):
+    """One plane or several as four doubles each, and how many there are."""
+    if given is None:
+        return None, 0
+    try:
+        planes = np.atleast_2d(np.asarray(given))
+    except ValueError:
+        planes = np.array("several lengths")
+    if planes.size == 0:
+        return None, 0
+    if planes.ndim != 2 or planes.shape[1] != 4 or planes.dtype.kind not in "iuf":
+        raise ValueError(f"clip_planes are planes (nx, ny, nz, d), and not {given}")
+    return (ctypes.c_double * planes.size)(*planes.reshape(-1)), len(planes)
+
+
 TRACER_OPTIONS = ("threads", "query", "outputs", "precision", "passes", "bounds")
-RENDER_OPTIONS = ("style", "view", "eye", "look", "fov", "samples", "progress")
+RENDER_OPTIONS = ("style", "view", "eye", "look", "fov", "samples", "progress", "clip_box", "clip_planes", "orthographic", "view_height")
 
 
 class Tracer:
@@ -85,6 +113,11 @@ class Tracer:
                              precision=c.text(precision), passes=list_of(passes))
         self._handle = self._create(bounds=int(bounds))
         self._bounded_handle = self._handle if bounds else None
+
+    def _bounded(self):
+        """The tracer for rays with bounds, which is made when it is first asked for."""
+        self._bounded_handle = self._bounded_handle or self._create(bounds=1)
+        return self._bounded_handle
 
     def _create(self, bounds):
         options = c.options(c.TracerOptions, bounds=bounds, **self._options)
@@ -110,8 +143,7 @@ class Tracer:
         if rays.dtype == RAY:
             function, handle = c.lib.voxc_tracer_trace, self._handle
         else:
-            self._bounded_handle = self._bounded_handle or self._create(bounds=1)
-            function, handle = c.lib.voxc_tracer_trace_bounded, self._bounded_handle
+            function, handle = c.lib.voxc_tracer_trace_bounded, self._bounded()
         c.check(function(handle, rays.ctypes.data, rays.size, hits.ctypes.data))
         return hits
 
@@ -129,17 +161,23 @@ class Tracer:
         return total
 
     def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,
-               progress=None):
+               progress=None, clip_box=None, clip_planes=None, orthographic=False, view_height=None):
         """A picture as an array (height, width, 4) of uint8. `style` and `view` are those of `voxc render`; `eye` and
-        `look` are points in voxels, both or neither."""
+        `look` are points in voxels, both or neither. `clip_box`, two corners in voxels, shows what lies between them,
+        and each of `clip_planes`, (nx, ny, nz, d), cuts away where nx x + ny y + nz z is less than d; inner voxels show
+        at a cut, and the kernel for rays with bounds is compiled when cuts are first asked for. `orthographic` pictures
+        are made by parallel rays, and show `view_height` voxels from bottom to top."""
         reporter = c.Reporter(progress)
-        eye, look = _point(eye, "eye"), _point(look, "look")
+        eye, look, box = _point(eye, "eye"), _point(look, "look"), _clip_box(clip_box)
+        planes, plane_count = _clip_planes(clip_planes)
         pointer = lambda point: None if point is None else ctypes.cast(point, ctypes.POINTER(ctypes.c_double))
         options = c.options(c.PictureOptions, width=width, height=height, style=c.text(style), view=c.text(view),
                             eye=pointer(eye), look=pointer(look), vertical_fov=fov, samples=samples,
-                            progress=reporter.pointer)
+                            progress=reporter.pointer, orthographic=int(bool(orthographic)), view_height=view_height,
+                            clip_box=pointer(box), clip_planes=pointer(planes), clip_plane_count=plane_count)
         if not (0 < width <= 32768 and 0 < height <= 32768):
             raise ValueError(f"a picture has 1 to 32768 pixels on each axis, not {width} x {height}")
         pixels = np.empty((height, width, 4), np.uint8)
-        reporter.call(c.lib.voxc_render, self._handle, ctypes.byref(options), pixels.ctypes.data)
+        handle = self._handle if box is None and planes is None else self._bounded()
+        reporter.call(c.lib.voxc_render, handle, ctypes.byref(options), pixels.ctypes.data)
         return pixels
