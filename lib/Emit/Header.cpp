@@ -41,7 +41,6 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   TemplateNames names = planNames(plan);
   const std::string prefix = headerPrefix(name);
   names.holes["prefix"] = prefix;
-  names.conditions["keeps-sums"] = true;
   names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
   names.holes["PREFIX"] = upperCase(prefix);
   names.holes["glsl-in-cpp"] = glslInCpp();

@@ -29,6 +29,7 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   conditions["packets"] = inPackets;
   conditions["exact"] = plan.predicate == Predicate::Exact;
   conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
+  conditions["keeps-sums"] = true; // Of every language but that of WebGL.
 
   conditions["keeps-cell"] = keepsCell(plan);
   holes["and-is-closed"] = keepsCell(plan) ? " && walk.open == CLOSED" : "";
