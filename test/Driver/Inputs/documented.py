@@ -115,7 +115,7 @@ for number, name in enumerate(names):
             run(*adapted(words, name)[1:], where=where)
             count += 1
     for picture in [*where.glob("*.png"), *where.glob("*.jpg")]:
-        if not shows_something(picture):
+        if not picture.is_symlink() and not shows_something(picture):  # Slices of an input may be empty.
             sys.exit(f"{name}: {picture.name} shows nothing")
     print(f"{name}: {count} commands{check_fragments(where, name)}")
     shutil.rmtree(where)
