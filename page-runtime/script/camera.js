@@ -8,23 +8,39 @@ const dot = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
 const camera = {
   // The camera of the page's maker.
   reset() {
-    const { eye, look, up, fov } = scene.camera;
+    const { eye, look, up, fov, height } = scene.camera;
+    this.isParallel = false;
     this.aim(eye, look);
     // Straight down or up, the way up tells where the right is: along the way x up.
     const way = add(look, eye, -1), [x, z] = [way[1] * up[2] - way[2] * up[1], way[0] * up[1] - way[1] * up[0]];
     if (x || z) this.yaw = Math.atan2(z, -x);
     this.tangent = Math.tan(fov * Math.PI / 360);
+    this.setParallel(height > 0, height / 2);
     this.wide = this.widthOfBox();
   },
-  // How wide a picture must be to have the volume's box in it, per unit of distance: half of that, and no more than the maker's camera has.
+  // Parallel rays show as much of the plane of what is looked at as those from the eye do, or half as high as is said. What lies behind the
+  // plane of the eye is not seen.
+  setParallel(isParallel, half = this.tangent * this.distance) {
+    if (this.isParallel && !isParallel) this.distance = this.reach();
+    this.isParallel = isParallel;
+    this.half = isParallel ? half : 0;
+    this.hasAllInFront = this.nearest() > 0;
+  },
+  // From how far off an eye would see as much of the plane of what is looked at.
+  reach() { return this.isParallel ? this.half / this.tangent : this.distance; },
+  ways() {
+    const eye = this.eye();
+    return [0, 1, 2, 3, 4, 5, 6, 7].map(corner => add(sides.map((side, axis) => corner >> axis & 1 ? side : 0), eye, -1));
+  },
+  // How far in front of the plane of the eye the volume's box begins.
+  nearest() { return Math.min(...this.ways().map(way => dot(way, this.axes().front))); },
+  // How wide a picture of height 1 must be to have the volume's box in it, and no more than the maker's camera has.
   widthOfBox() {
-    const { front, right } = this.axes(), eye = this.eye(), most = this.tangent * scene.camera.aspect;
-    let wide = 0;
-    for (let corner = 0; corner < 8; corner++) {
-      const way = add(sides.map((side, axis) => corner >> axis & 1 ? side : 0), eye, -1);
-      const far = dot(way, front);
-      wide = Math.max(wide, far > 0 ? Math.abs(dot(way, right)) / far * 1.04 : most);
-    }
+    const { front, right } = this.axes(), most = scene.camera.aspect;
+    const wide = Math.max(...this.ways().map(way => {
+      const half = this.isParallel ? this.half : dot(way, front) * this.tangent;
+      return half > 0 ? Math.abs(dot(way, right)) / half * 1.04 : most;
+    }));
     return Math.min(wide, most);
   },
   axes() {
@@ -32,15 +48,20 @@ const camera = {
     return { front: [cp * s, sp, cp * c], right: [-c, 0, s], up: [-sp * s, cp, -sp * c] };
   },
   eye() { return add(this.look, this.axes().front, -this.distance); },
-  isInside() { return this.eye().every((value, axis) => value >= 0 && value < sides[axis]); },
+  isInside() { return !this.isParallel && this.eye().every((value, axis) => value >= 0 && value < sides[axis]); },
   // A picture that is too narrow is taken with a wider angle, from outside also from further off.
   view(width, height) {
     const { front, right, up } = this.axes();
-    const narrow = Math.max(1, this.wide / this.tangent * height / width);
+    const narrow = Math.max(1, this.wide * height / width);
+    if (this.isParallel) {
+      const [x, y] = [this.half * narrow * width / height, this.half * narrow];
+      const further = this.hasAllInFront ? Math.max(size / 100 - this.nearest(), 0) : 0;
+      return { eye: add(this.eye(), front, -further), front, right: right.map(v => v * x), up: up.map(v => v * y), isParallel: true };
+    }
     const wider = Math.min(narrow, this.isInside() ? 1.7 : 1.3);
     const further = this.isInside() ? 0 : this.distance * (narrow / wider - 1);
     const [x, y] = [this.tangent * wider * width / height, this.tangent * wider];
-    return { eye: add(this.eye(), front, -further), front, right: right.map(v => v * x), up: up.map(v => v * y) };
+    return { eye: add(this.eye(), front, -further), front, right: right.map(v => v * x), up: up.map(v => v * y), isParallel: false };
   },
   // Inside, the eye turns where it stands; outside, it goes around what it looks at.
   turn(yaw, pitch) {
@@ -51,17 +72,26 @@ const camera = {
   },
   // By parts of how far off the eye is, but for steps of a size that one sees.
   move(x, y, z = 0) {
-    const { front, right, up } = this.axes(), far = Math.max(this.distance, size / 8);
-    this.look = add(add(add(this.look, right, x * far), up, y * far), front, z * far);
+    const { front, right, up } = this.axes(), far = Math.max(this.reach(), this.isParallel ? 0 : size / 8);
+    this.look = add(add(add(this.look, right, x * far), up, y * far), front, this.isParallel ? 0 : z * far);
+    if (this.isParallel && z) this.approach(1 + z);
   },
   // Comes so many times as near; what is looked at recedes from an eye that would meet it.
   approach(times) {
+    if (this.isParallel) {
+      this.half = Math.min(Math.max(this.half / times, size / 10000), size * 20);
+      return;
+    }
     const least = size / 50, eye = this.eye();
     const next = this.distance / times;
     if (times > 1 && next < least) this.look = add(eye, this.axes().front, this.distance + least / 2);
     else this.distance = Math.min(next, size * 20);
   },
   aim(eye, look) {
+    if (this.isParallel) {
+      this.look = [...look];
+      return;
+    }
     const way = add(look, eye, -1);
     this.distance = Math.hypot(...way);
     this.look = [...look];

@@ -15,11 +15,16 @@ function functionsOf(precision) {
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\nconst vec3 SPACING = vec3(${scene.spacing});\n` + functionsOf(precision);
-    const pictures = () => programOf(before + shaders["light.glsl"] + shaders["surface.glsl"] + shaders["picture.frag"]);
-    const programs = { develop: programOf(shaders["develop.frag"]) };
+    const cuts = scene.cuts.map(plane => `vec4(${plane.map(number => number.toExponential())})`);
+    const planes = cuts.length ? `const vec4 PLANES[] = vec4[](${cuts});\n` : "";
+    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\nconst vec3 SPACING = vec3(${scene.spacing});\n` + planes +
+      functionsOf(precision) + shaders["seen.glsl"];
+    const lens = shaders["camera.glsl"] + shaders["light.glsl"];
+    const pictures = () => programOf(before + lens + shaders["surface.glsl"] + shaders["picture.frag"]);
+    const precisions = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+    const programs = { develop: programOf(precisions + shaders["camera.glsl"] + shaders["develop.frag"]) };
     if (volume.isStreamed) { // First what shows something.
-      programs.sketch = programOf(before + shaders["light.glsl"] + shaders["sketch.frag"]);
+      programs.sketch = programOf(before + lens + shaders["sketch.frag"]);
       programs.collect = programOf(shaders["collect.frag"]);
     } else {
       programs.picture = pictures();
@@ -85,7 +90,7 @@ function answered(task) {
 const isLate = () => moved || asking;
 
 // The poster lies over the canvas until its picture is about as fine, or of another place than the maker's.
-const placeOfEye = () => String([camera.yaw, camera.pitch, camera.distance, ...camera.look]), placeOfPoster = placeOfEye();
+const placeOfEye = () => String([camera.yaw, camera.pitch, camera.distance, camera.half, camera.isParallel, ...camera.look]), placeOfPoster = placeOfEye();
 function tellPicture(film, part) {
   if (part < 0.5 && placeOfEye() === placeOfPoster && element("poster")) return;
   element("poster")?.remove();
@@ -161,13 +166,14 @@ function tellSamples(samples) {
 
 // The place that is seen at a pixel.
 async function pick(x, y) {
-  const { eye, front, right, up } = camera.view(canvas.clientWidth, canvas.clientHeight);
+  const { eye, front, right, up, isParallel } = camera.view(canvas.clientWidth, canvas.clientHeight);
   const [across, down] = [2 * x / canvas.clientWidth - 1, 2 * y / canvas.clientHeight - 1];
-  const way = add(add(front, right, across), up, -down);
-  const ray = new Float32Array([...eye, ...way].map((value, i) => value / spacing[i % 3]));
-  const hits = await answered(async () => trace(await answers(precision), ray));
+  const aside = add(add(isParallel ? eye : front, right, across), up, -down);
+  const [from, way] = isParallel ? [aside, front] : [eye, aside];
+  const ray = new Float32Array([...from, ...way].map((value, i) => value / spacing[i % 3]));
+  const hits = await answered(async () => trace(await answers(precision), ray, scene.cuts));
   const t = new Float32Array(hits.buffer)[4];
-  return hits[0] >> 31 ? null : add(eye, way, t);
+  return hits[0] >> 31 ? null : add(from, way, t);
 }
 
 // For tests and the curious.

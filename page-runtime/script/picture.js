@@ -17,9 +17,14 @@ function makeFilm(width, height) {
     isSketch() { return (scene.smooth || volume.isStreamed) && this.passes === 0; },
     // Of which pages pixels have told.
     told() { return latest(this).told; },
+    // Has a program take the picture of the film's camera.
+    aim(program) {
+      for (const name of ["eye", "front", "right", "up"]) program.set("3f", name, ...this.view[name]);
+      program.set("1i", "is_parallel", this.view.isParallel);
+    },
     // Rows of the next pass.
     expose(programs, first, rows) {
-      const { eye, front, right, up } = this.view, { sun, sky, told } = latest(this);
+      const { sun, sky, told } = latest(this);
       const program = this.isSketch() && programs.sketch || programs.picture;
       volume.bind(program.use());
       if (told)
@@ -28,9 +33,9 @@ function makeFilm(width, height) {
       program.texture("before_sun", sun, 1).texture("before_sky", sky, 2).set("1i", "is_after_sketch", this.samples === 0)
         .set("1i", "is_sketch", this.isSketch()).set("1i", "is_further", this.passes > 0).set("1i", "is_smooth", scene.smooth)
         .set("2i", "size", width, height)
-        .set("3f", "eye", ...eye).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up)
         .set("2f", "place", ...evenNumbers(this.samples)).set("2f", "numbers", ...evenNumbers(this.samples * DIRECTIONS))
         .set("3f", "sun", ...scene.sun).set("1f", "open_scale", 0.06 * size);
+      this.aim(program);
       draw(targets[1 - this.draws % 2], width, height, first, rows);
     },
     // All rows are there.
@@ -42,11 +47,12 @@ function makeFilm(width, height) {
       this.isWhole = true;
     },
     develop(programs, target, pixelsWide, pixelsHigh) {
-      const { front, right, up } = this.view, { sun, sky, told } = latest(this);
+      const { sun, sky, told } = latest(this);
       programs.develop.use().texture("told", told || sun, 2).set("1i", "is_partial", !this.isWhole && !this.isSketch())
         .texture("sun_light", sun, 0).texture("sky_light", sky, 1)
         .set("1f", "samples", this.samples).set("1i", "is_smooth", scene.smooth).set("1f", "exposure", scene.exposure)
-        .set("2f", "canvas", pixelsWide, pixelsHigh).set("3f", "front", ...front).set("3f", "right", ...right).set("3f", "up", ...up);
+        .set("2f", "canvas", pixelsWide, pixelsHigh);
+      this.aim(programs.develop);
       draw(target, pixelsWide, pixelsHigh);
     },
     free() {

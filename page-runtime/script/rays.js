@@ -2,20 +2,44 @@
 
 const RAYS_A_ROW = 128, RAYS_AT_ONCE = 16384;
 
-// Six words a hit, as voxc trace --outputs voxel,t,face,colour writes them; `rays` is a Float32Array, six numbers a ray.
-async function trace(programs, rays) {
+// Six words a hit, as voxc trace --outputs voxel,t,face,colour writes them; `rays` is a Float32Array, six numbers a ray. `cuts` are planes
+// that cut something away.
+async function trace(programs, rays, cuts = []) {
   const count = rays.length / 6, hits = new Uint32Array(6 * count), bits = new Uint32Array(rays.buffer, rays.byteOffset, rays.length);
+  const bounds = new Float32Array(2 * count);
+  for (let i = 0; i < count; i++) bounds.set(boundsOf(rays.subarray(6 * i, 6 * i + 6), cuts), 2 * i);
   for (let first = 0; first < count; first += RAYS_AT_ONCE)
-    await traceSome(programs, bits, hits, first, Math.min(RAYS_AT_ONCE, count - first));
+    await traceSome(programs, bits, new Uint32Array(bounds.buffer), hits, first, Math.min(RAYS_AT_ONCE, count - first));
   return hits;
 }
 
+// The next float32 before a moment.
+function justBefore(moment) {
+  const nearest = Float32Array.of(Math.min(Math.max(moment, -3e38), 3e38)), bits = new Int32Array(nearest.buffer);
+  if (nearest[0] === 0) return -(2 ** -149);
+  bits[0] += nearest[0] > 0 ? -1 : 1;
+  return nearest[0];
+}
+
+// Between which moments a ray goes through what planes keep, by doubles: the same here and where the page was made.
+function boundsOf([x, y, z, dx, dy, dz], cuts) {
+  let tmin = cuts.length ? 2 ** -126 : 0, tmax = Infinity;
+  for (const [nx, ny, nz, offset] of cuts) {
+    const side = nx * x + ny * y + nz * z - offset, speed = nx * dx + ny * dy + nz * dz;
+    if (speed > 0) tmin = Math.max(tmin, justBefore(-side / speed));
+    else if (speed < 0) tmax = Math.min(tmax, justBefore(-side / speed));
+    else if (!(side >= 0)) tmax = -1;
+  }
+  return [tmin, tmax];
+}
+
 // Also of a volume of which some pages are here; rays for which they have no room at once are traced by halves.
-async function traceSome(programs, bits, hits, first, count) {
+async function traceSome(programs, bits, bounds, hits, first, count) {
   const rows = Math.ceil(count / RAYS_A_ROW), given = new Uint32Array(8 * RAYS_A_ROW * rows);
   for (let i = 0; i < count; i++) {
     given.set(bits.subarray(6 * (first + i), 6 * (first + i) + 3), 8 * i);
     given.set(bits.subarray(6 * (first + i) + 3, 6 * (first + i) + 6), 8 * i + 4);
+    [given[8 * i + 3], given[8 * i + 7]] = bounds.subarray(2 * (first + i));
   }
   const textures = [integers(2 * RAYS_A_ROW, rows, 4, given), integers(RAYS_A_ROW, rows, 4), integers(RAYS_A_ROW, rows, 4)];
   const target = framebuffer(textures[1], textures[2]);
@@ -35,8 +59,8 @@ async function traceSome(programs, bits, hits, first, count) {
   textures.forEach(texture => gl.deleteTexture(texture));
   if (!asked.size) return;
   const half = Math.ceil(count / 2);
-  await traceSome(programs, bits, hits, first, half);
-  await traceSome(programs, bits, hits, first + half, count - half);
+  await traceSome(programs, bits, bounds, hits, first, half);
+  await traceSome(programs, bits, bounds, hits, first + half, count - half);
 }
 
 // Rays from in and around the volume to places in it: the same here and where the page was made.
@@ -53,13 +77,14 @@ function checkRays(count) {
 }
 
 // Rays of the picture of the page's maker, where `checkRays` would have too many pages read.
-function pictureRays({ eye, front, right, up }, count) {
+function pictureRays({ eye, front, right, up, isParallel }, count) {
   const rays = new Float32Array(6 * count);
   for (let i = 0; i < count; i++) {
     const [across, above] = [noise(2 * i), noise(2 * i + 1)].map(number => (number >>> 20) / 2048 - 1);
     for (let axis = 0; axis < 3; axis++) {
-      rays[6 * i + axis] = eye[axis];
-      rays[6 * i + 3 + axis] = front[axis] + right[axis] * across + up[axis] * above;
+      const aside = (isParallel ? eye : front)[axis] + right[axis] * across + up[axis] * above;
+      rays[6 * i + axis] = isParallel ? aside : eye[axis];
+      rays[6 * i + 3 + axis] = isParallel ? front[axis] : aside;
     }
   }
   return rays;
@@ -86,7 +111,7 @@ function entryOf(rays, hits, i) {
 
 // Of the rays whose hits the page's maker knew: how many have another voxel here, and how wrong a t is at most, in voxels.
 async function errorsHere(programs, checks) {
-  const rays = raysOfCheck(checks.length), hits = await trace(programs, rays), times = new Float32Array(hits.buffer);
+  const rays = raysOfCheck(checks.length), hits = await trace(programs, rays, scene.cuts), times = new Float32Array(hits.buffer);
   let others = 0, worst = 0;
   checks.forEach((digest, i) => {
     if (digest !== digestOf(hits, i)) others++;

@@ -1,7 +1,4 @@
-#version 300 es
 // From light to what a screen shows; a picture of fewer pixels is blurred.
-precision highp float;
-precision highp int;
 uniform highp usampler2D sun_light; // As picture.frag leaves them.
 uniform highp usampler2D sky_light;
 uniform highp usampler2D told;
@@ -10,13 +7,10 @@ uniform bool is_partial; // Pixels that do not wait have one sample more.
 uniform bool is_smooth;
 uniform float exposure;
 uniform vec2 canvas;
-uniform vec3 front;
-uniform vec3 right;
-uniform vec3 up;
 out vec4 shown;
 
 vec3 backdrop(vec3 direction) {
-  float amount = min(abs(normalize(direction).y) * 1.3, 1.0);
+  float amount = min(abs(direction.y) * 1.3, 1.0);
   vec3 end = direction.y < 0.0 ? vec3(0.26, 0.27, 0.29) : vec3(0.20, 0.29, 0.42);
   return mix(vec3(0.52, 0.58, 0.64), end, amount * amount * (3.0 - 2.0 * amount));
 }
@@ -35,7 +29,7 @@ vec3 compressed(vec3 light) {
 // Where the first ray of a pixel has met the volume, from the eye.
 vec3 point_of(ivec2 at, uint first) {
   vec2 place = (vec2(at) + 0.5) / vec2(textureSize(sun_light, 0)) * 2.0 - 1.0;
-  return normalize(front + right * place.x + up * place.y) * uintBitsToFloat(first & ~0xfffu);
+  return aside(place) + way(place) * uintBitsToFloat(first & ~0xfffu);
 }
 
 // How much of the sky a pixel sees. Where rays were few, pixels of its surface tell what they have found, a square of four by four.
@@ -76,7 +70,7 @@ vec3 pixel(ivec2 place, vec3 behind) {
 
 void main() {
   vec2 place = gl_FragCoord.xy / canvas;
-  vec3 behind = backdrop(front + right * (2.0 * place.x - 1.0) + up * (2.0 * place.y - 1.0));
+  vec3 behind = backdrop(way(2.0 * place - 1.0));
   vec2 at = place * vec2(textureSize(sun_light, 0)) - 0.5;
   ivec2 low = ivec2(floor(at + 0.001));
   vec2 part = max(at - vec2(low), 0.0);

@@ -23,6 +23,7 @@ layout(location = 2) out uint told;
 #endif
 
 const int SUN = 1, SKY = 2, DONE = 3;
+const float ABOVE_CUT = 0.01; // So many voxels above a cut rays to the light begin.
 
 // In a square of four by four pixels all rays to the sky go elsewhere.
 vec2 numbers_of(ivec2 pixel) {
@@ -47,8 +48,9 @@ void main() {
   pixel.y = size.y - 1 - pixel.y;
   vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
   // Rays are in voxels; angles, t and light in spaced space.
-  vec3 origin = eye / SPACING;
-  vec3 direction = normalize(front + right * at.x - up * at.y) / SPACING;
+  at.y = -at.y;
+  vec3 origin = (eye + aside(at)) / SPACING;
+  vec3 direction = way(at) / SPACING;
   vec3 by_sun = vec3(0.0);
   vec4 by_sky = vec4(0.0);
   uint first = 0u; // Face and t.
@@ -56,7 +58,7 @@ void main() {
   float room = 0.0; // Above a smooth surface, so many voxels, its steps hide nothing of it any more.
   for (int task = 0; task < DONE;) {
     voxc_scene_Hit hit;
-    bool found = voxc_scene_first(0, origin, direction, hit);
+    bool found = seen_first(origin, direction, task > 0, hit);
 #ifdef PAGED
     lacks = voxc_scene_lacks_page;
     if (lacks) {
@@ -73,8 +75,12 @@ void main() {
         normal = face = hit.axis < 0 ? -normalize(direction * SPACING) : voxc_scene_normal(hit);
         point = origin + hit.t * direction;
         start = before_face = voxc_scene_outside(origin, direction, hit);
-        if (is_smooth && !is_sketch && hit.axis >= 0)
+        if (lies_at_cut(hit.t)) {
+          normal = face = normalize(cut_normal / SPACING);
+          start = before_face = origin + cut_t * direction + ABOVE_CUT * cut_normal;
+        } else if (is_smooth && !is_sketch && hit.axis >= 0) {
           normal = surface_normal(ivec2(gl_FragCoord.xy), hit.voxel, hit.t, direction);
+        }
         if (normal == vec3(0.0)) {
           normal = face;
         } else if (normal != face) {

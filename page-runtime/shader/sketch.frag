@@ -7,10 +7,6 @@ uniform uvec2 turn;
 uniform int number;
 uniform ivec2 size;
 uniform vec2 place; // Where in a pixel.
-uniform vec3 eye;
-uniform vec3 front;
-uniform vec3 right;
-uniform vec3 up;
 layout(location = 0) out uvec4 after_sun;
 layout(location = 1) out uvec4 after_sky;
 layout(location = 2) out uint told;
@@ -28,11 +24,12 @@ void main() {
   begin_loads(uvec2(here), uint(number));
   ivec2 pixel = ivec2(here.x, size.y - 1 - here.y);
   vec2 at = (vec2(pixel) + place) / vec2(size) * 2.0 - 1.0;
-  vec3 direction = normalize(front + right * at.x - up * at.y) / SPACING;
+  at.y = -at.y;
+  vec3 direction = way(at) / SPACING;
   voxc_scene_Hit hit;
-  bool found = voxc_scene_first(0, eye / SPACING, direction, hit);
+  bool found = seen_first((eye + aside(at)) / SPACING, direction, false, hit);
   bool lacks = voxc_scene_lacks_page;
-  vec3 face = hit.axis < 0 ? -direction : voxc_scene_normal(hit);
+  vec3 face = lies_at_cut(hit.t) ? cut_normal : hit.axis < 0 ? -direction : voxc_scene_normal(hit);
   vec3 colour = (lacks ? UNKNOWN : colour_of_word(hit.colour)) * (0.9 + 0.2 * face.y - 0.1 * abs(face.x));
   uint first = floatBitsToUint(hit.t) >> 12 << 12 | (hit.axis < 0 ? 6u : uint(2 * hit.axis + max(hit.side, 0))) << 9;
   after_sun = found || lacks ? uvec4(floatBitsToUint(colour), first) : uvec4(0u);

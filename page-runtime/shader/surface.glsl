@@ -2,17 +2,13 @@
 
 uniform highp usampler2D before_sun; // The samples so far, or the sketch.
 uniform ivec2 size;
-uniform vec3 eye;
-uniform vec3 front;
-uniform vec3 right; // From the picture's middle to its edges.
-uniform vec3 up;
 
 const int REACH = 4;
 
 // Where the first ray of a pixel has met the volume, from the eye, and by which face.
 vec3 point_of(ivec2 at, uint first) {
   vec2 place = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
-  return normalize(front + right * place.x + up * place.y) * uintBitsToFloat(first & ~0xfffu);
+  return aside(place) + way(place) * uintBitsToFloat(first & ~0xfffu);
 }
 
 ivec3 voxel_of(ivec2 at, uint first) {
@@ -45,7 +41,7 @@ vec3 across(mat3 m) {
 
 // The normal of the surface around a voxel, towards the eye; 0 where its voxels spread evenly, or are too few to tell.
 vec3 surface_normal(ivec2 pixel, ivec3 voxel, float t, vec3 direction) {
-  float step = max(float(size.y) / (2.0 * length(up) * max(t, 1.0)), 1.0); // Pixels a voxel.
+  float step = max(float(size.y) / (2.0 * length(up) * (is_parallel ? 1.0 : max(t, 1.0))), 1.0); // Pixels a voxel.
   float count = 0.0;
   vec3 sum = vec3(0.0);
   mat3 squares = mat3(0.0);

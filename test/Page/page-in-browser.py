@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 import volume_page
-from volume_page import STATE, Browser, Page, differences, exact_hits, hard_rays, other_voxels, page_of, render, voxc
+from volume_page import STATE, Browser, Page, differences, exact_hits, figures, hard_rays, other_voxels, page_of, render, voxc
 
 RAYS = 20000
 # One of each kind of level, walk and payload.
@@ -123,6 +123,44 @@ class Pages(unittest.TestCase):
         # Voxels as cubes are another picture.
         with self.opened(page_of(self.folder / "scan.hvx", self.folder, "--cubic-voxels")[0]) as page:
             self.assertGreater(page.difference(self.folder / "scan.png", size, samples, exposure)[1], 0.2)
+
+    def test_cuts_and_parallel_rays_are_those_of_render(self):
+        size, samples, scan = (320, 180), 4, self.folder / "cut.nii"
+        subprocess.run([sys.executable, volume_page.HERE.parent / "Driver" / "Inputs" / "ball.py", scan], check=True)
+        voxc("build", "R(3^3) G(4)", scan, "-o", self.folder / "cut.hvx")
+        parallel = ["--orthographic"]
+        for volume, cuts, camera in (("terrain", [], parallel), ("terrain", ["--clip-box=0,0,0,40,64,40"], []), ("terrain", ["--clip-plane=-1,0,-0.7,-50"], []),
+                                     ("cut", ["--clip-plane=-1,-0.4,0.2,-30.3"], parallel)):
+            volume = self.folder / f"{volume}.hvx"
+            made = figures(self.folder / "figures.json", "export", volume, "-o", self.folder / "cut.html", *cuts, *camera)
+            picture = self.folder / "cut.png"
+            exposure = render(volume, picture, size, samples, " ".join([made["camera"], *cuts]))
+            with self.subTest(cuts=cuts, camera=camera), self.opened(self.folder / "cut.html", *size) as page:
+                mean, far = page.difference(picture, size, samples, exposure)
+                self.assertLess(mean, 0.5)
+                self.assertLess(far, 0.01)
+                page.wait(f"{STATE}.checked && JSON.parse({STATE}.checked).precision === 'exact'")
+                self.assertEqual(json.loads(page.evaluate(f"{STATE}.checked")), {"precision": "exact", "others": 0, "worst": 0})
+                # Rays that are asked for are those of all of the volume.
+                rays = page.check_rays(RAYS)
+                self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(volume, rays, self.folder)), 0)
+                # The picture of all of it is another one.
+                render(volume, picture, size, samples, made["camera"])
+                if cuts:
+                    self.assertGreater(page.difference(picture, size, samples, exposure)[1], 0.05)
+
+    def test_changes_to_parallel_rays_and_back(self):
+        with self.opened(self.page) as page:
+            page.evaluate("document.querySelector('canvas').focus()")
+            key = lambda name: page.call("Input.dispatchKeyEvent", type="keyDown", key=name, code="Key" + name.upper(), text=name)
+            lens = lambda: page.evaluate("[voxc.camera.isParallel, voxc.camera.half, voxc.camera.distance]")
+            tangent, first = page.evaluate("voxc.camera.tangent"), lens()
+            key("x")
+            self.assertEqual(lens(), [True, tangent * first[2], first[2]])
+            page.evaluate("voxc.camera.approach(2)")
+            self.assertEqual(lens(), [True, tangent * first[2] / 2, first[2]])
+            key("x")
+            self.assertEqual(lens(), [False, 0, first[2] / 2])
 
     def test_says_what_it_is(self):
         with self.opened(self.page) as page:

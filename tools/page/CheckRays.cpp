@@ -37,20 +37,27 @@ PictureView viewOf(const Camera &camera) {
   const double high = shownHeight(camera, 1) / 2;
   const auto [front, right, up] = axesOf(camera);
   return {glm::dvec3(glm::vec3(camera.eye)), inVoxels(front),
-          inVoxels(right * (high * camera.width / camera.height)), inVoxels(up * high)};
+          inVoxels(right * (high * camera.width / camera.height)), inVoxels(up * high),
+          camera.isOrthographic()};
+}
+
+Ray rayAt(const PictureView &view, double across, double above) {
+  Ray ray;
+  for (int axis = 0; axis < 3; ++axis) {
+    // In the order of page-runtime/script/rays.js.
+    const double from = view.isParallel ? view.eye[axis] : view.front[axis];
+    const double aside = from + view.right[axis] * across + view.up[axis] * above;
+    ray.origin[axis] = static_cast<float>(view.isParallel ? aside : view.eye[axis]);
+    ray.direction[axis] = static_cast<float>(view.isParallel ? view.front[axis] : aside);
+  }
+  return ray;
 }
 
 std::vector<Ray> pictureRays(const PictureView &view, std::size_t count) {
   const auto place = [](std::uint32_t number) { return (noise(number) >> 20) / 2048.0 - 1; };
   std::vector<Ray> rays(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const double across = place(2 * i), above = place(2 * i + 1);
-    for (int axis = 0; axis < 3; ++axis) {
-      rays[i].origin[axis] = static_cast<float>(view.eye[axis]);
-      rays[i].direction[axis] =
-          static_cast<float>(view.front[axis] + view.right[axis] * across + view.up[axis] * above);
-    }
-  }
+  for (std::uint32_t i = 0; i < count; ++i)
+    rays[i] = rayAt(view, place(2 * i), place(2 * i + 1));
   return rays;
 }
 

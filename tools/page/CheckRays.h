@@ -17,13 +17,17 @@ namespace voxc::page {
 /// page-runtime/script/rays.js makes too, to the bit.
 std::vector<Ray> checkRays(Int3 extent, std::size_t count);
 
-/// What a picture of a pinhole is of, in voxels and numbers of float32: from its middle, `front` far off, to
-/// its edges.
+/// What a picture is of, in voxels and numbers of float32: from its middle, `front` far off, to its edges;
+/// of an orthographic camera from the middle of the plane in which its rays begin.
 struct PictureView {
   glm::dvec3 eye, front, right, up;
+  bool isParallel = false; ///< All rays go `front`.
 };
 
 PictureView viewOf(const Camera &camera);
+
+/// The ray through a place of the picture: (-1, -1) is the lower left corner, (1, 1) the opposite one.
+Ray rayAt(const PictureView &view, double across, double above);
 
 /// The first so many rays of a sequence through a picture, as page-runtime/script/rays.js makes them too, to
 /// the bit.

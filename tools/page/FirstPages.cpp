@@ -1,6 +1,7 @@
 // The marks that rays leave in a table of pages of which none is absent.
 #include "page/FirstPages.h"
 
+#include "voxc/IR/Attribute.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Trace/CpuKernel.h"
 
@@ -28,12 +29,7 @@ std::vector<Ray> raysOf(const PictureView &view, int height) {
     for (int column = 0; column < width; ++column) {
       const double across = (2 * column + 1 - width) / (height * aspect),
                    above = 1 - (row + 0.5) / height * 2;
-      Ray &ray = rays.emplace_back();
-      for (int axis = 0; axis < 3; ++axis) {
-        ray.origin[axis] = static_cast<float>(view.eye[axis]);
-        ray.direction[axis] =
-            static_cast<float>(view.front[axis] + view.right[axis] * across + view.up[axis] * above);
-      }
+      rays.push_back(rayAt(view, across, above));
     }
   return rays;
 }
@@ -41,8 +37,10 @@ std::vector<Ray> raysOf(const PictureView &view, int height) {
 } // namespace
 
 Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const PictureView &view,
-                                                std::uint32_t pageBytes) {
-  const Expected<CpuKernel> kernel = compileCpuKernel(volume.format(), false, nullptr, Addressing::Paged);
+                                                const Clip &clip, std::uint32_t pageBytes) {
+  Format format = volume.format();
+  format.setAttribute(kBoundsAttribute, "yes");
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, false, nullptr, Addressing::Paged);
   if (!kernel)
     return kernel.error();
   const std::uint32_t pageWords = pageBytes / sizeof(std::uint32_t);
@@ -58,7 +56,7 @@ Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const Pict
   std::vector<std::uint32_t> found;
   std::vector<bool> isFound(pages.pages);
   for (const int height : kSteps) {
-    const std::vector<Ray> rays = raysOf(view, height);
+    const std::vector<BoundedRay> rays = clip.bounded(raysOf(view, height), 0);
     std::vector<Hit> hits(rays.size());
     kernel->function(reinterpret_cast<const std::uint32_t *>(&pages),
                      reinterpret_cast<const float *>(rays.data()),

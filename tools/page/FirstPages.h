@@ -4,6 +4,7 @@
 #include "page/CheckRays.h"
 
 #include "voxc/Support/Error.h"
+#include "voxc/Trace/Clip.h"
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
@@ -11,9 +12,9 @@
 
 namespace voxc::page {
 
-/// Pages of `pageBytes` of the words that rays of the eye look at: in a picture of few pixels first, then
-/// those that more pixels add; each step in order. Error: the kernel does not compile.
+/// Pages of `pageBytes` of the words that rays of the eye look at, through what `clip` keeps: in a picture of
+/// few pixels first, then those that more pixels add; each step in order. Error: the kernel does not compile.
 Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const PictureView &view,
-                                                std::uint32_t pageBytes);
+                                                const Clip &clip, std::uint32_t pageBytes);
 
 } // namespace voxc::page

@@ -9,6 +9,9 @@
 #include "common/Command.h"
 #include "plot/Svg.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
 #include <cstdio>
 
 namespace voxc::page {
@@ -59,6 +62,17 @@ std::string factsOf(const StreamedVolume &streamed) {
 }
 
 } // namespace
+
+Clip scaled(Clip clip) {
+  constexpr double kFar = 1e30; // As good as infinitely far off.
+  for (ClipPlane &plane : clip.planes) {
+    const glm::dvec3 sides = glm::abs(plane.normal);
+    const double most = std::max({sides.x, sides.y, sides.z});
+    plane.normal /= most;
+    plane.offset = std::clamp(plane.offset / most, -kFar, kFar);
+  }
+  return clip;
+}
 
 Expected<std::string> makePage(const Volume &volume, const PageContents &contents) {
   const std::optional<StreamedVolume> &streamed = contents.streamed;

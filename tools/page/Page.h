@@ -4,6 +4,7 @@
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Camera.h"
+#include "voxc/Trace/Clip.h"
 #include "voxc/Trace/Picture.h"
 #include "voxc/Volume/Volume.h"
 
@@ -35,14 +36,18 @@ struct PageContents {
   std::string title;
   Picture picture;     ///< Taken by `camera`: what is to be seen until the page has a picture of its own.
   Camera camera;       ///< With which it begins. What is level is level in its picture.
+  Clip clip;           ///< What is seen, `scaled`.
   glm::dvec3 sun;      ///< Towards it; of any length but 0.
   bool smooth = false; ///< Surfaces have the direction of their neighbourhood, as `RenderOptions::isSmooth`.
   float exposure;      ///< That makes a picture of the light.
   ErrorFigures fast;   ///< Of fast arithmetic.
-  std::string
-      checks; ///< `digestsOf` the exact hits of the first of `checkRays`, or of `pictureRays` if streamed.
+  std::string checks;  ///< `digestsOf` the exact hits of the first of `checkRays`, or of `pictureRays` if
+                       ///< streamed, within what `clip` keeps.
   std::optional<StreamedVolume> streamed; ///< Else the page holds the words.
 };
+
+/// The same planes by numbers that float32 holds: the longest side of each normal is 1.
+Clip scaled(Clip clip);
 
 /// More words than this are more than browsers keep in a texture: 4096 places a row, 16384 rows.
 inline constexpr std::size_t kMostWords = std::size_t{4096} * 16384;

@@ -20,6 +20,8 @@ constexpr int kStops = 9;
 constexpr std::size_t kLeast = 12000, kMost = 60000, kShare = 50;
 
 bool isInside(const Camera &camera, Int3 extent) {
+  if (camera.isOrthographic())
+    return false;
   for (int axis = 0; axis < 3; ++axis)
     if (camera.eye[axis] < 0 || camera.eye[axis] >= extent[axis])
       return false;

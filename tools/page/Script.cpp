@@ -31,8 +31,8 @@ constexpr const char *kStreamedScripts[] = {
     "pages/xxh3",        "pages/zstd",    "pages/reader",    "pages/start", "script/device",
     "script/arithmetic", "script/camera", "script/controls", "pages/pool",  "pages/volume",
     "pages/waiting",     "pages/telling", "script/picture",  "script/rays", "script/main"};
-constexpr const char *kShaders[] = {"light.glsl",   "surface.glsl", "all.vert",       "picture.frag",
-                                    "develop.frag", "answer.frag",  "arithmetic.frag"};
+constexpr const char *kShaders[] = {"camera.glsl",  "light.glsl",   "surface.glsl", "all.vert",
+                                    "picture.frag", "develop.frag", "answer.frag",  "arithmetic.frag"};
 constexpr const char *kResidentShaders[] = {"words.glsl"};
 constexpr const char *kStreamedShaders[] = {"pages.glsl", "sketch.frag", "collect.frag"};
 
@@ -59,9 +59,10 @@ std::string terse(std::string_view text) {
 }
 
 /// The functions that trace rays of a format, by one of the values of `precision`.
-Expected<std::string> functionsOf(Format format, Addressing addressing, std::string_view precision) {
+Expected<std::string> functionsOf(Format format, Addressing addressing, bool isCut,
+                                  std::string_view precision) {
   format.setAttribute(kPrecisionAttribute, precision);
-  PlanOptions options = kFirstHitPlan;
+  PlanOptions options = isCut ? kHeaderPlan : kFirstHitPlan;
   options.addressing = addressing;
   const Expected<Plan> plan = makePlan(format, options);
   if (!plan)
@@ -70,6 +71,14 @@ Expected<std::string> functionsOf(Format format, Addressing addressing, std::str
 }
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
+
+/// Normals and offsets.
+Json planesOf(const Clip &clip) {
+  Json planes = Json::array();
+  for (const ClipPlane &plane : clip.planes)
+    planes.push_back({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset});
+  return planes;
+}
 
 /// Each number as what it is more than the one before.
 Json stepsOf(const std::vector<std::uint32_t> &numbers) {
@@ -95,7 +104,8 @@ Json streamedOf(const Volume &volume, const StreamedVolume &streamed) {
            {{"eye", numbers(streamed.view.eye)},
             {"front", numbers(streamed.view.front)},
             {"right", numbers(streamed.view.right)},
-            {"up", numbers(streamed.view.up)}}},
+            {"up", numbers(streamed.view.up)},
+            {"isParallel", streamed.view.isParallel}}},
           {"first", stepsOf(streamed.first)}};
 }
 
@@ -109,7 +119,9 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
             {"look", numbers(camera.look * camera.spacing)},
             {"up", numbers(camera.up * camera.spacing)},
             {"fov", camera.verticalFov},
+            {"height", camera.orthographicHeight}, // 0: a pinhole.
             {"aspect", double(camera.width) / camera.height}}},
+          {"cuts", planesOf(contents.clip)},
           {"sun", numbers(glm::normalize(contents.sun))},
           {"smooth", contents.smooth},
           {"exposure", contents.exposure},
@@ -126,8 +138,9 @@ std::string tersely(std::string_view path) { return terse(fileText(path)); }
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents) {
   const bool isStreamed = contents.streamed.has_value();
   const Addressing addressing = isStreamed ? Addressing::Paged : Addressing::Buffer;
-  const Expected<std::string> exact = functionsOf(volume.format(), addressing, "exact");
-  const Expected<std::string> fast = functionsOf(volume.format(), addressing, "fast");
+  const bool isCut = !contents.clip.cutsNothing();
+  const Expected<std::string> exact = functionsOf(volume.format(), addressing, isCut, "exact");
+  const Expected<std::string> fast = functionsOf(volume.format(), addressing, isCut, "fast");
   if (!exact || !fast)
     return exact ? fast.error() : exact.error();
   Json shaders{{"functions", merged(*exact, *fast)}};
@@ -137,6 +150,7 @@ Expected<std::string> makeScript(const Volume &volume, const PageContents &conte
   };
   addShaders(kShaders);
   addShaders(isStreamed ? std::span<const char *const>(kStreamedShaders) : kResidentShaders);
+  shaders["seen.glsl"] = tersely(isCut ? "shader/cut.glsl" : "shader/whole.glsl");
   std::string script =
       "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders.dump() + ";\n";
   for (const std::string name : isStreamed ? std::span<const char *const>(kStreamedScripts) : kScripts)

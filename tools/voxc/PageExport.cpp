@@ -3,6 +3,7 @@
 
 #include "BuildArguments.h"
 #include "ErrorCheck.h"
+#include "PictureRays.h"
 
 #include "common/Files.h"
 #include "page/CheckRays.h"
@@ -67,16 +68,35 @@ Expected<void> measure(const Volume &volume, const Progress &progress, page::Pag
   if (!fast)
     return fast.error();
   contents.fast = compare(*oracle, rays, *exact, *fast);
-  if (!contents.streamed) {
-    contents.checks = page::digestsOf(std::span(*exact).first(kChecked));
-    return {};
-  }
-  const std::vector<Ray> checked = page::pictureRays(contents.streamed->view, kChecked);
-  const Expected<std::vector<Hit>> seen = oracle->trace(checked, 0, progress);
+  const std::vector<Ray> checked = contents.streamed ? page::pictureRays(contents.streamed->view, kChecked)
+                                                     : page::checkRays(volume.info().extent, kChecked);
+  const std::vector<BoundedRay> kept =
+      contents.clip.cutsNothing() ? std::vector<BoundedRay>() : contents.clip.bounded(checked, 0);
+  const Expected<std::vector<Hit>> seen =
+      oracle->trace(kept.empty() ? RaySpan(checked) : RaySpan(kept), 0, progress);
   if (!seen)
     return seen.error();
   contents.checks = page::digestsOf(*seen);
   return {};
+}
+
+/// The picture of a page, until it has one of its own.
+Expected<TakenPicture> takePoster(const PictureOptions &options, const Volume &volume, const Clip &clip,
+                                  const Progress &progress, Json &figures) {
+  Format format = volume.format();
+  if (!clip.cutsNothing())
+    format.setAttribute(kBoundsAttribute, "yes");
+  Tracing tracing;
+  tracing.choose(cpuDeviceInfo().name, 0);
+  if (Expected<void> prepared = tracing.prepare(volume, format, figures); !prepared)
+    return prepared.error();
+  PictureRays rays(tracing, 0, clip);
+  const Expected<PlacedCamera> placed = rays.findCamera(options, volume);
+  if (!placed)
+    return placed.error();
+  RenderOptions rendering = renderOptions(options, volume);
+  rendering.progress = progress;
+  return rays.take(volume, *placed, rendering);
 }
 
 } // namespace
@@ -105,24 +125,24 @@ void PageExport::declare(const CommandLine &command) {
       .showsDefault(kDefaultBudget);
   addViewOptions(command, picture_);
   addCameraPlace(command, picture_.camera);
+  addClipOptions(command, clip_);
 }
 
 bool PageExport::isGiven() const {
   const CameraOptions &camera = picture_.camera;
   return !title_.empty() || !url_.empty() || !picture_.view.empty() || !picture_.sun.empty() ||
-         !camera.camera.empty() || camera.fov != 0 || isOrthographic(camera) || camera.cubicVoxels;
+         !camera.camera.empty() || camera.fov != 0 || isOrthographic(camera) || camera.cubicVoxels ||
+         clip_.isGiven();
 }
 
 Expected<void> PageExport::check(const std::string &path) const {
   if (!isPage(path) && isGiven())
     return Error::usage(
         "'" + path +
-        "' is no page; --title, --url, --sun and what says where a picture is taken from are for one, "
+        "' is no page; --title, --url, --sun, cuts and what says where a picture is taken from are for one, "
         "whose name ends in .html");
-  if (isOrthographic(picture_.camera))
-    return Error::usage(
-        "--orthographic and --view-height are for pictures and the viewer; the camera of a page is "
-        "a pinhole");
+  if (const Expected<Clip> clip = clipOf(clip_); !clip)
+    return clip.error();
   return checkPictureOptions(picture_);
 }
 
@@ -143,7 +163,8 @@ Expected<void> PageExport::stream(const Volume &volume, const std::string &sourc
                         std::to_string(least) +
                         " bytes at once; give more, or store it with smaller pages (--page-bytes)");
   streamed.view = page::viewOf(contents.camera);
-  Expected<std::vector<std::uint32_t>> first = page::firstPages(volume, streamed.view, streamed.pageBytes);
+  Expected<std::vector<std::uint32_t>> first =
+      page::firstPages(volume, streamed.view, contents.clip, streamed.pageBytes);
   if (!first)
     return first.error();
   streamed.first = std::move(*first);
@@ -153,18 +174,12 @@ Expected<void> PageExport::stream(const Volume &volume, const std::string &sourc
 
 Expected<void> PageExport::write(const Volume &volume, const std::string &source, const std::string &path,
                                  const Progress &progress, Json &figures) {
-  Tracing tracing;
-  tracing.choose(cpuDeviceInfo().name, 0);
-  if (Expected<void> prepared = tracing.prepare(volume, volume.format(), figures); !prepared)
-    return prepared;
-  const auto trace = [&](std::span<const Ray> rays, std::span<Hit> hits,
-                         const TraceOptions &options) -> Expected<void> {
-    Expected<TraceReport> report = tracing.trace(rays, hits, options);
-    return report ? Expected<void>() : report.error();
-  };
+  Expected<Clip> clip = clipOf(clip_, volume.info().voxelToModel);
+  if (!clip)
+    return clip.error();
   PictureOptions options = picture_;
   options.camera.size = kPictureSize;
-  const Expected<TakenPicture> taken = takePicture(options, volume, {trace, trace}, trace, 0, progress);
+  const Expected<TakenPicture> taken = takePoster(options, volume, *clip, progress, figures);
   if (!taken)
     return taken.error();
   if (!isUpright(taken->placed.camera))
@@ -173,6 +188,7 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   page::PageContents contents;
   contents.title = title_.empty() ? std::filesystem::path(source).stem().string() : title_;
   contents.camera = taken->placed.camera;
+  contents.clip = page::scaled(std::move(*clip));
   contents.sun = sunOf(options);
   contents.smooth = isSmoothSurface(volume.info());
   contents.exposure = taken->rendering.exposure;

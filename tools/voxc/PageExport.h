@@ -4,6 +4,7 @@
 #include "Tracing.h"
 #include "common/CommandLine.h"
 
+#include "common/ClipOptions.h"
 #include "common/PictureOptions.h"
 #include "page/Page.h"
 #include "voxc/Volume/Volume.h"
@@ -17,7 +18,8 @@ bool isPage(const std::string &path);
 
 class PageExport {
 public:
-  /// Adds --title, --url, --device-memory, --view, --camera, --fov and --sun to a command.
+  /// Adds --title, --url, --device-memory, what says where a picture is taken from, --sun and cuts to a
+  /// command.
   void declare(const CommandLine &command);
 
   /// Looks at the options before any work. Errors: `Usage`, as of pictures, or options of a page for what is
@@ -37,6 +39,7 @@ private:
   std::string url_;
   std::string budget_;
   PictureOptions picture_;
+  ClipOptions clip_;
 };
 
 } // namespace voxc::tool

@@ -1,8 +1,10 @@
-"""A page taken apart: page.py PAGE V.hvx [SMALL.hvx]
+"""A page taken apart: page.py PAGE V.hvx [SMALL.hvx | --scene]
 
 Its words must be those of the volume, and nothing in it may lead elsewhere. Prints how many checks it holds, and whether it has more
-than 1.4 times the bytes of SMALL.hvx, the same volume compressed.
+than 1.4 times the bytes of SMALL.hvx, the same volume compressed; or what is cut away, how high an orthographic picture is, and whether
+the kernel takes bounds.
 """
+import json
 import re
 import struct
 import sys
@@ -46,6 +48,12 @@ for first in range(0, words, block):
     assert mine == volume[offset + 4 * first:offset + 4 * (first + length)]
     at += 4 * length
 print(len(whole) - at, "checks")
-if len(sys.argv) > 3:
+if sys.argv[3:] == ["--scene"]:
+    told = json.loads(re.search(rb"^const scene = (.*);$", whole[:script], re.MULTILINE).group(1))
+    cuts = [",".join(str(number + 0.0) for number in plane) + ";" for plane in told["cuts"]]
+    print("cuts:", *cuts, "end")
+    print("height", told["camera"]["height"])
+    print("bounded" if b"voxc_scene_closest" in whole[:script] else "without bounds")
+elif len(sys.argv) > 3:
     small = Path(sys.argv[3]).stat().st_size
     print("more" if Path(sys.argv[1]).stat().st_size > 1.4 * small else "no more", "than 1.4 times")
