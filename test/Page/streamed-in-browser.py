@@ -127,6 +127,18 @@ class StreamedPages(unittest.TestCase):
                 self.assertLess(mean, 0.1)
                 self.assertLess(far, 0.001)
 
+    def test_cuts_and_parallel_rays_are_those_of_render(self):
+        size, samples, cut = (320, 180), 2, "--clip-plane=-1,0,-0.7,-200"
+        page, made = streamed(self.volume, cut, "--orthographic")
+        exposure = render(self.folder / "terrain.hvx", self.folder / "cut.png", size, samples, f"{made['camera']} {cut}")
+        with self.opened(page) as page:
+            page.told("coarse")
+            mean, far = page.difference(self.folder / "cut.png", size, samples, exposure)
+            self.assertLess(mean, 0.5)
+            self.assertLess(far, 0.02)
+            page.wait(f"{STATE}.checked && JSON.parse({STATE}.checked).precision === 'exact'")
+            self.assertEqual(json.loads(page.evaluate(f"{STATE}.checked")), {"precision": "exact", "others": 0, "worst": 0})
+
     def test_is_small_and_says_what_it_reads(self):
         self.assertLess(self.page.stat().st_size, 60000)
         with self.opened(self.page) as page:
