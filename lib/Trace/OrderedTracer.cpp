@@ -2,7 +2,8 @@
 #include "OrderedTracer.h"
 
 #include "Clock.h"
-#include "Crew.h"
+#include "OrderChoice.h"
+#include "RayBins.h"
 
 #include <algorithm>
 #include <cstring>
@@ -32,6 +33,8 @@ public:
   }
 
 private:
+  Expected<void> learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
+  Expected<TraceReport> traceBins(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
   Expected<TraceReport> traceSlice(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
   RaySpan gatherRays(const RaySpan &rays, std::span<const std::uint32_t> order);
   template <typename AnyRay>
@@ -42,7 +45,9 @@ private:
   int edge_; ///< Voxels on the volume's longest axis.
   Crew crew_;
   bool pays_;
-  std::vector<Ray> rays_; ///< Of a slice, bin by bin; those with bounds in the other.
+  OrderChoice choice_;
+  RayBins bins_;
+  std::vector<Ray> rays_; ///< Of a slice, bin by bin; those with bounds in the other. They only grow.
   std::vector<BoundedRay> boundedRays_;
   std::vector<Hit> hits_;
 };
@@ -52,8 +57,9 @@ class Watch {
 public:
   void addTo(TraceTime &time) const {
     time.wall += wallSeconds() - wall_;
-    time.cpu += processCpuSeconds() - cpu_;
+    time.cpu += cpuSeconds();
   }
+  double cpuSeconds() const { return processCpuSeconds() - cpu_; }
 
 private:
   double wall_ = wallSeconds();
@@ -87,10 +93,60 @@ Progress partOf(const Progress &all, std::size_t before, std::size_t count, std:
 }
 
 Expected<TraceReport> OrderedTracer::trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) {
-  const bool bins = options.order == RayOrder::Binned ||
-                    (options.order == RayOrder::Auto && pays_ && areScattered(rays, edge_));
-  if (!bins || rays.empty() || rays.size() != hits.size())
+  const bool isOpen = options.order == RayOrder::Auto && pays_ && areScattered(rays, edge_);
+  if ((options.order != RayOrder::Binned && !isOpen) || rays.empty() || rays.size() != hits.size())
     return tracer_->trace(rays, hits, options);
+  double choosing = 0;
+  if (isOpen && !choice_.isKnown(rays.size())) {
+    const double begin = wallSeconds();
+    if (auto learnt = learn(rays, hits, options); !learnt)
+      return learnt.error();
+    choosing = wallSeconds() - begin;
+  }
+  const bool bins = !isOpen || choice_.use();
+  auto report = bins ? traceBins(rays, hits, options) : tracer_->trace(rays, hits, options);
+  if (report) {
+    report->binned = bins;
+    report->choosing = choosing;
+  }
+  return report;
+}
+
+/// The CPU seconds that a ray takes.
+double secondsOfOne(const TraceReport &report, std::size_t rays) {
+  return std::ranges::min(report.repeats, {}, &TraceTime::cpu).cpu / static_cast<double>(rays);
+}
+
+/// Learns from some of the rays whether bins pay. Their hits are traced once more.
+Expected<void> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options) {
+  TraceOptions some = options;
+  some.repeat = 2;
+  some.progress.report = {};
+  const std::size_t count = OrderChoice::comparedRays(rays.size());
+  const RaySpan first = rays.subspan(0, OrderChoice::kFirstRays), compared = rays.subspan(0, count);
+  auto given = tracer_->trace(first, hits.first(first.size()), some);
+  if (!given)
+    return given.error();
+  Watch watch;
+  bins_.order(first, edge_, crew_);
+  const double ordering = watch.cpuSeconds() / OrderChoice::kFirstRays;
+  const bool mayPay = OrderChoice::mayPay(secondsOfOne(*given, first.size()), ordering);
+  if (!mayPay || count < OrderChoice::kFirstRays) {
+    choice_.learn(mayPay, rays.size());
+    return {};
+  }
+  const auto binned = traceSlice(compared, hits.first(count), some);
+  if (!binned)
+    return binned.error();
+  given = tracer_->trace(compared, hits.first(count), some);
+  if (!given)
+    return given.error();
+  choice_.learn(OrderChoice::pays(secondsOfOne(*given, count), secondsOfOne(*binned, count)), rays.size());
+  return {};
+}
+
+Expected<TraceReport> OrderedTracer::traceBins(const RaySpan &rays, std::span<Hit> hits,
+                                               const TraceOptions &options) {
   TraceReport report;
   TraceOptions slice = options;
   for (std::size_t first = 0; first < rays.size(); first += kMaxSliceRays) {
@@ -101,7 +157,6 @@ Expected<TraceReport> OrderedTracer::trace(RaySpan rays, std::span<Hit> hits, co
       return traced.error();
     add(report, *traced);
   }
-  report.binned = true;
   return report;
 }
 
@@ -109,11 +164,12 @@ Expected<TraceReport> OrderedTracer::traceSlice(const RaySpan &rays, std::span<H
                                                 const TraceOptions &options) {
   TraceTime ordering;
   Watch before;
-  const std::vector<std::uint32_t> order = binnedOrder(rays, edge_, crew_.size());
+  const std::span<const std::uint32_t> order = bins_.order(rays, edge_, crew_);
   const RaySpan gathered = gatherRays(rays, order);
-  hits_.resize(hits.size());
+  if (hits.size() > hits_.size())
+    hits_.resize(hits.size());
   before.addTo(ordering);
-  auto report = tracer_->trace(gathered, hits_, options);
+  auto report = tracer_->trace(gathered, std::span(hits_).first(hits.size()), options);
   if (!report)
     return report;
   Watch after;
@@ -133,14 +189,15 @@ RaySpan OrderedTracer::gatherRays(const RaySpan &rays, std::span<const std::uint
 template <typename AnyRay>
 RaySpan OrderedTracer::gather(const RaySpan &rays, std::span<const std::uint32_t> order,
                               std::vector<AnyRay> &gathered) {
-  gathered.resize(rays.size());
+  if (rays.size() > gathered.size())
+    gathered.resize(rays.size());
   crew_.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i) {
       __builtin_prefetch(rays.origin(order[std::min(i + kAhead, last - 1)]));
       std::memcpy(&gathered[i], rays.origin(order[i]), sizeof(AnyRay));
     }
   });
-  return gathered;
+  return std::span(gathered).first(rays.size());
 }
 
 void OrderedTracer::scatterHits(std::span<Hit> hits, std::span<const std::uint32_t> order) const {

@@ -1,7 +1,7 @@
 // In which order a tracer takes its rays.
 #include "voxc/Trace/RayOrder.h"
 
-#include "Crew.h"
+#include "RayBins.h"
 
 #include <algorithm>
 #include <array>
@@ -70,11 +70,6 @@ unsigned binOf(const Ray &ray, float scale) {
          directionCellOf(ray);
 }
 
-struct BinnedRay {
-  std::uint32_t bin;
-  std::uint32_t number;
-};
-
 /// How many items of a thread's share have a digit; then where the first of them goes.
 using Places = std::array<std::uint32_t, kDigits>;
 
@@ -84,24 +79,6 @@ void placeDigits(std::vector<Places> &shares) {
   for (std::size_t digit = 0; digit < kDigits; ++digit)
     for (Places &places : shares)
       next += std::exchange(places[digit], next);
-}
-
-/// One pass of the sort: sends each item of [0, count) by a digit of its bin to `put(place, item)`.
-template <typename Item, typename Put>
-void sendByDigit(Crew &crew, std::size_t count, unsigned shift, const Item &item, const Put &put) {
-  std::vector<Places> shares(crew.size(), Places{});
-  const auto digitOf = [shift](const BinnedRay &ray) { return (ray.bin >> shift) % kDigits; };
-  crew.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
-    for (std::size_t i = first; i < last; ++i)
-      ++shares[share][digitOf(item(i))];
-  });
-  placeDigits(shares);
-  crew.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
-    for (std::size_t i = first; i < last; ++i) {
-      const BinnedRay ray = item(i);
-      put(shares[share][digitOf(ray)]++, ray);
-    }
-  });
 }
 
 } // namespace
@@ -125,23 +102,49 @@ bool areScattered(const RaySpan &rays, int edge) {
   return changes > kSampledGroups * (kGroupRays - 1) / 4;
 }
 
-std::vector<std::uint32_t> binnedOrder(const RaySpan &rays, int edge, unsigned threads) {
+/// One pass of the sort: sends each item of [0, count) by a digit of its bin to `put(place, item)`.
+template <typename Item, typename Put>
+void RayBins::sendByDigit(const Crew &crew, std::size_t count, unsigned shift, const Item &item,
+                          const Put &put) {
+  std::vector<Places> shares(crew.size(), Places{});
+  const auto digitOf = [shift](const BinnedRay &ray) { return (ray.bin >> shift) % kDigits; };
+  crew.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
+    for (std::size_t i = first; i < last; ++i)
+      ++shares[share][digitOf(item(i))];
+  });
+  placeDigits(shares);
+  crew.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
+    for (std::size_t i = first; i < last; ++i) {
+      const BinnedRay ray = item(i);
+      put(shares[share][digitOf(ray)]++, ray);
+    }
+  });
+}
+
+std::span<const std::uint32_t> RayBins::order(const RaySpan &rays, int edge, const Crew &crew) {
   const float scale = 1 / static_cast<float>(edge);
-  Crew crew(threads);
-  std::vector<BinnedRay> given(rays.size());
+  if (rays.size() > order_.size()) {
+    given_.resize(rays.size());
+    half_.resize(rays.size());
+    order_.resize(rays.size());
+  }
   crew.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i)
-      given[i] = {binOf(rays[i], scale), static_cast<std::uint32_t>(i)};
+      given_[i] = {binOf(rays[i], scale), static_cast<std::uint32_t>(i)};
   });
-  std::vector<BinnedRay> half(rays.size());
   sendByDigit(
-      crew, rays.size(), 0, [&](std::size_t i) { return given[i]; },
-      [&](std::size_t place, BinnedRay ray) { half[place] = ray; });
-  std::vector<std::uint32_t> order(rays.size());
+      crew, rays.size(), 0, [&](std::size_t i) { return given_[i]; },
+      [&](std::size_t place, BinnedRay ray) { half_[place] = ray; });
   sendByDigit(
-      crew, rays.size(), kDigitBits, [&](std::size_t i) { return half[i]; },
-      [&](std::size_t place, BinnedRay ray) { order[place] = ray.number; });
-  return order;
+      crew, rays.size(), kDigitBits, [&](std::size_t i) { return half_[i]; },
+      [&](std::size_t place, BinnedRay ray) { order_[place] = ray.number; });
+  return std::span(order_).first(rays.size());
+}
+
+std::vector<std::uint32_t> binnedOrder(const RaySpan &rays, int edge, unsigned threads) {
+  RayBins bins;
+  const auto order = bins.order(rays, edge, Crew(threads));
+  return {order.begin(), order.end()};
 }
 
 } // namespace voxc

@@ -15,6 +15,7 @@ void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceRe
   report_.transfer += report.transfer;
   report_.coarse += report.coarse;
   report_.binned |= report.binned;
+  report_.choosing += report.choosing;
   report_.repeats.resize(std::max(report_.repeats.size(), report.repeats.size()));
   for (std::size_t i = 0; i < report.repeats.size(); ++i) {
     report_.repeats[i].wall += report.repeats[i].wall;

@@ -50,6 +50,7 @@ void addTraceFigures(Json &figures, const TraceReport &report, const RayCounts &
   figures["rays"] = counts.rays;
   figures["hits"] = counts.hits;
   figures["order"] = report.binned ? "binned" : "given";
+  figures["order_choice_seconds"] = report.choosing;
   figures["repeats"] = report.repeats.size();
   figures["seconds"] = seconds;
   figures["cpu_seconds"] = cpuSeconds;

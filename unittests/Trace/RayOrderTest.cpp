@@ -2,6 +2,8 @@
 #include "voxc/Trace/RayOrder.h"
 #include "voxc/Trace/CpuKernel.h"
 
+#include "Trace/OrderChoice.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -136,10 +138,21 @@ TEST_F(OrderedTracerTest, HitsAreTheSameInAnyOrder) {
   EXPECT_EQ(std::memcmp(given.data(), binned.data(), given.size() * sizeof(Hit)), 0);
 }
 
-TEST_F(OrderedTracerTest, AutoBinsWhatIsScattered) {
-  std::vector<Hit> hits;
-  EXPECT_TRUE(trace(scatteredRays(40000), RayOrder::Auto, hits).binned);
-  EXPECT_FALSE(trace(coherentRays(40000), RayOrder::Auto, hits).binned);
+TEST_F(OrderedTracerTest, AutoMeasuresOnceWhatIsScattered) {
+  auto tracer = createCpuTracer({echo, volume_.storageDigest(), nullptr}, volume_, 2);
+  const auto traced = [&](const std::vector<Ray> &rays) {
+    std::vector<Hit> hits(rays.size());
+    const auto report = (*tracer)->trace(rays, hits, {.order = RayOrder::Auto});
+    EXPECT_TRUE(report) << report.error().message;
+    return *report;
+  };
+  const TraceReport first = traced(scatteredRays(40000)), second = traced(scatteredRays(41000)),
+                    coherent = traced(coherentRays(40000));
+  EXPECT_GT(first.choosing, 0);
+  EXPECT_EQ(second.choosing, 0);
+  EXPECT_EQ(second.binned, first.binned);
+  EXPECT_EQ(coherent.choosing, 0);
+  EXPECT_FALSE(coherent.binned);
 }
 
 TEST_F(OrderedTracerTest, NoRaysNeedNoOrder) {
@@ -147,6 +160,25 @@ TEST_F(OrderedTracerTest, NoRaysNeedNoOrder) {
   const auto report = (*tracer)->trace({}, {}, {.repeat = 2, .order = RayOrder::Binned});
   ASSERT_TRUE(report) << report.error().message;
   EXPECT_EQ(report->repeats.size(), 2u);
+}
+
+TEST(OrderChoice, IsKeptForCallsOfAboutAsMany) {
+  OrderChoice choice;
+  EXPECT_FALSE(choice.isKnown(100000));
+  choice.learn(true, 100000);
+  EXPECT_TRUE(choice.isKnown(100000));
+  EXPECT_FALSE(choice.isKnown(3000000));
+  int calls = 0;
+  for (; choice.isKnown(100000); ++calls)
+    EXPECT_TRUE(choice.use());
+  EXPECT_EQ(calls, 64);
+}
+
+TEST(OrderChoice, ComparesOnlyWhereOrderingIsNotTooDear) {
+  EXPECT_FALSE(OrderChoice::mayPay(1, 0.8)) << "rays that hit at once";
+  EXPECT_TRUE(OrderChoice::mayPay(1, 0.2));
+  EXPECT_TRUE(OrderChoice::pays(1, 0.9));
+  EXPECT_FALSE(OrderChoice::pays(1, 1.3));
 }
 
 } // namespace

@@ -10,7 +10,9 @@
 namespace voxc {
 
 enum class RayOrder {
-  /// Binned where the device is a processor and the rays are many and scattered, else as given.
+  /// Where the device is a processor and the rays are many and scattered, as is faster, which a tracer
+  /// measures
+  /// on the first rays and keeps for calls of about as many; else as given.
   Auto,
   Given,
   /// By octant of their direction, then by where they begin, then by direction: so that neighbours in a

@@ -108,6 +108,8 @@ struct TraceReport {
   double transfer = 0; ///< Wall seconds of copying rays in and hits out.
   std::uint64_t coarse = 0; ///< Rays of the last repeat that coarse blocks have answered.
   bool binned = false;      ///< Rays were taken bin by bin (`RayOrder::Binned`), which is in the times.
+  /// Wall seconds of measuring which order is faster, beside the times; 0 where that was asked for or known.
+  double choosing = 0;
 };
 
 /// What `Tracer::update` brought to the device.

@@ -1,0 +1,33 @@
+// Rays brought in order bin by bin, in memory that is kept from one call to the next.
+#pragma once
+
+#include "Crew.h"
+
+#include "voxc/Trace/BoundedRay.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace voxc {
+
+class RayBins {
+public:
+  /// As `binnedOrder` gives it, until the next call.
+  std::span<const std::uint32_t> order(const RaySpan &rays, int edge, const Crew &crew);
+
+private:
+  struct BinnedRay {
+    std::uint32_t bin;
+    std::uint32_t number;
+  };
+
+  template <typename Item, typename Put>
+  static void sendByDigit(const Crew &crew, std::size_t count, unsigned shift, const Item &item,
+                          const Put &put);
+
+  std::vector<BinnedRay> given_, half_; ///< Those of before and after the first digit, and maybe more.
+  std::vector<std::uint32_t> order_;
+};
+
+} // namespace voxc
