@@ -77,8 +77,9 @@ VOXC_API void voxc_volume_free(voxc_volume *volume);
  * or 1. */
 VOXC_API voxc_error *voxc_volume_save(const voxc_volume *volume, const char *path, int compress);
 
-/* The digest of its format's storage, which says how its words lie: kernels and emitted functions are for this
- * volume if theirs (VOXC_..._STORAGE_DIGEST in voxc_..._c.h) is the same, and else must not read its words. */
+/* The digest of its format's storage, which says how its words lie: kernels and emitted functions are for
+ * this volume if theirs (VOXC_..._STORAGE_DIGEST in voxc_..._c.h) is the same, and else must not read its
+ * words. */
 VOXC_API uint64_t voxc_volume_digest(const voxc_volume *volume);
 /* Its format in short, without its passes: "R(4, 4, 4) G(5)". */
 VOXC_API const char *voxc_volume_format(const voxc_volume *volume);

@@ -106,17 +106,18 @@ VOXC_API voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tr
 
 typedef struct voxc_picture_options {
   size_t struct_size;
-  int32_t width;       /* 0: 1280. */
-  int32_t height;      /* 0: 720. */
-  const char *style;   /* "lit" (null), "flat", "ao", "normals", "depth", "heatmap". */
-  /* Where no eye is given: "auto" (null), "iso", "front", "back", "left", "right", "top", "bottom", "inside". */
+  int32_t width;     /* 0: 1280. */
+  int32_t height;    /* 0: 720. */
+  const char *style; /* "lit" (null), "flat", "ao", "normals", "depth", "heatmap". */
+  /* Where no eye is given: "auto" (null), "iso", "front", "back", "left", "right", "top", "bottom", "inside".
+   */
   const char *view;
   const double *eye;   /* Three numbers, in voxels, */
   const double *look;  /* and the point looked at: both, or neither. */
   double vertical_fov; /* In degrees; 0: the view's own. */
   unsigned samples;    /* Rays a pixel; 0: the style's own. */
   const voxc_progress *progress;
-  int orthographic;    /* 1: parallel rays; what is further off does not look smaller. */
+  int orthographic; /* 1: parallel rays; what is further off does not look smaller. */
   /* What an orthographic picture shows from bottom to top, in voxels (in their shortest sides, where they are
    * no cubes), from 0.001 to 1e9: the picture is orthographic, and has no field of view. 0: what the view or
    * the field of view shows at the point looked at. */

@@ -1,8 +1,8 @@
 // The page as a whole: what it holds, what it leaves out, and that no record can put code into it.
 #include "MakeCell.h"
 
-#include "report/Report.h"
 #include "common/SmallPicture.h"
+#include "report/Report.h"
 #include "report/Thumbnail.h"
 
 #include "common/Png.h"
