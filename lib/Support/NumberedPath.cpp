@@ -1,5 +1,5 @@
 // Reading of patterns.
-#include "Support/NumberedPath.h"
+#include "voxc/Support/NumberedPath.h"
 
 namespace voxc {
 
@@ -7,17 +7,15 @@ std::optional<NumberedPath> NumberedPath::parse(std::string_view text) {
   const std::size_t at = text.find('%');
   if (at == std::string_view::npos || text.find('%', at + 1) != std::string_view::npos)
     return std::nullopt;
-  NumberedPath path;
-  path.before_ = text.substr(0, at);
+  std::size_t digits = 1;
   std::string_view rest = text.substr(at + 1);
   if (rest.size() > 1 && rest[0] == '0' && rest[1] >= '1' && rest[1] <= '9') {
-    path.digits_ = static_cast<std::size_t>(rest[1] - '0');
+    digits = static_cast<std::size_t>(rest[1] - '0');
     rest.remove_prefix(2);
   }
   if (!rest.starts_with('d'))
     return std::nullopt;
-  path.after_ = rest.substr(1);
-  return path;
+  return NumberedPath(std::string(text.substr(0, at)), digits, std::string(rest.substr(1)));
 }
 
 std::string NumberedPath::operator()(std::uint64_t number) const {

@@ -1,7 +1,7 @@
 // voxc export: the voxels of a volume as a file of another kind, the volume itself, stored otherwise, or a
 // page that shows it.
 #include "BuildArguments.h"
-#include "Building.h"
+#include "BuildFigures.h"
 #include "ColourLoss.h"
 #include "Figures.h"
 #include "Outputs.h"
@@ -111,7 +111,7 @@ private:
       return Error::usage("--slices is for pictures, whose name ends in .png");
     options_.slices = fromString<SlicePlane>(slices_).value_or(SlicePlane::Z);
     if (isVox || isPicture)
-      numbered_ = NumberedName::parse(output_);
+      numbered_ = parseNumberedName(output_);
     if (options_.lossy && !isVox)
       return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
     if (isPage(output_)) {
@@ -125,7 +125,7 @@ private:
     options_.otherKinds = {openVdbExport()};
 #endif
     const Expected<Exported> exported =
-        exportVoxels(volume, numbered_ ? numbered_->asPercent() : output_, options_);
+        exportVoxels(volume, numbered_ ? asPercent(*numbered_) : output_, options_);
     if (!exported)
       return exported.error();
     tell(*exported, figures);
@@ -180,7 +180,7 @@ private:
   std::string pageBytes_ = "256KiB";
   std::string coarseSide_;               ///< Empty: none.
   std::string slices_;                   ///< Empty: the default.
-  std::optional<NumberedName> numbered_; ///< If there may be several files.
+  std::optional<NumberedPath> numbered_; ///< If there may be several files.
   std::uint64_t files_ = 1;
   CommonOptions common_;
 };

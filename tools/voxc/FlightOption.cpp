@@ -28,7 +28,7 @@ void FlightOption::declare(const CommandLine &command) {
 }
 
 Expected<void> FlightOption::check(const std::string &output) {
-  name_ = NumberedName::parse(output);
+  name_ = parseNumberedName(output);
   if (!name_)
     return Error::usage("a flight is many pictures, but the name '" + output +
                         "' has not one place for the number of the frame; give one such as flight-###.png or "

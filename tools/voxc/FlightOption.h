@@ -30,7 +30,7 @@ private:
   std::string path_;
   unsigned frames_ = 100;
   std::optional<Flight> flight_;
-  std::optional<NumberedName> name_;
+  std::optional<NumberedPath> name_;
 };
 
 } // namespace voxc::tool

@@ -74,7 +74,7 @@ void Rendering::declare(const CommandLine &command) {
 
 Expected<void> Rendering::check(const std::string &source, const CommonOptions &common) {
   if (output_.empty()) {
-    const std::string stem = NumberedName::stemOf(source.substr(source.rfind(':') + 1));
+    const std::string stem = stemOfNumbered(source.substr(source.rfind(':') + 1));
     output_ = (stem.empty() ? "picture" : stem) + "-" + std::string(toString(styleOf(picture_))) +
               (flight_.isGiven() ? "-###.png" : ".png");
   }

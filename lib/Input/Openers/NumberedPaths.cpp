@@ -1,7 +1,7 @@
 // Which files a pattern names.
 #include "voxc/Input/NumberedPaths.h"
 
-#include "Support/NumberedPath.h"
+#include "voxc/Support/NumberedPath.h"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 // A set of numbered files that a reader finds only when it is whole.
 #pragma once
 
-#include "Support/NumberedPath.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/NumberedPath.h"
 
 #include <cstdint>
 #include <string_view>

@@ -1,9 +1,9 @@
 // What writes each kind of export; the table in Export.cpp says which takes what.
 #pragma once
 
-#include "Support/NumberedPath.h"
 #include "voxc/Source/Export.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/NumberedPath.h"
 
 namespace voxc {
 

@@ -55,7 +55,7 @@ std::string joined(const std::vector<double> &numbers) {
 std::string nameOfInput(const std::string &input) {
   constexpr std::string_view kBuiltin = "builtin:";
   std::string name = input.starts_with(kBuiltin) ? input.substr(kBuiltin.size())
-                                                 : NumberedName::stemOf(input.substr(input.rfind(':') + 1));
+                                                 : stemOfNumbered(input.substr(input.rfind(':') + 1));
   std::ranges::replace_if(name, [](char c) { return !isNameCharacter(c); }, '-');
   return isName(name) ? name : "model";
 }
