@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  Expected<void> learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
+  Expected<double> learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
   Expected<TraceReport> traceBins(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
   Expected<TraceReport> traceSlice(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
   RaySpan gatherRays(const RaySpan &rays, std::span<const std::uint32_t> order);
@@ -96,18 +96,21 @@ Expected<TraceReport> OrderedTracer::trace(RaySpan rays, std::span<Hit> hits, co
   const bool isOpen = options.order == RayOrder::Auto && pays_ && areScattered(rays, edge_);
   if ((options.order != RayOrder::Binned && !isOpen) || rays.empty() || rays.size() != hits.size())
     return tracer_->trace(rays, hits, options);
-  double choosing = 0;
+  double choosing = 0, firstDispatch = 0;
   if (isOpen && !choice_.isKnown(rays.size())) {
     const double begin = wallSeconds();
-    if (auto learnt = learn(rays, hits, options); !learnt)
+    const auto learnt = learn(rays, hits, options);
+    if (!learnt)
       return learnt.error();
-    choosing = wallSeconds() - begin;
+    firstDispatch = *learnt;
+    choosing = wallSeconds() - begin - firstDispatch;
   }
   const bool bins = !isOpen || choice_.use();
   auto report = bins ? traceBins(rays, hits, options) : tracer_->trace(rays, hits, options);
   if (report) {
     report->binned = bins;
     report->choosing = choosing;
+    report->firstDispatch += firstDispatch;
   }
   return report;
 }
@@ -117,8 +120,9 @@ double secondsOfOne(const TraceReport &report, std::size_t rays) {
   return std::ranges::min(report.repeats, {}, &TraceTime::cpu).cpu / static_cast<double>(rays);
 }
 
-/// Learns from some of the rays whether bins pay. Their hits are traced once more.
-Expected<void> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options) {
+/// Learns from some of the rays whether bins pay. Their hits are traced once more. Returns the seconds of the
+/// tracer's first dispatch, which is then behind it.
+Expected<double> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options) {
   TraceOptions some = options;
   some.repeat = 2;
   some.progress.report = {};
@@ -127,13 +131,14 @@ Expected<void> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, co
   auto given = tracer_->trace(first, hits.first(first.size()), some);
   if (!given)
     return given.error();
+  const double firstDispatch = given->firstDispatch;
   Watch watch;
   bins_.order(first, edge_, crew_);
   const double ordering = watch.cpuSeconds() / OrderChoice::kFirstRays;
   const bool mayPay = OrderChoice::mayPay(secondsOfOne(*given, first.size()), ordering);
   if (!mayPay || count < OrderChoice::kFirstRays) {
     choice_.learn(mayPay, rays.size());
-    return {};
+    return firstDispatch;
   }
   const auto binned = traceSlice(compared, hits.first(count), some);
   if (!binned)
@@ -142,7 +147,7 @@ Expected<void> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, co
   if (!given)
     return given.error();
   choice_.learn(OrderChoice::pays(secondsOfOne(*given, count), secondsOfOne(*binned, count)), rays.size());
-  return {};
+  return firstDispatch;
 }
 
 Expected<TraceReport> OrderedTracer::traceBins(const RaySpan &rays, std::span<Hit> hits,
