@@ -23,9 +23,6 @@ constexpr std::int64_t kBandRays = std::int64_t{1} << 20;
 /// From so many samples on, a pixel has looked in directions enough of its own.
 constexpr unsigned kManySamples = 32;
 
-/// So many voxels above a cut rays to the light begin.
-constexpr float kAboveCut = 0.01f;
-
 /// Which of the directions to the sky a pixel takes: those of a square of pixels are all different.
 std::uint32_t patternOf(int column, int row) {
   constexpr std::uint32_t kOrder[kSkyPattern][kSkyPattern] = {
@@ -59,8 +56,6 @@ private:
   Expected<void> expose(Film &film, unsigned sample);
   Expected<void> gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
   Picture shadedFaces(std::vector<Ray> rays, const std::vector<Hit> &hits, const Film &film) const;
-  Surface spacedSurface(const Ray &ray, const Hit &hit) const;
-  Surface cutSurface(const Ray &ray, const Hit &hit, const Surface &surface) const;
   void gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const;
   Expected<void> light(Film &film, unsigned sample, const std::vector<Hit> &hits);
   Expected<void> lightBySun(Film &film, const std::vector<Hit> &hits);
@@ -143,7 +138,8 @@ Expected<void> Renderer::gather(Film &film, const std::vector<Ray> &rays, const 
         continue;
       }
       if (hits[i].isHit())
-        surfaces_[i] = spacedSurface(rays[i], hits[i]);
+        surfaces_[i] =
+            spacedSurface(rays[i], hits[i], isSmooth() ? normals_ : nullptr, spacing_, options_.clip);
       gatherPixel(pixel, rays[i], hits[i], surfaces_[i]);
     }
   });
@@ -155,30 +151,6 @@ Picture Renderer::shadedFaces(std::vector<Ray> rays, const std::vector<Hit> &hit
     for (int axis = 0; axis < 3 && !hits[i].isHit(); ++axis)
       rays[i].direction[axis] *= spacing_[axis];
   return shade(rays, hits, film.width, film.rows);
-}
-
-/// The surface that was hit: where it begins in voxels, where it is and which way it faces in spaced space. A
-/// plane that is stretched faces where it is not stretched.
-Surface Renderer::spacedSurface(const Ray &ray, const Hit &hit) const {
-  Surface surface = surfaceOf(ray, hit, isSmooth() ? normals_ : nullptr);
-  surface.normal = glm::normalize(surface.normal / spacing_);
-  surface.point *= spacing_;
-  return options_.clip ? cutSurface(ray, hit, surface) : surface;
-}
-
-/// The surface, or that of a cut, if the voxel lies right behind it: the first that a ray enters in the thing
-/// that is cut is up to a voxel further on than the plane, and from there light would not come out.
-Surface Renderer::cutSurface(const Ray &ray, const Hit &hit, const Surface &surface) const {
-  const Clip::Entry entry = options_.clip->entryOf(ray);
-  if (!entry.plane || double(hit.t) - entry.t > double(glm::length(spacing_)))
-    return surface;
-  Surface cut;
-  const glm::vec3 towardsEye = -glm::normalize(glm::vec3(entry.plane->normal));
-  const glm::vec3 point = vectorOf(ray.origin) + vectorOf(ray.direction) * float(entry.t);
-  cut.point = point * spacing_;
-  cut.normal = glm::normalize(towardsEye / spacing_);
-  cut.start = point + towardsEye * kAboveCut;
-  return cut;
 }
 
 void Renderer::gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const {

@@ -13,6 +13,9 @@ namespace voxc {
 
 namespace {
 
+/// So many voxels above a cut rays to the light begin.
+constexpr float kAboveCut = 0.01f;
+
 /// So far in front of a face that float32 tells it from the face.
 float clearance(const glm::vec3 &point) {
   const float size = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
@@ -29,6 +32,22 @@ void smooth(Surface &surface, const SurfaceNormal &normal, const glm::vec3 &dire
     return;
   surface.normal = isAlong ? normal.direction : -normal.direction;
   surface.start = surface.point + surface.normal * room;
+}
+
+/// The surface, or that of a cut, if the voxel lies right behind it: the first that a ray enters in the thing
+/// that is cut is up to a voxel further on than the plane, and from there light would not come out.
+Surface cutSurface(const Ray &ray, const Hit &hit, const Surface &surface, const glm::vec3 &spacing,
+                   const Clip &clip) {
+  const Clip::Entry entry = clip.entryOf(ray);
+  if (!entry.plane || double(hit.t) - entry.t > double(glm::length(spacing)))
+    return surface;
+  Surface cut;
+  const glm::vec3 towardsEye = -glm::normalize(glm::vec3(entry.plane->normal));
+  const glm::vec3 point = vectorOf(ray.origin) + vectorOf(ray.direction) * float(entry.t);
+  cut.point = point * spacing;
+  cut.normal = glm::normalize(towardsEye / spacing);
+  cut.start = point + towardsEye * kAboveCut;
+  return cut;
 }
 
 } // namespace
@@ -49,6 +68,15 @@ Surface surfaceOf(const Ray &ray, const Hit &hit, const SurfaceNormals *normals)
   if (normals)
     smooth(surface, normals->at(hit), direction);
   return surface;
+}
+
+// A plane that is stretched faces where it is not stretched.
+Surface spacedSurface(const Ray &ray, const Hit &hit, const SurfaceNormals *normals, const glm::vec3 &spacing,
+                      const Clip *clip) {
+  Surface surface = surfaceOf(ray, hit, normals);
+  surface.normal = glm::normalize(surface.normal / spacing);
+  surface.point *= spacing;
+  return clip ? cutSurface(ray, hit, surface, spacing, *clip) : surface;
 }
 
 } // namespace voxc
