@@ -103,16 +103,4 @@ private:
   BuildArguments buildArguments_;
 };
 
-/// Tells the warnings and notes about an input, unless told to be quiet.
-void tellWarnings(const Input &input, const CommonOptions &common);
-
-/// Adds the figures of opening an input.
-void addInputFigures(Json &figures, const Input &input);
-
-/// Adds the figures of a build.
-void addBuildFigures(Json &figures, const BuildReport &report);
-
-/// Adds the size of a file that was written.
-void addFileFigure(Json &figures, const std::string &path);
-
 } // namespace voxc::tool

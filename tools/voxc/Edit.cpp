@@ -1,6 +1,8 @@
 // voxc edit: replaces boxes of a volume, and builds only what they touch.
-#include "Building.h"
+#include "BuildArguments.h"
+#include "BuildFigures.h"
 #include "Figures.h"
+#include "InputArguments.h"
 #include "Outputs.h"
 #include "Subcommand.h"
 #include "VolumeArgument.h"

@@ -1,6 +1,6 @@
 // voxc facts: what an input is like, to choose a format by.
 #include "BuildArguments.h"
-#include "Building.h"
+#include "BuildFigures.h"
 #include "FactsFigures.h"
 #include "Figures.h"
 #include "InputArguments.h"

@@ -1,5 +1,5 @@
 // voxc merge: joins the fragments of a volume.
-#include "Building.h"
+#include "BuildFigures.h"
 #include "Figures.h"
 #include "Outputs.h"
 #include "PlanOption.h"

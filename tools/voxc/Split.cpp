@@ -1,5 +1,5 @@
 // voxc split: cuts a finished volume into fragments, which voxc merge joins again.
-#include "Building.h"
+#include "BuildFigures.h"
 #include "Figures.h"
 #include "FragmentOption.h"
 #include "Outputs.h"

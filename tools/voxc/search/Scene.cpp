@@ -1,7 +1,7 @@
 // Reading an input into a graph.
 #include "search/Scene.h"
 
-#include "Building.h"
+#include "BuildFigures.h"
 #include "bench/FormatList.h"
 
 #include "voxc/Search/SceneValues.h"
