@@ -1,0 +1,170 @@
+// From a number to findings.
+#include "Finder.h"
+
+#include <algorithm>
+
+namespace voxc::cliffs {
+namespace {
+
+/// Above this a time is measured again, three times, before it is told.
+constexpr double kSuspect = 1.8;
+constexpr std::size_t kReplayedRays = 4096;
+constexpr std::size_t kComparedRays = 2000;
+/// Rays of a call whose allocations are counted where nothing is timed.
+constexpr unsigned kCountedCalls = 2;
+
+/// A usual situation, by which a machine's speed is known.
+Place usualPlace() { return {0, "terrain", {128, 128, 128}, *parseFormat("R(3^3) G(4)")}; }
+
+std::uint64_t wrongOf(const Stage &stage, const Situation &situation, const StagedRays &rays,
+                      std::span<const Hit> hits, std::uint64_t &compared) {
+  const Question question = questionOf(askedFormat(stage.place, situation));
+  const RaySpan span = rays.span();
+  std::uint64_t wrong = 0;
+  const std::size_t count = std::min(span.size(), kComparedRays);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * span.size() / count;
+    const Hit exact = stage.oracle.answer(span[at], question, span.bounds(at));
+    const Hit &hit = hits[at];
+    wrong += !std::equal(hit.voxel, hit.voxel + 3, exact.voxel) || hit.rgba != exact.rgba || hit.t != exact.t;
+  }
+  compared = count;
+  return wrong;
+}
+
+} // namespace
+
+Finder::Finder(std::vector<Machine> machines, const FinderOptions &options, std::optional<Peer> peer)
+    : machines_(std::move(machines)), options_(options), peer_(std::move(peer)) {
+  for (Machine &machine : machines_)
+    shelves_.emplace_back(machine);
+  calibrations_.resize(machines_.size());
+}
+
+Expected<Finder> Finder::create(std::vector<Machine> machines, const FinderOptions &options,
+                                std::optional<Peer> peer) {
+  Finder finder(std::move(machines), options, std::move(peer));
+  if (!options.countsAlone)
+    if (auto done = finder.calibrate(); !done)
+      return done.error();
+  return finder;
+}
+
+Expected<void> Finder::calibrate() {
+  if (auto entered = enter(usualPlace()); !entered)
+    return entered;
+  Situation one{.rays = "missing", .count = 1}, usual{.rays = "near", .count = 65536};
+  for (std::size_t machine = 0; machine < machines_.size(); ++machine) {
+    Calibration &calibration = calibrations_[machine];
+    const auto call = findOn(machine, one, raysOf(*stage_, one), {.scale = 0, .perCall = 1});
+    if (!call)
+      return call.error();
+    calibration.perCall = (*call)->cost.nanoseconds;
+    const auto rays = findOn(machine, usual, raysOf(*stage_, usual), calibration);
+    if (!rays)
+      return rays.error();
+    calibration.scale = (*rays)->ratio();
+  }
+  place_.reset();
+  return {};
+}
+
+/// Builds the place, unless the finder is there.
+Expected<void> Finder::enter(const Place &place) {
+  if (place_ == place.number)
+    return {};
+  place_ = place.number;
+  stage_.reset();
+  for (KernelShelf &shelf : shelves_)
+    shelf.clear();
+  auto stage = Stage::build(place);
+  if (!stage)
+    return stage.error();
+  if (*stage)
+    stage_.emplace(std::move(**stage));
+  return {};
+}
+
+Expected<std::vector<Finding>> Finder::find(std::uint64_t number) {
+  const Place place = drawPlace(options_.seed, number / kSituationsOfPlace, options_.limits);
+  if (auto entered = enter(place); !entered)
+    return Error{entered.error().kind, describe(place) + ": " + entered.error().message};
+  std::vector<Finding> findings;
+  if (!stage_)
+    return findings;
+  const Situation situation = drawSituation(options_.seed, number, options_.limits);
+  const StagedRays rays = raysOf(*stage_, situation);
+  for (std::size_t machine = 0; machine < machines_.size(); ++machine) {
+    auto finding = findOn(machine, situation, rays, calibrations_[machine]);
+    if (!finding)
+      return Error{finding.error().kind,
+                   describe(place) + ", " + describe(situation) + ": " + finding.error().message};
+    if (*finding)
+      findings.push_back(std::move(**finding));
+  }
+  if (peer_ && !findings.empty() && situation.instances == 0) {
+    const auto peer = peer_->nanoseconds(*stage_, rays.plain);
+    for (Finding &finding : findings)
+      finding.peer = peer;
+  }
+  return findings;
+}
+
+Expected<std::optional<Finding>> Finder::findOn(std::size_t machine, const Situation &situation,
+                                                const StagedRays &rays, const Calibration &calibration) {
+  KernelShelf &shelf = shelves_[machine];
+  auto subject = Subject::of(shelf, *stage_, situation, rays);
+  if (!subject)
+    return subject.error();
+  if (!*subject)
+    return std::optional<Finding>();
+  Finding finding{.place = stage_->place, .situation = situation, .machine = machines_[machine].name};
+  for (unsigned call = 0; options_.countsAlone && call < kCountedCalls; ++call) {
+    auto counted = countCall(**subject);
+    if (!counted)
+      return counted.error();
+    finding.cost.allocations = *counted;
+  }
+  if (!options_.countsAlone) {
+    auto cost = measure(**subject);
+    if (!cost)
+      return cost.error();
+    finding.cost = *cost;
+  }
+  const StagedRays some = someOf(rays, kReplayedRays);
+  auto expected = expect(machines_[machine], calibration, *stage_, situation, **subject, rays, some);
+  if (!expected)
+    return expected.error();
+  finding.expected = *expected;
+  for (int again = 0; again < 3 && !options_.countsAlone && finding.ratio() > kSuspect; ++again)
+    if (auto measured = measureAgain(**subject, finding.cost); !measured)
+      return measured.error();
+  if (situation.instances > 0)
+    return std::optional(std::move(finding));
+  finding.wrong = wrongOf(*stage_, situation, rays, (*subject)->hits(), finding.compared);
+  if (auto counted = count(shelf, situation, some, **subject, finding); !counted)
+    return counted.error();
+  return std::optional(std::move(finding));
+}
+
+/// Look-ups, and how many of them were made again.
+Expected<void> Finder::count(KernelShelf &shelf, const Situation &situation, const StagedRays &some,
+                             Subject &subject, Finding &finding) const {
+  auto lookups = subject.lookupsOf(some.span());
+  if (!lookups)
+    return lookups.error();
+  finding.lookups = *lookups;
+  if (!options_.countsAlone && finding.ratio() < kSuspect)
+    return {};
+  Situation comparison = situation;
+  comparison.isFast = true;
+  auto fast = Subject::of(shelf, *stage_, comparison, some);
+  if (!fast || !*fast)
+    return {}; // Not every kernel has a fast form.
+  auto without = (*fast)->lookupsOf(some.span());
+  if (without)
+    finding.settled = *lookups - *without;
+  return {};
+}
+
+} // namespace voxc::cliffs

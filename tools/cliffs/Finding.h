@@ -1,0 +1,37 @@
+// What came out of one situation on one machine.
+#pragma once
+
+#include "Expectation.h"
+#include "Measure.h"
+
+#include "common/Json.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace voxc::cliffs {
+
+struct Finding {
+  Place place;
+  Situation situation;
+  std::string machine;
+  Cost cost;
+  Expectation expected;
+  double lookups = 0;         ///< A ray, as counted; of instances 0.
+  double settled = 0;         ///< Steps a ray that float32 did not tell, by look-ups that were made again.
+  std::uint64_t compared = 0; ///< Rays that were compared with the oracle,
+  std::uint64_t wrong = 0;    ///< and those of them that were not right.
+  std::optional<double> peer; ///< Nanoseconds of another tracer a ray.
+
+  double ratio() const { return cost.nanoseconds / expected.nanoseconds; }
+  double rayNanoseconds() const { return cost.nanoseconds / static_cast<double>(situation.count); }
+  double lookupRatio() const { return lookups / std::max(expected.lookups, 1.0); }
+};
+
+/// A finding as a line of JSON.
+tool::Json toJson(const Finding &finding);
+/// Its counts as a line of a file of cases: those that are the same on every machine.
+std::string caseLine(const Finding &finding);
+
+} // namespace voxc::cliffs
