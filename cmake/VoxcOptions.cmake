@@ -30,6 +30,7 @@ add_library(voxc-flags INTERFACE)
 # GCC 12 warns of overlap in "literal" + std::string where there is none (its bug 105651).
 target_compile_options(voxc-flags INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Wno-restrict
                                             -ffp-contract=off)
+include(VoxcRounding)
 if(VOXC_WERROR)
   target_compile_options(voxc-flags INTERFACE -Werror)
 endif()
