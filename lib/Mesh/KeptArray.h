@@ -16,6 +16,7 @@ struct RowKind {
 };
 
 inline constexpr RowKind kFloatRows3{AttributeView::Type::Float32, 3};
+inline constexpr RowKind kDoubleRows3{AttributeView::Type::Float64, 3};
 inline constexpr RowKind kFloatRows2{AttributeView::Type::Float32, 2};
 inline constexpr RowKind kIndexRows{AttributeView::Type::Uint32, 1};
 inline constexpr RowKind kColourRows{AttributeView::Type::Uint8, 4, true};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
 #include <cstring>
 
 namespace voxc {
@@ -13,6 +14,8 @@ namespace {
 constexpr const char *kIndexProperties = "property int x\nproperty int y\nproperty int z\n"
                                          "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 constexpr const char *kFloatProperties = "property float x\nproperty float y\nproperty float z\n";
+
+constexpr const char *kDoubleProperties = "property double x\nproperty double y\nproperty double z\n";
 
 std::string header(const std::string &encoding, const std::string &count, const std::string &properties) {
   return "ply\nformat " + encoding + " 1.0\ncomment one vertex is not another vertex 99\nelement vertex " +
@@ -127,6 +130,56 @@ TEST_F(PlyPoints, BoundsCrop) {
             (Voxels{{mortonCode({1, 1, 1}), 0xffffffff}}));
 }
 
+/// A point of doubles, in text or as bytes.
+std::string pointAt(double coordinate, bool isText) {
+  char line[200];
+  std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", coordinate, coordinate, coordinate);
+  std::string bytes;
+  for (int axis = 0; axis < 3; ++axis)
+    append(bytes, coordinate, false);
+  return isText ? line : bytes;
+}
+
+TEST_F(PlyPoints, PointsOnFacesOfTheirBoxHaveVoxels) {
+  for (const bool isText : {false, true})
+    for (int i = 0; i < 500; ++i) {
+      const double low = 0.1 + i * 1.37 - 300, high = low + 0.01 + i * 0.07;
+      options_.resolution = 2 + i;
+      const Voxels found = voxels(header(isText ? "ascii" : "binary_little_endian", "2", kDoubleProperties) +
+                                  pointAt(low, isText) + pointAt(high, isText));
+      const Voxels expected{{mortonCode({0, 0, 0}), 0xffffffff},
+                            {mortonCode({1 + i, 1 + i, 1 + i}), 0xffffffff}};
+      EXPECT_EQ(found, expected) << isText << " " << low << " " << high;
+    }
+}
+
+TEST_F(PlyPoints, BoundsThatPointsLieOnHoldThem) {
+  options_.resolution = 49;
+  options_.bounds = {{0.1, 0.1, 0.1, 0.8, 0.8, 0.8}};
+  EXPECT_EQ(voxels(header("ascii", "4", kDoubleProperties) + "0.1 0.1 0.1\n0.8 0.8 0.8\n" +
+                   "0.09999999999999999 0.5 0.5\n0.5 0.8000000000000002 0.5\n"),
+            (Voxels{{mortonCode({0, 0, 0}), 0xffffffff}, {mortonCode({48, 48, 48}), 0xffffffff}}));
+}
+
+TEST_F(PlyPoints, CoordinatesOfMapsAreKept) {
+  constexpr int kSide = 40;
+  options_.resolution = kSide;
+  // What is called float in a text has as many digits as what is called double.
+  for (const char *properties : {kDoubleProperties, kFloatProperties}) {
+    std::string text = header("ascii", std::to_string(kSide * kSide), properties);
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        char line[100];
+        std::snprintf(line, sizeof line, "%.2f %.2f 120.25\n", 500123.45 + x * 0.01, 5412345.65 + y * 0.01);
+        text += line;
+      }
+    auto input = open(text);
+    ASSERT_TRUE(input) << input.error().message;
+    EXPECT_EQ(input->source->extent(), (Int3{kSide, kSide, 1}));
+    EXPECT_EQ(voxelsOf(*input->source).size(), std::size_t{kSide * kSide});
+  }
+}
+
 TEST_F(PlyPoints, IndexOutsideTheFormatIsAnError) {
   const std::string text = header("ascii", "1", kIndexProperties);
   EXPECT_NE(problem(text + "512 0 0 1 1 1\n").find("512, 0, 0"), std::string::npos);
@@ -161,7 +214,7 @@ TEST_F(PlyPoints, BrokenFilesAreErrors) {
         std::string("ply\nformat ascii 1.0\nelement vertex -1\nend_header\n"),
         std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty long x\nend_header\n"),
         std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\nend_header\n"),
-        good + "0 zero 0\n", good + "0 0x1 0\n", good + "nan 0 0\n", good + "0 1e39 0\n", good + "0 0 inf\n",
+        good + "0 zero 0\n", good + "0 0x1 0\n", good + "nan 0 0\n", good + "0 1e309 0\n", good + "0 0 inf\n",
         list + "-1 0 0 0\n", list + "999999999 0 0 0\n",
         header("ascii", "1", "property int x\nproperty int y\nproperty int z\n") + "1.5 0 0\n",
         header("ascii", "1", "property float x\nproperty float y\n") + "0 0\n"})

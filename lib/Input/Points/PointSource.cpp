@@ -35,19 +35,18 @@ Int3 cellAt(const Position &position) {
   return {static_cast<int>(position[0]), static_cast<int>(position[1]), static_cast<int>(position[2])};
 }
 
-glm::vec3 narrowed(const Position &position) {
-  return {static_cast<float>(position[0]), static_cast<float>(position[1]), static_cast<float>(position[2])};
-}
+glm::dvec3 vectorOf(const Position &position) { return {position[0], position[1], position[2]}; }
 
-/// The voxel of a position within the frame; one on its far face belongs to the last voxel.
-std::optional<Int3> voxelAt(const glm::dvec3 &position, Int3 extent) {
+/// The voxel of a position if that lies in the closed box. The model's numbers say so, and not those of
+/// voxels, whose rounding could put a point on a face outside: it belongs to the voxel there.
+std::optional<Int3> voxelAt(const glm::dvec3 &position, const Bounds &box, const ModelFrame &frame) {
+  if (!glm::all(glm::greaterThanEqual(position, box.low)) ||
+      !glm::all(glm::lessThanEqual(position, box.high)))
+    return std::nullopt;
+  const glm::dvec3 place = frame.toVoxels(position);
   Int3 voxel;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double coordinate = position[axis];
-    if (!(coordinate >= 0 && coordinate <= extent[axis]))
-      return std::nullopt;
-    voxel[axis] = std::min(static_cast<int>(coordinate), extent[axis] - 1);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    voxel[axis] = std::clamp(static_cast<int>(place[axis]), 0, frame.extent()[axis] - 1);
   return voxel;
 }
 
@@ -85,7 +84,7 @@ public:
     BoundsBuilder bounds;
     std::optional<Error> problem;
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
-      const glm::vec3 position = narrowed(point.position);
+      const glm::dvec3 position = vectorOf(point.position);
       if (glm::any(glm::isnan(position)) || glm::any(glm::isinf(position))) {
         problem = reader_.broken("vertex " + std::to_string(number) + " has a coordinate that is not finite");
         return false;
@@ -97,13 +96,12 @@ public:
       return passed.error();
     if (problem)
       return *problem;
-    const auto frame = ModelFrame::fit({chosen(bounds.bounds().value_or(Bounds{})), options_.resolution,
-                                        modelExtent(options_), options_.zUp});
+    const Bounds box = chosen(bounds.bounds().value_or(Bounds{}));
+    const auto frame = ModelFrame::fit({box, options_.resolution, modelExtent(options_), options_.zUp});
     if (!frame)
       return frame.error();
-    return place(frame->extent(), frame->voxelToModel(), [&](const Position &position) {
-      return voxelAt(frame->toVoxels(narrowed(position)), frame->extent());
-    });
+    return place(frame->extent(), frame->voxelToModel(),
+                 [&](const Position &position) { return voxelAt(vectorOf(position), box, *frame); });
   }
 
 private:

@@ -102,10 +102,8 @@ void ObjGeometry::addFace() {
     return;
   }
   points_.clear();
-  for (const std::uint32_t vertex : vertices_) {
-    const Position &position = vertexPositions_[vertex];
-    points_.push_back({position[0], position[1], position[2]});
-  }
+  for (const std::uint32_t vertex : vertices_)
+    points_.push_back(vertexPositions_[vertex]);
   for (const PolygonCutter::Corners &corners : cutter_.cut(points_))
     addIndices({vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]});
 }
@@ -144,7 +142,7 @@ void ObjGeometry::finish(TriangleScene &scene) {
   ends.reserve(runs_.size());
   for (std::size_t i = 0; i < runs_.size(); ++i)
     ends.push_back(endOf(i));
-  part.positions = keep(std::move(vertexPositions_), kFloatRows3, scene);
+  part.positions = keep(std::move(vertexPositions_), kDoubleRows3, scene);
   if (hasUvs)
     part.uvs = keep(std::move(vertexUvs_), kFloatRows2, scene);
   // Empty where no face came after the first colour.

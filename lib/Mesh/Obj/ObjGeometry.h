@@ -23,7 +23,7 @@ class ObjGeometry {
 public:
   ObjGeometry(const std::shared_ptr<WorkingMemory> &memory, Problem &problem);
 
-  using Position = std::array<float, 3>;
+  using Position = PolygonCutter::Point; ///< Text has more digits than float32 where models lie in maps.
   using Uv = std::array<float, 2>;
 
   void addPosition(const Position &position, std::optional<std::uint32_t> colour);

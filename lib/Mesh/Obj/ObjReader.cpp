@@ -99,9 +99,7 @@ private:
     std::optional<std::uint32_t> colour;
     if (count >= 6)
       colour = packColour(std::span(numbers).subspan(count - 3));
-    geometry_.addPosition(
-        {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])},
-        colour);
+    geometry_.addPosition({numbers[0], numbers[1], numbers[2]}, colour);
   }
 
   void readUv() {

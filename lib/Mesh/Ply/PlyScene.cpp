@@ -16,7 +16,6 @@ namespace voxc {
 namespace {
 
 const PlyElement kNoElement;
-constexpr RowKind kDoubleRows3{AttributeView::Type::Float64, 3};
 constexpr std::uint64_t kRowsBetweenLooks = 1024;
 
 const PlyElement &elementOf(const PlyHeader &header, std::string_view name) {
@@ -58,6 +57,8 @@ public:
         strips_(elementOf(header, "tristrips")), colour_(vertices_), faceCorners_(findCorners(faces_)),
         stripCorners_(findCorners(strips_)), positions_(input.memory), widePositions_(input.memory),
         colours_(input.memory), indices_(input.memory) {
+    // Text has more digits than float32, whatever the header calls its numbers.
+    isWide_ = header.encoding == PlyEncoding::Ascii;
     position_ = {vertices_.find("x"), vertices_.find("y"), vertices_.find("z")};
     for (const auto &axis : position_)
       isWide_ = isWide_ || (axis && needsDouble(vertices_.properties[*axis].type));

@@ -14,6 +14,8 @@ namespace voxc {
 
 namespace {
 
+using StlCorner = std::array<float, 3>;
+
 constexpr std::size_t kHeaderBytes = 84; ///< 80 that mean nothing, and the number of triangles.
 constexpr std::size_t kCountOffset = 80;
 constexpr std::size_t kTriangleBytes = 50; ///< A normal, three corners, two bytes that mean nothing.
@@ -66,17 +68,20 @@ void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, Proble
 } // namespace
 
 Expected<TriangleScene> readStl(const MeshInput &input) {
-  ScratchArray<StlCorner> corners(input.memory);
   Problem problem;
-  if (isText(input.file->bytes()))
-    readStlText(input, corners, problem);
-  else
-    readBinary(input, corners, problem);
-  if (problem)
-    return problem.error();
   TriangleScene scene;
   MeshPart part;
-  part.positions = keep(std::move(corners), kFloatRows3, scene);
+  if (isText(input.file->bytes())) {
+    ScratchArray<StlTextCorner> corners(input.memory);
+    readStlText(input, corners, problem);
+    part.positions = keep(std::move(corners), kDoubleRows3, scene);
+  } else {
+    ScratchArray<StlCorner> corners(input.memory);
+    readBinary(input, corners, problem);
+    part.positions = keep(std::move(corners), kFloatRows3, scene);
+  }
+  if (problem)
+    return problem.error();
   scene.materials.emplace_back();
   scene.parts.push_back(part);
   scene.instances.push_back({});

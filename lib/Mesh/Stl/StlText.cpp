@@ -1,7 +1,6 @@
 // Words of a text .stl, one after the other: lines mean nothing but where a name ends.
 #include "Mesh/Stl/StlText.h"
 
-#include "Mesh/Polygon.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -14,7 +13,7 @@ namespace {
 
 class TextReader {
 public:
-  TextReader(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem)
+  TextReader(const MeshInput &input, ScratchArray<StlTextCorner> &corners, Problem &problem)
       : input_(input), corners_(corners), problem_(problem), text_(input.file->text()), rest_(text_) {}
 
   void read() {
@@ -55,12 +54,12 @@ private:
   }
 
   void readVertex() {
-    StlCorner corner;
-    for (float &coordinate : corner) {
+    StlTextCorner corner;
+    for (double &coordinate : corner) {
       const auto number = parseNumber(takeWord(rest_));
       if (!number)
         return wrong("a vertex lacks one of its three numbers");
-      coordinate = static_cast<float>(*number);
+      coordinate = *number;
     }
     loop_.push_back(corner);
   }
@@ -77,11 +76,8 @@ private:
   void endLoop() {
     if (loop_.size() < 3)
       wrong("a loop has " + std::to_string(loop_.size()) + " vertices, fewer than three");
-    points_.clear();
-    for (const StlCorner &c : loop_)
-      points_.push_back({c[0], c[1], c[2]});
     if (!problem_)
-      for (const PolygonCutter::Corners &triangle : cutter_.cut(points_))
+      for (const PolygonCutter::Corners &triangle : cutter_.cut(loop_))
         for (const std::uint32_t corner : triangle)
           problem_.check(corners_.push(loop_[corner]));
     loop_.clear();
@@ -97,19 +93,18 @@ private:
   }
 
   const MeshInput &input_;
-  ScratchArray<StlCorner> &corners_;
+  ScratchArray<StlTextCorner> &corners_;
   Problem &problem_;
   std::string_view text_;
   std::string_view rest_;
   bool isInside_ = false;
-  std::vector<StlCorner> loop_;
-  std::vector<PolygonCutter::Point> points_;
+  std::vector<StlTextCorner> loop_;
   PolygonCutter cutter_;
 };
 
 } // namespace
 
-void readStlText(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem) {
+void readStlText(const MeshInput &input, ScratchArray<StlTextCorner> &corners, Problem &problem) {
   TextReader(input, corners, problem).read();
 }
 

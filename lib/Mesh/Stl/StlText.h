@@ -2,16 +2,16 @@
 #pragma once
 
 #include "Mesh/MeshInput.h"
+#include "Mesh/Polygon.h"
 #include "Support/Problem.h"
-
-#include <array>
 
 namespace voxc {
 
-using StlCorner = std::array<float, 3>;
+/// Text has more digits than float32, which the binary form keeps.
+using StlTextCorner = PolygonCutter::Point;
 
 /// Appends the corners of all triangles. Problems: a word that does not belong where it stands, a number that
 /// is none, a facet without end.
-void readStlText(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem);
+void readStlText(const MeshInput &input, ScratchArray<StlTextCorner> &corners, Problem &problem);
 
 } // namespace voxc
