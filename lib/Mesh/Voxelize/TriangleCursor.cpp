@@ -20,6 +20,12 @@ template <typename Index> std::array<std::uint32_t, 3> indicesAt(const std::byte
   return indices;
 }
 
+template <typename Coordinate> glm::dvec3 pointAt(const std::byte *row) {
+  std::array<Coordinate, 3> point;
+  std::memcpy(point.data(), row, sizeof point);
+  return {point[0], point[1], point[2]};
+}
+
 } // namespace
 
 TriangleNumbers::TriangleNumbers(const TriangleScene &scene) {
@@ -47,8 +53,9 @@ void TriangleCursor::enter(std::size_t instance) {
                        (indices.type == Type::Uint32 || indices.type == Type::Uint16);
   indexRows_ = isPlain ? indices.data : nullptr;
   const AttributeView &positions = part_->positions;
-  const bool isFloats = positions.type == Type::Float32 && positions.components >= 3;
-  positionRows_ = isFloats ? positions.data : nullptr;
+  areDoubles_ = positions.type == Type::Float64;
+  const bool isPlainRow = (areDoubles_ || positions.type == Type::Float32) && positions.components >= 3;
+  positionRows_ = isPlainRow ? positions.data : nullptr;
 }
 
 void TriangleCursor::moveTo(std::uint64_t triangle) {
@@ -70,9 +77,8 @@ glm::dvec3 TriangleCursor::corner(std::uint32_t vertex) const {
     const std::array<double, 3> row = readRow<3>(part_->positions, vertex);
     return {row[0], row[1], row[2]};
   }
-  std::array<float, 3> point;
-  std::memcpy(point.data(), positionRows_ + std::uint64_t{vertex} * part_->positions.stride, sizeof point);
-  return {point[0], point[1], point[2]};
+  const std::byte *const row = positionRows_ + std::uint64_t{vertex} * part_->positions.stride;
+  return areDoubles_ ? pointAt<double>(row) : pointAt<float>(row);
 }
 
 std::array<glm::dvec3, 3> TriangleCursor::corners() const {

@@ -52,7 +52,8 @@ private:
   const MeshPart *part_ = nullptr;
   bool isMoved_ = false;                    ///< The instance is at another place than its part.
   const std::byte *indexRows_ = nullptr;    ///< Of uint32 or uint16 for plain triangles, else null.
-  const std::byte *positionRows_ = nullptr; ///< Of three floats, else null.
+  const std::byte *positionRows_ = nullptr; ///< Of three floats or doubles, else null.
+  bool areDoubles_ = false;
   std::array<std::uint32_t, 3> vertices_{};
 };
 
