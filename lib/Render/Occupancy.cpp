@@ -20,25 +20,7 @@ std::uint64_t Occupancy::readBrick(Int3 at) const {
   const ShapeCube first = reader_.at(low);
   if (first.log2Side >= kLog2Brick)
     return first.isFull ? ~std::uint64_t{0} : 0;
-  // By cubes of 2^3, as many of them are uniform.
-  constexpr std::uint64_t kCube = 0x0000000000330033;
-  std::uint64_t bits = 0;
-  for (int cube = 0; cube < 8; ++cube) {
-    const Int3 corner = {cube << 1 & 2, cube & 2, cube >> 1 & 2};
-    const int place = corner.x + kBrick * (corner.y + kBrick * corner.z);
-    const ShapeCube found = reader_.at(low + corner);
-    if (found.log2Side >= 1) {
-      bits |= found.isFull ? kCube << place : 0;
-      continue;
-    }
-    bits |= std::uint64_t{found.isFull} << place;
-    for (int cell = 1; cell < 8; ++cell) {
-      const Int3 offset = {cell & 1, cell >> 1 & 1, cell >> 2};
-      const int bit = place + offset.x + kBrick * (offset.y + kBrick * offset.z);
-      bits |= std::uint64_t{reader_.at(low + corner + offset).isFull} << bit;
-    }
-  }
-  return bits;
+  return reader_.brick(low);
 }
 
 std::uint64_t Occupancy::brick(Int3 at) {

@@ -2,8 +2,8 @@
 #include "voxc/Source/Sources.h"
 
 #include "Source/CubeTools.h"
+#include "Volume/Decode.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace voxc {
@@ -26,14 +26,7 @@ public:
   }
 
   Expected<void> read(const Cube &cube, std::uint32_t *words) override {
-    const std::uint64_t count = cellCount(cube.log2Side);
-    for (std::uint64_t index = 0; index < count;) {
-      const Lookup found = volume_->lookup(cube.low + mortonCell(index));
-      // Morton order enters an aligned cube at its low corner, and leaves it when it is done.
-      const std::uint64_t same = cellCount(std::min(found.log2Side, cube.log2Side));
-      std::fill_n(words + index, std::min(same, count - index), found.value);
-      index += same;
-    }
+    readCube(*volume_, cube, words);
     return {};
   }
 

@@ -23,6 +23,18 @@ ShapeCube ShapeReader::at(Int3 voxel) const {
   return {found.value != 0, found.log2Side};
 }
 
+std::uint64_t ShapeReader::brick(Int3 low) const {
+  std::uint64_t bits = 0;
+  visitCube(words_, *layout_, {low, 2},
+            [&](std::uint64_t first, std::uint64_t count, std::uint32_t, std::uint64_t) {
+              for (std::uint64_t place = first; place < first + count; ++place) {
+                const Int3 cell = mortonCell(place);
+                bits |= std::uint64_t{1} << (cell.x + 4 * cell.y + 16 * cell.z);
+              }
+            });
+  return bits;
+}
+
 std::optional<Error> ShapeReader::problem() const { return pages_ ? pages_->problem() : std::nullopt; }
 
 std::uint64_t ShapeReader::pagesRead() const { return pages_ ? pages_->pagesRead() : 0; }

@@ -4,6 +4,7 @@
 #include "voxc/Layout/SlotKind.h"
 #include "voxc/Layout/Stratum.h"
 #include "voxc/Layout/WordReader.h"
+#include "voxc/Support/FunctionRef.h"
 
 #include <cstdint>
 #include <span>
@@ -23,6 +24,16 @@ Ranks ranksInLeaf(const Stratum &stratum, const Child &leaf, int log2Child, Int3
 /// The value of `cell` in the sub-volume at `offset`, and the empty or uniform cube around it. The words must
 /// have been checked.
 Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t offset, Int3 cell);
+
+/// Receives cells within a window that have one value that is not 0, and how many voxels of the sub-volume
+/// come before the first of them. In ranked strata each cell has `each` voxels.
+using WindowVisit =
+    FunctionRef<void(const Cube &cube, std::uint32_t value, std::uint64_t rank, std::uint64_t each)>;
+
+/// Visits the non-empty cells of the sub-volume at `offset` that lie in the aligned cube `window`, in cells:
+/// what `lookUp` tells of each, in one walk. The words must have been checked.
+void visitWindow(const WordReader &words, const Stratum &stratum, std::uint64_t offset, const Cube &window,
+                 WindowVisit visit);
 
 /// Visits the sub-volume at `offset` and its non-empty cells in Morton order, checking every word on the way.
 void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t offset,

@@ -32,6 +32,8 @@ public:
 
   /// The largest cube around a voxel of which one look tells. What lies outside of the format is empty.
   ShapeCube at(Int3 voxel) const;
+  /// The voxels of the aligned cube of 4^3 from `low` on: bit x + 4 y + 16 z says that one is there.
+  std::uint64_t brick(Int3 low) const;
   /// Of the input, in voxels.
   Int3 extent() const { return extent_; }
 

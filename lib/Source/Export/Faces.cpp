@@ -1,4 +1,5 @@
-// Faces block by block: the words of a block and of the layers around it, then greedy merging in each plane.
+// Faces block by block: which cells it and the layers around it have, as bits, then greedy merging in
+// each plane.
 #include "Source/Export/Faces.h"
 
 #include "Source/CubeTools.h"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <vector>
 
 namespace voxc {
@@ -17,16 +19,22 @@ constexpr int kBlock = 1 << kLog2Block;
 constexpr int kLog2Brick = 3;
 constexpr int kBrick = 1 << kLog2Brick;
 
-/// The words of a block with one cell more on each side.
-class BlockWords {
+/// A bit for each cell of a layer of a block.
+using Plane = std::array<std::uint64_t, kBlock>;
+static_assert(kBlock == 64);
+
+/// A block of voxels and which cells it and the layers around it have. Cells are bits, in rows along each
+/// axis: a plane of faces is then 64 operations, and words are looked at only where a face is.
+class FaceBlock {
 public:
-  explicit BlockWords(const Volume &volume)
+  explicit FaceBlock(const Volume &volume)
       : source_(makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume))),
-        words_(std::size_t{kSide} * kSide * kSide) {}
+        words_(std::size_t{kBlock} * kBlock * kBlock) {}
 
   /// False if the block itself holds nothing. Errors: the source's.
   Expected<bool> read(Int3 low) {
-    std::ranges::fill(words_, 0u);
+    for (Layers &layers : rows_)
+      layers = {};
     hasVoxel_ = false;
     Int3 brick;
     for (brick.z = -1; brick.z <= kBlock / kBrick; ++brick.z)
@@ -38,13 +46,20 @@ public:
     return hasVoxel_;
   }
 
-  std::uint32_t at(Int3 cell) const { return words_[index(cell)]; }
+  /// The voxels of a layer across `axis`, from -1 to 64: a row for each cell along the axis after the next,
+  /// of which bit u is the cell u along the next.
+  const Plane &voxels(int axis, int layer) const {
+    return rows_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(layer + 1)];
+  }
+
+  /// Of a voxel of the block itself.
+  std::uint32_t word(Int3 cell) const { return words_[index(cell)]; }
 
 private:
-  static constexpr int kSide = kBlock + 2;
+  using Layers = std::array<Plane, std::size_t{kBlock} + 2>;
 
   static std::size_t index(Int3 cell) {
-    return static_cast<std::size_t>(cell.x + 1 + kSide * (cell.y + 1 + kSide * (cell.z + 1)));
+    return static_cast<std::size_t>(cell.x + kBlock * (cell.y + kBlock * cell.z));
   }
 
   /// Bricks that touch the block at an edge or a corner alone hold no neighbour of a voxel.
@@ -64,29 +79,68 @@ private:
       return done;
     const Int3 extent = source_->extent();
     forEachCell({first, kLog2Brick}, [&](std::uint64_t at, Int3 cell) {
-      const bool isNear =
-          std::min({cell.x, cell.y, cell.z}) >= -1 && std::max({cell.x, cell.y, cell.z}) <= kBlock;
-      if (brick[at] == 0 || !isNear || !contains(extent, low + cell))
-        return;
-      words_[index(cell)] = brick[at];
-      hasVoxel_ |= contains({kBlock, kBlock, kBlock}, cell);
+      if (brick[at] != 0 && contains(extent, low + cell))
+        add(cell, brick[at]);
     });
     return {};
   }
 
+  void add(Int3 cell, std::uint32_t word) {
+    int outside = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      outside += cell[axis] < 0 || cell[axis] >= kBlock;
+    if (outside == 0) {
+      words_[index(cell)] = word;
+      hasVoxel_ = true;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool isAcross = cell[axis] < 0 || cell[axis] >= kBlock;
+      // Beside the block, a cell is a neighbour along the one axis that it lies outside on.
+      if (outside > (isAcross ? 1 : 0) || cell[axis] < -1 || cell[axis] > kBlock)
+        continue;
+      rows_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(cell[axis] + 1)]
+           [static_cast<std::size_t>(cell[(axis + 2) % 3])] |= std::uint64_t{1} << cell[(axis + 1) % 3];
+    }
+  }
+
   std::unique_ptr<VoxelSource> source_;
-  std::vector<std::uint32_t> words_;
+  std::vector<std::uint32_t> words_; ///< Those of cells that are no voxels mean nothing.
+  std::array<Layers, 3> rows_{};
   bool hasVoxel_ = false;
 };
 
-/// The faces of one plane of a block, as the words of their voxels; 0: no face.
-using Plane = std::array<std::uint32_t, std::size_t{kBlock} * kBlock>;
+/// The words of the voxels of a layer.
+class PlaneWords {
+public:
+  PlaneWords(const FaceBlock &block, int axis, int layer) : block_(block), axis_(axis), layer_(layer) {}
+
+  std::uint32_t at(int u, int v) const {
+    Int3 cell;
+    cell[axis_] = layer_;
+    cell[(axis_ + 1) % 3] = u;
+    cell[(axis_ + 2) % 3] = v;
+    return block_.word(cell);
+  }
+
+  /// True if `width` voxels from (u, v) on all have a word.
+  bool isRun(int u, int v, int width, std::uint32_t word) const {
+    int same = 0;
+    while (same < width && at(u + same, v) == word)
+      ++same;
+    return same == width;
+  }
+
+private:
+  const FaceBlock &block_;
+  int axis_;
+  int layer_;
+};
 
 class FaceWalk {
 public:
   FaceWalk(const Volume &volume, const std::function<bool(const FaceRectangle &)> &visit,
            const Progress &progress)
-      : volume_(volume), visit_(visit), progress_(progress), words_(volume) {}
+      : volume_(volume), visit_(visit), progress_(progress), block_(volume) {}
 
   Expected<void> run() {
     const Int3 extent = volume_.info().extent;
@@ -112,7 +166,7 @@ private:
   Expected<void> walkBlock(Int3 low) {
     if (progress_.stopped())
       return Error::interrupted();
-    const Expected<bool> hasVoxel = words_.read(low);
+    const Expected<bool> hasVoxel = block_.read(low);
     if (!hasVoxel)
       return hasVoxel.error();
     if (*hasVoxel)
@@ -158,56 +212,54 @@ private:
 
   /// False if the plane has no face.
   bool readPlane(int axis, bool isHigh, int layer) {
-    bool hasFace = false;
-    Int3 cell;
-    cell[axis] = layer;
-    for (int v = 0; v < kBlock; ++v)
-      for (int u = 0; u < kBlock; ++u) {
-        cell[(axis + 1) % 3] = u;
-        cell[(axis + 2) % 3] = v;
-        Int3 beyond = cell;
-        beyond[axis] += isHigh ? 1 : -1;
-        const std::uint32_t word = words_.at(cell) != 0 && words_.at(beyond) == 0 ? words_.at(cell) : 0;
-        plane_[static_cast<std::size_t>(u + kBlock * v)] = word;
-        hasFace |= word != 0;
-      }
-    return hasFace;
+    const Plane &voxels = block_.voxels(axis, layer);
+    const Plane &beyond = block_.voxels(axis, layer + (isHigh ? 1 : -1));
+    std::uint64_t any = 0;
+    for (std::size_t v = 0; v < plane_.size(); ++v) {
+      plane_[v] = voxels[v] & ~beyond[v];
+      any |= plane_[v];
+    }
+    return any != 0;
   }
 
   /// Takes the widest run from each first face, and then as many equal runs as follow.
-  void mergePlane(const FaceRectangle &block, int layer) {
+  void mergePlane(const FaceRectangle &first, int layer) {
+    const PlaneWords words(block_, first.axis, layer);
     for (int v = 0; v < kBlock; ++v)
-      for (int u = 0; u < kBlock && goes_; ++u) {
-        const std::uint32_t word = face(u, v);
-        if (word == 0)
-          continue;
-        FaceRectangle found = block;
-        found.word = word;
-        while (u + found.width < kBlock && face(u + found.width, v) == word)
-          ++found.width;
-        while (v + found.height < kBlock && isRun(u, v + found.height, found.width, word))
+      while (row(v) != 0 && goes_) {
+        const int u = std::countr_zero(row(v));
+        FaceRectangle found = first;
+        found.word = words.at(u, v);
+        found.width = widthOf(words, u, v, found.word);
+        const std::uint64_t run = (~std::uint64_t{0} >> (kBlock - found.width)) << u;
+        while (v + found.height < kBlock && (row(v + found.height) & run) == run &&
+               words.isRun(u, v + found.height, found.width, found.word))
           ++found.height;
-        for (int row = 0; row < found.height; ++row)
-          std::fill_n(&face(u, v + row), found.width, 0u);
-        found.low[block.axis] += layer;
-        found.low[(block.axis + 1) % 3] += u;
-        found.low[(block.axis + 2) % 3] += v;
+        for (int i = 0; i < found.height; ++i)
+          row(v + i) &= ~run;
+        found.low[first.axis] += layer;
+        found.low[(first.axis + 1) % 3] += u;
+        found.low[(first.axis + 2) % 3] += v;
         goes_ = visit_(found);
       }
   }
 
-  std::uint32_t &face(int u, int v) { return plane_[static_cast<std::size_t>(u + kBlock * v)]; }
-
-  bool isRun(int u, int v, int width, std::uint32_t word) {
-    const std::uint32_t *first = &face(u, v);
-    return std::all_of(first, first + width, [&](std::uint32_t other) { return other == word; });
+  /// How many faces of one word stand in a row from (u, v) on.
+  int widthOf(const PlaneWords &words, int u, int v, std::uint32_t word) {
+    const int most = std::countr_one(row(v) >> u);
+    int width = 1;
+    while (width < most && words.at(u + width, v) == word)
+      ++width;
+    return width;
   }
+
+  std::uint64_t &row(int v) { return plane_[static_cast<std::size_t>(v)]; }
 
   const Volume &volume_;
   const std::function<bool(const FaceRectangle &)> &visit_;
   const Progress &progress_;
-  BlockWords words_;
-  Plane plane_{};
+  FaceBlock block_;
+  Plane plane_{};    ///< Faces that no rectangle has yet.
   bool goes_ = true; ///< Until `visit` ends it.
 };
 

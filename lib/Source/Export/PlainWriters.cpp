@@ -2,6 +2,8 @@
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,13 +31,23 @@ std::uint64_t cellsWithin(const Cube &cube, Int3 extent) {
 
 Expected<void> writeGrid(const Volume &volume, OutputFile &file, const ExportOptions &options, Exported &) {
   const Int3 extent = volume.info().extent;
-  std::vector<std::uint32_t> row(static_cast<std::size_t>(extent.x));
-  for (Int3 cell; cell.z < extent.z; ++cell.z)
-    for (cell.y = 0; cell.y < extent.y; ++cell.y) {
+  // Layers are read eight at a time, or as many as take 64 MiB.
+  constexpr std::int64_t kCellsAtOnce = std::int64_t{1} << 24;
+  const std::int64_t layer = std::max<std::int64_t>(std::int64_t{extent.x} * extent.y, 1);
+  const auto layers = static_cast<std::int32_t>(std::clamp<std::int64_t>(kCellsAtOnce / layer, 1, 8));
+  const auto rows = static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(kCellsAtOnce / std::max(extent.x, 1), 1, std::max(extent.y, 1)));
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(layers * std::int64_t{extent.x} * rows));
+  for (Int3 low; low.z < extent.z; low.z += layers)
+    for (low.y = 0; low.y < extent.y; low.y += rows) {
       if (options.save.progress.stopped())
         return Error::interrupted();
-      readRow(volume, cell, row);
-      if (auto written = file.write(row.data(), row.size() * sizeof row[0]); !written)
+      const Int3 high{extent.x, std::min(low.y + rows, extent.y), std::min(low.z + layers, extent.z)};
+      const Int3 size = high - low;
+      const auto box =
+          std::span(words).first(static_cast<std::size_t>(std::int64_t{size.x} * size.y * size.z));
+      readBox(volume, low, high, box);
+      if (auto written = file.write(box.data(), box.size_bytes()); !written)
         return written;
     }
   return {};

@@ -3,6 +3,7 @@
 #include "Source/Export/SliceAxes.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
+#include "Support/ParallelFor.h"
 
 #include <png.h>
 
@@ -11,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace voxc {
@@ -50,14 +52,17 @@ public:
   std::int32_t count() const { return extent_[axes_.through.axis]; }
   std::int64_t cells() const { return std::int64_t{width()} * height(); }
   std::int32_t atOnce() const {
-    return std::int32_t(
-        std::clamp<std::int64_t>(kCellsAtOnce / std::max<std::int64_t>(cells(), 1), 1, count()));
+    const auto room = std::clamp<std::int64_t>(kCellsAtOnce / std::max<std::int64_t>(cells(), 1), 1, count());
+    return std::int32_t(room < kCubeAtOnce ? room : room & -kCubeAtOnce);
   }
 
   /// Reads so many slices from `first` on into `words`, one behind another.
   void read(std::int32_t first, std::int32_t count, std::span<std::uint32_t> words) const;
 
 private:
+  void place(Int3 from, Int3 to, std::span<const std::uint32_t> box, std::int32_t first,
+             std::span<std::uint32_t> words) const;
+
   /// Where along what an axis goes along a cell lies.
   std::int32_t placeOf(const SliceAxis &axis, Int3 cell) const {
     return axis.isBackward ? extent_[axis.axis] - 1 - cell[axis.axis] : cell[axis.axis];
@@ -73,18 +78,30 @@ void Slices::read(std::int32_t first, std::int32_t count, std::span<std::uint32_
   const int through = axes_.through.axis;
   low[through] = axes_.through.isBackward ? extent_[through] - first - count : first;
   high[through] = low[through] + count;
-  std::vector<std::uint32_t> row(static_cast<std::size_t>(high.x - low.x));
-  for (std::int32_t z = low.z; z < high.z; ++z)
-    for (std::int32_t y = low.y; y < high.y; ++y) {
-      readRow(volume_, {low.x, y, z}, row);
-      for (std::int32_t x = low.x; x < high.x; ++x) {
+  std::vector<std::uint32_t> rows;
+  for (Int3 from = low; from.z < high.z; from.z = (from.z & -kCubeAtOnce) + kCubeAtOnce)
+    for (from.y = low.y; from.y < high.y; from.y = (from.y & -kCubeAtOnce) + kCubeAtOnce) {
+      const Int3 to{high.x, std::min((from.y & -kCubeAtOnce) + kCubeAtOnce, high.y),
+                    std::min((from.z & -kCubeAtOnce) + kCubeAtOnce, high.z)};
+      const Int3 size = to - from;
+      rows.resize(static_cast<std::size_t>(std::int64_t{size.x} * size.y * size.z));
+      readBox(volume_, from, to, rows);
+      place(from, to, rows, first, words);
+    }
+}
+
+/// Puts the cells of a box where those of the slices from `first` on lie.
+void Slices::place(Int3 from, Int3 to, std::span<const std::uint32_t> box, std::int32_t first,
+                   std::span<std::uint32_t> words) const {
+  const std::uint32_t *word = box.data();
+  for (std::int32_t z = from.z; z < to.z; ++z)
+    for (std::int32_t y = from.y; y < to.y; ++y)
+      for (std::int32_t x = from.x; x < to.x; ++x) {
         const Int3 cell{x, y, z};
         const std::int64_t at = placeOf(axes_.through, cell) - first;
-        const std::int64_t place = (at * height() + placeOf(axes_.down, cell)) * width();
-        words[static_cast<std::size_t>(place + placeOf(axes_.right, cell))] =
-            row[static_cast<std::size_t>(x - low.x)];
+        const std::int64_t row = (at * height() + placeOf(axes_.down, cell)) * width();
+        words[static_cast<std::size_t>(row + placeOf(axes_.right, cell))] = *word++;
       }
-    }
 }
 
 } // namespace
@@ -106,19 +123,26 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     files.emplace(*pattern);
   const auto cells = static_cast<std::size_t>(slices.cells());
   std::vector<std::uint32_t> words(cells * static_cast<std::size_t>(slices.atOnce()));
-  for (std::int32_t number = 0; number < slices.count(); ++number) {
-    if (options.save.progress.stopped())
-      return Error::interrupted();
-    options.save.progress.at("write", static_cast<double>(number) / slices.count());
-    const std::int32_t place = number % slices.atOnce();
-    if (place == 0)
-      slices.read(number, std::min(slices.atOnce(), slices.count() - number), words);
-    const auto slice = encode(std::span(words).subspan(static_cast<std::size_t>(place) * cells, cells),
-                              slices.width(), slices.height());
-    if (!slice)
-      return slice.error();
-    if (auto written = files ? files->add(*slice) : writeFile(path, *slice); !written)
-      return written;
+  std::vector<std::string> pictures(static_cast<std::size_t>(slices.atOnce()));
+  for (std::int32_t first = 0; first < slices.count(); first += slices.atOnce()) {
+    const auto count = static_cast<std::size_t>(std::min(slices.atOnce(), slices.count() - first));
+    slices.read(first, static_cast<std::int32_t>(count), words);
+    auto encoded = parallelTry(count, options.save.threads, [&](std::uint64_t i) -> Expected<void> {
+      if (options.save.progress.stopped())
+        return Error::interrupted();
+      auto slice = encode(std::span(words).subspan(i * cells, cells), slices.width(), slices.height());
+      if (!slice)
+        return slice.error();
+      pictures[i] = std::move(*slice);
+      return {};
+    });
+    if (!encoded)
+      return encoded;
+    for (std::size_t i = 0; i < count; ++i) {
+      options.save.progress.at("write", static_cast<double>(first + std::int32_t(i)) / slices.count());
+      if (auto written = files ? files->add(pictures[i]) : writeFile(path, pictures[i]); !written)
+        return written;
+    }
   }
   exported.files = static_cast<std::uint64_t>(slices.count());
   return files ? files->finish() : Expected<void>();

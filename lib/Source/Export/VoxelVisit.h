@@ -1,13 +1,16 @@
-// Visiting the voxels of a volume, and their rows.
+// Visiting the voxels of a volume, and reading boxes of them.
 #pragma once
 
 #include "Source/CubeTools.h"
 #include "voxc/Volume/Volume.h"
 
-#include <algorithm>
 #include <span>
 
 namespace voxc {
+
+/// The side of the cubes that are read from a volume as a whole.
+inline constexpr int kLog2CubeAtOnce = 3;
+inline constexpr std::int32_t kCubeAtOnce = 1 << kLog2CubeAtOnce;
 
 /// Calls `visit(voxel, word)`, which returns false to end, for every voxel of the volume in Morton order; a
 /// file that lies about its extent may have some outside, which are left out. Errors: as `decode`.
@@ -31,18 +34,8 @@ Expected<void> forEachVoxel(const Volume &volume, const Progress &progress, Visi
   return decoded;
 }
 
-/// Writes the words of a row along x from `cell` on: a lookup for each run of equal ones that the volume
-/// stores.
-inline void readRow(const Volume &volume, Int3 cell, std::span<std::uint32_t> row) {
-  const std::int32_t first = cell.x;
-  const std::int64_t width = first + static_cast<std::int64_t>(row.size());
-  while (cell.x < width) {
-    const Lookup found = volume.lookup(cell);
-    const std::int64_t side = std::int64_t{1} << found.log2Side;
-    const std::int64_t end = std::min<std::int64_t>((cell.x & -side) + side, width);
-    for (; cell.x < end; ++cell.x)
-      row[static_cast<std::size_t>(cell.x - first)] = found.value;
-  }
-}
+/// Writes the words of the cells in [low, high), x fastest, then y, then z. Fastest where it begins and ends
+/// at multiples of eight cells: each cube of 8^3 is read as a whole.
+void readBox(const Volume &volume, Int3 low, Int3 high, std::span<std::uint32_t> words);
 
 } // namespace voxc
