@@ -57,13 +57,14 @@ private:
   CpuKernel kernel_;
   std::span<const std::uint32_t> words_;
   unsigned threads_;
+  FittingRays fitting_;
 };
 
 Expected<TraceReport> CpuTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
-  const Expected<FittingRays> fitting = FittingRays::of(given, kernel_.bounded);
+  const Expected<RaySpan> fitting = fitting_.fit(given, kernel_.bounded);
   if (!fitting)
     return fitting.error();
-  const RaySpan rays = fitting->rays();
+  const RaySpan rays = *fitting;
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");

@@ -8,19 +8,16 @@
 
 namespace voxc {
 
+/// Keeps the memory of copies from one call to the next, as tracers keep all that follows the number of rays:
+/// pages that the system gives anew cost more than the copies in them.
 class FittingRays {
 public:
   /// The given rays, where they are what the kernel takes; of rays without bounds, where it takes bounds,
-  /// copies with [0, +inf]. Error (`Usage`): they have bounds, and the kernel has none.
-  static Expected<FittingRays> of(RaySpan given, bool kernelIsBounded);
-
-  RaySpan rays() const { return copies_.empty() ? given_ : RaySpan(copies_); }
+  /// copies with [0, +inf], until the next call. Error (`Usage`): they have bounds, and the kernel has none.
+  Expected<RaySpan> fit(RaySpan given, bool kernelIsBounded);
 
 private:
-  explicit FittingRays(RaySpan given) : given_(given) {}
-
-  RaySpan given_;
-  std::vector<BoundedRay> copies_;
+  std::vector<BoundedRay> copies_; ///< They only grow.
 };
 
 } // namespace voxc

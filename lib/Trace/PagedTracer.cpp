@@ -57,6 +57,7 @@ private:
   PageCache cache_;
   std::unique_ptr<CoarseStandIn> standIn_; ///< Or null.
   bool bounded_;
+  FittingRays fitting_;
 };
 
 PagingReport Driver::paging() const {
@@ -70,10 +71,10 @@ PagingReport Driver::paging() const {
 }
 
 Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
-  const Expected<FittingRays> fitting = FittingRays::of(given, bounded_);
+  const Expected<RaySpan> fitting = fitting_.fit(given, bounded_);
   if (!fitting)
     return fitting.error();
-  const RaySpan rays = fitting->rays();
+  const RaySpan rays = *fitting;
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");

@@ -4,7 +4,6 @@
 #include "Capabilities.h"
 #include "Clock.h"
 #include "Endless.h"
-#include "FittingRays.h"
 #include "KernelFit.h"
 #include "OrderedTracer.h"
 #include "RayOrigins.h"
@@ -85,10 +84,10 @@ Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, co
 }
 
 Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
-  const Expected<FittingRays> fitting = FittingRays::of(given, bounded_);
+  const Expected<RaySpan> fitting = fitting_.fit(given, bounded_);
   if (!fitting)
     return fitting.error();
-  const RaySpan rays = fitting->rays();
+  const RaySpan rays = *fitting;
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");

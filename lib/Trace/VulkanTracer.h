@@ -1,6 +1,7 @@
 // A tracer on a Vulkan device.
 #pragma once
 
+#include "FittingRays.h"
 #include "RayBuffers.h"
 #include "TileQueue.h"
 #include "Transfer.h"
@@ -42,6 +43,7 @@ private:
   TileQueue tiles_;
   bool bounded_; ///< Rays have bounds.
   Int3 extent_;  ///< Of the volume.
+  FittingRays fitting_;
 };
 
 } // namespace voxc
