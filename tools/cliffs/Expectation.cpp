@@ -68,7 +68,13 @@ public:
                                                                         : "")),
         stage_(stage), plan_(plan) {}
 
-  RayCost cost(const std::vector<Ray> &rays) const { return replay(stage_.shape, filledUp(rays), plan_); }
+  RayCost cost(const std::vector<Ray> &rays) const {
+    if (!stage_.shape.isEmpty())
+      return replay(stage_.shape, filledUp(rays), plan_);
+    RayCost none; // Of a volume without voxels a kernel looks at no word but the first.
+    none.levels = static_cast<double>(plan_.layout.strata.size());
+    return none;
+  }
 
   /// Nanoseconds of a ray that goes only this share of its way.
   double nanoseconds(const RayCost &cost, double share) const {

@@ -147,23 +147,18 @@ Expected<std::optional<Finding>> Finder::findOn(std::size_t machine, const Situa
   return std::optional(std::move(finding));
 }
 
-/// Look-ups, and how many of them were made again.
+/// Look-ups, and what was left to exact arithmetic.
 Expected<void> Finder::count(KernelShelf &shelf, const Situation &situation, const StagedRays &some,
                              Subject &subject, Finding &finding) const {
-  auto lookups = subject.lookupsOf(some.span());
+  const auto lookups = subject.lookupsOf(some.span());
   if (!lookups)
     return lookups.error();
   finding.lookups = *lookups;
-  if (!options_.countsAlone && finding.ratio() < kSuspect)
-    return {};
-  Situation comparison = situation;
-  comparison.isFast = true;
-  auto fast = Subject::of(shelf, *stage_, comparison, some);
-  if (!fast || !*fast)
-    return {}; // Not every kernel has a fast form.
-  auto without = (*fast)->lookupsOf(some.span());
-  if (without)
-    finding.settled = *lookups - *without;
+  const Format format = askedFormat(stage_->place, situation);
+  const auto settled = shelf.settledOf(stage_->volume, format, some.span());
+  if (!settled)
+    return settled.error();
+  finding.settled = *settled;
   return {};
 }
 

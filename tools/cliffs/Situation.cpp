@@ -178,8 +178,6 @@ Format askedFormat(const Place &place, const Situation &situation) {
     format.setAttribute(kQueryAttribute, kEnumNames<Query>[static_cast<std::size_t>(situation.query)]);
   if (situation.interval != Interval::None)
     format.setAttribute(kBoundsAttribute, "yes");
-  if (situation.isFast)
-    format.setAttribute(kPrecisionAttribute, "fast");
   return format;
 }
 

@@ -41,7 +41,6 @@ struct Situation {
   Interval interval = Interval::None;
   unsigned threads = 1;
   unsigned instances = 0; ///< Of the volume in one world; 0: the rays are those of its voxels.
-  bool isFast = false;    ///< Float32 alone decides; never drawn, but for comparing.
   bool isPaged = false;   ///< The volume comes in pages, for all of which there is room.
   std::uint64_t seed = 0; ///< Of its rays.
 };

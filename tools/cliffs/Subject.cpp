@@ -82,6 +82,19 @@ Expected<Kernel> KernelShelf::vulkanKernel(const Format &format, Addressing addr
   return kernel;
 }
 
+Expected<double> KernelShelf::settledOf(const Volume &volume, const Format &format, const RaySpan &rays) {
+  const auto kernel = cpuKernel(format, Addressing::Buffer);
+  if (!kernel)
+    return kernel.error();
+  std::vector<Hit> hits(rays.size());
+  kernel->function(volume.words().data(), rays.origin(0), reinterpret_cast<std::uint32_t *>(hits.data()),
+                   rays.size(), 2, 0);
+  double sum = 0;
+  for (const Hit &hit : hits)
+    sum += hit.steps >> 16;
+  return sum / static_cast<double>(std::max<std::size_t>(hits.size(), 1));
+}
+
 Expected<std::unique_ptr<Tracer>> KernelShelf::tracer(const Volume &volume, const Format &format,
                                                       unsigned threads) {
   if (machine_.isCpu()) {
