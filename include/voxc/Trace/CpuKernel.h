@@ -19,8 +19,8 @@ namespace voxc {
 struct CpuKernel {
   /// Traces `count` rays, six floats each (`Ray`; eight of a `BoundedRay`, if the kernel is `bounded`),
   /// through a volume's words into as many hits, six words each
-  /// (`Hit`); counts lookups if `countLookups` is not 0, and if it is 2 65536 more for what it leaves to exact
-  /// arithmetic, each time; `spread` is that of `TraceOptions`. Trusts its arguments.
+  /// (`Hit`); counts lookups if `countLookups` is not 0, and if it is 2 what is left to exact arithmetic,
+  /// as 65536 lookups each time; `spread` is that of `TraceOptions`. Trusts its arguments.
   using Function = void (*)(const std::uint32_t *words, const float *rays, std::uint32_t *hits,
                             unsigned long long count, int countLookups, float spread);
 
