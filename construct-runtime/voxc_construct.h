@@ -6,6 +6,16 @@ namespace voxc::construct {
 using uint32_t = __UINT32_TYPE__;
 using uint64_t = __UINT64_TYPE__;
 
+/// The lowest `count` bits, 1 to 64.
+constexpr uint64_t ones(unsigned count) { return ~uint64_t{0} >> (64 - count); }
+
+/// Takes the lowest bit out of `bits`, which are not 0; returns its number.
+inline unsigned take_bit(uint64_t &bits) {
+  const auto bit = static_cast<unsigned>(__builtin_ctzll(bits));
+  bits &= bits - 1;
+  return bit;
+}
+
 /// Voxel coordinates.
 struct Voxel {
   int x = 0;
@@ -48,22 +58,48 @@ struct Part {
   uint64_t values; ///< How many values were put apart.
 };
 
+/// An aligned cube of 8 voxels a side, in Morton order.
+struct Brick {
+  uint32_t voxels[512];
+  /// Bit i % 64 of word i / 64 tells that voxel i is not empty.
+  uint64_t filled[8];
+
+  /// True if a voxel of the aligned 2^log2_count from `first` on is not empty.
+  bool holds_any(unsigned first, int log2_count) const {
+    if (log2_count <= 6)
+      return filled_from(first, 1u << log2_count) != 0;
+    uint64_t any = 0;
+    for (const uint64_t word : filled)
+      any |= word;
+    return any != 0;
+  }
+  /// A bit for each of `count` voxels from `first` on that is not empty; 64 at most, all in one word.
+  uint64_t filled_from(unsigned first, unsigned count) const {
+    return filled[first / 64] >> first % 64 & ones(count);
+  }
+};
+
 /// What the program that builds a volume offers to the code that arranges it.
 struct Host {
   void *self;
   /// True only if the aligned cube of 2^log2_side voxels a side holds no voxel. Always true once building has
   /// failed.
   bool (*is_empty)(void *self, Voxel low, int log2_side);
-  /// Writes the 512 voxels of the aligned cube of 8 voxels a side, in Morton order.
-  void (*read_brick)(void *self, Voxel low, uint32_t *voxels);
+  /// Reads the aligned cube of 8 voxels a side.
+  void (*read_brick)(void *self, Voxel low, Brick *brick);
   /// Appends a node, or the records of siblings, to the volume; returns the offset of the first word.
   uint32_t (*append)(void *self, unsigned level, const uint32_t *words, uint64_t count);
   /// The same, but nodes that this level has been given before are not written again.
   uint32_t (*intern)(void *self, unsigned level, const uint32_t *words, uint64_t count);
   /// The same for the word of a leaf.
   uint32_t (*intern_leaf)(void *self, unsigned level, uint32_t value);
+  /// Where the word of a leaf is that this level was given before; 0 if it was not.
+  uint32_t (*find_leaf)(void *self, unsigned level, uint32_t value);
   /// Takes the value of the next voxel, of those that stand apart.
   void (*put_value)(void *self, uint32_t value);
+  /// Tells that these words will soon be interned; and that no more are told of, for now. Both only make that faster.
+  void (*announce)(void *self, unsigned level, const uint32_t *words, uint64_t count);
+  void (*end_announcing)(void *self, unsigned level);
   /// Forgets which nodes and leaves a level has been given.
   void (*forget)(void *self, unsigned level);
   /// Zeroed memory for the one grid of a level that is being filled, and its return. Null once building has
@@ -103,13 +139,6 @@ constexpr Voxel brick_voxel(unsigned index) {
   return {gather(index), gather(index >> 1), gather(index >> 2)};
 }
 
-inline bool holds_any(const uint32_t *voxels, int count) {
-  uint32_t any = 0;
-  for (int i = 0; i < count; ++i)
-    any |= voxels[i];
-  return any != 0;
-}
-
 /// One run over the voxels of a source, in Morton order.
 class Build {
 public:
@@ -118,18 +147,18 @@ public:
   /// True if the aligned cube of 2^log2_side voxels a side holds no voxel; may be false for an empty one.
   bool is_empty(Voxel low, int log2_side) {
     return log2_side >= kLog2Brick || is_part(log2_side) ? host_.is_empty(host_.self, low, log2_side)
-                                                         : !holds_any(voxels(low), 1 << 3 * log2_side);
+                                                         : !brick(low).holds_any(brick_index(low), 3 * log2_side);
   }
 
-  /// The voxels of the brick around `at`, in Morton order, from that voxel on.
-  const uint32_t *voxels(Voxel at) {
+  /// The brick around `at`.
+  const Brick &brick(Voxel at) {
     const Voxel low = {at.x & -8, at.y & -8, at.z & -8};
     if (!loaded_ || low.x != low_.x || low.y != low_.y || low.z != low_.z) {
-      host_.read_brick(host_.self, low, brick_);
+      host_.read_brick(host_.self, low, &brick_);
       low_ = low;
       loaded_ = true;
     }
-    return brick_ + brick_index(at);
+    return brick_;
   }
 
   uint32_t append(unsigned level, const uint32_t *words, uint64_t count) {
@@ -140,13 +169,24 @@ public:
   }
   /// The same for the word of a leaf: those that came last are remembered here.
   uint32_t intern_leaf(unsigned level, uint32_t value) {
-    KnownLeaf &known = leaves_[(value * 0x9e3779b1u) >> 24];
-    if (known.level == level && known.value == value)
+    KnownLeaf &known = leaf_at(value);
+    if (is_known(known, level, value))
       ++host_.shared[level];
     else
-      known = {level, value, host_.intern_leaf(host_.self, level, value)};
+      known = {generation_, level, value, host_.intern_leaf(host_.self, level, value)};
     return known.offset;
   }
+  /// Where the word of a leaf is that this level was given before; 0 if it was not.
+  uint32_t find_leaf(unsigned level, uint32_t value) {
+    KnownLeaf &known = leaf_at(value);
+    if (!is_known(known, level, value))
+      known = {generation_, level, value, host_.find_leaf(host_.self, level, value)};
+    return known.offset;
+  }
+  void announce(unsigned level, const uint32_t *words, uint64_t count) {
+    host_.announce(host_.self, level, words, count);
+  }
+  void end_announcing(unsigned level) { host_.end_announcing(host_.self, level); }
   /// Puts the value of the next voxel apart.
   void put_value(uint32_t value) {
     host_.put_value(host_.self, value);
@@ -164,9 +204,11 @@ public:
 
   void forget(unsigned level) {
     host_.forget(host_.self, level);
+    if (++generation_ != 0)
+      return;
     for (KnownLeaf &known : leaves_)
-      if (known.level == level)
-        known = {};
+      known = {};
+    generation_ = 1;
   }
   uint32_t *allocate(unsigned level, uint64_t count) { return host_.allocate(host_.self, level, count); }
   void release(unsigned level) { host_.release(host_.self, level); }
@@ -188,17 +230,25 @@ public:
 
 private:
   struct KnownLeaf {
-    unsigned level = 0; ///< 0: nothing is known here.
+    uint32_t generation = 0; ///< That of the build, if something is known here.
+    unsigned level = 0;
     uint32_t value = 0;
-    uint32_t offset = 0;
+    uint32_t offset = 0; ///< 0: it was not written when it was looked for.
   };
+  static constexpr unsigned kLog2Leaves = 12;
+
+  KnownLeaf &leaf_at(uint32_t value) { return leaves_[(value * 0x9e3779b1u) >> (32 - kLog2Leaves)]; }
+  bool is_known(const KnownLeaf &known, unsigned level, uint32_t value) const {
+    return known.generation == generation_ && known.level == level && known.value == value && known.offset != 0;
+  }
 
   const Host &host_;
   Voxel low_;
   bool loaded_ = false;
-  uint32_t brick_[512];
+  Brick brick_;
   uint32_t values_ = 0;
-  KnownLeaf leaves_[256];
+  uint32_t generation_ = 1; ///< Another one after anything was forgotten.
+  KnownLeaf leaves_[1u << kLog2Leaves];
 };
 
 /// The shape of a grid: log2 of its cells along each axis, and of the voxels along a cell's side; whether its cells hold
@@ -227,19 +277,24 @@ constexpr Voxel child_low(Voxel low, unsigned i, int log2_side) {
 }
 
 /// What a cell of the last level holds.
-inline uint32_t construct_voxel(Build &build, Voxel at) { return *build.voxels(at); }
+inline uint32_t construct_voxel(Build &build, Voxel at) { return build.brick(at).voxels[brick_index(at)]; }
 
 /// Visits the voxels of a brick that are not empty, as placed cells, as far as they lie in the 2^height a side at `cell`
 /// of a grid of voxels.
 template <GridShape kShape, typename Visit>
 void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &visit) {
-  const uint32_t *voxels = build.voxels(corner);
-  for (unsigned i = 0; i < 1u << 3 * height; ++i) {
-    const Voxel step = brick_voxel(i);
-    const Voxel at = {cell.x + step.x, cell.y + step.y, cell.z + step.z};
-    if (voxels[i] != 0 && !kShape.excludes(at))
-      visit(PlacedCell{at, voxels[i]});
-  }
+  const Brick &brick = build.brick(corner);
+  const unsigned first = brick_index(corner);
+  const unsigned count = 1u << 3 * height;
+  const unsigned piece = count < 64 ? count : 64;
+  for (unsigned begin = 0; begin < count; begin += piece)
+    for (uint64_t filled = brick.filled_from(first + begin, piece); filled != 0;) {
+      const unsigned i = begin + take_bit(filled);
+      const Voxel step = brick_voxel(i);
+      const Voxel at = {cell.x + step.x, cell.y + step.y, cell.z + step.z};
+      if (!kShape.excludes(at))
+        visit(PlacedCell{at, brick.voxels[first + i]});
+    }
 }
 
 /// Visits the cells of a grid that are not empty, as placed cells, in Morton order of its bounding cube: cells outside a grid that is no cube are skipped a whole aligned cube at a time, and so are
@@ -282,14 +337,6 @@ void finish_cells(Build &build, Voxel corner, int log2_side) {
   for_each_cell<kShape, kNext>(build, low, cell, log2_side - kLog2Cell, finish);
 }
 
-/// True if all children are leaves of one value, so that their parent is that leaf.
-template <int kChildren> bool are_equal_leaves(const Node (&children)[kChildren]) {
-  for (const Node &child : children)
-    if (child.kind != Node::Leaf || child.value != children[0].value)
-      return false;
-  return true;
-}
-
 /// Writes a field of `bits` bits, 32 at most, from bit `at` of words that are 0 there.
 inline void put_bits(uint32_t *words, uint64_t at, unsigned bits, uint32_t field) {
   const uint64_t shifted = uint64_t{field} << at % 32;
@@ -301,22 +348,55 @@ inline void put_bits(uint32_t *words, uint64_t at, unsigned bits, uint32_t field
 /// Words of the masks of a node with so many children: both sets share one word, or have words of their own.
 constexpr int mask_words(int children) { return 2 * children <= 32 ? 1 : children / 16; }
 
-/// Sets the masks of a node with these children: a bit for each that is not empty, then one for each that is a leaf.
-/// Returns how many there are.
-template <int kChildren> int set_masks(const Node (&children)[kChildren], uint32_t *masks) {
-  int count = 0;
-  for (int i = 0; i < mask_words(kChildren); ++i)
-    masks[i] = 0;
-  for (int i = 0; i < kChildren; ++i) {
-    const int leaf = kChildren + i;
-    if (children[i].kind != Node::Empty) {
-      masks[i / 32] |= 1u << i % 32;
-      ++count;
-    }
-    if (children[i].kind == Node::Leaf)
-      masks[leaf / 32] |= 1u << leaf % 32;
+/// The children of a node that is about to be written. The arrays hold what is known of those that are not empty.
+template <int kChildren> struct Children {
+  uint64_t filled = 0; ///< Bit i: child i is not empty.
+  uint64_t leaves = 0; ///< Bit i: it is a leaf.
+  uint32_t values[kChildren];
+  uint32_t masks[kChildren][mask_words(kChildren)]; ///< Of inner ones.
+  uint32_t voxels[kChildren];                       ///< Where values stand apart.
+
+  void put(unsigned i, const Node &child) {
+    if (child.kind == Node::Empty)
+      return;
+    filled |= uint64_t{1} << i;
+    leaves |= uint64_t{child.kind == Node::Leaf} << i;
+    values[i] = child.value;
+    for (int word = 0; word < mask_words(kChildren); ++word)
+      masks[i][word] = child.masks[word];
+    voxels[i] = child.voxels;
   }
-  return count;
-}
+
+  /// Children that are voxels from `first` on.
+  void put_voxels(const Brick &brick, unsigned first) {
+    filled = leaves = brick.filled_from(first, kChildren);
+    for (unsigned i = 0; i < kChildren; ++i)
+      values[i] = brick.voxels[first + i];
+  }
+
+  bool is_leaf(unsigned i) const { return (leaves >> i & 1) != 0; }
+  /// True if all are leaves of one value, so that their parent is that leaf.
+  bool are_equal_leaves() const {
+    if (leaves != ones(kChildren))
+      return false;
+    for (const uint32_t value : values)
+      if (value != values[0])
+        return false;
+    return true;
+  }
+
+  /// Their masks as those of an inner node: the bits of the filled, then those of the leaves.
+  Node parent() const {
+    Node node = {Node::Inner};
+    if constexpr (mask_words(kChildren) == 1)
+      node.masks[0] = static_cast<uint32_t>(filled | leaves << kChildren);
+    else
+      for (unsigned i = 0; i < 2; ++i) {
+        node.masks[i] = static_cast<uint32_t>(filled >> 32 * i);
+        node.masks[2 + i] = static_cast<uint32_t>(leaves >> 32 * i);
+      }
+    return node;
+  }
+};
 
 } // namespace voxc::construct

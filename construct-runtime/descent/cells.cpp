@@ -16,8 +16,8 @@ Node construct_level_${N}_node(Build &build, Voxel low, int layers) {
 %end
   if (build.is_part(log2_side))
     return build.take_part(low).node;
-  Node children[LEVEL_${N}_CHILDREN];
+  Children<LEVEL_${N}_CHILDREN> children;
   for (unsigned i = 0; i < LEVEL_${N}_CHILDREN; ++i)
-    children[i] = construct_level_${N}_node(build, child_low(low, i, log2_side - LEVEL_${N}_BRANCH), layers - 1);
+    children.put(i, construct_level_${N}_node(build, child_low(low, i, log2_side - LEVEL_${N}_BRANCH), layers - 1));
   return join_level_${N}_nodes(build, children, layers);
 }

@@ -1,16 +1,24 @@
-// The node, `layers` above the voxels at `voxels`, which lie in Morton order within a brick.
-Node construct_level_${N}_brick(Build &build, const uint32_t *voxels, int layers) {
+// The node, `layers` above the voxels of a brick from `first` on.
+Node construct_level_${N}_brick(Build &build, const Brick &brick, unsigned first, int layers) {
   if (layers == 0)
 %if ranked
-    return build.put_voxel(*voxels);
+    return build.put_voxel(brick.voxels[first]);
 %else
-    return Node::leaf(*voxels);
+    return Node::leaf(brick.voxels[first]);
 %end
-  if (!holds_any(voxels, 1 << 3 * LEVEL_${N}_BRANCH * layers))
+  if (!brick.holds_any(first, 3 * LEVEL_${N}_BRANCH * layers))
     return {};
-  Node children[LEVEL_${N}_CHILDREN];
-  for (int i = 0; i < LEVEL_${N}_CHILDREN; ++i)
-    children[i] = construct_level_${N}_brick(build, voxels + (i << 3 * LEVEL_${N}_BRANCH * (layers - 1)), layers - 1);
+  Children<LEVEL_${N}_CHILDREN> children;
+%if ranked
+  for (unsigned i = 0; i < LEVEL_${N}_CHILDREN; ++i)
+    children.put(i, construct_level_${N}_brick(build, brick, first + (i << 3 * LEVEL_${N}_BRANCH * (layers - 1)), layers - 1));
+%else
+  if (layers == 1)
+    children.put_voxels(brick, first);
+  else
+    for (unsigned i = 0; i < LEVEL_${N}_CHILDREN; ++i)
+      children.put(i, construct_level_${N}_brick(build, brick, first + (i << 3 * LEVEL_${N}_BRANCH * (layers - 1)), layers - 1));
+%end
   return join_level_${N}_nodes(build, children, layers);
 }
 
@@ -21,10 +29,16 @@ Node construct_level_${N}_node(Build &build, Voxel low, int layers) {
     return {};
   if (build.is_part(log2_side))
     return build.take_part(low).node;
-  if (log2_side <= kLog2Brick)
-    return construct_level_${N}_brick(build, build.voxels(low), layers);
-  Node children[LEVEL_${N}_CHILDREN];
+  if (log2_side <= kLog2Brick) {
+    const Brick &brick = build.brick(low);
+%if looks-ahead
+    if (log2_side == kLog2Brick)
+      look_ahead_level_${N}(build, brick);
+%end
+    return construct_level_${N}_brick(build, brick, brick_index(low), layers);
+  }
+  Children<LEVEL_${N}_CHILDREN> children;
   for (unsigned i = 0; i < LEVEL_${N}_CHILDREN; ++i)
-    children[i] = construct_level_${N}_node(build, child_low(low, i, log2_side - LEVEL_${N}_BRANCH), layers - 1);
+    children.put(i, construct_level_${N}_node(build, child_low(low, i, log2_side - LEVEL_${N}_BRANCH), layers - 1));
   return join_level_${N}_nodes(build, children, layers);
 }

@@ -1,3 +1,6 @@
+// Lowers `far` to one more than `near`, if it is more.
+uint32_t lower_distance_level_${N}(uint32_t far, uint32_t near) { return near < far ? near + 1 : far; } // So adding 1 cannot wrap.
+
 %if distances-beside
 // A slot has a value, and then the distance of an empty cell.
 constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
@@ -14,11 +17,36 @@ uint32_t distance_level_${N}(const uint32_t *slot) {
 void set_distance_level_${N}(uint32_t *slot, uint32_t distance) { *slot = LEVEL_${N}_EMPTY | distance; }
 %end
 
-// Lowers the distances of a run of slots to at most one more than those of their neighbours.
-void lower_level_${N}(uint32_t *slots, const uint32_t *neighbours, uint64_t count) {
+// Lowers the distances of a run of slots to at most one more than those of their neighbours, which lie elsewhere.
+void lower_level_${N}(uint32_t *__restrict slots, const uint32_t *__restrict neighbours, uint64_t count) {
+%if distances-beside
+  if (LEVEL_${N}_SLOT == 2) { // Every word, so that processors can take many at a time; but a value stays.
+    for (uint64_t i = 0; i < 2 * count; ++i)
+      slots[i] = i % 2 == 1 ? lower_distance_level_${N}(slots[i], neighbours[i]) : slots[i];
+    return;
+  }
+%end
   for (uint64_t i = 0; i < LEVEL_${N}_SLOT * count; i += LEVEL_${N}_SLOT)
-    if (distance_level_${N}(neighbours + i) < distance_level_${N}(slots + i)) // So adding 1 cannot wrap.
-      set_distance_level_${N}(slots + i, distance_level_${N}(neighbours + i) + 1);
+    if (const uint32_t distance = distance_level_${N}(slots + i))
+      set_distance_level_${N}(slots + i, lower_distance_level_${N}(distance, distance_level_${N}(neighbours + i)));
+}
+
+// The distances within a row of cells: a sweep forth and one back.
+void measure_level_${N}_row(uint32_t *row) {
+  constexpr uint64_t kRow = LEVEL_${N}_SLOT << LEVEL_${N}_SHAPE.x;
+  uint32_t before = LEVEL_${N}_REACH;
+  for (uint32_t *slot = row; slot < row + kRow; slot += LEVEL_${N}_SLOT) {
+    before = *slot == 0 ? lower_distance_level_${N}(LEVEL_${N}_REACH, before) : 0;
+    if (before != 0)
+      set_distance_level_${N}(slot, before);
+  }
+  uint32_t behind = before;
+  for (uint32_t *slot = row + kRow - LEVEL_${N}_SLOT; slot > row;) {
+    slot -= LEVEL_${N}_SLOT;
+    behind = lower_distance_level_${N}(distance_level_${N}(slot), behind);
+    if (behind != 0)
+      set_distance_level_${N}(slot, behind);
+  }
 }
 
 // The distances within one plane of cells: a sweep forth and one back along x and along y.
@@ -26,15 +54,8 @@ void measure_level_${N}_plane(uint32_t *plane) {
   constexpr uint64_t kRow = LEVEL_${N}_SLOT << LEVEL_${N}_SHAPE.x;
   constexpr uint64_t kCells = uint64_t{1} << LEVEL_${N}_SHAPE.x;
   constexpr uint64_t kPlane = kRow << LEVEL_${N}_SHAPE.y;
-  for (uint32_t *row = plane; row < plane + kPlane; row += kRow) {
-    for (uint32_t *slot = row; slot < row + kRow; slot += LEVEL_${N}_SLOT)
-      if (*slot == 0)
-        set_distance_level_${N}(slot, LEVEL_${N}_REACH);
-    for (uint32_t *slot = row + LEVEL_${N}_SLOT; slot < row + kRow; slot += LEVEL_${N}_SLOT)
-      lower_level_${N}(slot, slot - LEVEL_${N}_SLOT, 1);
-    for (uint32_t *slot = row + kRow - LEVEL_${N}_SLOT; slot > row; slot -= LEVEL_${N}_SLOT)
-      lower_level_${N}(slot - LEVEL_${N}_SLOT, slot, 1);
-  }
+  for (uint32_t *row = plane; row < plane + kPlane; row += kRow)
+    measure_level_${N}_row(row);
   for (uint32_t *row = plane + kRow; row < plane + kPlane; row += kRow)
     lower_level_${N}(row, row - kRow, kCells);
   for (uint32_t *row = plane + kPlane - kRow; row > plane; row -= kRow)

@@ -10,8 +10,6 @@ namespace {
 
 using construct::Voxel;
 
-constexpr std::size_t kBrickVoxels = 512;
-
 Int3 cellOf(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
 
 /// Calls `work(host)` for generated code, which no exception can leave: where there is no memory the store
@@ -44,13 +42,13 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
       return host.store_.failure() || host.isEmpty({cellOf(low), log2Side});
     });
   };
-  table.read_brick = [](void *self, Voxel low, std::uint32_t *voxels) {
+  table.read_brick = [](void *self, Voxel low, construct::Brick *brick) {
     const bool isRead = serve(self, false, [&](BuildHost &host) {
-      host.readBrick(cellOf(low), voxels);
+      host.readBrick(cellOf(low), *brick);
       return true;
     });
     if (!isRead)
-      std::fill_n(voxels, kBrickVoxels, 0u);
+      *brick = {};
   };
   table.append = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
     return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.append(level, {words, count}); });
@@ -60,6 +58,15 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
   };
   table.intern_leaf = [](void *self, unsigned level, std::uint32_t value) {
     return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.internLeaf(level, value); });
+  };
+  table.find_leaf = [](void *self, unsigned level, std::uint32_t value) {
+    return static_cast<BuildHost *>(self)->store_.leafAt(level, value);
+  };
+  table.announce = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
+    static_cast<BuildHost *>(self)->store_.announce(level, {words, count});
+  };
+  table.end_announcing = [](void *self, unsigned level) {
+    static_cast<BuildHost *>(self)->store_.endAnnouncing(level);
   };
   table.put_value = [](void *self, std::uint32_t value) {
     serve(self, [&](BuildHost &host) { host.putValue(value); });

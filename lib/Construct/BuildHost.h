@@ -29,8 +29,7 @@ public:
 protected:
   /// True only if the cube holds nothing.
   virtual bool isEmpty(const Cube &cube) = 0;
-  /// The 512 voxels of a brick in Morton order.
-  virtual void readBrick(Int3 low, std::uint32_t *voxels) = 0;
+  virtual void readBrick(Int3 low, construct::Brick &brick) = 0;
 
   /// The value of the next voxel, of a layout with values apart.
   virtual void putValue(std::uint32_t) {}

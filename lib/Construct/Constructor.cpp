@@ -36,9 +36,9 @@ Expected<Constructor> Constructor::compile(const Format &format, const CompileCa
     return plan.error();
   const std::string text = emitConstruct(*plan);
   // -O1: a third less compile time than -O2, and builds that are as fast; they wait for the source, not for
-  // this code.
+  // this code. Only sweeps over distances gain from vectors.
   auto code = JitCode::compile({{"construct.cpp", text}, {"voxc_construct.h", constructHeader()}},
-                               {.optimisation = 1}, cache);
+                               {.optimisation = 1, .vectorLoops = true}, cache);
   if (!code)
     return code.error();
   auto whole = code->find("voxc_construct");

@@ -189,6 +189,17 @@ void NodeStore::fetchNode(unsigned level, std::uint32_t hash) {
   at(level).nodes.fetchNode(hash, written(level));
 }
 
+void NodeStore::announce(unsigned level, std::span<const std::uint32_t> words) {
+  if (announcedCount_ < announced_.size())
+    announced_[announcedCount_++] = fetch(level, words);
+}
+
+void NodeStore::endAnnouncing(unsigned level) {
+  for (const std::uint32_t hash : std::span(announced_).first(announcedCount_))
+    fetchNode(level, hash);
+  announcedCount_ = 0;
+}
+
 void NodeStore::forget(unsigned level) {
   at(level).leaves.clear();
   at(level).nodes.clear();

@@ -8,6 +8,7 @@
 #include "voxc/Layout/Layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -62,12 +63,20 @@ public:
   Ref internLeaf(unsigned level, std::uint32_t value);
   /// What leads to a leaf that was interned before, if it was; 1 after a failure.
   std::optional<Ref> knownLeaf(unsigned level, std::uint32_t value);
+  /// The same without counting it, and 0 where there is none.
+  Ref leafAt(unsigned level, std::uint32_t value) {
+    return at(level).leaves.find(NodeMap::hashOf(value)).value_or(0);
+  }
   /// Brings near what `intern` of these words will look at: all of a few, in turn, and then their nodes.
   /// Returns their hash.
   std::uint32_t fetch(unsigned level, std::span<const std::uint32_t> words);
   void fetchNode(unsigned level, std::uint32_t hash);
   /// The same for `knownLeaf`.
   void fetchLeaf(unsigned level, std::uint32_t value) { at(level).leaves.fetch(NodeMap::hashOf(value)); }
+  /// Tells that these words will soon be interned, which brings near where the search for them begins; and
+  /// that no more are told of for now, which brings near what lies there. Neither changes anything.
+  void announce(unsigned level, std::span<const std::uint32_t> words);
+  void endAnnouncing(unsigned level);
   void forget(unsigned level);
   /// Gives back what finding words takes: nothing is interned any more.
   void forgetAll();
@@ -136,6 +145,8 @@ private:
   std::vector<std::uint64_t> shared_;
   std::vector<BlockRecord> *log_ = nullptr;
   std::optional<Error> failure_;
+  std::array<std::uint32_t, 64> announced_{}; ///< Hashes; of a brick there are no more.
+  std::size_t announcedCount_ = 0;
   std::uint64_t interned_ = 0; ///< Calls so far.
 };
 

@@ -20,7 +20,8 @@ bool MergeHost::isEmpty(const Cube &cube) {
   return false;
 }
 
-void MergeHost::readBrick(Int3, std::uint32_t *) {
+void MergeHost::readBrick(Int3, construct::Brick &brick) {
+  brick = {};
   store().fail(Error::input("a part is smaller than the cells that it was to be built of"));
 }
 

@@ -43,7 +43,7 @@ public:
 
 protected:
   bool isEmpty(const Cube &cube) override;
-  void readBrick(Int3, std::uint32_t *) override;
+  void readBrick(Int3, construct::Brick &brick) override;
   construct::Part takePart(Int3 low) override;
   void putValue(std::uint32_t value) final { putValues({&value, 1}); }
   /// The values of the next voxels, of a layout with values apart.

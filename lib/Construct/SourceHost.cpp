@@ -1,6 +1,8 @@
 // Reading bricks of a source.
 #include "SourceHost.h"
 
+#include "Source/BrickBits.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -45,9 +47,10 @@ void SourceHost::proveColours(Int3 low, const std::uint32_t *voxels) {
       return store().fail(colours_.broken("voxel " + placeText(low + mortonCell(i)) + " is", voxels[i]));
 }
 
-void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
+void SourceHost::readBrick(Int3 low, construct::Brick &brick) {
+  std::uint32_t *const voxels = brick.voxels;
   if (auto done = source_.read({low, construct::kLog2Brick}, voxels); !done) {
-    std::fill_n(voxels, 512, 0u);
+    brick = {};
     return store().fail(done.error());
   }
   if (facts_.alpha == Alpha::Positive)
@@ -56,7 +59,9 @@ void SourceHost::readBrick(Int3 low, std::uint32_t *voxels) {
     proveColours(low, voxels);
   if (!kindOf(facts_.payload).varies)
     std::replace_if(voxels, voxels + 512, [](std::uint32_t word) { return word != 0; }, kOccupied);
-  voxels_ += static_cast<std::uint64_t>(512 - std::count(voxels, voxels + 512, 0u));
+  std::ranges::copy(bitsOf(voxels), brick.filled);
+  for (const std::uint64_t bits : brick.filled)
+    voxels_ += static_cast<std::uint64_t>(std::popcount(bits));
   if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());
 }

@@ -38,7 +38,7 @@ public:
 
 protected:
   bool isEmpty(const Cube &cube) override { return source_.empty(cube); }
-  void readBrick(Int3 low, std::uint32_t *voxels) override;
+  void readBrick(Int3 low, construct::Brick &brick) override;
 
 private:
   void proveColours(Int3 low, const std::uint32_t *voxels);

@@ -170,7 +170,7 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
                                          : "value_level_" + holes["N"] + "(grid, cell)";
   holes["first-slot"] = stratum.implied ? "leaf ? node : load_word(" : "load_word(";
   holes["without-leaves"] = stratum.implied ? " & ~load_word(node" + holes["+"] + "2u)" : "";
-  holes["has-no-slot"] = stratum.implied ? "!= Node::Inner" : "== Node::Empty";
+  holes["slots-of-children"] = stratum.implied ? "children.filled & ~children.leaves" : "children.filled";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
   holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
   holes["why-alike"] =
@@ -215,6 +215,9 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["grid"] = stratum.isGrid();
   conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
+  // Nodes with voxels, if equal ones are written once.
+  conditions["looks-ahead"] = plan.layout.holdsVoxels(index) && !stratum.isGrid() &&
+                              stratum.cells != Cells::Record && !stratum.ranked;
   conditions["ranks"] = stratum.ranked && storesValue(plan.outputs);
   conditions["voxels-in-morton-order"] =
       stratum.ranked && stratum.implied && stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};

@@ -70,6 +70,8 @@ std::vector<std::string> arguments(const std::string &mainFile, const ClangOptio
                                    "2"};
   for (std::string &argument : processorArguments(options.processor))
     list.push_back(std::move(argument));
+  if (options.vectorLoops)
+    list.emplace_back("-vectorize-loops");
   list.push_back(mainFile);
   return list;
 }

@@ -21,6 +21,8 @@ struct ClangOptions {
   /// The processor to compile for, as Clang names it ("x86-64-v3"); "native" is this one, "" the baseline of
   /// this architecture.
   std::string processor = "native";
+  /// Whether loops over words take many of them at a time, which -O1 leaves out.
+  bool vectorLoops = false;
 };
 
 /// Makes LLVM know this processor, once; what compiles and what links calls it.

@@ -25,7 +25,7 @@ constexpr std::uint64_t kBytesBetweenLooks = std::uint64_t{8} << 20;
 /// Zeros that are left out of a file: fewer are not worth a call.
 constexpr std::uint64_t kSmallestHole = std::uint64_t{64} << 10;
 /// Blocks from here up ask for large pages.
-constexpr std::uint64_t kLargePages = std::uint64_t{4} << 20;
+constexpr std::uint64_t kLargePages = std::uint64_t{2} << 20;
 
 std::string reason() { return std::strerror(errno); }
 
