@@ -5,7 +5,11 @@
 namespace voxc::glsl {
 
 #if defined(VOXC_PACKETS) && defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)
+#ifdef VOXC_NARROW_PACKETS
+constexpr unsigned int LANES = 16;
+#else
 constexpr unsigned int LANES = 32; // Two registers for each value: where one waits for what it reads, the other has work to do.
+#endif
 #elif defined(VOXC_PACKETS) && defined(__AVX2__)
 constexpr unsigned int LANES = 8;
 #else

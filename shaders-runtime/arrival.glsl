@@ -20,7 +20,7 @@ bool enters_together(const Ray ray, ivec3 face, int a, int b) {
 // The first axis on which the ray comes into the walk's cell as it enters that. Not sure if ${real-name} cannot tell.
 int first_axis(const Ray ray, const Walk walk, out bool sure) {
   ivec3 face = walk.cell + ivec3(ray.falls);
-  ${real3} t = times_of(ray, face);
+  ${real3} t = times_of(ray, ${real3}(face));
   int first = walk.axis;
   sure = true;
   for (int axis = 0; axis < 2; axis++) {

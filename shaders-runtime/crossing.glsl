@@ -59,6 +59,26 @@ int compare_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
   order = ray.plain ? order : 0;
   return ray.falls[a] == ray.falls[b] ? order : -order;
 }
+%if packets
+
+// Whether a and b pass their faces at one t, seen by doubles: of numbers with few bits, or of the same numbers on both axes. The
+// distance to a face is exact if taking it away from the larger of face and origin leaves the other. Its first 24 bits and the
+// other 29 times a float32 are exact, each. False says nothing. Not for devices, whose compilers may take a - b + b for a.
+bool meet_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
+  double origin_a = exactly(ray.given_origin[a]);
+  double origin_b = exactly(ray.given_origin[b]);
+  double to_a = double(face_a) - origin_a;
+  double to_b = double(face_b) - origin_b;
+  bool exact_a = to_a + origin_a == double(face_a) && double(face_a) - to_a == origin_a;
+  bool exact_b = to_b + origin_b == double(face_b) && double(face_b) - to_b == origin_b;
+  double high_a = double(float(to_a));
+  double high_b = double(float(to_b));
+  double speed_a = exactly(ray.given_direction[a]);
+  double speed_b = exactly(ray.given_direction[b]);
+  bool same = high_a * speed_b == high_b * speed_a && (to_a - high_a) * speed_b == (to_b - high_b) * speed_a;
+  return ray.plain && exact_a && exact_b && same;
+}
+%end
 %end
 
 // -1 if coordinate a passes its face first, 0 if both pass theirs at the same t, else 1. Both move.
@@ -77,6 +97,10 @@ OUT_OF_LINE int compare_exactly(const Ray ray, int a, int face_a, int b, int fac
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
 %if ieee
   int order = compare_by_doubles(ray, a, face_a, b, face_b);
+%if packets
+  if (order == 0 && meet_by_doubles(ray, a, face_a, b, face_b))
+    return 0;
+%end
   return order != 0 ? order : compare_exactly(ray, a, face_a, b, face_b);
 %else
   return compare_exactly(ray, a, face_a, b, face_b);
@@ -115,7 +139,8 @@ OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range can
 // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 Range approximate_cell(const Ray ray, const Crossing crossing, const Range range) {
   ${real3} point = ray.lowest + crossing.t * ray.direction;
+  ${real3} doubt = mix(${real3}(0.0f), ${real3}(ray.doubt), ray.moves);
   ${real3} least = ${real3}(range.least);
   ${real3} most = ${real3}(range.most);
-  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + ray.doubt), least, most)));
+  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
 }

@@ -1,22 +1,25 @@
 // Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
 const float CLOSE = 1.0f / 2048.0f; // In voxels.
-const uint TINY_BITS = 0x30800000u; // Of 2^-30.
 
 // Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
-// by `slack`. A coordinate that never changes stays in its cell, and passes no face.
-void bound_errors(inout Ray ray, ivec3 cell, vec3 of_origin, float slack) {
-  ${real3} reach = max(abs(ray.origin), abs(${real3}(VOLUME_SIZE) - ray.origin));
-  ${real3} error = reach * ROUNDINGS + ${real3}(of_origin) + slack * abs(ray.direction);
+// by `slack`. A coordinate that never changes stays in its cell.
+void bound_errors(inout Ray ray, ${real3} cell, float of_origin, float slack) {
+  ${real3} half_size = 0.5f * ${real3}(VOLUME_SIZE);
+  ${real3} reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
+  ${real} error = greatest_of(reach) * ROUNDINGS + ${real}(of_origin);
+  if (COMES_NEAR || SETTLES)
+    error = min(error + slack * greatest_of(abs(ray.direction)), ${real}(NEVER));
   ray.slack = slack;
-  ray.lowest = mix(${real3}(cell) + 0.25f, ray.origin - error, ray.moves);
-  ray.doubt = mix(${real3}(0.0f), 2.0f * error, ray.moves);
-  ray.certain = 1.0f - max(max(ray.doubt.x, ray.doubt.y), ray.doubt.z);
-  ray.origin = mix(${real3}(-NEVER), ray.origin, ray.moves);
+  ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
+  ray.doubt = 2.0f * error;
+  ray.certain = 1.0f - ray.doubt;
 }
 
-// True where the ray moves from a coordinate so close to 0 that float32 may lose its distance from there.
+// True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled directions
+// have no component below 2^-60.
 bvec3 starts_tiny(const Ray ray) {
+  const uint TINY_BITS = 0x30800000u; // Of 2^-30.
   uvec3 size = ray.given_origin & ~SIGN_BIT;
   bvec3 tiny = lessThan(size - 1u, uvec3(TINY_BITS - 1u));
   return greaterThan(ivec3(tiny) * ivec3(ray.moves), ivec3(0));
@@ -49,18 +52,18 @@ float coordinate_at(const Ray ray, int axis, int face, int other) {
 
 // Lets a ray from far away start where it passes a face, so that its errors do not grow with its distance.
 void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
-  vec3 error = vec3(0.0f);
+  float error = 0.0f;
   for (int other = 0; other < 3; other++) {
     if (other == axis) {
       ray.origin[other] = float(face);
     } else if (ray.moves[other]) {
       ray.origin[other] = coordinate_at(ray, axis, face, other);
-      error[other] = CLOSE + CLOSE * abs(float(ray.origin[other])) / 256.0f; // More than a few roundings.
+      error = max(error, CLOSE + CLOSE * abs(float(ray.origin[other])) / 256.0f); // More than a few roundings.
     }
   }
-  vec3 slack = error * abs(vec3(ray.inverse));
+  vec3 steep = mix(vec3(0.0f), abs(vec3(ray.inverse)), ray.moves);
   ray.late = ${real3}(0.0f);
-  bound_errors(ray, cell, error, 2.0f * max(max(slack.x, slack.y), slack.z));
+  bound_errors(ray, ${real3}(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
 }
 
 // Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the coordinates that
@@ -89,59 +92,75 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   return walk;
 }
 
-// Finds the cell in which the ray enters the volume, in exact arithmetic: through the last of the faces that it must pass.
-OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, ivec3 cell, bvec3 enters, ivec3 face, bool starts_far) {
-  int axis = last_entered(ray, enters, face);
+// Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of the faces that it
+// must pass. A cell outside if there is none.
+OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, bool starts_far) {
+  ivec3 cell = floor_of(ray.given_origin);
+  ivec3 below = ivec3(lessThan(cell, ivec3(0)));
+  ivec3 above = ivec3(greaterThanEqual(cell, VOLUME_SIZE));
+  ivec3 enters = below * (ivec3(ray.moves) - ivec3(ray.falls)) + above * ivec3(ray.falls);
+  walk.cell = cell;
+  if (enters == ivec3(0) || enters != below + above)
+    return walk;
+  ivec3 face = mix(ivec3(0), VOLUME_SIZE, ray.falls);
+  int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
   if (starts_far)
     start_at(ray, cell, axis, face[axis]);
   return behind_face(ray, walk, cell, axis, face[axis]);
 }
 
-// The same by ${real-name}. Not sure if that cannot tell which face is the last, or which cell is behind it.
-Walk entered(const Ray ray, Walk walk, bvec3 enters, ivec3 face, out bool sure) {
-  ${real3} t = mix(${real3}(-NEVER), times_of(ray, face), enters);
-  ${real} latest = max(max(t.x, t.y), t.z);
-  bvec3 may_be_last = greaterThanEqual(t, ${real3}(latest - (latest * ROUNDINGS + ray.slack)));
-  ivec3 count = ivec3(may_be_last);
-  ${real3} point = ray.lowest + latest * ray.direction;
+// The same by ${real-name}, of an ordinary ray: it passes the last of these faces, or is past all of them. Not sure if that cannot tell
+// which face is the last, or which cell is behind it.
+Walk entered(const Ray ray, Walk walk, ${real3} face, inout bool sure) {
+  const float LATEST = 18446744073709551616.0f; // 2^64: a ray of 2^-40 voxels a moment is past the volume by then, whatever enters last.
+  ${real3} t = mix(${real3}(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
+  ${real} latest = min(greatest_of(t), ${real}(LATEST));
+  ${real} before = second_least_of(t);
+  bvec3 passed = equal(t, ${real3}(latest));
+  bool begins_here = !(latest > 0.0f) && ray.slack == 0.0f; // One that has come near does not.
+  ${real3} point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  point = begins_here ? ray.origin : point;
   ${real3} whole = floor(point);
-  bvec3 certain = lessThan(point - whole, 1.0f - ray.doubt);
-  sure = count.x + count.y + count.z == 1 && all(greaterThan(ivec3(certain) + count, ivec3(0)));
-  ivec3 behind = face - ivec3(ray.falls);
-  walk.cell = mix(ivec3(clamp(whole, -1.0f, 4194304.0f)), behind, may_be_last);
+  bool is_last = before < latest - (latest * ROUNDINGS + ray.slack);
+  bool is_certain = greatest_of(point - whole) < ray.certain;
+  bool is_sure = begins_here || (is_last && is_certain);
+  sure = sure && is_sure;
+  walk.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
 %if axis
-  walk.axis = may_be_last.x ? 0 : may_be_last.y ? 1 : 2;
+  walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
 %end
   return walk;
 }
 
-// Puts the walk into the first cell of the volume on the ray; false if there is none.
-bool enter_volume(inout Ray ray, inout Walk walk) {
-  ivec3 size = VOLUME_SIZE;
-  ivec3 cell = floor_of(ray.given_origin);
-  ivec3 below = ivec3(lessThan(cell, ivec3(0)));
-  ivec3 above = ivec3(greaterThanEqual(cell, size));
-  ivec3 enters = (below & ray.ahead) + above * ivec3(ray.falls);
-  if (enters != below + above)
+// True if a coordinate is past the volume, and goes on.
+bool leaves_volume(const Ray ray) {
+  ivec3 below = ivec3(lessThan(ray.origin, ${real3}(0.0f)));
+  ivec3 above = ivec3(greaterThanEqual(ray.origin, ${real3}(VOLUME_SIZE)));
+  return mix(above, below, ray.falls) != ivec3(0);
+}
+
+// Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
+  if (COMES_NEAR && ordinary && leaves_volume(ray))
     return false;
-  ivec3 face = mix(ivec3(0), size, ray.falls);
-  bvec3 axes = greaterThan(enters, ivec3(0));
-  Start near = come_near(ray, axes, face);
-  bool starts_far = near.is_far;
-  bound_errors(ray, cell, vec3(near.wrong), any(starts_tiny(ray)) ? NEVER : near.slack);
-  walk.cell = cell;
-  if (enters != ivec3(0)) {
-    bool sure;
-    Walk start = entered(ray, walk, axes, face, sure);
-    bool unsure = !sure || starts_far;
-    if (!SETTLES && unsure) {
-      walk.open = AGAIN;
-      walk.cell = ivec3(-1);
-      return false;
-    }
-    if (SETTLES && unsure)
-      start = entered_exactly(ray, walk, cell, axes, face, starts_far);
-    walk = start;
+  ${real3} face = mix(${real3}(0.0f), ${real3}(VOLUME_SIZE), ray.falls);
+  ${real3} cell = floor(ray.origin);
+  Start near = come_near(ray, face);
+  if (SETTLES && !ordinary && any(starts_tiny(ray)))
+    near.slack = NEVER;
+  bound_errors(ray, cell, near.wrong, near.slack);
+  bool has_begun = is_in_volume(walk.cell) || walk.open >= 0;
+  if (SETTLES && has_begun && !near.is_far)
+    return true; // Where it has entered need not be found again.
+  bool sure = ordinary && !near.is_far;
+  Walk start = entered(ray, walk, face, sure);
+  if (SETTLES && !sure)
+    start = entered_exactly(ray, walk, near.is_far);
+  if (!SETTLES && !sure) {
+    start = walk;
+    start.cell = ivec3(-1);
+    start.open = AGAIN;
   }
+  walk = start;
   return is_in_volume(walk.cell);
 }

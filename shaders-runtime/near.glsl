@@ -3,9 +3,9 @@
 //
 // A ray is moved by a moment of which 12 bits are set, so that the moment times the upper 12 bits of a component of the direction is a
 // float32, and times the lower 12 bits too: no product is rounded. What is summed up is kept as two float32, `high` and `low`, of
-// which the lower one is wrong by a few of its own roundings. A ray that comes to the volume after a moment M begins at most the volume's
-// size and 2 M away from it, so that a move loses less than 2^-43 (4 M + far_away()), whichever way sums are rounded. It ends
-// before the volume, at 2^-11 of the distance.
+// which the lower one is wrong by a few of its own roundings. A ray that comes to the volume after a moment M, D voxels long, begins at
+// most the volume's size and D away from it, so that a move loses less than 2^-43 (2 D + far_away()), whichever way sums are rounded.
+// It ends before the volume, at 2^-11 of the distance.
 //
 // A move keeps where the ray goes, so that nothing that is exact is touched: only what float32 says of it.
 
@@ -46,23 +46,26 @@ void move_by(vec3 way, inout vec3 high, inout vec3 low) {
 }
 %end
 
-// Moves a ray that begins far away, and enters the volume by some of these faces. Once is enough up to a thousand times that distance.
-Start come_near(inout Ray ray, bvec3 enters, ivec3 face) {
+// Moves a ray that begins far away, to before the last of the faces by which it enters the volume. Once is enough up to a thousand
+// times that distance.
+Start come_near(inout Ray ray, ${real3} face) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   const int MOST_MOVES = 3;
-  Start start = Start(is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+  Start start = Start((COMES_NEAR || SETTLES) && is_far(ray.origin, ray.moves), 0.0f, 0.0f); // No ordinary ray is, if none comes near.
   if (!COMES_NEAR || !start.is_far)
     return start;
-  vec3 direction = vec3(ray.direction);
+  vec3 direction = mix(vec3(0.0f), vec3(ray.direction), ray.moves);
+  float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
+  float last = 18446744073709551616.0f / longest; // 2^64 voxels away.
   vec3 upper = uintBitsToFloat(floatBitsToUint(direction) & UPPER);
   ${real3} high = ray.origin, low = ${real3}(0.0f);
   float latest = 0.0f;
   for (int moves = 0; moves < MOST_MOVES && start.is_far; moves++) {
-    vec3 t = mix(vec3(-NEVER), vec3((${real3}(face) - high) * ray.inverse), enters);
+    vec3 t = mix(vec3(-NEVER), vec3((face - high) * ray.inverse), ray.moves);
     latest = max(max(t.x, t.y), t.z);
-    bool is_ahead = latest > 0.0f && latest < NEVER;
+    bool is_ahead = latest > 0.0f && latest < last;
     float moment = is_ahead ? uintBitsToFloat(floatBitsToUint(latest * (1.0f - 1.0f / 1048576.0f)) & UPPER) : 0.0f;
-    start.wrong += (4.0f * moment + far_away()) / 8796093022208.0f; // 2^43.
+    start.wrong += (2.0f * moment * longest + far_away()) / 8796093022208.0f; // 2^43.
     move_by(${real3}(moment * upper), high, low);
     move_by(${real3}(moment * (direction - upper)), high, low);
     latest -= moment;
@@ -71,10 +74,12 @@ Start come_near(inout Ray ray, bvec3 enters, ivec3 face) {
   precise ${real3} whole = high + low;
   precise ${real3} behind = low - (whole - high);
   ray.origin = start.is_far ? ray.origin : whole;
-  ray.late = start.is_far ? ray.late : behind * ray.inverse;
+  ray.late = start.is_far ? ray.late : mix(${real3}(0.0f), behind * ray.inverse, ray.moves);
   ${real3} steep = abs(ray.inverse);
   // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest side, which is half of what is far.
-  start.slack = 2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + 0.5f * far_away()) * float(ROUNDINGS) / 4.0f;
+  float through = 0.5f * far_away() / longest;
+  steep = mix(${real3}(0.0f), steep, ray.moves);
+  start.slack = 2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + through) * float(ROUNDINGS) / 4.0f;
   start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
   return start;
 }

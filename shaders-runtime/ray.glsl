@@ -3,19 +3,20 @@ struct Ray {
   uvec3 given_origin;    // The bits of six float32 taken as exact numbers.
   uvec3 given_direction;
   ${real3-wide} origin;          // Where walking counts from: the given origin, or where a ray from far away enters.
-  ${real3-wide} direction;       // Scaled by a power of two: the largest component is in [1, 2), and none so small that
-  ${real3-wide} inverse;         // its inverse overflows. All t are those of this direction, from this origin.
+  ${real3-wide} direction;       // As given, or scaled by a power of two; LEAST_COMPONENT where a coordinate never changes, so that
+  ${real3-wide} inverse;         // it passes no face before another does. All t are those of this direction, from this origin.
   ${real3-wide} late;            // By how much each t comes late that is counted from there.
   ${real} slack;           // What is wrong of a t, beside a few roundings.
   ${real3-wide} lowest;          // The least that is certain of the coordinates at the origin,
-  ${real3-wide} doubt;           // and how much more any coordinate on the way may be, in voxels.
+  ${real} doubt;           // and how much more any coordinate on the way may be, in voxels.
   ${real} certain;         // A coordinate that is at least this far below the next whole number is in its cell.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
   bool plain;            // As given, it has no numbers but 0 and those whose significand has all its bits.
-  ivec3 heading;         // 1, -1 or 0.
+  ivec3 heading;         // -1 where the coordinate falls, else 1.
   ${real3-wide} beyond;          // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
-  ivec3 ahead;           // All bits where the coordinate rises, else none: picks the face of a cube that lies ahead.
+  int octant;            // A bit for each coordinate that rises, that of x lowest.
+  ivec3 ahead;           // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
 };
 
 // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
@@ -60,7 +61,7 @@ const int WITHIN = -3; // Who settles has found that it enters its cell within t
 %end
 %end
 
-const float NEVER = 1e30f; // A t, and so a distance for a coordinate that never changes.
+const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
 
 %if doubles
 // Eight roundings to nearest, of 2^-53 each. A t is a difference, an inverse and a product; the order of two t is certain
@@ -121,7 +122,7 @@ bool is_same_cube(ivec3 a, ivec3 b, int log2_side) {
 ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
 
 // The number of the ray's octant: a bit for each coordinate that rises, that of x lowest.
-int octant_of(const Ray ray) { return (ray.ahead.x & 1) | (ray.ahead.y & 2) | (ray.ahead.z & 4); }
+int octant_of(ivec3 ahead) { return (ahead.x & 1) | (ahead.y & 2) | (ahead.z & 4); }
 
 // The low corner of the cube of a gap around a cell.
 ivec3 corner_of(const Ray ray, ivec3 cell, const Gap gap) {
@@ -136,4 +137,34 @@ ivec3 faces_ahead(const Ray ray, ivec3 cell, const Gap gap) {
 }
 
 // About when each coordinate passes its face.
-${real3} times_of(const Ray ray, ivec3 face) { return (${real3}(face) - ray.origin) * ray.inverse - ray.late; }
+${real3} times_of(const Ray ray, ${real3} face) {
+  ${real3} t = (face - ray.origin) * ray.inverse;
+  return COMES_NEAR ? t - ray.late : t;
+}
+
+%if by-bits
+// The order of float32 numbers by their bits: one instruction where others would look for NaN. Negative ones are below all others, but of
+// two of them the order is the other one: no t of a face ahead is negative but by rounding.
+float least_of(vec3 of) {
+  ivec3 bits = floatBitsToInt(of);
+  return intBitsToFloat(min(min(bits.x, bits.y), bits.z));
+}
+
+float second_least_of(vec3 of) {
+  ivec3 bits = floatBitsToInt(of);
+  return intBitsToFloat(max(min(bits.x, bits.y), min(max(bits.x, bits.y), bits.z)));
+}
+
+float greatest_of(vec3 of) {
+  ivec3 bits = floatBitsToInt(of);
+  return intBitsToFloat(max(max(bits.x, bits.y), bits.z));
+}
+%else
+// The less and the greater of two numbers, none of which is NaN.
+${real} lesser(${real} a, ${real} b) { return b < a ? b : a; }
+${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
+
+${real} least_of(${real3} of) { return lesser(lesser(of.x, of.y), of.z); }
+${real} second_least_of(${real3} of) { return greater(lesser(of.x, of.y), lesser(greater(of.x, of.y), of.z)); }
+${real} greatest_of(${real3} of) { return greater(greater(of.x, of.y), of.z); }
+%end

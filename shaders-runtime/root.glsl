@@ -5,15 +5,15 @@ bool goes_nowhere(uvec3 direction) { return ((direction.x | direction.y | direct
 
 // Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray is left.
 bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Walk walk) {
-  ray = prepare_ray(origin, goes_nowhere(direction) ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction);
-  if (root == 0u || !are_finite(origin) || !are_finite(direction))
+  bool ordinary = is_ordinary(origin, direction);
+  bool stays = SETTLES && !ordinary && goes_nowhere(direction);
+  ray = prepare_ray(origin, stays ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction, ordinary);
+  if (root == 0u)
     return false;
-  if (!SETTLES && !ray.plain) {
-    walk.open = AGAIN;
+  if (SETTLES && !(are_finite(origin) && are_finite(direction)))
     return false;
-  }
   Walk start = walk;
-  bool enters = enter_volume(ray, start);
+  bool enters = enter_volume(ray, start, ordinary);
 %if paged
   // One that has waited for a page keeps its cell, where only who settles can tell how it entered.
   if (start.open == AGAIN && is_in_volume(walk.cell)) {
@@ -21,14 +21,24 @@ bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Wal
     return false;
   }
 %end
-  if (!enters || (!is_in_volume(walk.cell) && walk.open == CLOSED))
+%if packets
+  bool has_begun = is_in_volume(walk.cell) || walk.open != CLOSED;
+%else
+  bool has_begun = SETTLES && (is_in_volume(walk.cell) || walk.open != CLOSED); // Who does not settle begins all its rays.
+%end
+  if (!enters || !has_begun)
     walk = start;
   return enters;
 }
 
 // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
 bool end_walk(uvec3 origin, uvec3 direction, inout Walk walk, bool hit) {
-  if (!goes_nowhere(direction) || walk.open == AGAIN || walk.cell == floor_of(origin))
+%if packets
+  bool may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
+%else
+  bool may_stay = SETTLES;
+%end
+  if (!may_stay || !goes_nowhere(direction) || walk.open == AGAIN || walk.cell == floor_of(origin))
     return hit;
   walk.cell = ivec3(-1);
   walk.open = CLOSED;

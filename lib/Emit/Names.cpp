@@ -57,7 +57,7 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
       hasOctants ? "the cells along the largest empty cube ahead" : "its distance, in cells";
   holes["skip-of-slot"] = hasOctants ? fieldBits + " bits for each octant" : "its distance";
   holes["skip-in-word"] =
-      hasOctants ? "skip >> (octant_of(ray) * " + fieldBits + ") & " + fieldMask + "u" : "skip & 0x7fffffffu";
+      hasOctants ? "skip >> (ray.octant * " + fieldBits + ") & " + fieldMask + "u" : "skip & 0x7fffffffu";
   holes["empty-slots"] = !isTagged    ? "with an alpha of 0"
                          : hasOctants ? "whose lowest field is not 0"
                                       : "with its highest bit set";

@@ -27,6 +27,7 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   conditions["by-bits"] = !inDoubles && !inPackets;
   conditions["refines"] = plan.steps == Steps::Refined;
   conditions["packets"] = inPackets;
+  conditions["narrow-packets"] = plan.walk == Walk::Nested && plan.layout.strata.size() > 1;
   conditions["exact"] = plan.predicate == Predicate::Exact;
   conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   conditions["keeps-sums"] = true; // Of every language but that of WebGL.

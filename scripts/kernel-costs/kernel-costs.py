@@ -18,9 +18,9 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-# The specialization constants of include/voxc/Trace/Kernel.h: nothing is counted, and what is left is left to others.
-FIRST_DISPATCH = ["--set-spec-const-default-value=0:false 2:false 3:false"]
-PASSES = ["--freeze-spec-const", "--merge-return", "--inline-entry-points-exhaustive", "--eliminate-dead-functions", "-O"]
+# The specialization constants of include/voxc/Trace/Kernel.h: nothing is counted, what is left is left to others, and no ray comes from far away.
+FIRST_DISPATCH = ["--set-spec-const-default-value=0:false 2:false 3:false 6:false"]
+PASSES = ["--freeze-spec-const", "--fold-spec-const-op-composite", "--merge-return", "--inline-entry-points-exhaustive", "--eliminate-dead-functions", "-O"]
 # What is no work of its own.
 FREE = {"OpLabel", "OpPhi", "OpLoopMerge", "OpSelectionMerge", "OpVariable", "OpFunction", "OpFunctionEnd", "OpLine", "OpNoLine"}
 LINE = re.compile(r"^\s*(?:(%\w+) = )?(Op\w+)(.*)$")

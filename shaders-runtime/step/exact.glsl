@@ -1,21 +1,10 @@
 // Steps that are exact for every ray: ${real-name} where its error bound decides, integers elsewhere.
 
-%if by-bits
-// The less and the greater of two float32 numbers, by their bits: one instruction where others would look for NaN. Of two that
-// are negative, which no t is but by rounding, it is the other one.
-float lesser(float a, float b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
-float greater(float a, float b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
-%else
-// The less and the greater of two numbers, none of which is NaN.
-${real} lesser(${real} a, ${real} b) { return b < a ? b : a; }
-${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
-%end
-
 // How the ray leaves cells through the first of the faces ahead. Not sure if ${real-name} cannot tell which that is.
 Exit leave(const Ray ray, ${real3} face) {
-  ${real3} t = (face - ray.origin) * ray.inverse - ray.late;
-  ${real} first = lesser(lesser(t.x, t.y), t.z);
-  ${real} second = greater(lesser(t.x, t.y), lesser(greater(t.x, t.y), t.z)); // Of negative ones, none that is sure.
+  ${real3} t = times_of(ray, face);
+  ${real} first = least_of(t);
+  ${real} second = second_least_of(t); // Of negative ones, none that is sure.
   return Exit(first, equal(t, ${real3}(first)), second > first + (first * ROUNDINGS + ray.slack));
 }
 
@@ -24,8 +13,8 @@ Exit leave(const Ray ray, ${real3} face) {
 ivec3 cell_beyond(const Ray ray, ivec3 cell, ${real3} face, inout Exit leaving) {
   ${real3} point = mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
   ${real3} whole = floor(point);
-  ${real3} rest = point - whole;
-  leaving.sure = leaving.sure && greater(greater(rest.x, rest.y), rest.z) < ray.certain;
+  bool is_certain = greatest_of(point - whole) < ray.certain;
+  leaving.sure = leaving.sure && is_certain;
   return ivec3(whole);
 }
 
@@ -39,7 +28,7 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
   int side = gap.count << gap.log2_side;
   ivec3 corner = corner_of(ray, walk.cell, gap);
   ivec3 face = corner + (ray.ahead & side);
-  ${real3} t = times_of(ray, face);
+  ${real3} t = times_of(ray, ${real3}(face));
   ${real} earliest = min(min(t.x, t.y), t.z);
   bvec3 may_be_first = lessThanEqual(t, ${real3}(earliest + (earliest * ROUNDINGS + ray.slack)));
   ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
