@@ -61,7 +61,8 @@ llvm::PreservedAnalyses PacketPass::run(llvm::Function &function, llvm::Function
   const unsigned bits = 32 * lanes;
   function.addFnAttr("min-legal-vector-width", std::to_string(bits));
   function.addFnAttr("prefer-vector-width", std::to_string(bits));
-  // Registers that are kept on the stack would lie across two cache lines, as nothing else there asks for so wide an alignment.
+  // Registers that are kept on the stack would lie across two cache lines, as nothing else there asks for so
+  // wide an alignment.
   function.addFnAttr("stackrealign");
   return llvm::PreservedAnalyses::none();
 }

@@ -1,6 +1,7 @@
-// Runs the 64-tree of a folder of hand-written tracers, which is not part of voxc, on a scene and rays of a file:
-// whole numbers of 32 bits (edge, voxels, x y z of each), then of 64 bits the number of rays, and the rays. Prints the
-// nanoseconds of CPU time a ray, the least of some passes, and how many rays hit. Built by Peer.cpp.
+// Runs the 64-tree of a folder of hand-written tracers, which is not part of voxc, on a scene and rays of a
+// file: whole numbers of 32 bits (edge, voxels, x y z of each), then of 64 bits the number of rays, and the
+// rays. Prints the nanoseconds of CPU time a ray, the least of some passes, and how many rays hit. Built by
+// Peer.cpp.
 #define main peerMain
 #include VOXC_PEER
 #undef main
