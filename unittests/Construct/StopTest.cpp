@@ -265,22 +265,25 @@ TEST_F(StopsOfVolumes, InExportsAndPages) {
 
 /// A set of files is read from its number 0 or 1 on: stopped, it has neither.
 TEST_F(StopsOfVolumes, InSetsOfFiles) {
+  constexpr std::uint64_t kEncodedFirst = kSide & -8; // Whole cubes of 8.
   std::uint64_t stopped = 0;
   for (std::uint64_t n = 0;; ++n) {
     const TemporaryFolder folder;
     folder.file("s0.png", kEarlier);
     Countdown countdown{.until = n};
-    const auto exported = exportVoxels(*volume_, folder.path("s%d.png"),
-                                       {.save = {.progress = {.ask = [&] { return countdown.isOver(); }}}});
+    const auto exported =
+        exportVoxels(*volume_, folder.path("s%d.png"),
+                     {.save = {.threads = 1, .progress = {.ask = [&] { return countdown.isOver(); }}}});
     if (exported) {
       EXPECT_EQ(folder.count(), kSide);
       break;
     }
     ++stopped;
-    EXPECT_TRUE(bytesOf(folder.path("s0.png")) == (n < 4 ? kEarlier : "")); // Until its third file.
+    EXPECT_TRUE(bytesOf(folder.path("s0.png")) ==
+                (n < kEncodedFirst + 4 ? kEarlier : "")); // Until its third file.
     EXPECT_EQ(bytesOf(folder.path("s1.png")), "");
   }
-  EXPECT_EQ(stopped, kSide + 1); // Before all, and before each.
+  EXPECT_EQ(stopped, 2 * kSide + 1); // Before all, before each is encoded, and before each is written.
 }
 
 } // namespace

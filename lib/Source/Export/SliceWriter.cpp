@@ -139,6 +139,8 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     if (!encoded)
       return encoded;
     for (std::size_t i = 0; i < count; ++i) {
+      if (options.save.progress.stopped())
+        return Error::interrupted();
       options.save.progress.at("write", static_cast<double>(first + std::int32_t(i)) / slices.count());
       if (auto written = files ? files->add(pictures[i]) : writeFile(path, pictures[i]); !written)
         return written;
