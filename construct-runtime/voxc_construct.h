@@ -1,13 +1,10 @@
-// voxc_construct.h: what generated construction code stands on. Freestanding: no library, no other header.
+// voxc_construct.h: what generated construction code stands on: a run over the voxels, the cells of grids,
+// the children of nodes. Freestanding: no library.
 #pragma once
 
+#include "voxc_host.h"
+
 namespace voxc::construct {
-
-using uint32_t = __UINT32_TYPE__;
-using uint64_t = __UINT64_TYPE__;
-
-/// The lowest `count` bits, 1 to 64.
-constexpr uint64_t ones(unsigned count) { return ~uint64_t{0} >> (64 - count); }
 
 /// Takes the lowest bit out of `bits`, which are not 0; returns its number.
 inline unsigned take_bit(uint64_t &bits) {
@@ -16,121 +13,8 @@ inline unsigned take_bit(uint64_t &bits) {
   return bit;
 }
 
-/// Voxel coordinates.
-struct Voxel {
-  int x = 0;
-  int y = 0;
-  int z = 0;
-};
-
-/// Most words of a node's masks: two sets for 64 children.
-constexpr int kMaskWords = 4;
-
-/// The value of voxels of which no more is kept than that they are there.
-constexpr uint32_t kOccupied = 0xffffffff;
-
-/// A node of a tree that has not found its place in the volume yet.
-struct Node {
-  enum Kind : uint32_t { Empty, Leaf, Inner };
-
-  Kind kind = Empty;
-  /// Leaf: the terminating integer. Inner: where the node is, or in a layout of siblings its first child.
-  uint32_t value = 0;
-  uint32_t masks[kMaskWords] = {}; ///< Inner: which children are not empty, and which of them are leaves.
-  uint32_t voxels = 0;             ///< How many it has, where their values stand apart.
-
-  /// A cell's terminating integer as a node: 0 is empty.
-  static Node leaf(uint32_t value) { return {value == 0 ? Empty : Leaf, value}; }
-};
-
-/// A non-empty cell of a grid, counted from the grid's low corner.
-struct PlacedCell {
-  Voxel cell;
-  uint32_t value;
-  uint32_t voxels = 0; ///< How many there are below it, where their values stand apart.
-};
-
-/// What an aligned cube became that was built apart: a node of a tree, or cells of a grid.
-struct Part {
-  Node node;
-  const PlacedCell *cells;
-  uint64_t cell_count;
-  uint64_t values; ///< How many values were put apart.
-};
-
-/// An aligned cube of 8 voxels a side, in Morton order.
-struct Brick {
-  uint32_t voxels[512];
-  /// Bit i % 64 of word i / 64 tells that voxel i is not empty.
-  uint64_t filled[8];
-
-  /// True if a voxel of the aligned 2^log2_count from `first` on is not empty.
-  bool holds_any(unsigned first, int log2_count) const {
-    if (log2_count <= 6)
-      return filled_from(first, 1u << log2_count) != 0;
-    uint64_t any = 0;
-    for (const uint64_t word : filled)
-      any |= word;
-    return any != 0;
-  }
-  /// A bit for each of `count` voxels from `first` on that is not empty; 64 at most, all in one word.
-  uint64_t filled_from(unsigned first, unsigned count) const {
-    return filled[first / 64] >> first % 64 & ones(count);
-  }
-};
-
-/// What the program that builds a volume offers to the code that arranges it.
-struct Host {
-  void *self;
-  /// True only if the aligned cube of 2^log2_side voxels a side holds no voxel. Always true once building has
-  /// failed.
-  bool (*is_empty)(void *self, Voxel low, int log2_side);
-  /// Reads the aligned cube of 8 voxels a side.
-  void (*read_brick)(void *self, Voxel low, Brick *brick);
-  /// Appends a node, or the records of siblings, to the volume; returns the offset of the first word.
-  uint32_t (*append)(void *self, unsigned level, const uint32_t *words, uint64_t count);
-  /// The same, but nodes that this level has been given before are not written again.
-  uint32_t (*intern)(void *self, unsigned level, const uint32_t *words, uint64_t count);
-  /// The same for the word of a leaf.
-  uint32_t (*intern_leaf)(void *self, unsigned level, uint32_t value);
-  /// Where the word of a leaf is that this level was given before; 0 if it was not.
-  uint32_t (*find_leaf)(void *self, unsigned level, uint32_t value);
-  /// Takes the value of the next voxel, of those that stand apart.
-  void (*put_value)(void *self, uint32_t value);
-  /// Tells that these words will soon be interned; and that no more are told of, for now. Both only make that faster.
-  void (*announce)(void *self, unsigned level, const uint32_t *words, uint64_t count);
-  void (*end_announcing)(void *self, unsigned level);
-  /// Forgets which nodes and leaves a level has been given.
-  void (*forget)(void *self, unsigned level);
-  /// Zeroed memory for the one grid of a level that is being filled, and its return. Null once building has
-  /// failed.
-  uint32_t *(*allocate)(void *self, unsigned level, uint64_t count);
-  void (*release)(void *self, unsigned level);
-  /// Keeps the number and the value of a cell for the one hashed grid of a level that is being filled; gives all that were
-  /// kept, two words each; forgets them.
-  void (*keep)(void *self, unsigned level, uint32_t cell, uint32_t value);
-  const uint32_t *(*kept)(void *self, unsigned level, uint64_t *count);
-  void (*drop)(void *self, unsigned level);
-  /// To be called during long work on a grid, with the words touched since: lets the program look after its
-  /// memory.
-  void (*pause)(void *self, uint64_t words);
-
-  /// Counts, for each level by its number, the words that were wanted again and found without asking.
-  uint64_t *shared;
-
-  /// Cubes of 2^log2_part voxels a side were built apart; -1: none.
-  int log2_part;
-  void (*take_part)(void *self, Voxel low, Part *part);
-  /// Hands over the result of building a part.
-  void (*finish_node)(void *self, const Node *node);
-  void (*finish_cell)(void *self, const PlacedCell *cell);
-};
-
 /// Spreads the low three bits of a coordinate to every third bit.
 constexpr unsigned spread3(int i) { return static_cast<unsigned>((i & 1) | (i & 2) << 2 | (i & 4) << 4); }
-
-/// log2 of the side of the bricks in which voxels are read.
-constexpr int kLog2Brick = 3;
 
 /// The place of a voxel within its brick, in Morton order, and the voxel at a place.
 constexpr unsigned brick_index(Voxel at) { return spread3(at.x) | spread3(at.y) << 1 | spread3(at.z) << 2; }
@@ -146,8 +30,9 @@ public:
 
   /// True if the aligned cube of 2^log2_side voxels a side holds no voxel; may be false for an empty one.
   bool is_empty(Voxel low, int log2_side) {
-    return log2_side >= kLog2Brick || is_part(log2_side) ? host_.is_empty(host_.self, low, log2_side)
-                                                         : !brick(low).holds_any(brick_index(low), 3 * log2_side);
+    return log2_side >= kLog2Brick || is_part(log2_side)
+               ? host_.is_empty(host_.self, low, log2_side)
+               : !brick(low).holds_any(brick_index(low), 3 * log2_side);
   }
 
   /// The brick around `at`.
@@ -239,7 +124,8 @@ private:
 
   KnownLeaf &leaf_at(uint32_t value) { return leaves_[(value * 0x9e3779b1u) >> (32 - kLog2Leaves)]; }
   bool is_known(const KnownLeaf &known, unsigned level, uint32_t value) const {
-    return known.generation == generation_ && known.level == level && known.value == value && known.offset != 0;
+    return known.generation == generation_ && known.level == level && known.value == value &&
+           known.offset != 0;
   }
 
   const Host &host_;
@@ -251,8 +137,8 @@ private:
   KnownLeaf leaves_[1u << kLog2Leaves];
 };
 
-/// The shape of a grid: log2 of its cells along each axis, and of the voxels along a cell's side; whether its cells hold
-/// voxels, or sub-volumes, which may be as small.
+/// The shape of a grid: log2 of its cells along each axis, and of the voxels along a cell's side; whether its
+/// cells hold voxels, or sub-volumes, which may be as small.
 struct GridShape {
   int x;
   int y;
@@ -279,8 +165,8 @@ constexpr Voxel child_low(Voxel low, unsigned i, int log2_side) {
 /// What a cell of the last level holds.
 inline uint32_t construct_voxel(Build &build, Voxel at) { return build.brick(at).voxels[brick_index(at)]; }
 
-/// Visits the voxels of a brick that are not empty, as placed cells, as far as they lie in the 2^height a side at `cell`
-/// of a grid of voxels.
+/// Visits the voxels of a brick that are not empty, as placed cells, as far as they lie in the 2^height a
+/// side at `cell` of a grid of voxels.
 template <GridShape kShape, typename Visit>
 void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &visit) {
   const Brick &brick = build.brick(corner);
@@ -297,9 +183,10 @@ void for_each_voxel(Build &build, Voxel corner, Voxel cell, int height, Visit &v
     }
 }
 
-/// Visits the cells of a grid that are not empty, as placed cells, in Morton order of its bounding cube: cells outside a grid that is no cube are skipped a whole aligned cube at a time, and so are
-/// empty ones. `low` is the corner of the grid, `cell` that, in cells, of the 2^height a side to visit, and
-/// `kNext` builds what a cell holds.
+/// Visits the cells of a grid that are not empty, as placed cells, in Morton order of its bounding cube:
+/// cells outside a grid that is no cube are skipped a whole aligned cube at a time, and so are empty ones.
+/// `low` is the corner of the grid, `cell` that, in cells, of the 2^height a side to visit, and `kNext`
+/// builds what a cell holds.
 template <GridShape kShape, uint32_t (*kNext)(Build &, Voxel), typename Visit>
 void for_each_cell(Build &build, Voxel low, Voxel cell, int height, Visit &visit) {
   constexpr int kLog2Cell = kShape.log2_cell;
@@ -348,7 +235,8 @@ inline void put_bits(uint32_t *words, uint64_t at, unsigned bits, uint32_t field
 /// Words of the masks of a node with so many children: both sets share one word, or have words of their own.
 constexpr int mask_words(int children) { return 2 * children <= 32 ? 1 : children / 16; }
 
-/// The children of a node that is about to be written. The arrays hold what is known of those that are not empty.
+/// The children of a node that is about to be written. The arrays hold what is known of those that are not
+/// empty.
 template <int kChildren> struct Children {
   uint64_t filled = 0; ///< Bit i: child i is not empty.
   uint64_t leaves = 0; ///< Bit i: it is a leaf.

@@ -6,7 +6,7 @@
 #include "voxc/Support/Geometry.h"
 
 // The same header that the generated code includes: one definition of the interface between the two.
-#include "voxc_construct.h"
+#include "voxc_host.h"
 
 #include <cstdint>
 

@@ -8,6 +8,7 @@
 
 #include "voxc/Emit/Emit.h"
 #include "voxc/Layout/Values.h"
+#include "voxc/Support/EmbeddedFile.h"
 #include "voxc/Support/Stopwatch.h"
 
 namespace voxc {
@@ -37,8 +38,10 @@ Expected<Constructor> Constructor::compile(const Format &format, const CompileCa
   const std::string text = emitConstruct(*plan);
   // -O1: a third less compile time than -O2, and builds that are as fast; they wait for the source, not for
   // this code. Only sweeps over distances gain from vectors.
-  auto code = JitCode::compile({{"construct.cpp", text}, {"voxc_construct.h", constructHeader()}},
-                               {.optimisation = 1, .vectorLoops = true}, cache);
+  std::vector<MemoryFile> files = {{"construct.cpp", text}};
+  for (const EmbeddedFile &header : constructHeaders())
+    files.push_back({std::string(header.path), header.text});
+  auto code = JitCode::compile(files, {.optimisation = 1, .vectorLoops = true}, cache);
   if (!code)
     return code.error();
   auto whole = code->find("voxc_construct");

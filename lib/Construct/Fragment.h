@@ -6,7 +6,7 @@
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/Geometry.h"
 
-#include "voxc_construct.h"
+#include "voxc_host.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "NodeStore.h"
 
-#include "voxc_construct.h"
+#include "voxc_host.h"
 
 #include <array>
 #include <cstdint>

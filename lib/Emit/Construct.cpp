@@ -67,8 +67,6 @@ std::string partChoice(const Plan &plan) {
 
 } // namespace
 
-std::string_view constructHeader() { return runtimeFile(constructFiles(), "voxc_construct.h"); }
-
 std::string emitConstruct(const Plan &plan) {
   TemplateNames names = planNames(plan);
   std::string levels;

@@ -144,16 +144,15 @@ Expected<std::string> makeIntersection(Generator &generator) {
 std::vector<Artefact> noCompanions(Generator &) { return {}; }
 
 // So that a plain compiler finds what the texts include.
-std::vector<Artefact> constructCompanions(Generator &) {
-  return {{"voxc_construct.h", std::string(constructHeader())}};
-}
-
-std::vector<Artefact> cppCompanions(Generator &) {
+std::vector<Artefact> artefactsOf(std::span<const EmbeddedFile> embedded) {
   std::vector<Artefact> files;
-  for (const EmbeddedFile &header : intersectHeaders())
+  for (const EmbeddedFile &header : embedded)
     files.push_back({std::string(header.path), std::string(header.text)});
   return files;
 }
+
+std::vector<Artefact> constructCompanions(Generator &) { return artefactsOf(constructHeaders()); }
+std::vector<Artefact> cppCompanions(Generator &) { return artefactsOf(intersectHeaders()); }
 
 std::vector<Artefact> cpuCompanions(Generator &generator) {
   return {{"intersect.h", emitIntersectHeader(generator.cpuPlan(), generator.choices().cpu.symbol)}};

@@ -8,7 +8,7 @@
 
 namespace voxc {
 
-/// construct.cpp: one function a level; needs only `voxc_construct.h` beside it.
+/// construct.cpp: one function a level; needs only `constructHeaders()` beside it.
 std::string emitConstruct(const Plan &plan);
 
 /// intersect.glsl: a complete compute shader; one function a level, a unit and a root function.
@@ -64,8 +64,5 @@ std::string headerPrefix(std::string_view name);
 
 /// "voxc_r4_4_4_g8.h".
 std::string headerFile(std::string_view name);
-
-/// The text of voxc_construct.h, the one header that construct.cpp includes.
-std::string_view constructHeader();
 
 } // namespace voxc

@@ -15,8 +15,11 @@ struct EmbeddedFile {
 /// The files of shaders-runtime.
 std::span<const EmbeddedFile> shaderFiles();
 
-/// The files of construct-runtime.
+/// The leaves of construct-runtime.
 std::span<const EmbeddedFile> constructFiles();
+
+/// The headers of construct-runtime: what construct.cpp includes.
+std::span<const EmbeddedFile> constructHeaders();
 
 /// The leaves of cpu-runtime.
 std::span<const EmbeddedFile> cpuFiles();
