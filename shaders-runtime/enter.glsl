@@ -9,7 +9,7 @@ void bound_errors(inout Ray ray, ${real3} cell, float of_origin, float slack) {
   ${real3} reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
   ${real} error = greatest_of(reach) * ROUNDINGS + ${real}(of_origin);
   if (COMES_NEAR || SETTLES)
-    error = min(error + slack * greatest_of(abs(ray.direction)), ${real}(NEVER));
+    error = min(error + 2.0f * slack, ${real}(NEVER));
   ray.slack = slack;
   ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
   ray.doubt = 2.0f * error;
@@ -112,7 +112,7 @@ OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, bool starts_far) {
 // The same by ${real-name}, of an ordinary ray: it passes the last of these faces, or is past all of them. Not sure if that cannot tell
 // which face is the last, or which cell is behind it.
 Walk entered(const Ray ray, Walk walk, ${real3} face, inout bool sure) {
-  const float LATEST = 18446744073709551616.0f; // 2^64: a ray of 2^-40 voxels a moment is past the volume by then, whatever enters last.
+  const float LATEST = 281474976710656.0f; // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
   ${real3} t = mix(${real3}(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
   ${real} latest = min(greatest_of(t), ${real}(LATEST));
   ${real} before = second_least_of(t);

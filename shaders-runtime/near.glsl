@@ -3,7 +3,7 @@
 //
 // A ray is moved by a moment of which 12 bits are set, so that the moment times the upper 12 bits of a component of the direction is a
 // float32, and times the lower 12 bits too: no product is rounded. What is summed up is kept as two float32, `high` and `low`, of
-// which the lower one is wrong by a few of its own roundings. A ray that comes to the volume after a moment M, D voxels long, begins at
+// which the lower one is wrong by a few of its own roundings. A ray that comes to the volume after a moment M, D < 2 M voxels long, begins at
 // most the volume's size and D away from it, so that a move loses less than 2^-43 (2 D + far_away()), whichever way sums are rounded.
 // It ends before the volume, at 2^-11 of the distance.
 //
@@ -55,17 +55,16 @@ Start come_near(inout Ray ray, ${real3} face) {
   if (!COMES_NEAR || !start.is_far)
     return start;
   vec3 direction = mix(vec3(0.0f), vec3(ray.direction), ray.moves);
-  float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
-  float last = 18446744073709551616.0f / longest; // 2^64 voxels away.
+  const float LAST = 18446744073709551616.0f; // 2^64, at least as many voxels away.
   vec3 upper = uintBitsToFloat(floatBitsToUint(direction) & UPPER);
   ${real3} high = ray.origin, low = ${real3}(0.0f);
   float latest = 0.0f;
   for (int moves = 0; moves < MOST_MOVES && start.is_far; moves++) {
     vec3 t = mix(vec3(-NEVER), vec3((face - high) * ray.inverse), ray.moves);
     latest = max(max(t.x, t.y), t.z);
-    bool is_ahead = latest > 0.0f && latest < last;
+    bool is_ahead = latest > 0.0f && latest < LAST;
     float moment = is_ahead ? uintBitsToFloat(floatBitsToUint(latest * (1.0f - 1.0f / 1048576.0f)) & UPPER) : 0.0f;
-    start.wrong += (2.0f * moment * longest + far_away()) / 8796093022208.0f; // 2^43.
+    start.wrong += (4.0f * moment + far_away()) / 8796093022208.0f; // 2^43.
     move_by(${real3}(moment * upper), high, low);
     move_by(${real3}(moment * (direction - upper)), high, low);
     latest -= moment;
@@ -77,9 +76,8 @@ Start come_near(inout Ray ray, ${real3} face) {
   ray.late = start.is_far ? ray.late : mix(${real3}(0.0f), behind * ray.inverse, ray.moves);
   ${real3} steep = abs(ray.inverse);
   // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest side, which is half of what is far.
-  float through = 0.5f * far_away() / longest;
   steep = mix(${real3}(0.0f), steep, ray.moves);
-  start.slack = 2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + through) * float(ROUNDINGS) / 4.0f;
+  start.slack = 2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + 0.5f * far_away()) * float(ROUNDINGS) / 4.0f;
   start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
   return start;
 }

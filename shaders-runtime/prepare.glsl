@@ -1,22 +1,23 @@
 // A ray as given, made ready for walking.
 
-const float LEAST_COMPONENT = 1.0f / 1152921504606846976.0f / 1099511627776.0f; // 2^-100.
+const float LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
-// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their direction is of a
-// moderate length, 2^-40 to 2^40, all their numbers are 0 or at least 2^-80, none of their coordinates is that of the volume's last faces,
-// and they begin within 2^45 voxels, or near the volume if rays from far away are not moved.
-bool is_ordinary(uvec3 origin, uvec3 direction) {
-  const uint SHORT_BITS = 0x2b800000u; // Of 2^-40.
-  const uint RANGE = 0x28000000u;      // From there to 2^40.
-  const uint TINY_BITS = 0x17800000u;  // Of 2^-80.
-  const uint FAR_BITS = 0x56000000u;   // Of 2^45.
+// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their direction is scaled
+// without a rounding, all numbers of theirs are then 0 or at least 2^-80, none of their coordinates is that of the volume's last faces,
+// and they begin within 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
+// longest component, and `component` is the direction once it is scaled.
+bool is_ordinary(uvec3 origin, uint longest, vec3 component) {
+  const uint SHORTEST = 0x00800000u; // The bits of 2^-126, below which devices may keep no number.
+  const uint RANGE = 0x7e800000u;    // From there to 2^127, where no number is left to scale by.
+  const uint FAR_BITS = 0x56000000u; // Of 2^45.
   uvec3 place = origin & ~SIGN_BIT;
-  uvec3 size = direction & ~SIGN_BIT;
-  bool is_moderate = max(max(size.x, size.y), size.z) - SHORT_BITS < RANGE;
-  bool is_large = all(greaterThanEqual(min(place - 1u, size - 1u), uvec3(TINY_BITS - 1u)));
-  bool is_near = all(lessThan(place, uvec3(COMES_NEAR ? FAR_BITS : floatBitsToUint(far_away()))));
+  uvec3 least = min(place - 1u, floatBitsToUint(abs(component)));
+  uint farthest = max(max(place.x, place.y), place.z);
+  bool is_scaled = longest - SHORTEST < RANGE;
+  bool is_large = min(min(least.x, least.y), least.z) >= floatBitsToUint(LEAST_COMPONENT);
+  bool is_near = farthest < (COMES_NEAR ? FAR_BITS : floatBitsToUint(far_away()));
   bool is_on_face = any(equal(origin, floatBitsToUint(vec3(VOLUME_SIZE))));
-  return is_moderate && is_large && is_near && !is_on_face;
+  return is_scaled && is_large && is_near && !is_on_face;
 }
 
 // The magnitudes of a direction, divided by a power of two that leaves the largest in [1, 2), for numbers of any size.
@@ -36,18 +37,23 @@ OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
   return result;
 }
 
-Ray prepare_ray(uvec3 origin, uvec3 direction, bool ordinary) {
+// Makes a ray ready, whose direction is scaled by a power of two so that its longest component is in [1, 2).
+Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   Ray ray;
   ray.given_origin = origin;
   ray.given_direction = direction;
+  uvec3 size = direction & ~SIGN_BIT;
+  uint longest = max(max(size.x, size.y), size.z);
+  ray.moves = notEqual(size, uvec3(0u));
+  vec3 component = uintBitsToFloat(direction) * uintBitsToFloat(0x7f000000u - (longest & INFINITY_BITS));
+  component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
+  ordinary = is_ordinary(origin, longest, component);
   ray.plain = ordinary;
-  ray.moves = notEqual(direction & ~SIGN_BIT, uvec3(0u));
-  vec3 component = uintBitsToFloat(direction);
   if (SETTLES && !ordinary) {
     ray.plain = are_plain(origin) && are_plain(direction);
-    component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction, uvec3(SIGN_BIT))) * scaled_exactly(direction & ~SIGN_BIT);
+    component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction, uvec3(SIGN_BIT))) * scaled_exactly(size);
+    component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
   }
-  component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
   ivec3 sign = floatBitsToInt(component) >> 31;
   ray.origin = ${real3}(uintBitsToFloat(origin));
   ray.direction = ${real3}(component);

@@ -3,7 +3,7 @@ struct Ray {
   uvec3 given_origin;    // The bits of six float32 taken as exact numbers.
   uvec3 given_direction;
   ${real3-wide} origin;          // Where walking counts from: the given origin, or where a ray from far away enters.
-  ${real3-wide} direction;       // As given, or scaled by a power of two; LEAST_COMPONENT where a coordinate never changes, so that
+  ${real3-wide} direction;       // Scaled so that the longest is in [1, 2); LEAST_COMPONENT where a coordinate never changes, so that
   ${real3-wide} inverse;         // it passes no face before another does. All t are those of this direction, from this origin.
   ${real3-wide} late;            // By how much each t comes late that is counted from there.
   ${real} slack;           // What is wrong of a t, beside a few roundings.

@@ -5,8 +5,8 @@ bool goes_nowhere(uvec3 direction) { return ((direction.x | direction.y | direct
 
 // Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray is left.
 bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Walk walk) {
-  bool ordinary = is_ordinary(origin, direction);
-  bool stays = SETTLES && !ordinary && goes_nowhere(direction);
+  bool stays = SETTLES && goes_nowhere(direction);
+  bool ordinary;
   ray = prepare_ray(origin, stays ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction, ordinary);
   if (root == 0u)
     return false;
