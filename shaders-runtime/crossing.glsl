@@ -61,22 +61,32 @@ int compare_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
 }
 %if packets
 
-// Whether a and b pass their faces at one t, seen by doubles: of numbers with few bits, or of the same numbers on both axes. The
-// distance to a face is exact if taking it away from the larger of face and origin leaves the other. Its first 24 bits and the
-// other 29 times a float32 are exact, each. False says nothing. Not for devices, whose compilers may take a - b + b for a.
+// The way from a coordinate to a face, which is exact if taking it away from the larger of the two leaves the other. Its first 24 bits
+// and the other 29 times a float32 are exact, each. Not for devices, whose compilers may take a - b + b for a.
+struct Way {
+  double distance;
+  double high;
+  double low;
+  bool is_exact;
+};
+
+Way way_to(double face, double origin) {
+  double distance = face - origin;
+  double high = double(float(distance));
+  return Way(distance, high, distance - high, distance + origin == face && face - distance == origin);
+}
+
+// Whether coordinates that go two ways get there at one t: they have few bits, or are the same on both axes. False says nothing.
+bool meet(const Way a, double speed_a, const Way b, double speed_b) {
+  bool same = a.high * speed_b == b.high * speed_a && a.low * speed_b == b.low * speed_a;
+  return a.is_exact && b.is_exact && same;
+}
+
+// Whether a and b pass their faces at one t, seen by doubles. False says nothing.
 bool meet_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
-  double origin_a = exactly(ray.given_origin[a]);
-  double origin_b = exactly(ray.given_origin[b]);
-  double to_a = double(face_a) - origin_a;
-  double to_b = double(face_b) - origin_b;
-  bool exact_a = to_a + origin_a == double(face_a) && double(face_a) - to_a == origin_a;
-  bool exact_b = to_b + origin_b == double(face_b) && double(face_b) - to_b == origin_b;
-  double high_a = double(float(to_a));
-  double high_b = double(float(to_b));
-  double speed_a = exactly(ray.given_direction[a]);
-  double speed_b = exactly(ray.given_direction[b]);
-  bool same = high_a * speed_b == high_b * speed_a && (to_a - high_a) * speed_b == (to_b - high_b) * speed_a;
-  return ray.plain && exact_a && exact_b && same;
+  Way way_a = way_to(double(face_a), exactly(ray.given_origin[a]));
+  Way way_b = way_to(double(face_b), exactly(ray.given_origin[b]));
+  return ray.plain && meet(way_a, exactly(ray.given_direction[a]), way_b, exactly(ray.given_direction[b]));
 }
 %end
 %end

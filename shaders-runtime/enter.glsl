@@ -154,6 +154,10 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   Walk start = entered(ray, walk, face, sure);
+%if refines
+  if (!sure && ordinary && !near.is_far)
+    start = entered_by_doubles(ray, walk, sure);
+%end
   if (SETTLES && !sure)
     start = entered_exactly(ray, walk, near.is_far);
   if (!SETTLES && !sure) {

@@ -1,29 +1,53 @@
-// A step that float32 cannot tell, by doubles from the ray as given. What they get wrong: two roundings of 2^-53 of a t, three
-// of a coordinate, which is a sum of two numbers that may be larger than it.
+// A step that float32 cannot tell, by doubles from the ray as given: where the ray passes faces one after the other, and where it passes
+// several at one t, as rays of whole numbers do at nearly each step. What doubles get wrong: two roundings of 2^-53 of a t, three of a
+// coordinate, which is a sum of two numbers that may be larger than it. What is closer than that meets exactly, or is not told.
 const double FEW_ROUNDINGS = double(1.0f / 1125899906842624.0f); // 2^-50.
 const double LATER_THAN_ANY = double(NEVER) * double(NEVER) * double(NEVER); // A direction as given may be small.
 
-// When coordinate a passes a face; later than any other where it never changes.
-double time_by_doubles(const Ray ray, int a, int face) {
-  return ray.moves[a] ? (double(face) - exactly(ray.given_origin[a])) / exactly(ray.given_direction[a]) : LATER_THAN_ANY;
+dvec3 exactly(uvec3 bits) { return dvec3(exactly(bits.x), exactly(bits.y), exactly(bits.z)); }
+
+// When a ray passes a face, or several.
+struct Passage {
+  double t;
+  int axis;     // Of one of them,
+  Way way;      // with the way to it,
+  double speed; // and the direction there.
+  bool rises;   // Rising coordinates pass faces, which change cell before those that fall.
+};
+
+// When a coordinate passes a face; later than any other where it never changes.
+double time_by_doubles(bool moves, const Way way, double speed) { return moves ? way.distance / speed : LATER_THAN_ANY; }
+
+// The passage of one of three faces, to which these are the ways.
+Passage passage_of(int axis, double t, const Way x, const Way y, const Way z, dvec3 speed) {
+  Passage passage;
+  passage.t = t;
+  passage.axis = axis;
+  passage.way = axis == 0 ? x : axis == 1 ? y : z;
+  passage.speed = axis == 0 ? speed.x : axis == 1 ? speed.y : speed.z;
+  passage.rises = passage.speed > 0.0;
+  return passage;
 }
 
-// A range of the coordinate that changes from `origin` with `direction`, at a t: the least, and how much more it may be.
-double least_by_doubles(double origin, double direction, double t, out double doubt) {
-  double way = t * direction;
-  double least = (abs(origin) + abs(way)) * FEW_ROUNDINGS;
-  doubt = direction == 0.0 ? 0.0 : least + least;
-  return direction == 0.0 ? origin : origin + way - least;
+// Whether a coordinate, that of `axis`, passes its face when the passage is. Not sure if only integers can tell.
+bool is_passed(const Passage passage, int axis, double t, const Way way, double speed, inout bool sure) {
+  bool is_close = abs(t - passage.t) <= abs(passage.t) * FEW_ROUNDINGS;
+  bool meets = axis == passage.axis || meet(passage.way, passage.speed, way, speed);
+  sure = sure && (meets || !is_close);
+  return meets && is_close;
 }
 
-// The cell of a cube of `side` voxels from `corner` on, in which a coordinate lies that is at least so much. A coordinate just
-// below the cube, or in its last half cell, belongs to its first or last cell.
-int cell_by_doubles(int corner, int side, double least, double doubt, inout bool sure) {
-  double from = double(corner);
-  double place = clamp(least, from, from + (double(side) - 0.5));
-  double whole = floor(place);
-  sure = sure && (side == 1 || place - whole < 1.0 - doubt);
-  return int(whole);
+// The cell of a coordinate when the passage is, of `side` from `corner` on, if it is not among those that change then.
+int cell_by_doubles(const Passage passage, double origin, double speed, int corner, int side, inout bool sure) {
+  double way = passage.t * speed;
+  double place = origin + way;
+  double whole = floor(place + 0.5);
+  bool is_close = speed != 0.0 && abs(place - whole) <= (abs(origin) + abs(way)) * FEW_ROUNDINGS;
+  bool meets = meet(passage.way, passage.speed, way_to(whole, origin), speed);
+  sure = sure && (meets || !is_close || side == 1);
+  bool is_below = is_close && speed < 0.0 && !passage.rises; // It falls through that face with the others.
+  double cell = is_close ? whole - double(is_below) : floor(place);
+  return int(clamp(cell, double(corner), double(corner + side - 1)));
 }
 
 // Steps over the gap around the walk's cell. False, and no step, if doubles cannot tell either.
@@ -31,24 +55,67 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
   int side = gap.count << gap.log2_side;
   ivec3 corner = corner_of(ray, walk.cell, gap);
   ivec3 face = corner + (ray.ahead & side);
-  dvec3 t = dvec3(time_by_doubles(ray, 0, face.x), time_by_doubles(ray, 1, face.y), time_by_doubles(ray, 2, face.z));
-  double first = min(min(t.x, t.y), t.z);
-  bvec3 crossed = lessThanEqual(t, dvec3(first + abs(first) * FEW_ROUNDINGS));
-  ivec3 count = ivec3(crossed);
-  bool sure = ray.plain && count.x + count.y + count.z == 1;
-  corner += mix(ivec3(0), ray.heading, crossed) * side;
-  dvec3 origin = dvec3(exactly(ray.given_origin.x), exactly(ray.given_origin.y), exactly(ray.given_origin.z));
-  dvec3 direction = dvec3(exactly(ray.given_direction.x), exactly(ray.given_direction.y), exactly(ray.given_direction.z));
-  dvec3 doubt;
-  dvec3 least = dvec3(least_by_doubles(origin.x, direction.x, first, doubt.x),
-                      least_by_doubles(origin.y, direction.y, first, doubt.y),
-                      least_by_doubles(origin.z, direction.z, first, doubt.z));
-  ivec3 cell = ivec3(cell_by_doubles(corner.x, side, least.x, doubt.x, sure),
-                     cell_by_doubles(corner.y, side, least.y, doubt.y, sure),
-                     cell_by_doubles(corner.z, side, least.z, doubt.z, sure));
+  dvec3 origin = exactly(ray.given_origin);
+  dvec3 speed = exactly(ray.given_direction);
+  Way x = way_to(double(face.x), origin.x);
+  Way y = way_to(double(face.y), origin.y);
+  Way z = way_to(double(face.z), origin.z);
+  dvec3 t = dvec3(time_by_doubles(ray.moves.x, x, speed.x), time_by_doubles(ray.moves.y, y, speed.y),
+                  time_by_doubles(ray.moves.z, z, speed.z));
+  double earliest = min(min(t.x, t.y), t.z);
+  Passage first = passage_of(t.x == earliest ? 0 : t.y == earliest ? 1 : 2, earliest, x, y, z, speed);
+  bool sure = ray.plain;
+  bvec3 passed = bvec3(is_passed(first, 0, t.x, x, speed.x, sure), is_passed(first, 1, t.y, y, speed.y, sure),
+                       is_passed(first, 2, t.z, z, speed.z, sure));
+  ivec3 rising = ray.ahead & ivec3(passed);
+  first.rises = (rising.x | rising.y | rising.z) != 0;
+  bvec3 changes = greaterThan(first.rises ? rising : ivec3(passed), ivec3(0));
+  corner += mix(ivec3(0), ray.heading, changes) * side;
+  ivec3 cell = ivec3(cell_by_doubles(first, origin.x, speed.x, corner.x, side, sure),
+                     cell_by_doubles(first, origin.y, speed.y, corner.y, side, sure),
+                     cell_by_doubles(first, origin.z, speed.z, corner.z, side, sure));
+  cell = mix(cell, mix(corner, corner + (side - 1), ray.falls), changes);
   walk.cell = sure ? cell : walk.cell;
 %if axis
-  walk.axis = sure ? (crossed.z ? 2 : crossed.y ? 1 : 0) : walk.axis;
+  walk.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : walk.axis;
 %end
   return sure;
+}
+
+// Finds the cell in which an ordinary ray enters the volume: that of its origin, or through the last of the faces that it must pass. A cell
+// outside if there is none. Not sure if doubles cannot tell either.
+Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
+  dvec3 origin = exactly(ray.given_origin);
+  dvec3 speed = exactly(ray.given_direction);
+  bvec3 below = lessThan(origin, dvec3(0.0));
+  bvec3 above = greaterThanEqual(origin, dvec3(VOLUME_SIZE));
+  ivec3 is_outside = ivec3(below) | ivec3(above);
+  ivec3 enters = (ivec3(below) & ray.ahead) | (ivec3(above) & ~ray.ahead);
+  enters = enters & ivec3(ray.moves);
+  ivec3 face = mix(ivec3(0), VOLUME_SIZE, ray.falls);
+  Way x = way_to(double(face.x), origin.x);
+  Way y = way_to(double(face.y), origin.y);
+  Way z = way_to(double(face.z), origin.z);
+  dvec3 t = dvec3(enters.x != 0 ? x.distance / speed.x : -1.0, enters.y != 0 ? y.distance / speed.y : -1.0,
+                  enters.z != 0 ? z.distance / speed.z : -1.0);
+  double latest = max(max(t.x, t.y), t.z);
+  Passage last = passage_of(t.x == latest ? 0 : t.y == latest ? 1 : 2, latest, x, y, z, speed);
+  bool begins_here = is_outside == ivec3(0);
+  sure = true;
+  bvec3 passed = bvec3(is_passed(last, 0, t.x, x, speed.x, sure), is_passed(last, 1, t.y, y, speed.y, sure),
+                       is_passed(last, 2, t.z, z, speed.z, sure));
+  ivec3 falling = ~ray.ahead & ivec3(passed);
+  last.rises = (falling.x | falling.y | falling.z) == 0; // The last of them fall.
+  ivec3 size = VOLUME_SIZE + 2; // With a cell outside on each side.
+  ivec3 cell = ivec3(cell_by_doubles(last, origin.x, speed.x, -1, size.x, sure), cell_by_doubles(last, origin.y, speed.y, -1, size.y, sure),
+                     cell_by_doubles(last, origin.z, speed.z, -1, size.z, sure));
+  cell = mix(cell, mix(ivec3(0), VOLUME_SIZE - 1, ray.falls), passed);
+  bool misses = is_outside != enters;
+  walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
+  sure = sure || begins_here || misses;
+%if axis
+  ivec3 entry = last.rises ? ivec3(passed) : falling;
+  walk.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
+%end
+  return walk;
 }
