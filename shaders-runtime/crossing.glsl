@@ -59,10 +59,9 @@ int compare_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
   order = ray.plain ? order : 0;
   return ray.falls[a] == ray.falls[b] ? order : -order;
 }
-%if packets
 
 // The way from a coordinate to a face, which is exact if taking it away from the larger of the two leaves the other. Its first 24 bits
-// and the other 29 times a float32 are exact, each. Not for devices, whose compilers may take a - b + b for a.
+// and the other 29 times a float32 are exact, each. Without `precise`, compilers may take a - b + b for a.
 struct Way {
   double distance;
   double high;
@@ -71,14 +70,21 @@ struct Way {
 };
 
 Way way_to(double face, double origin) {
-  double distance = face - origin;
-  double high = double(float(distance));
-  return Way(distance, high, distance - high, distance + origin == face && face - distance == origin);
+  precise double distance = face - origin;
+  precise double high = double(float(distance));
+  precise double low = distance - high;
+  precise double as_face = distance + origin;
+  precise double as_origin = face - distance;
+  return Way(distance, high, low, as_face == face && as_origin == origin);
 }
 
 // Whether coordinates that go two ways get there at one t: they have few bits, or are the same on both axes. False says nothing.
 bool meet(const Way a, double speed_a, const Way b, double speed_b) {
-  bool same = a.high * speed_b == b.high * speed_a && a.low * speed_b == b.low * speed_a;
+  precise double high_a = a.high * speed_b;
+  precise double high_b = b.high * speed_a;
+  precise double low_a = a.low * speed_b;
+  precise double low_b = b.low * speed_a;
+  bool same = high_a == high_b && low_a == low_b;
   return a.is_exact && b.is_exact && same;
 }
 
@@ -88,7 +94,6 @@ bool meet_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
   Way way_b = way_to(double(face_b), exactly(ray.given_origin[b]));
   return ray.plain && meet(way_a, exactly(ray.given_direction[a]), way_b, exactly(ray.given_direction[b]));
 }
-%end
 %end
 
 // -1 if coordinate a passes its face first, 0 if both pass theirs at the same t, else 1. Both move.
@@ -107,10 +112,8 @@ OUT_OF_LINE int compare_exactly(const Ray ray, int a, int face_a, int b, int fac
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
 %if ieee
   int order = compare_by_doubles(ray, a, face_a, b, face_b);
-%if packets
   if (order == 0 && meet_by_doubles(ray, a, face_a, b, face_b))
     return 0;
-%end
   return order != 0 ? order : compare_exactly(ray, a, face_a, b, face_b);
 %else
   return compare_exactly(ray, a, face_a, b, face_b);

@@ -154,8 +154,13 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   Walk start = entered(ray, walk, face, sure);
+%if ieee
 %if refines
-  if (!sure && ordinary && !near.is_far)
+  bool asks_doubles = true;
+%else
+  bool asks_doubles = SETTLES;
+%end
+  if (asks_doubles && !sure && ordinary && !near.is_far)
     start = entered_by_doubles(ray, walk, sure);
 %end
   if (SETTLES && !sure)

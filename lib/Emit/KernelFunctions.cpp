@@ -33,9 +33,9 @@ private:
   void walkFunctions() {
     for (const char *path : kBeforeStep)
       file(path);
-    file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
-    if (plan_.steps == Steps::Refined)
+    if (plan_.predicate == Predicate::Exact && plan_.arithmetic == Arithmetic::Ieee)
       file("step/doubles.glsl");
+    file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
     for (const char *path : kAfterStep)
       file(path);
     if (plan_.outputs.t)

@@ -77,5 +77,12 @@ void settle_step(const Ray ray, inout Walk walk) {
   Gap gap = Gap(walk.open & 31, walk.open >> 5);
   walk.open = CLOSED;
   walk.cell = ~walk.cell;
+%if ieee
+%if refines
+%else
+  if (step_by_doubles(ray, walk, gap))
+    return;
+%end
+%end
   walk = settled(ray, walk, gap);
 }
