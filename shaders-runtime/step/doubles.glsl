@@ -50,6 +50,7 @@ int cell_by_doubles(const Passage passage, double origin, double speed, int corn
   return int(clamp(cell, double(corner), double(corner + side - 1)));
 }
 
+%if exact
 // Steps over the gap around the walk's cell. False, and no step, if doubles cannot tell either.
 bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
   int side = gap.count << gap.log2_side;
@@ -82,6 +83,7 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
   return sure;
 }
 
+%end
 // Finds the cell in which an ordinary ray enters the volume: that of its origin, or through the last of the faces that it must pass. A cell
 // outside if there is none. Not sure if doubles cannot tell either.
 Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
