@@ -27,7 +27,8 @@ inline double touchTriangle(const MeshPart &part, std::uint64_t triangle) {
   double sum = 0;
   for (const std::uint32_t corner : part.corners(triangle)) {
     require(corner < part.positions.count);
-    sum += touch(part.positions, corner) + touch(part.uvs, corner) + touch(part.colours, corner);
+    sum += touch(part.positions, corner) + touch(part.uvs, corner) + touch(part.colours, corner) +
+           touch(part.emissionUvs, corner);
   }
   return sum;
 }
@@ -57,6 +58,7 @@ inline void useScene(const TriangleScene &scene) {
   for (const Material &material : scene.materials) {
     requireTexture(scene, material.texture);
     requireTexture(scene, material.alphaMask);
+    requireTexture(scene, material.emissionTexture);
   }
   for (const Texture &texture : scene.textures)
     require(texture.width > 0 && texture.height > 0 &&

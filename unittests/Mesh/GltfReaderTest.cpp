@@ -167,9 +167,9 @@ TEST_F(GltfReader, TexturedMaterials) {
     "samplers":[{"wrapS":33071,"wrapT":33648}],"images":[{"uri":"none.png"},{"bufferView":4}])");
   const Material &material = materialOf(scene, 0);
   EXPECT_EQ(material.colour, (std::array<float, 4>{1, 0.5f, 0.25f, 0.5f}));
-  // Alpha is multiplied by the factor's before it is compared.
-  EXPECT_EQ(material.alphaCutoff, 0.5f);
-  EXPECT_FALSE(material.opaque);
+  EXPECT_EQ(material.alphaCutoff, 0.25f);
+  EXPECT_EQ(material.alpha, AlphaRule::Mask);
+  EXPECT_TRUE(material.isLinear);
   EXPECT_EQ(material.texture.wrap[0], TextureWrap::ClampToEdge);
   EXPECT_EQ(material.texture.wrap[1], TextureWrap::MirroredRepeat);
   EXPECT_EQ(material.texture.matrix, (std::array<float, 6>{1, 0, 0, 0, 1, 0}));
@@ -181,11 +181,42 @@ TEST_F(GltfReader, TexturedMaterials) {
 }
 
 TEST_F(GltfReader, AlphaModes) {
-  EXPECT_TRUE(materialOf(loadMaterial("{}"), 0).opaque);
-  EXPECT_TRUE(materialOf(loadMaterial(R"({"alphaMode":"OPAQUE"})"), 0).opaque);
+  EXPECT_EQ(materialOf(loadMaterial("{}"), 0).alpha, AlphaRule::Opaque);
+  EXPECT_EQ(materialOf(loadMaterial(R"({"alphaMode":"OPAQUE"})"), 0).alpha, AlphaRule::Opaque);
   const TriangleScene blended = loadMaterial(R"({"alphaMode":"BLEND","alphaCutoff":0.1})");
-  EXPECT_FALSE(materialOf(blended, 0).opaque);
+  EXPECT_EQ(materialOf(blended, 0).alpha, AlphaRule::Blend);
   EXPECT_EQ(materialOf(blended, 0).alphaCutoff, 0.5f);
+}
+
+TEST_F(GltfReader, Emission) {
+  const std::string textures = R"(,"textures":[{"source":0}],"images":[{"bufferView":4}])";
+  TriangleScene scene = loadMaterial(R"({"emissiveFactor":[1,0.5,0.25],
+    "emissiveTexture":{"index":0,"texCoord":1,"extensions":{"KHR_texture_transform":{"offset":[0.5,0]}}},
+    "pbrMetallicRoughness":{"baseColorFactor":[0,0,0,1]}})",
+                                     textures);
+  EXPECT_EQ(materialOf(scene, 0).emission, (std::array<float, 3>{1, 0.5f, 0.25f}));
+  EXPECT_EQ(materialOf(scene, 0).emissionTexture.texture, 0);
+  EXPECT_EQ(materialOf(scene, 0).emissionTexture.matrix[2], 0.5f);
+  EXPECT_EQ(materialOf(scene, 0).texture.texture, -1);
+  EXPECT_FALSE(scene.parts[0].uvs);
+  EXPECT_EQ(readRow<2>(scene.parts[0].emissionUvs, 1), (std::array<double, 2>{0, 1}));
+  // Strengths below 1 count; a texture without a factor gives nothing, and a material without light neither.
+  scene = loadMaterial(R"({"emissiveFactor":[1,0.5,0.25],
+    "extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":0.5}}})");
+  EXPECT_EQ(materialOf(scene, 0).emission, (std::array<float, 3>{0.5f, 0.25f, 0.125f}));
+  scene = loadMaterial(R"({"emissiveTexture":{"index":0}})", textures);
+  EXPECT_EQ(scene.textures.size(), 0u);
+  scene = loadMaterial(R"({"emissiveFactor":[1,1,1],"extensions":{"KHR_materials_unlit":{}}})");
+  EXPECT_EQ(materialOf(scene, 0).emission, (std::array<float, 3>{}));
+}
+
+TEST_F(GltfReader, ATextureWithoutCoordinatesIsLeftOutAloud) {
+  const TriangleScene scene =
+      loadMaterial(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":7}}})",
+                   R"(,"textures":[{"source":0}],"images":[{"bufferView":4}])");
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("has no TEXCOORD_7"), std::string::npos);
+  EXPECT_FALSE(scene.parts[0].uvs);
 }
 
 TEST_F(GltfReader, TextureTransform) {

@@ -165,8 +165,84 @@ TEST(SurfaceColour, AlphaBelowTheCutoffCutsOut) {
   expectAll(voxelized(scene), kGrey);
   scene->materials[0].alphaCutoff = 0.75f;
   EXPECT_TRUE(voxelized(scene).empty());
-  scene->materials[0].opaque = true;
+  scene->materials[0].alpha = AlphaRule::Opaque;
   expectAll(voxelized(scene), kGrey);
+}
+
+TEST(SurfaceColour, AMaskHoldsAllAlphaAgainstTheCutoff) {
+  HandPart part = square(0.5f, 0);
+  part.colours.assign(4, {1, 1, 1, 0.5f});
+  Material material = textured(0);
+  material.colour[3] = 0.5f;
+  material.alpha = AlphaRule::Mask;
+  material.alphaCutoff = 0.2f;
+  auto scene = sceneOf({part}, {material});
+  // 0.5 * 0.5 * 0.8 is 0.2, the cutoff itself; what is left is opaque.
+  scene->textures.push_back(textureOf(1, 1, {rgba(9, 9, 9, 204)}));
+  expectAll(voxelized(scene), kGrey);
+  scene->textures[0] = textureOf(1, 1, {rgba(9, 9, 9, 203)});
+  EXPECT_TRUE(voxelized(scene).empty());
+  scene->materials[0].alpha = AlphaRule::Opaque;
+  expectAll(voxelized(scene), kGrey);
+}
+
+TEST(SurfaceColour, WhatIsBlendedToNothingIsCutOut) {
+  HandPart part = square(0.5f, 0);
+  part.colours.assign(4, {1, 0, 0, 1});
+  Material material;
+  material.alpha = AlphaRule::Blend;
+  material.colour[3] = 0.2f;
+  auto scene = sceneOf({part}, {material});
+  expectAll(voxelized(scene), rgba(255, 0, 0, 51));
+  scene->materials[0].colour[3] = 0.001f;
+  EXPECT_TRUE(voxelized(scene).empty());
+  scene->parts[0].colours = {};
+  EXPECT_TRUE(voxelized(scene).empty());
+  // Vertices alone.
+  part.colours.assign(4, {1, 0, 0, 0});
+  scene = sceneOf({part}, {material});
+  EXPECT_TRUE(voxelized(scene).empty());
+  scene->materials[0].alpha = AlphaRule::Kept;
+  expectAll(voxelized(scene), rgba(255, 0, 0, 1));
+}
+
+TEST(SurfaceColour, LinearNumbersBecomeSrgb) {
+  Material material = coloured(0.5f, 0.0331f, 0.001f);
+  material.isLinear = true;
+  expectAll(voxelized(sceneOf({square(0.5f, 0)}, {material})), rgba(188, 51, 3));
+  HandPart part = square(0.5f, 0);
+  part.colours.assign(4, {0.25f, 1, 0.5f, 1});
+  expectAll(voxelized(sceneOf({part}, {material})), rgba(99, 51, 2));
+  // A texel is made linear first: half of the light of 188 is that of 137.
+  material.texture.texture = 0;
+  auto scene = sceneOf({square(0.5f, 0)}, {material});
+  scene->textures.push_back(textureOf(1, 1, {rgba(188, 255, 255)}));
+  expectAll(voxelized(scene), rgba(137, 51, 3));
+  scene->materials[0].colour = {1, 1, 1, 1};
+  expectAll(voxelized(scene), rgba(188, 255, 255));
+}
+
+TEST(SurfaceColour, EmissionIsAdded) {
+  Material material = coloured(0, 0, 0.2f);
+  material.emission = {1, 0.5f, 0.2f};
+  expectAll(voxelized(sceneOf({square(0.5f, 0)}, {material})), rgba(255, 128, 102));
+  material.isLinear = true;
+  expectAll(voxelized(sceneOf({square(0.5f, 0)}, {material})), rgba(255, 188, 170));
+  // The texture of emission has coordinates of its own.
+  material.isLinear = false;
+  material.texture.texture = 0;
+  material.emissionTexture.texture = 1;
+  auto scene = sceneOf({square(0.5f, 0)}, {material});
+  scene->textures.push_back(textureOf(2, 1, {kGrey, rgba(0, 0, 255)}));
+  scene->textures.push_back(textureOf(1, 2, {rgba(100, 0, 0), rgba(0, 200, 0)}));
+  scene->parts[0].emissionUvs = scene->parts[0].uvs;
+  Voxels voxels = voxelized(scene);
+  EXPECT_EQ(voxels[mortonCode({0, 0, 0})], rgba(100, 0, 2));
+  EXPECT_EQ(voxels[mortonCode({7, 0, 0})], rgba(100, 0, 51));
+  EXPECT_EQ(voxels[mortonCode({7, 7, 0})], rgba(0, 100, 51));
+  scene->parts[0].uvs = {};
+  voxels = voxelized(scene);
+  EXPECT_EQ(voxels[mortonCode({0, 0, 0})], rgba(100, 0, 51));
 }
 
 TEST(SurfaceColour, WhatIsCutOutHidesNothing) {

@@ -1,10 +1,12 @@
 // The surface of a volume has every visible face once, in the colour of its voxel, seen from outside.
 #include "SourceTesting.h"
 
-#include "voxc/Mesh/TriangleScene.h"
+#include "voxc/Mesh/MeshSource.h"
 #include "voxc/Source/Export.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <random>
 
 namespace voxc {
@@ -63,9 +65,13 @@ void addFaces(const MeshPart &part, std::uint64_t triangle, Faces &faces) {
   ASSERT_EQ(low[axis], high[axis]);
   low[axis] -= isHigh;
   high[axis] = low[axis] + 1;
-  const auto colour = readRow<4>(part.colours, first[0]);
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(std::lround(colour[i] * 255)); };
-  const std::uint32_t word = rgba(byte(0), byte(1), byte(2), byte(3));
+  const auto light = readRow<4>(part.colours, first[0]);
+  const auto byte = [&](double value) { return static_cast<std::uint32_t>(std::lround(value * 255)); };
+  // The curve of sRGB, in floating point.
+  const auto encoded = [&](double value) {
+    return byte(value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055);
+  };
+  const std::uint32_t word = rgba(encoded(light[0]), encoded(light[1]), encoded(light[2]), byte(light[3]));
   Int3 cell;
   for (cell.z = low.z; cell.z < high.z; ++cell.z)
     for (cell.y = low.y; cell.y < high.y; ++cell.y)
@@ -93,7 +99,7 @@ TEST(SurfaceExport, HasEveryVisibleFaceOnce) {
         for (cell.y = 0; cell.y < extent.y; ++cell.y)
           for (cell.x = 0; cell.x < extent.x; ++cell.x)
             if (random() % sparse == 0)
-              voxels[mortonCode(cell)] = rgba(random() % 2 * 255, 7, 9, 1 + random() % 2);
+              voxels[mortonCode(cell)] = rgba(random() % 2 * 255, 7, 9, 1 + random() % 2 * 254);
       const auto exported = exportVoxels(mappedVolume(voxels, extent), path);
       ASSERT_TRUE(exported) << exported.error().message;
       if (voxels.empty())
@@ -107,6 +113,38 @@ TEST(SurfaceExport, HasEveryVisibleFaceOnce) {
       EXPECT_EQ(rowsOf(scene->instances[0].toModel),
                 (std::array<double, 12>{0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7}));
     }
+}
+
+/// The voxels of `path`, a mesh in units of voxels.
+Voxels voxelsOfMesh(const std::string &path, Int3 extent) {
+  auto scene = loadScene(path, WorkingMemory::createDefault());
+  EXPECT_TRUE(scene) << scene.error().message;
+  VoxelizeOptions options;
+  options.bounds = {{0, 0, 0, double(extent.x), double(extent.y), double(extent.z)}};
+  options.resolution = std::max({extent.x, extent.y, extent.z});
+  options.coverage = Coverage::Thin;
+  auto source = makeMeshSource(std::make_shared<TriangleScene>(std::move(*scene)), options,
+                               WorkingMemory::createDefault());
+  EXPECT_TRUE(source) << source.error().message;
+  return voxelsOf(**source);
+}
+
+TEST(SurfaceExport, ComesBackInTheSameColours) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("v.glb");
+  // Each byte of each channel, and alpha down to what is hardly there.
+  for (const std::uint32_t leastAlpha : {255u, 1u}) {
+    Voxels voxels;
+    for (int n = 0; n < 256; ++n) {
+      const auto byte = static_cast<std::uint32_t>(n);
+      voxels[mortonCode({2 * (n % 16), 0, 2 * (n / 16)})] =
+          rgba(byte, 255 - byte, byte * 7 % 256, std::max(byte, leastAlpha));
+    }
+    ASSERT_TRUE(exportVoxels(denseVolume(voxels, {32, 1, 32}, Transform()), path));
+    const Voxels back = voxelsOfMesh(path, {32, 1, 32});
+    for (const auto &[code, word] : voxels)
+      EXPECT_EQ(back.at(code), word);
+  }
 }
 
 TEST(SurfaceExport, MergesWhatIsFlatAndOfOneColour) {

@@ -49,10 +49,11 @@ enum class PrimitiveMode : std::uint8_t {
 
 /// Geometry of one material. A line or a point is a triangle whose corners coincide.
 struct MeshPart {
-  AttributeView positions; ///< Three components.
-  AttributeView uvs;       ///< Two: those that the material's texture takes; or absent. May not be finite.
-  AttributeView colours;   ///< Three or four, 0 to 1 (not checked); or absent.
-  AttributeView indices;   ///< Absent: the vertices in their order.
+  AttributeView positions;   ///< Three components.
+  AttributeView uvs;         ///< Two: those that the material's texture takes; or absent. May not be finite.
+  AttributeView emissionUvs; ///< The same of its `emissionTexture`.
+  AttributeView colours;     ///< Three or four, 0 to 1 (not checked); or absent.
+  AttributeView indices;     ///< Absent: the vertices in their order.
   PrimitiveMode mode = PrimitiveMode::Triangles;
   std::uint32_t material = 0;
 
@@ -86,12 +87,26 @@ struct TextureUse {
   std::array<float, 6> matrix{1, 0, 0, 0, 1, 0};
 };
 
+/// What alpha means.
+enum class AlphaRule : std::uint8_t {
+  Kept,   ///< What texture and mask do not cut out has the alpha of factor and vertices, but is always there.
+  Blend,  ///< The same, but where that alpha is 0 of 255, the surface is cut out (glTF's BLEND).
+  Mask,   ///< The product of all alpha is held against the cutoff; what it leaves is opaque (glTF's MASK).
+  Opaque, ///< Nothing: all is opaque (glTF's OPAQUE).
+};
+
+/// The colour of a surface is factor, texture and vertex colour multiplied, and emission added. Texels are in
+/// sRGB. Where `isLinear`, the numbers are linear light, as texels are made before they are multiplied; else
+/// all are taken as they are.
 struct Material {
-  std::array<float, 4> colour{1, 1, 1, 1}; ///< Multiplies texture and vertex colour.
+  std::array<float, 4> colour{1, 1, 1, 1}; ///< The factor.
   TextureUse texture;
-  TextureUse alphaMask;    ///< A texture whose red channel is the alpha (OBJ's map_d).
-  bool opaque = false;     ///< Alpha means nothing (glTF's OPAQUE): no part is cut out.
-  float alphaCutoff = 0.5; ///< Below this alpha of texture and mask the surface is cut out.
+  TextureUse alphaMask; ///< A texture whose red channel is the alpha (OBJ's map_d).
+  bool isLinear = false;
+  AlphaRule alpha = AlphaRule::Kept;
+  float alphaCutoff = 0.5;         ///< Below this alpha of texture and mask the surface is cut out.
+  std::array<float, 3> emission{}; ///< What the surface gives off,
+  TextureUse emissionTexture;      ///< which is multiplied by this texture.
 };
 
 /// A whole model. Triangles are numbered through, instance after instance.

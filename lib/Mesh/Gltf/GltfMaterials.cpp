@@ -1,8 +1,9 @@
-// Base colours and their textures.
+// Base colours, emission and their textures.
 #include "Mesh/Gltf/GltfMaterials.h"
 
 #include "Mesh/Gltf/DataUri.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace voxc {
@@ -33,16 +34,11 @@ std::array<float, 6> textureMatrix(const GltfObject &transform) {
   return result;
 }
 
-/// Alpha below the cutoff is cut out, that of the factor included, which the texture's alpha is multiplied
-/// by.
 void readAlpha(const GltfObject &json, Material &material) {
   const std::string_view mode = json.text("alphaMode");
-  material.opaque = mode.empty() || mode == "OPAQUE";
-  if (mode != "MASK")
-    return;
-  constexpr float kEverything = 2;
-  const auto cutoff = static_cast<float>(json.number("alphaCutoff", 0.5));
-  material.alphaCutoff = material.colour[3] > 0 ? cutoff / material.colour[3] : kEverything;
+  material.alpha = mode == "MASK" ? AlphaRule::Mask : mode == "BLEND" ? AlphaRule::Blend : AlphaRule::Opaque;
+  if (material.alpha == AlphaRule::Mask)
+    material.alphaCutoff = static_cast<float>(json.number("alphaCutoff", 0.5));
 }
 
 } // namespace
@@ -69,25 +65,41 @@ GltfMaterials::Use GltfMaterials::read(const GltfObject &json) {
   const auto factor = base.numbers<4>(glossiness ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
   for (std::size_t i = 0; i < factor.size(); ++i)
     material.colour[i] = static_cast<float>(factor[i]);
-  readTexture(base.object(glossiness ? "diffuseTexture" : "baseColorTexture"), material, use);
+  material.isLinear = true;
+  material.texture = readTexture(base.object(glossiness ? "diffuseTexture" : "baseColorTexture"), use.uvSet);
   readAlpha(json, material);
+  // A material without light has a colour and nothing else.
+  if (!json.extension("KHR_materials_unlit"))
+    readEmission(json, material, use);
   context_.scene.materials.push_back(material);
   use.material = static_cast<std::uint32_t>(context_.scene.materials.size()) - 1;
   return use;
 }
 
-void GltfMaterials::readTexture(const GltfObject &info, Material &material, Use &use) {
+void GltfMaterials::readEmission(const GltfObject &json, Material &material, Use &use) {
+  // A colour cannot be brighter than white: strengths above 1 would only change its hue.
+  const double strength = json.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1);
+  const auto factor = json.numbers<3>("emissiveFactor", {0, 0, 0});
+  for (std::size_t i = 0; i < factor.size(); ++i)
+    material.emission[i] = static_cast<float>(factor[i] * std::min(strength, 1.0));
+  if (material.emission != Material().emission)
+    material.emissionTexture = readTexture(json.object("emissiveTexture"), use.emissionUvSet);
+}
+
+TextureUse GltfMaterials::readTexture(const GltfObject &info, std::uint64_t &uvSet) {
+  TextureUse use;
   const auto index = info.index("index", textureList_);
   if (!index)
-    return;
+    return use;
   const GltfObject texture = textureList_[*index];
-  material.texture.texture = readImage(texture);
-  readWrap(texture, material.texture);
-  use.uvSet = info.count("texCoord").value_or(0);
+  use.texture = readImage(texture);
+  readWrap(texture, use);
+  uvSet = info.count("texCoord").value_or(0);
   if (const GltfObject transform = info.extension("KHR_texture_transform")) {
-    material.texture.matrix = textureMatrix(transform);
-    use.uvSet = transform.count("texCoord").value_or(use.uvSet);
+    use.matrix = textureMatrix(transform);
+    uvSet = transform.count("texCoord").value_or(uvSet);
   }
+  return use;
 }
 
 void GltfMaterials::readWrap(const GltfObject &texture, TextureUse &use) const {

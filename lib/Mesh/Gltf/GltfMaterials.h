@@ -14,8 +14,9 @@ public:
   GltfMaterials(GltfContext &context, GltfBuffers &buffers);
 
   struct Use {
-    std::uint32_t material = 0; ///< Index into the scene's materials.
-    std::uint64_t uvSet = 0;    ///< The texture coordinates that it takes.
+    std::uint32_t material = 0;      ///< Index into the scene's materials.
+    std::uint64_t uvSet = 0;         ///< The texture coordinates that its texture takes,
+    std::uint64_t emissionUvSet = 0; ///< and that of its emission.
   };
 
   /// The material of a primitive.
@@ -25,7 +26,9 @@ public:
 
 private:
   Use read(const GltfObject &json);
-  void readTexture(const GltfObject &info, Material &material, Use &use);
+  void readEmission(const GltfObject &json, Material &material, Use &use);
+  /// A texture as a material uses it, and which coordinates it takes.
+  TextureUse readTexture(const GltfObject &info, std::uint64_t &uvSet);
   int readImage(const GltfObject &texture);
   void readWrap(const GltfObject &texture, TextureUse &use) const;
   Expected<int> decode(std::size_t index, const GltfObject &image);

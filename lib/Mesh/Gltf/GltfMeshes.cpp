@@ -65,13 +65,24 @@ void GltfMeshes::readPrimitive(const GltfObject &primitive) {
   part.indices = draco_ ? draco_->indices() : readIndices(primitive);
   const GltfMaterials::Use use = materials_.use(primitive);
   part.material = use.material;
-  if (context_.scene.materials[use.material].texture.texture >= 0)
-    part.uvs = attribute(attributes, "TEXCOORD_" + std::to_string(use.uvSet), 2, 2, part);
+  const Material &material = context_.scene.materials[use.material];
+  part.uvs = readUvs(attributes, material.texture, use.uvSet, part);
+  part.emissionUvs = readUvs(attributes, material.emissionTexture, use.emissionUvSet, part);
   readColours(attributes, part);
   const bool hasIndices = draco_ || primitive.has("indices");
   const bool isEmpty = part.positions.count == 0 || (hasIndices && part.indices.count == 0);
   if (!context_.problem && !isEmpty)
     context_.scene.parts.push_back(part);
+}
+
+AttributeView GltfMeshes::readUvs(const GltfObject &attributes, const TextureUse &texture, std::uint64_t set,
+                                  const MeshPart &part) {
+  if (texture.texture < 0)
+    return {};
+  const std::string name = "TEXCOORD_" + std::to_string(set);
+  if (!attributes.has(name))
+    context_.warnings.add(attributes.name() + " has no " + name + ", which a texture takes: it is left out");
+  return attribute(attributes, name, 2, 2, part);
 }
 
 void GltfMeshes::readColours(const GltfObject &attributes, MeshPart &part) {

@@ -27,6 +27,9 @@ public:
 
 private:
   void readPrimitive(const GltfObject &primitive);
+  /// The coordinates that a texture takes; absent, with a warning, if the primitive has none.
+  AttributeView readUvs(const GltfObject &attributes, const TextureUse &texture, std::uint64_t set,
+                        const MeshPart &part);
   void readColours(const GltfObject &attributes, MeshPart &part);
   /// The rows of an attribute, of Draco's mesh if there is one that has it. `index` is that of its accessor.
   AttributeView rowsOf(const std::string &name, std::size_t index) const;

@@ -20,6 +20,7 @@ std::shared_ptr<const TriangleScene> shapeOf(const TriangleScene &scene) {
   shape->textures.clear();
   for (MeshPart &part : shape->parts) {
     part.uvs = {};
+    part.emissionUvs = {};
     part.colours = {};
     part.material = 0;
   }

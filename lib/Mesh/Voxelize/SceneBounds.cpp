@@ -40,11 +40,13 @@ Expected<void> checkReferences(const TriangleScene &scene) {
   for (const MeshPart &part : scene.parts) {
     if (part.material >= scene.materials.size())
       return Error::input("the mesh has a triangle with a material that does not exist");
-    if (!isOnePerVertex(part.colours, part) || !isOnePerVertex(part.uvs, part))
+    if (!isOnePerVertex(part.colours, part) || !isOnePerVertex(part.uvs, part) ||
+        !isOnePerVertex(part.emissionUvs, part))
       return Error::input("the mesh has colours or texture coordinates for some vertices but not for all");
   }
   for (const Material &material : scene.materials)
-    if (!isTexture(scene, material.texture) || !isTexture(scene, material.alphaMask))
+    if (!isTexture(scene, material.texture) || !isTexture(scene, material.alphaMask) ||
+        !isTexture(scene, material.emissionTexture))
       return Error::input("the mesh has a material with a texture that does not exist");
   if (!std::all_of(scene.textures.begin(), scene.textures.end(), isComplete))
     return Error::input("the mesh has a texture without all its texels");

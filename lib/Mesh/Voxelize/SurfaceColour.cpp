@@ -1,15 +1,16 @@
-// Material, texture and vertex colours, multiplied.
+// Material, texture and vertex colours, multiplied, and emission.
 #include "Mesh/Voxelize/SurfaceColour.h"
 
+#include "Mesh/Voxelize/TexelPlace.h"
+#include "Support/Srgb.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace voxc {
 
 namespace {
 
 using Colour = std::array<double, 4>; ///< From 0 to 1.
-using Uv = std::array<double, 2>;
 
 /// n / 255 for each n.
 constexpr std::array<double, 256> kFractions = [] {
@@ -19,67 +20,24 @@ constexpr std::array<double, 256> kFractions = [] {
   return fractions;
 }();
 
-Colour unpack(std::uint32_t word) {
-  return {kFractions[word & 255], kFractions[word >> 8 & 255], kFractions[word >> 16 & 255],
+/// The byte of a value as it is; 0 of what is not a number.
+std::uint32_t plainByte(double value) {
+  const double share = value > 0 ? std::min(value, 1.0) : 0;
+  return static_cast<std::uint32_t>(share * 255 + 0.5); // std::lround is a call.
+}
+
+/// How the numbers of a material stand for bytes in sRGB.
+struct ColourSpace {
+  const std::array<double, 256> &numbers; ///< Of bytes.
+  std::uint32_t (*byte)(double number);
+};
+
+/// Numbers that are taken as they are, and linear light.
+const std::array<ColourSpace, 2> kSpaces{{{kFractions, plainByte}, {kLinearLight, srgbByte}}};
+
+Colour unpack(const ColourSpace &space, std::uint32_t word) {
+  return {space.numbers[word & 255], space.numbers[word >> 8 & 255], space.numbers[word >> 16 & 255],
           kFractions[word >> 24]};
-}
-
-/// Written so that a colour that is not a number is 0.
-std::uint32_t pack(const Colour &colour) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    const double share = colour[i] > 0 ? std::min(colour[i], 1.0) : 0;
-    const double rounded = share * 255 + 0.5; // Cut below; std::lround is a call.
-    word |= static_cast<std::uint32_t>(rounded) << 8 * i;
-  }
-  return word;
-}
-
-/// What is left above the integer below. Numbers so large that they are integers, and what is no number,
-/// leave nothing. (`std::floor` is a call on processors that may lack the instruction.)
-double fractionOf(double value) {
-  if (!(std::abs(value) < 0x1p52))
-    return 0;
-  const double cut = value - static_cast<double>(static_cast<std::int64_t>(value));
-  return cut < 0 ? cut + 1 : cut;
-}
-
-double repeated(double coordinate) { return fractionOf(coordinate); }
-
-double mirrored(double coordinate) {
-  const double fraction = 2 * fractionOf(coordinate / 2);
-  return fraction > 1 ? 2 - fraction : fraction;
-}
-
-double clamped(double coordinate) { return coordinate; }
-
-/// Where a coordinate falls in the texture, which reaches from 0 to 1; in the order of `TextureWrap`.
-constexpr std::array<double (*)(double), 3> kWraps{repeated, mirrored, clamped};
-
-/// The texel column or row of a coordinate; the first of one that is not a number.
-int texelIndex(double coordinate, TextureWrap wrap, int size) {
-  // Most textures repeat: no call for them.
-  const double place =
-      wrap == TextureWrap::Repeat ? repeated(coordinate) : kWraps[static_cast<std::size_t>(wrap)](coordinate);
-  return place > 0 ? static_cast<int>(std::min<double>(place * size, size - 1)) : 0;
-}
-
-/// Where the texel at a point is.
-std::uint64_t texelAt(const Texture &texture, const TextureUse &use, const Uv &uv) {
-  const std::array<float, 6> &m = use.matrix;
-  const double u = m[0] * uv[0] + m[1] * uv[1] + m[2];
-  const double v = m[3] * uv[0] + m[4] * uv[1] + m[5];
-  const auto x = static_cast<std::uint64_t>(texelIndex(u, use.wrap[0], texture.width));
-  const auto y = static_cast<std::uint64_t>(texelIndex(v, use.wrap[1], texture.height));
-  return y * static_cast<std::uint64_t>(texture.width) + x;
-}
-
-bool usesTexture(const MeshPart &part, const Material &material) {
-  return part.uvs && (material.texture.texture >= 0 || material.alphaMask.texture >= 0);
-}
-
-Colour factorOf(const Material &material) {
-  return {material.colour[0], material.colour[1], material.colour[2], material.colour[3]};
 }
 
 void multiply(Colour &colour, const Colour &other) {
@@ -87,11 +45,63 @@ void multiply(Colour &colour, const Colour &other) {
     colour[i] *= other[i];
 }
 
-std::uint32_t visible(Colour colour) {
-  constexpr double kLeast = 1 / 255.0;
-  colour[3] = colour[3] > kLeast ? colour[3] : kLeast;
-  return pack(colour);
+bool hasTexture(const MeshPart &part, const Material &material) {
+  return (part.uvs && (material.texture.texture >= 0 || material.alphaMask.texture >= 0)) ||
+         (part.emissionUvs && material.emissionTexture.texture >= 0);
 }
+
+/// Is the colour of a surface that of its texel alone?
+bool isPlain(const MeshPart &part, const Material &material) {
+  const Material plain;
+  return !part.colours && material.colour == plain.colour && material.emission == plain.emission;
+}
+
+/// The byte of alpha of a surface that the texture leaves `textureAlpha`, of 0 to 1, and the factor and the
+/// vertices `ownAlpha`; nothing where it is cut out.
+std::optional<std::uint32_t> alphaByte(const Material &material, double textureAlpha, double ownAlpha) {
+  if (material.alpha == AlphaRule::Opaque)
+    return 255;
+  const bool isMask = material.alpha == AlphaRule::Mask;
+  // Files have cutoffs in decimals, 0.2 of which is not below 51 of 255: float32 makes them equal.
+  if (static_cast<float>(isMask ? textureAlpha * ownAlpha : textureAlpha) < material.alphaCutoff)
+    return std::nullopt;
+  if (isMask)
+    return 255;
+  const std::uint32_t byte = plainByte(ownAlpha);
+  if (byte == 0 && material.alpha == AlphaRule::Blend)
+    return std::nullopt;
+  return std::max(byte, std::uint32_t{1});
+}
+
+/// A word with an alpha, or 0 where there is none.
+std::uint32_t withAlpha(std::uint32_t word, std::optional<std::uint32_t> alpha) {
+  return alpha ? (word & 0xffffff) | *alpha << 24 : 0;
+}
+
+/// The word of a colour whose alpha is the factor's and the vertices', or 0 where it is cut out.
+std::uint32_t wordOf(const Material &material, const Colour &colour, double textureAlpha) {
+  const ColourSpace &space = kSpaces[material.isLinear];
+  const std::uint32_t word = space.byte(colour[0]) | space.byte(colour[1]) << 8 | space.byte(colour[2]) << 16;
+  return withAlpha(word, alphaByte(material, textureAlpha, colour[3]));
+}
+
+/// Factor, texel and vertex colour multiplied, and emission added, whose texel is `emission`. Alpha is that
+/// of the factor and the vertices.
+Colour surfaceOf(const Material &material, std::uint32_t texel, const Colour &vertices,
+                 std::uint32_t emission) {
+  const ColourSpace &space = kSpaces[material.isLinear];
+  const auto &factor = material.colour;
+  Colour colour{factor[0], factor[1], factor[2], factor[3]};
+  multiply(colour, vertices);
+  multiply(colour, unpack(space, texel | 0xff000000));
+  const Colour glow = unpack(space, emission);
+  for (std::size_t i = 0; i < material.emission.size(); ++i)
+    colour[i] += material.emission[i] * glow[i];
+  return colour;
+}
+
+constexpr Colour kWhite{1, 1, 1, 1};
+constexpr std::uint32_t kWhiteWord = ~std::uint32_t{0};
 
 /// The sum of three corners' rows by their weights.
 template <std::size_t N>
@@ -108,14 +118,17 @@ std::array<double, N> mixed(const std::array<std::array<double, N>, 3> &rows, co
 SurfaceColour::SurfaceColour(const TriangleScene &scene) : scene_(scene) {
   for (const MeshPart &part : scene.parts) {
     const Material &material = scene.materials[part.material];
-    const bool isOne = !part.colours && !usesTexture(part, material);
-    constants_.push_back(isOne ? visible(factorOf(material)) : 0);
+    std::optional<std::uint32_t> &constant = constants_.emplace_back();
+    if (!part.colours && !hasTexture(part, material))
+      constant = wordOf(material, surfaceOf(material, kWhiteWord, kWhite, kWhiteWord), 1);
   }
 }
 
 void SurfaceColour::moveTo(const TriangleCursor &cursor) {
   constant_ = constants_[cursor.partIndex()];
   part_ = &cursor.part();
+  material_ = &scene_.materials[part_->material];
+  isPlain_ = isPlain(*part_, *material_);
   vertices_ = cursor.vertices();
   isLoaded_ = false;
 }
@@ -125,6 +138,8 @@ void SurfaceColour::load() {
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (part_->uvs)
       uvs_[corner] = readRow<2>(part_->uvs, vertices_[corner]);
+    if (part_->emissionUvs)
+      emissionUvs_[corner] = readRow<2>(part_->emissionUvs, vertices_[corner]);
     if (part_->colours)
       colours_[corner] = readRow<4>(part_->colours, vertices_[corner]);
     if (part_->colours.components < 4)
@@ -134,56 +149,40 @@ void SurfaceColour::load() {
 
 /// Texels lie anywhere in memory, so all places are found before the first is looked at: then the processor
 /// waits for many at once.
-void SurfaceColour::sample(const TextureUse &use, std::span<const glm::dvec3> weights,
-                           std::vector<std::uint32_t> &texels) {
+void SurfaceColour::sample(const TextureUse &use, const CornerUvs &uvs, std::span<const glm::dvec3> weights,
+                           Texels &texels) {
+  if (use.texture < 0)
+    return texels.assign(weights.size(), kWhiteWord);
   const Texture &texture = scene_.textures[static_cast<std::size_t>(use.texture)];
   places_.clear();
   for (const glm::dvec3 &point : weights)
-    places_.push_back(texelAt(texture, use, mixed(uvs_, point)));
+    places_.push_back(texelAt(texture, use, mappedUv(use, mixed(uvs, point))));
   const std::uint32_t *first = texture.texels->data();
   texels.clear();
   for (const std::uint64_t place : places_)
     texels.push_back(first[place]);
 }
 
-/// Sets `words` to the opaque texels, or to 0 where the triangle is cut away.
-void SurfaceColour::sampleAll(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words) {
-  const Material &material = scene_.materials[part_->material];
-  words.assign(weights.size(), ~std::uint32_t{0});
-  masks_.assign(weights.size(), ~std::uint32_t{0});
-  if (!usesTexture(*part_, material))
-    return;
-  if (material.texture.texture >= 0)
-    sample(material.texture, weights, words);
-  if (material.alphaMask.texture >= 0)
-    sample(material.alphaMask, weights, masks_);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const double alpha = kFractions[words[i] >> 24] * kFractions[masks_[i] & 255];
-    const bool isCut = !material.opaque && alpha < material.alphaCutoff;
-    words[i] = isCut ? 0 : words[i] | 0xff000000;
-  }
-}
-
-std::uint32_t SurfaceColour::shaded(std::uint32_t texel, const glm::dvec3 &weights) const {
-  Colour colour = factorOf(scene_.materials[part_->material]);
-  multiply(colour, unpack(texel));
-  if (part_->colours)
-    multiply(colour, mixed(colours_, weights));
-  return visible(colour);
+std::uint32_t SurfaceColour::shaded(std::size_t point, const glm::dvec3 &weights) const {
+  const double textureAlpha = kFractions[texels_[point] >> 24] * kFractions[masks_[point] & 255];
+  if (isPlain_)
+    return withAlpha(texels_[point], alphaByte(*material_, textureAlpha, 1));
+  const Colour vertices = part_->colours ? mixed(colours_, weights) : kWhite;
+  return wordOf(*material_, surfaceOf(*material_, texels_[point], vertices, emissions_[point]), textureAlpha);
 }
 
 void SurfaceColour::at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words) {
-  if (constant_ != 0)
-    return words.assign(weights.size(), constant_);
+  if (constant_)
+    return words.assign(weights.size(), *constant_);
   if (!isLoaded_)
     load();
-  sampleAll(weights, words);
-  const bool isWhite = scene_.materials[part_->material].colour == std::array<float, 4>{1, 1, 1, 1};
-  if (isWhite && !part_->colours)
-    return;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    if (words[i] != 0)
-      words[i] = shaded(words[i], weights[i]);
+  const TextureUse none;
+  sample(part_->uvs ? material_->texture : none, uvs_, weights, texels_);
+  sample(part_->uvs ? material_->alphaMask : none, uvs_, weights, masks_);
+  sample(part_->emissionUvs ? material_->emissionTexture : none, emissionUvs_, weights, emissions_);
+  words.clear();
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    words.push_back(shaded(i, weights[i]));
 }
 
 } // namespace voxc

@@ -1,6 +1,7 @@
 // Binary glTF: a head that is written last, the corners of rectangles as they are found, then their indices.
 #include "Source/Export/Faces.h"
 #include "Source/Export/Writers.h"
+#include "Support/Srgb.h"
 #include "voxc/Volume/LabelColour.h"
 
 #include <algorithm>
@@ -15,10 +16,20 @@ namespace voxc {
 namespace {
 
 struct Vertex {
-  std::array<float, 3> position; ///< In voxels, which float32 holds exactly.
-  std::uint32_t colour;
+  std::array<float, 3> position;       ///< In voxels, which float32 holds exactly.
+  std::array<std::uint16_t, 4> colour; ///< Linear light, as glTF has it, and alpha, of 65535.
 };
-static_assert(sizeof(Vertex) == 16);
+static_assert(sizeof(Vertex) == 20);
+
+/// 16 bits tell the light of all bytes in sRGB apart.
+std::array<std::uint16_t, 4> linearColour(std::uint32_t word) {
+  std::array<std::uint16_t, 4> colour;
+  for (std::size_t i = 0; i < 3; ++i)
+    colour[i] = static_cast<std::uint16_t>(kLinearLight[word >> 8 * i & 255] * 65535 + 0.5);
+  // A voxel is never so clear that it is none.
+  colour[3] = static_cast<std::uint16_t>(std::max(word >> 24, std::uint32_t{1}) * 257);
+  return colour;
+}
 
 constexpr std::uint32_t kJsonBytes = 2044; ///< Padded with blanks to this, so that it can be written last.
 constexpr std::uint32_t kBinaryOffset = 12 + 8 + kJsonBytes + 8;
@@ -42,7 +53,7 @@ std::array<Vertex, kCorners> cornersOf(const FaceRectangle &face) {
     corner[(face.axis + 2) % 3] += v * face.height;
     for (int axis = 0; axis < 3; ++axis)
       corners[i].position[static_cast<std::size_t>(axis)] = static_cast<float>(corner[axis]);
-    corners[i].colour = face.word;
+    corners[i].colour = linearColour(face.word);
   }
   return corners;
 }
@@ -81,6 +92,7 @@ public:
       return Error::input("the surface has more than " + std::to_string(kMostRectangles) +
                           " rectangles, which are the 4 GiB that a .glb file can hold");
     ++rectangles_;
+    isTranslucent_ = isTranslucent_ || face.word >> 24 != 255;
     const auto corners = cornersOf(face);
     for (const Vertex &corner : corners)
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -120,13 +132,14 @@ private:
     const std::string indices = std::to_string(rectangles_ * kIndices);
     const std::string indexBytes = std::to_string(rectangles_ * kIndices * sizeof(std::uint32_t));
     return R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1},"indices":2,"material":0}]}],)"
-           R"("materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1}}],)"
-           R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" +
-           vertices + R"(,"min":)" + boundText(low_) + R"(,"max":)" + boundText(high_) +
-           R"(},{"bufferView":0,"byteOffset":12,"componentType":5121,"normalized":true,"type":"VEC4","count":)" +
+           R"("materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1})" +
+           std::string(isTranslucent_ ? R"(,"alphaMode":"BLEND")" : "") +
+           R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + vertices +
+           R"(,"min":)" + boundText(low_) + R"(,"max":)" + boundText(high_) +
+           R"(},{"bufferView":0,"byteOffset":12,"componentType":5123,"normalized":true,"type":"VEC4","count":)" +
            vertices + R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" + indices +
            R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + vertexBytes +
-           R"(,"byteStride":16,"target":34962},{"buffer":0,"byteOffset":)" + vertexBytes +
+           R"(,"byteStride":20,"target":34962},{"buffer":0,"byteOffset":)" + vertexBytes +
            R"(,"byteLength":)" + indexBytes + R"(,"target":34963}],"buffers":[{"byteLength":)" +
            std::to_string(rectangles_ * kBytesEach) + "}]";
   }
@@ -157,6 +170,7 @@ private:
 
   OutputFile &file_;
   std::uint64_t rectangles_ = 0;
+  bool isTranslucent_ = false; ///< Some voxel is.
   std::array<float, 3> low_{std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
                             std::numeric_limits<float>::max()};
   std::array<float, 3> high_{};
