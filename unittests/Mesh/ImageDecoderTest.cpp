@@ -60,6 +60,21 @@ TEST_F(Images, JpegOfBothKinds) {
   EXPECT_GT(decoder_.libraryPeakBytes(), 0u);
 }
 
+TEST_F(Images, JpegsOfInks) {
+  // Cyan, magenta, yellow and black as Adobe's programs store them, the same in YCCK, and as others do.
+  for (const char *name : {"adobe-cmyk.jpg", "adobe-ycck.jpg", "plain-cmyk.jpg"}) {
+    const auto texture = decodeFile(name);
+    ASSERT_TRUE(texture) << name << ": " << texture.error().message;
+    const std::vector<std::uint32_t> texels = texelsOf(*texture);
+    ASSERT_EQ(texels.size(), 256u);
+    // Red, green, blue, and a yellow that black makes half as bright.
+    const std::array<std::uint32_t, 4> expected{0xff0000ff, 0xff00ff00, 0xffff0000, 0xff008080};
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      for (int bit = 0; bit < 32; bit += 8)
+        EXPECT_NEAR(texels[i] >> bit & 255, expected[i / 128 * 2 + i % 16 / 8] >> bit & 255, 6) << name << i;
+  }
+}
+
 TEST_F(Images, SixteenBitsAndPalettes) {
   // Colours are taken as they are: no gamma.
   auto texture = decodeFile("gray16.png");
