@@ -81,6 +81,7 @@ constexpr OptionRow kOptions[] = {
      [](const InputArguments &arguments) { return !arguments.up.empty(); }},
     {"--coverage", kMesh, "meshes",
      [](const InputArguments &arguments) { return !arguments.coverage.empty(); }},
+    {"--colour", kMesh, "meshes", [](const InputArguments &arguments) { return !arguments.colour.empty(); }},
     {"--threshold", kDense, "dense volumes",
      [](const InputArguments &arguments) { return arguments.threshold.has_value(); }},
     {"--colour-map", kDense | kModels, "dense volumes and .vox files",
@@ -167,6 +168,12 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .takes("RULE")
       .oneOf({"conservative", "thin"});
   command
+      .add("--colour", arguments.colour,
+           "Colour from a mesh's texture: mean (default) of a voxel's texels, where they are finer than "
+           "voxels, or nearest")
+      .takes("RULE")
+      .oneOf({"mean", "nearest"});
+  command
       .add("--threshold", arguments.threshold,
            "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are "
            "more than "
@@ -248,6 +255,8 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
     arguments.window = window;
   if (arguments.coverage.empty())
     arguments.coverage = valueOf(provenance, "coverage");
+  if (arguments.colour.empty())
+    arguments.colour = valueOf(provenance, "colour");
   if (arguments.interior.empty())
     arguments.interior = valueOf(provenance, "interior");
   if (arguments.fillColour.empty())
@@ -271,6 +280,7 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   options.isUpKnown = !arguments.up.empty();
   options.zUp = arguments.up == "z";
   options.coverage = arguments.coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
+  options.colour = arguments.colour == "nearest" ? ColourRule::Nearest : ColourRule::Mean;
   if (!arguments.bounds.empty())
     std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
   options.threshold = arguments.threshold;

@@ -17,6 +17,7 @@ struct InputArguments {
   std::vector<double> bounds; ///< Empty, or six numbers.
   std::string up;             ///< "y", "z", or empty.
   std::string coverage;       ///< "conservative", "thin", or empty.
+  std::string colour;         ///< "mean", "nearest", or empty.
   std::optional<double> threshold;
   std::string colourMap;      ///< Empty: the library's default.
   std::vector<double> window; ///< Empty, or two numbers.
@@ -43,8 +44,8 @@ bool isKnownInput(const std::string &input);
 /// "rrggbb" or "rrggbbaa" as a word, R in the low byte; nothing if it is neither.
 std::optional<std::uint32_t> parseColour(std::string_view text);
 
-/// Adds --resolution, --bounds, --up, --coverage, --threshold, --colour-map, --window, --interior,
-/// --fill-colour and --crop to a command.
+/// Adds --resolution, --bounds, --up, --coverage, --colour, --threshold, --colour-map, --window,
+/// --interior, --fill-colour and --crop to a command.
 void addInputArguments(const CommandLine &command, InputArguments &arguments);
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").

@@ -17,6 +17,13 @@ enum class Coverage {
                 ///< face to face: no path over faces crosses a watertight surface (6-separating).
 };
 
+/// Which colour a texture gives to a voxel.
+enum class ColourRule {
+  Mean, ///< Where texels are finer than voxels, their mean over the part of the surface that is as long and
+        ///< wide as a voxel, by area and alpha, in linear light; else the nearest texel.
+  Nearest, ///< The texel at the point that is nearest to the voxel's centre.
+};
+
 struct VoxelizeOptions {
   int resolution = 512;                        ///< Voxels on the longest axis of the bounds; 0: what fits.
   Int3 maxExtent{1 << 21, 1 << 21, 1 << 21};   ///< Error if the bounds need more than this on an axis.
@@ -27,6 +34,7 @@ struct VoxelizeOptions {
   /// look empty.
   std::vector<std::array<Int3, 2>> regions;
   Progress progress;
+  ColourRule colour = ColourRule::Mean; ///< Changes no shape: the nearest texel says what is cut out.
 };
 
 /// Voxelizes a scene as it is asked for, one chunk of voxels at a time. Corners are snapped to a fixed-point

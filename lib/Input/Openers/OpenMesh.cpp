@@ -19,8 +19,8 @@ namespace {
 constexpr std::array<const char *, 2> kCoverageNames{"conservative", "thin"};
 
 VoxelizeOptions voxelizeOptions(const InputOptions &options) {
-  return {options.resolution, modelExtent(options), options.bounds,  options.zUp,
-          options.coverage,   options.regions,      options.progress};
+  return {options.resolution, modelExtent(options), options.bounds,   options.zUp,
+          options.coverage,   options.regions,      options.progress, options.colour};
 }
 
 Expected<std::unique_ptr<VoxelSource>> voxelize(const std::shared_ptr<const TriangleScene> &scene,
@@ -86,6 +86,8 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
   input.binSeconds = binning.seconds();
   input.provenance = modelProvenance(kCoverageNames[static_cast<std::size_t>(options.coverage)],
                                      longestAxis(input.source->extent()), options);
+  if (options.colour == ColourRule::Nearest)
+    input.provenance += " colour=nearest";
   if (options.interior == Interior::Fill)
     if (auto filled = fill(*shared, options, input); !filled)
       return filled.error();

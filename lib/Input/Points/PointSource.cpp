@@ -184,6 +184,8 @@ InputFact boxOf(const PointList &points) {
 Expected<PointVoxels> placePoints(PlyReader &reader, const InputOptions &options) {
   if (options.coverage != Coverage::Conservative)
     return Error::usage("--coverage is for meshes, and would do nothing for points; leave it out");
+  if (options.colour != ColourRule::Mean)
+    return Error::usage("--colour is for meshes, and would do nothing for points; leave it out");
   const auto points = readPointList(reader, options.memory, options.progress);
   if (!points)
     return points.error();

@@ -44,8 +44,8 @@ private:
 class MeshSource final : public VoxelSource {
 public:
   explicit MeshSource(std::shared_ptr<const MeshVoxels> mesh)
-      : mesh_(std::move(mesh)), cursor_(*mesh_->scene, mesh_->model.numbers), colour_(*mesh_->scene),
-        voxels_(mesh_->log2Chunk) {
+      : mesh_(std::move(mesh)), cursor_(*mesh_->scene, mesh_->model.numbers),
+        colour_(*mesh_->scene, mesh_->means), voxels_(mesh_->log2Chunk) {
     for (int log2Side = mesh_->log2Chunk; log2Side < mesh_->bins.log2Chunk(); ++log2Side)
       lists_.push_back({kNowhere, ScratchArray<std::uint32_t>(mesh_->memory)});
   }
@@ -182,8 +182,9 @@ private:
     if (masks_.empty())
       return;
     colour_.moveTo(cursor_);
-    findNearer(NearestPoints(mesh_->model.inVoxels(triangle)));
-    colour_.at(weights_, words_);
+    const NearestPoints nearest(mesh_->model.inVoxels(triangle));
+    findNearer(nearest);
+    colour_.at(nearest, weights_, words_);
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i] != 0)
         voxels_.set(places_[i].code, places_[i].distance, words_[i]);

@@ -90,6 +90,12 @@ Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<con
   const CellShape shape = options.coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits);
   auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
                                            shape, tuning.log2Chunk, options.progress);
+  if (options.colour == ColourRule::Mean) {
+    auto means = SceneMeans::of(*mesh->scene, memory, options.progress);
+    if (!means)
+      return means.error();
+    mesh->means = std::move(*means);
+  }
   const Region region{chunksOf(mesh->model.extent(), options.regions, log2Bin),
                       trianglesNear(options.regions, *mesh->scene, mesh->model)};
   if (auto filled = fill(mesh->bins, *mesh, region); !filled)

@@ -3,6 +3,7 @@
 
 #include "Mesh/Voxelize/CellCover.h"
 #include "Mesh/Voxelize/MeshModel.h"
+#include "Mesh/Voxelize/TextureMeans.h"
 #include "Source/ChunkBins.h"
 #include "voxc/Mesh/MeshSource.h"
 
@@ -27,6 +28,7 @@ struct MeshVoxels {
   CellShape voxelShape;
   int log2Chunk;
   Progress progress;
+  SceneMeans means;                                   ///< None where the nearest texels are wanted.
   mutable std::atomic<std::uint64_t> nanoseconds = 0; ///< Spent on voxels, by all threads.
 
   static Expected<std::shared_ptr<const MeshVoxels>> open(std::shared_ptr<const TriangleScene> scene,

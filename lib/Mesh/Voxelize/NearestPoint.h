@@ -22,6 +22,9 @@ public:
   /// The point nearest to `point`.
   NearestPoint to(const glm::dvec3 &point) const;
 
+  /// How the weights of the second and third corner change along space; 0 where the triangle is too thin.
+  const std::array<glm::dvec3, 2> &gradients() const { return gradients_; }
+
 private:
   /// From one corner to the next.
   struct Edge {

@@ -58,8 +58,8 @@ bool touches(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, co
 
 class Reference {
 public:
-  Reference(const TriangleScene &scene, const MeshModel &model, Coverage coverage)
-      : model_(model), cursor_(scene, model.numbers), colour_(scene),
+  Reference(const TriangleScene &scene, const MeshModel &model, const SceneMeans &means, Coverage coverage)
+      : model_(model), cursor_(scene, model.numbers), colour_(scene, means),
         side_(std::int64_t{1} << model.grid.bits()) {
     const std::int64_t half = side_ / 2;
     if (coverage == Coverage::Conservative)
@@ -111,7 +111,7 @@ private:
 
   void propose(Int3 voxel, const NearestPoints &nearest) {
     const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
-    colour_.at({&point.weights, 1}, words_);
+    colour_.at(nearest, {&point.weights, 1}, words_);
     if (words_[0] != 0)
       candidates_.add(mortonCode(voxel), comparedDistance(point.distanceSquared), number_, words_[0]);
   }
@@ -133,7 +133,14 @@ Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleSce
   const auto model = MeshModel::open(scene, options, nullptr);
   if (!model)
     return model.error();
-  Reference reference(scene, *model, options.coverage);
+  SceneMeans means;
+  if (options.colour == ColourRule::Mean) {
+    auto made = SceneMeans::of(scene, WorkingMemory::createDefault(), options.progress);
+    if (!made)
+      return made.error();
+    means = std::move(*made);
+  }
+  Reference reference(scene, *model, means, options.coverage);
   const std::uint64_t count = model->numbers.size();
   for (std::uint64_t number = 0; number < count; ++number) {
     if (number % kProgressStep == 0) {

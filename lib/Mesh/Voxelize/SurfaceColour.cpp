@@ -1,6 +1,8 @@
 // Material, texture and vertex colours, multiplied, and emission.
 #include "Mesh/Voxelize/SurfaceColour.h"
 
+#include "Mesh/Voxelize/CornerRows.h"
+#include "Mesh/Voxelize/Footprint.h"
 #include "Mesh/Voxelize/TexelPlace.h"
 #include "Support/Srgb.h"
 
@@ -103,19 +105,10 @@ Colour surfaceOf(const Material &material, std::uint32_t texel, const Colour &ve
 constexpr Colour kWhite{1, 1, 1, 1};
 constexpr std::uint32_t kWhiteWord = ~std::uint32_t{0};
 
-/// The sum of three corners' rows by their weights.
-template <std::size_t N>
-std::array<double, N> mixed(const std::array<std::array<double, N>, 3> &rows, const glm::dvec3 &weights) {
-  std::array<double, N> sum{};
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    for (std::size_t i = 0; i < N; ++i)
-      sum[i] += weights[corner] * rows[corner][i];
-  return sum;
-}
-
 } // namespace
 
-SurfaceColour::SurfaceColour(const TriangleScene &scene) : scene_(scene) {
+SurfaceColour::SurfaceColour(const TriangleScene &scene, const SceneMeans &means)
+    : scene_(scene), means_(means) {
   for (const MeshPart &part : scene.parts) {
     const Material &material = scene.materials[part.material];
     std::optional<std::uint32_t> &constant = constants_.emplace_back();
@@ -163,6 +156,21 @@ void SurfaceColour::sample(const TextureUse &use, const CornerUvs &uvs, std::spa
     texels.push_back(first[place]);
 }
 
+void SurfaceColour::average(const TextureUse &use, bool isOpaque, const CornerUvs &uvs,
+                            const NearestPoints &triangle, std::span<const glm::dvec3> weights,
+                            Texels &texels) {
+  const TextureMeans *means = means_.find(use.texture, isOpaque);
+  if (!means)
+    return;
+  const Footprint footprint(*means, use, uvs, triangle.gradients());
+  if (!footprint.isFiner())
+    return;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (isOpaque || texels[i] >> 24 != 0)
+      if (const auto mean = boxMeans_.of(*means, use.wrap, footprint.at(weights[i])))
+        texels[i] = *mean | (texels[i] & 0xff000000);
+}
+
 std::uint32_t SurfaceColour::shaded(std::size_t point, const glm::dvec3 &weights) const {
   const double textureAlpha = kFractions[texels_[point] >> 24] * kFractions[masks_[point] & 255];
   if (isPlain_)
@@ -171,15 +179,20 @@ std::uint32_t SurfaceColour::shaded(std::size_t point, const glm::dvec3 &weights
   return wordOf(*material_, surfaceOf(*material_, texels_[point], vertices, emissions_[point]), textureAlpha);
 }
 
-void SurfaceColour::at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words) {
+void SurfaceColour::at(const NearestPoints &triangle, std::span<const glm::dvec3> weights,
+                       std::vector<std::uint32_t> &words) {
   if (constant_)
     return words.assign(weights.size(), *constant_);
   if (!isLoaded_)
     load();
   const TextureUse none;
-  sample(part_->uvs ? material_->texture : none, uvs_, weights, texels_);
+  const TextureUse &texture = part_->uvs ? material_->texture : none;
+  const TextureUse &emission = part_->emissionUvs ? material_->emissionTexture : none;
+  sample(texture, uvs_, weights, texels_);
   sample(part_->uvs ? material_->alphaMask : none, uvs_, weights, masks_);
-  sample(part_->emissionUvs ? material_->emissionTexture : none, emissionUvs_, weights, emissions_);
+  sample(emission, emissionUvs_, weights, emissions_);
+  average(texture, material_->alpha == AlphaRule::Opaque, uvs_, triangle, weights, texels_);
+  average(emission, true, emissionUvs_, triangle, weights, emissions_);
   words.clear();
   for (std::size_t i = 0; i < weights.size(); ++i)
     words.push_back(shaded(i, weights[i]));

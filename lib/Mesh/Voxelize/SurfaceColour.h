@@ -2,6 +2,8 @@
 #pragma once
 
 #include "Mesh/ModelFrame.h"
+#include "Mesh/Voxelize/NearestPoint.h"
+#include "Mesh/Voxelize/TexelBox.h"
 #include "Mesh/Voxelize/TriangleCursor.h"
 #include "voxc/Mesh/TriangleScene.h"
 
@@ -16,15 +18,19 @@ namespace voxc {
 /// The colour of one triangle after the other, in sRGB: what `Material` says.
 class SurfaceColour {
 public:
-  /// The scene, which is checked, must outlive this.
-  explicit SurfaceColour(const TriangleScene &scene);
+  /// The scene, which is checked, and its means must outlive this. Where a texture has means, texels that are
+  /// finer than voxels are averaged over the part of the triangle's plane that a voxel takes; what is cut out
+  /// is decided by the nearest texel.
+  SurfaceColour(const TriangleScene &scene, const SceneMeans &means);
 
   /// Goes to the triangle at which `cursor` stands.
   void moveTo(const TriangleCursor &cursor);
 
   /// Sets `words` to those at the points with these weights, or to 0 where alpha cuts the triangle away. What
-  /// remains has an alpha of at least 1, so that the word is not "empty".
-  void at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words);
+  /// remains has an alpha of at least 1, so that the word is not "empty". `triangle` has its corners in
+  /// voxels.
+  void at(const NearestPoints &triangle, std::span<const glm::dvec3> weights,
+          std::vector<std::uint32_t> &words);
 
 private:
   using Texels = std::vector<std::uint32_t>;
@@ -34,9 +40,14 @@ private:
   /// Sets `texels` to those at the points; all ones if there is no texture.
   void sample(const TextureUse &use, const CornerUvs &uvs, std::span<const glm::dvec3> weights,
               Texels &texels);
+  /// Gives those that are visible the colour of the mean around them, if they are finer than voxels.
+  void average(const TextureUse &use, bool isOpaque, const CornerUvs &uvs, const NearestPoints &triangle,
+               std::span<const glm::dvec3> weights, Texels &texels);
   std::uint32_t shaded(std::size_t point, const glm::dvec3 &weights) const;
 
   const TriangleScene &scene_;
+  const SceneMeans &means_;
+  BoxMeans boxMeans_;
   std::vector<std::optional<std::uint32_t>> constants_; ///< Each part's word, if it is one colour.
   std::optional<std::uint32_t> constant_;
   const MeshPart *part_ = nullptr;

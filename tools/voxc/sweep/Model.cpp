@@ -70,6 +70,7 @@ std::vector<std::string> toWords(const InputArguments &arguments) {
   add("--bounds", joined(arguments.bounds));
   add("--up", arguments.up);
   add("--coverage", arguments.coverage);
+  add("--colour", arguments.colour);
   add("--threshold", arguments.threshold ? exact(*arguments.threshold) : "");
   add("--colour-map", arguments.colourMap);
   add("--window", joined(arguments.window));
