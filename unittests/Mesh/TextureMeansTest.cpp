@@ -94,11 +94,11 @@ TEST(TextureMeans, BoxesAreWhatTheDefinitionSays) {
     const bool isOpaque = random() % 2 == 0;
     const TextureMeans means = meansOf(texture, isOpaque);
     const Wraps wrap{static_cast<TextureWrap>(random() % 3), static_cast<TextureWrap>(random() % 3)};
-    // Up to 4 x 4 texels, which no level but that of the texels is taken for.
+    // Up to 3 x 3 texels, which no level but that of the texels is taken for.
     TexelBox box;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       box.low[axis] = between(-60, 60) / 4.0;
-      box.high[axis] = box.low[axis] + between(1, 16) / 4.0;
+      box.high[axis] = box.low[axis] + between(1, 12) / 4.0;
     }
     const auto mean = boxMeans.of(means, wrap, box);
     ASSERT_TRUE(mean);

@@ -23,7 +23,15 @@ ChunkVoxels::Brick *ChunkVoxels::addBrick() {
   Brick *brick = bricks_[used_++].get();
   brick->words.fill(0);
   brick->distances.fill(~std::uint32_t{0});
+  brick->hasMeans = false;
   return brick;
+}
+
+void ChunkVoxels::addMeans(Brick &brick) {
+  if (!brick.means)
+    brick.means = std::make_unique<std::array<VoxelMean, kBrickCells>>();
+  brick.means->fill({});
+  brick.hasMeans = true;
 }
 
 bool ChunkVoxels::empty(const Cube &cube) const {

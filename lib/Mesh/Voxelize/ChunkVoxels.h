@@ -1,6 +1,7 @@
 // The voxels of one chunk, in bricks that exist where there is something.
 #pragma once
 
+#include "Mesh/Voxelize/VoxelMean.h"
 #include "voxc/Support/Geometry.h"
 
 #include <array>
@@ -44,6 +45,31 @@ public:
     brick->words[code & (kBrickCells - 1)] = word;
   }
 
+  /// The word of the voxel at `code`, which has one.
+  std::uint32_t wordAt(std::uint32_t code) const {
+    return table_[code >> 3 * kLog2Brick]->words[code & (kBrickCells - 1)];
+  }
+
+  /// Changes that word, to one that is not 0.
+  void setWord(std::uint32_t code, std::uint32_t word) {
+    table_[code >> 3 * kLog2Brick]->words[code & (kBrickCells - 1)] = word;
+  }
+
+  /// The mean of the voxel at `code`, which has a word.
+  VoxelMean &meanAt(std::uint32_t code) {
+    Brick &brick = *table_[code >> 3 * kLog2Brick];
+    if (!brick.hasMeans)
+      addMeans(brick);
+    return (*brick.means)[code & (kBrickCells - 1)];
+  }
+
+  /// Makes that mean empty, if there is one.
+  void clearMean(std::uint32_t code) {
+    Brick &brick = *table_[code >> 3 * kLog2Brick];
+    if (brick.hasMeans)
+      (*brick.means)[code & (kBrickCells - 1)].clear();
+  }
+
   /// True if `cube`, in the chunk, holds no voxel.
   bool empty(const Cube &cube) const;
   /// Writes the words of `cube`, in the chunk and no larger than a brick, in Morton order.
@@ -55,9 +81,12 @@ private:
   struct Brick {
     std::array<std::uint32_t, kBrickCells> words;
     std::array<std::uint32_t, kBrickCells> distances;
+    std::unique_ptr<std::array<VoxelMean, kBrickCells>> means; ///< Made when they are first asked for.
+    bool hasMeans = false;                                     ///< They are this chunk's.
   };
 
   Brick *addBrick();
+  static void addMeans(Brick &brick);
 
   Int3 low_;
   std::array<std::uint32_t, 1 << kMostLog2Side> spread_; ///< `spreadBits` of each coordinate.

@@ -13,7 +13,8 @@ namespace voxc {
 
 Footprint::Footprint(const TextureMeans &means, const TextureUse &use,
                      const std::array<std::array<double, 2>, 3> &uvs,
-                     const std::array<glm::dvec3, 2> &gradients) {
+                     const std::array<glm::dvec3, 2> &gradients)
+    : means_(&means) {
   constexpr double kFar = 0x1p40;
   const std::array<int, 2> sizes{means.width(), means.height()};
   for (std::size_t corner = 0; corner < 3; ++corner) {

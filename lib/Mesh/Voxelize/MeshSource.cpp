@@ -96,6 +96,8 @@ private:
   struct Place {
     std::uint32_t code;
     std::uint32_t distance;
+    Int3 voxel;
+    bool isNearer; ///< Than all triangles before it.
   };
 
   SnappedTriangle triangle(std::uint32_t number) {
@@ -182,16 +184,40 @@ private:
     if (masks_.empty())
       return;
     colour_.moveTo(cursor_);
-    const NearestPoints nearest(mesh_->model.inVoxels(triangle));
-    findNearer(nearest);
-    colour_.at(nearest, weights_, words_);
+    const std::array<glm::dvec3, 3> corners = mesh_->model.inVoxels(triangle);
+    const NearestPoints nearest(corners);
+    if (colour_.measure(nearest))
+      return proposeToMeans(corners, nearest);
+    listVoxels(nearest, false);
+    colour_.at(weights_, words_);
     for (std::size_t i = 0; i < words_.size(); ++i)
-      if (words_[i] != 0)
+      if (words_[i] != 0) {
         voxels_.set(places_[i].code, places_[i].distance, words_[i]);
+        voxels_.clearMean(places_[i].code);
+      }
   }
 
-  /// Lists the voxels of `masks_` to which no earlier triangle is as near.
-  void findNearer(const NearestPoints &nearest) {
+  /// The same where texels are finer than voxels, so that voxels of other triangles show this one, too.
+  void proposeToMeans(const std::array<glm::dvec3, 3> &corners, const NearestPoints &nearest) {
+    listVoxels(nearest, true);
+    colour_.at(weights_, words_);
+    const VoxelAreas areas(corners, nearest);
+    const SurfaceSide side{cursor_.part().material, nearest.normal()};
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const Place &place = places_[i];
+      if (words_[i] == 0)
+        continue;
+      if (place.isNearer)
+        voxels_.set(place.code, place.distance, words_[i]);
+      const double area = areas.in({place.voxel.x, place.voxel.y, place.voxel.z}, weights_[i]);
+      voxels_.setWord(
+          place.code,
+          voxels_.meanAt(place.code).add(side, place.isNearer, area, words_[i], voxels_.wordAt(place.code)));
+    }
+  }
+
+  /// Lists the voxels of `masks_` to which no earlier triangle is as near, or all.
+  void listVoxels(const NearestPoints &nearest, bool all) {
     places_.clear();
     weights_.clear();
     for (const CellMask &mask : masks_)
@@ -199,9 +225,10 @@ private:
         const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
         const std::uint32_t code = voxels_.codeOf(voxel);
         const std::uint32_t distance = comparedDistance(point.distanceSquared);
-        if (!voxels_.isNearer(code, distance))
+        const bool isNearer = voxels_.isNearer(code, distance);
+        if (!isNearer && !all)
           return;
-        places_.push_back({code, distance});
+        places_.push_back({code, distance, voxel, isNearer});
         weights_.push_back(point.weights);
       });
   }

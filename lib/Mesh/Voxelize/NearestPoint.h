@@ -25,6 +25,9 @@ public:
   /// How the weights of the second and third corner change along space; 0 where the triangle is too thin.
   const std::array<glm::dvec3, 2> &gradients() const { return gradients_; }
 
+  /// Of length 1, or 0 where the triangle is too thin.
+  const glm::dvec3 &normal() const { return normal_; }
+
 private:
   /// From one corner to the next.
   struct Edge {

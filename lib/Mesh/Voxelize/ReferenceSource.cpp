@@ -2,8 +2,11 @@
 #include "Mesh/Voxelize/MeshModel.h"
 #include "Mesh/Voxelize/NearestPoint.h"
 #include "Mesh/Voxelize/SurfaceColour.h"
-#include "Mesh/Voxelize/VoxelCandidates.h"
+#include "Mesh/Voxelize/VoxelMean.h"
+#include "voxc/Source/Sources.h"
 
+#include <algorithm>
+#include <unordered_map>
 #include <vector>
 
 namespace voxc {
@@ -71,10 +74,11 @@ public:
   void add(std::uint32_t number) {
     cursor_.moveTo(number);
     colour_.moveTo(cursor_);
-    number_ = number;
     const SnappedTriangle triangle = model_.snapped(cursor_);
     const std::vector<Wide3> axes = separatingAxes(triangle);
-    const NearestPoints nearest(model_.inVoxels(triangle));
+    corners_ = model_.inVoxels(triangle);
+    const NearestPoints nearest(corners_);
+    isFiner_ = colour_.measure(nearest);
     const auto [low, high] = voxelsOf(triangle);
     for (Int3 voxel = low; voxel.z <= high.z; ++voxel.z)
       for (voxel.y = low.y; voxel.y <= high.y; ++voxel.y)
@@ -83,7 +87,16 @@ public:
             propose(voxel, nearest);
   }
 
-  std::vector<CodedVoxel> take() { return candidates_.take(); }
+  /// The voxels in Morton order; none remains.
+  std::vector<CodedVoxel> take() {
+    std::vector<CodedVoxel> voxels;
+    for (const auto &[code, voxel] : voxels_)
+      voxels.push_back({code, voxel.word});
+    voxels_.clear();
+    std::sort(voxels.begin(), voxels.end(),
+              [](const CodedVoxel &a, const CodedVoxel &b) { return a.code < b.code; });
+    return voxels;
+  }
 
 private:
   /// The first and the last voxel that the triangle's box may touch, on each axis.
@@ -111,19 +124,38 @@ private:
 
   void propose(Int3 voxel, const NearestPoints &nearest) {
     const NearestPoint point = nearest.to({voxel.x + 0.5, voxel.y + 0.5, voxel.z + 0.5});
-    colour_.at(nearest, {&point.weights, 1}, words_);
-    if (words_[0] != 0)
-      candidates_.add(mortonCode(voxel), comparedDistance(point.distanceSquared), number_, words_[0]);
+    colour_.at({&point.weights, 1}, words_);
+    if (words_[0] == 0)
+      return;
+    const std::uint32_t distance = comparedDistance(point.distanceSquared);
+    Shown &shown = voxels_[mortonCode(voxel)];
+    const bool isNearer = distance < shown.distance;
+    if (isFiner_)
+      shown.word =
+          shown.mean.add({cursor_.part().material, nearest.normal()}, isNearer,
+                         VoxelAreas(corners_, nearest).in({voxel.x, voxel.y, voxel.z}, point.weights),
+                         words_[0], shown.word);
+    else if (isNearer)
+      shown = {distance, words_[0], {}};
+    shown.distance = std::min(shown.distance, distance);
   }
+
+  /// What a voxel shows of the triangles so far.
+  struct Shown {
+    std::uint32_t distance = ~std::uint32_t{0};
+    std::uint32_t word = 0;
+    VoxelMean mean;
+  };
 
   const MeshModel &model_;
   TriangleCursor cursor_;
   SurfaceColour colour_;
   std::int64_t side_; ///< Of a voxel, in steps of the grid.
   std::vector<Point64> boxes_;
-  std::uint32_t number_ = 0;
-  std::vector<std::uint32_t> words_; ///< Of the voxel in work.
-  VoxelCandidates candidates_;
+  std::array<glm::dvec3, 3> corners_{}; ///< Of the triangle in work, in voxels.
+  bool isFiner_ = false;                ///< Its texels are finer than voxels.
+  std::vector<std::uint32_t> words_;    ///< Of the voxel in work.
+  std::unordered_map<std::uint64_t, Shown> voxels_;
 };
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "Mesh/Voxelize/SurfaceColour.h"
 
 #include "Mesh/Voxelize/CornerRows.h"
-#include "Mesh/Voxelize/Footprint.h"
 #include "Mesh/Voxelize/TexelPlace.h"
 #include "Support/Srgb.h"
 
@@ -123,11 +122,9 @@ void SurfaceColour::moveTo(const TriangleCursor &cursor) {
   material_ = &scene_.materials[part_->material];
   isPlain_ = isPlain(*part_, *material_);
   vertices_ = cursor.vertices();
-  isLoaded_ = false;
 }
 
 void SurfaceColour::load() {
-  isLoaded_ = true;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     if (part_->uvs)
       uvs_[corner] = readRow<2>(part_->uvs, vertices_[corner]);
@@ -156,18 +153,21 @@ void SurfaceColour::sample(const TextureUse &use, const CornerUvs &uvs, std::spa
     texels.push_back(first[place]);
 }
 
-void SurfaceColour::average(const TextureUse &use, bool isOpaque, const CornerUvs &uvs,
-                            const NearestPoints &triangle, std::span<const glm::dvec3> weights,
-                            Texels &texels) {
+std::optional<Footprint> SurfaceColour::footprintOf(const TextureUse &use, bool isOpaque,
+                                                    const CornerUvs &uvs,
+                                                    const NearestPoints &triangle) const {
   const TextureMeans *means = means_.find(use.texture, isOpaque);
   if (!means)
-    return;
+    return std::nullopt;
   const Footprint footprint(*means, use, uvs, triangle.gradients());
-  if (!footprint.isFiner())
-    return;
+  return footprint.isFiner() ? std::optional(footprint) : std::nullopt;
+}
+
+void SurfaceColour::average(const Footprint &footprint, const TextureUse &use, bool isOpaque,
+                            std::span<const glm::dvec3> weights, Texels &texels) {
   for (std::size_t i = 0; i < weights.size(); ++i)
     if (isOpaque || texels[i] >> 24 != 0)
-      if (const auto mean = boxMeans_.of(*means, use.wrap, footprint.at(weights[i])))
+      if (const auto mean = boxMeans_.of(footprint.means(), use.wrap, footprint.at(weights[i])))
         texels[i] = *mean | (texels[i] & 0xff000000);
 }
 
@@ -179,20 +179,32 @@ std::uint32_t SurfaceColour::shaded(std::size_t point, const glm::dvec3 &weights
   return wordOf(*material_, surfaceOf(*material_, texels_[point], vertices, emissions_[point]), textureAlpha);
 }
 
-void SurfaceColour::at(const NearestPoints &triangle, std::span<const glm::dvec3> weights,
-                       std::vector<std::uint32_t> &words) {
+bool SurfaceColour::measure(const NearestPoints &triangle) {
+  if (constant_)
+    return false;
+  load();
+  footprint_.reset();
+  emissionFootprint_.reset();
+  if (part_->uvs)
+    footprint_ = footprintOf(material_->texture, material_->alpha == AlphaRule::Opaque, uvs_, triangle);
+  if (part_->emissionUvs)
+    emissionFootprint_ = footprintOf(material_->emissionTexture, true, emissionUvs_, triangle);
+  return footprint_ || emissionFootprint_;
+}
+
+void SurfaceColour::at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words) {
   if (constant_)
     return words.assign(weights.size(), *constant_);
-  if (!isLoaded_)
-    load();
   const TextureUse none;
   const TextureUse &texture = part_->uvs ? material_->texture : none;
   const TextureUse &emission = part_->emissionUvs ? material_->emissionTexture : none;
   sample(texture, uvs_, weights, texels_);
   sample(part_->uvs ? material_->alphaMask : none, uvs_, weights, masks_);
   sample(emission, emissionUvs_, weights, emissions_);
-  average(texture, material_->alpha == AlphaRule::Opaque, uvs_, triangle, weights, texels_);
-  average(emission, true, emissionUvs_, triangle, weights, emissions_);
+  if (footprint_)
+    average(*footprint_, texture, material_->alpha == AlphaRule::Opaque, weights, texels_);
+  if (emissionFootprint_)
+    average(*emissionFootprint_, emission, true, weights, emissions_);
   words.clear();
   for (std::size_t i = 0; i < weights.size(); ++i)
     words.push_back(shaded(i, weights[i]));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Mesh/ModelFrame.h"
+#include "Mesh/Voxelize/Footprint.h"
 #include "Mesh/Voxelize/NearestPoint.h"
 #include "Mesh/Voxelize/TexelBox.h"
 #include "Mesh/Voxelize/TriangleCursor.h"
@@ -18,19 +19,20 @@ namespace voxc {
 /// The colour of one triangle after the other, in sRGB: what `Material` says.
 class SurfaceColour {
 public:
-  /// The scene, which is checked, and its means must outlive this. Where a texture has means, texels that are
-  /// finer than voxels are averaged over the part of the triangle's plane that a voxel takes; what is cut out
-  /// is decided by the nearest texel.
+  /// The scene, which is checked, and its means must outlive this.
   SurfaceColour(const TriangleScene &scene, const SceneMeans &means);
 
   /// Goes to the triangle at which `cursor` stands.
   void moveTo(const TriangleCursor &cursor);
 
+  /// Is a texel of the triangle, which has its corners in voxels, finer than a voxel? Then, and if its
+  /// texture has means, texels are averaged over the part of its plane that a voxel takes. What is cut out is
+  /// still decided by the nearest one.
+  bool measure(const NearestPoints &triangle);
+
   /// Sets `words` to those at the points with these weights, or to 0 where alpha cuts the triangle away. What
-  /// remains has an alpha of at least 1, so that the word is not "empty". `triangle` has its corners in
-  /// voxels.
-  void at(const NearestPoints &triangle, std::span<const glm::dvec3> weights,
-          std::vector<std::uint32_t> &words);
+  /// remains has an alpha of at least 1, so that the word is not "empty". Asked after `measure`.
+  void at(std::span<const glm::dvec3> weights, std::vector<std::uint32_t> &words);
 
 private:
   using Texels = std::vector<std::uint32_t>;
@@ -40,8 +42,11 @@ private:
   /// Sets `texels` to those at the points; all ones if there is no texture.
   void sample(const TextureUse &use, const CornerUvs &uvs, std::span<const glm::dvec3> weights,
               Texels &texels);
-  /// Gives those that are visible the colour of the mean around them, if they are finer than voxels.
-  void average(const TextureUse &use, bool isOpaque, const CornerUvs &uvs, const NearestPoints &triangle,
+  /// Where the texels of a texture are finer than voxels.
+  std::optional<Footprint> footprintOf(const TextureUse &use, bool isOpaque, const CornerUvs &uvs,
+                                       const NearestPoints &triangle) const;
+  /// Gives the texels that are visible the colour of the mean around them.
+  void average(const Footprint &footprint, const TextureUse &use, bool isOpaque,
                std::span<const glm::dvec3> weights, Texels &texels);
   std::uint32_t shaded(std::size_t point, const glm::dvec3 &weights) const;
 
@@ -54,10 +59,11 @@ private:
   const Material *material_ = nullptr;
   bool isPlain_ = false; ///< A texel's colour is the surface's.
   std::array<std::uint32_t, 3> vertices_{};
-  bool isLoaded_ = false; ///< The rows below belong to `vertices_`.
   CornerUvs uvs_{};
   CornerUvs emissionUvs_{};
   std::array<std::array<double, 4>, 3> colours_{};
+  std::optional<Footprint> footprint_; ///< Of the texture, and of the emission's.
+  std::optional<Footprint> emissionFootprint_;
   // Of the points in work.
   std::vector<std::uint64_t> places_;
   Texels texels_;

@@ -10,8 +10,9 @@ namespace voxc {
 
 namespace {
 
-/// About as many cells are looked at for a box; more are finer, and cost more.
-constexpr double kMostCells = 36;
+/// So many cells are looked at for a box, and so many along its shorter side; more are finer, and cost more.
+constexpr double kMostCells = 64;
+constexpr double kMostCellsAcross = 3.5;
 
 /// Narrower than this, in texels, a box is a line.
 constexpr double kLine = 1e-6;
@@ -36,9 +37,12 @@ double texelsAlong(double length, TextureWrap wrap, int size) {
 int levelFor(const TexelBox &box, const std::array<TextureWrap, 2> &wrap, const TextureMeans &means) {
   const double width = texelsAlong(box.high[0] - box.low[0], wrap[0], means.width());
   const double height = texelsAlong(box.high[1] - box.low[1], wrap[1], means.height());
+  const auto isTooFine = [&](double cell) {
+    return std::min(width, height) > kMostCellsAcross * cell ||
+           (width / cell + 1) * (height / cell + 1) > kMostCells;
+  };
   int level = 0;
-  for (double cell = 1; level < means.levels() && (width / cell + 1) * (height / cell + 1) > kMostCells;
-       cell *= 2)
+  for (double cell = 1; level < means.levels() && isTooFine(cell); cell *= 2)
     ++level;
   return level;
 }
@@ -92,14 +96,9 @@ std::optional<std::uint32_t> BoxMeans::of(const TextureMeans &means, const std::
   for (std::size_t axis = 0; axis < 2; ++axis)
     addTaps({box.low[axis], std::max(box.high[axis], box.low[axis] + kLine), wrap[axis], sizes[axis]}, level,
             axis == 0 ? columns_ : rows_);
-  std::array<double, 4> sum{};
+  TextureMeans::Light sum{};
   for (const Tap &row : rows_)
-    for (const Tap &column : columns_) {
-      const TextureMeans::Light cell = means.cell(level, column.cell, row.cell);
-      const double weight = column.weight * row.weight;
-      for (std::size_t i = 0; i < sum.size(); ++i)
-        sum[i] += weight * cell[i];
-    }
+    means.addRow(level, row.cell, columns_, row.weight, sum);
   if (!(sum[3] > 0))
     return std::nullopt;
   return srgbByte(sum[0] / sum[3]) | srgbByte(sum[1] / sum[3]) << 8 | srgbByte(sum[2] / sum[3]) << 16;

@@ -20,17 +20,13 @@ struct TexelBox {
 /// Finds means of one box after the other.
 class BoxMeans {
 public:
-  /// The mean over a box, of a few dozen cells of a level that is fine enough: red, green and blue in sRGB as
-  /// in a texel, without alpha. Nothing where all is invisible.
+  /// The mean over a box, of a dozen or two cells of a level that is fine enough: red, green and blue in sRGB
+  /// as in a texel, without alpha. Nothing where all is invisible.
   std::optional<std::uint32_t> of(const TextureMeans &means, const std::array<TextureWrap, 2> &wrap,
                                   const TexelBox &box);
 
 private:
-  /// A column or row of cells, and how much of the box is in it, in texels.
-  struct Tap {
-    std::uint64_t cell;
-    double weight;
-  };
+  using Tap = TextureMeans::Column; ///< Or a row; what counts is how much of the box is in it, in texels.
   /// One axis of a box and of a texture.
   struct Axis {
     double low;

@@ -49,6 +49,26 @@ TextureMeans::Light TextureMeans::cell(int level, std::uint64_t x, std::uint64_t
   return {double(stored[0]), double(stored[1]), double(stored[2]), double(stored[3])};
 }
 
+void TextureMeans::addRow(int level, std::uint64_t y, std::span<const Column> columns, double weight,
+                          Light &sum) const {
+  Light row{};
+  if (level == 0) {
+    for (const Column &column : columns) {
+      const Light light = cell(0, column.cell, y);
+      for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] += column.weight * light[i];
+    }
+  } else {
+    const Level &of = levels_[static_cast<std::size_t>(level - 1)];
+    const Cell *cells = of.cells.data() + y * static_cast<std::uint64_t>(of.width);
+    for (const Column &column : columns)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] += column.weight * cells[column.cell][i];
+  }
+  for (std::size_t i = 0; i < row.size(); ++i)
+    sum[i] += weight * row[i];
+}
+
 /// The mean of up to four cells of a level, by the texels that they have.
 TextureMeans::Cell TextureMeans::meanOf(int level, int x, int y) const {
   Light sum{};

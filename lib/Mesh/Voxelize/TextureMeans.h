@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace voxc {
@@ -26,6 +27,14 @@ public:
   int height() const { return texture_->height; }
   /// Levels of means; the last has one cell.
   int levels() const { return static_cast<int>(levels_.size()); }
+  /// A column of cells, and how much it counts.
+  struct Column {
+    std::uint64_t cell;
+    double weight;
+  };
+  /// Adds the cells of a row, each times its column's weight and `weight`, to `sum`.
+  void addRow(int level, std::uint64_t y, std::span<const Column> columns, double weight, Light &sum) const;
+
   /// The mean over the square with this index of a level, 2^`level` texels a side, or what the texture has of
   /// it. Level 0 is the texels.
   Light cell(int level, std::uint64_t x, std::uint64_t y) const;
