@@ -1,5 +1,6 @@
 # The readers, which the fuzzers build apart from all else.
 set(VOXC_MESH_READERS
+  FileBeside.cpp
   Gltf/DataUri.cpp
   Gltf/GltfAccessors.cpp
   Gltf/GltfBuffers.cpp
@@ -24,6 +25,7 @@ set(VOXC_MESH_READERS
   Obj/ObjGeometry.cpp
   Obj/ObjMaterials.cpp
   Obj/ObjReader.cpp
+  Obj/TextureOptions.cpp
   Ply/PlyColour.cpp
   Ply/PlyHeader.cpp
   Ply/PlyReader.cpp

@@ -3,6 +3,8 @@
 
 #include "Input/Openers/InputText.h"
 #include "Input/Openers/MeshFacts.h"
+#include "Input/Points/PointSource.h"
+#include "Input/Points/ScenePoints.h"
 #include "voxc/Mesh/MeshSource.h"
 #include "voxc/Mesh/SolidMesh.h"
 #include "voxc/Support/Stopwatch.h"
@@ -63,6 +65,28 @@ Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Inp
   return {};
 }
 
+/// A model of points alone is no surface: each point is one voxel, as in a .ply.
+Expected<void> openPoints(const std::string &path, const TriangleScene &scene, const InputOptions &options,
+                          Input &input) {
+  const auto points = pointsOf(scene, options.memory, options.progress);
+  if (!points)
+    return points.error();
+  auto voxels = placePoints(**points, false, options, [&](const std::string &what) {
+    return Error::input("'" + path + "' has unusable points: " + what);
+  });
+  if (!voxels)
+    return voxels.error();
+  input.triangles = 0;
+  input.source = std::move(voxels->source);
+  input.provenance = modelProvenance("points", longestAxis(input.source->extent()), options);
+  input.warnings.insert(input.warnings.end(), voxels->warnings.begin(), voxels->warnings.end());
+  if (options.describe)
+    input.facts = std::move(voxels->facts);
+  if (options.describe)
+    input.facts.insert(input.facts.begin(), {"kind", "points", {}});
+  return {};
+}
+
 } // namespace
 
 Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
@@ -77,6 +101,10 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
   input.warnings = std::move(scene->warnings);
   if (options.describe)
     input.facts = factsOf(*scene);
+  if (isOfPoints(*scene)) {
+    auto opened = openPoints(path, *scene, options, input);
+    return opened ? Expected<Input>(std::move(input)) : opened.error();
+  }
   const Stopwatch binning;
   const auto shared = std::make_shared<const TriangleScene>(std::move(*scene));
   auto source = voxelize(shared, options);

@@ -104,6 +104,7 @@ public:
   }
 
   std::uint64_t size() const override { return vertices_.count; }
+  bool hasColours() const override { return bool(colour_); }
 
   void read(std::uint64_t first, std::span<PlyPoint> points) const override {
     const char *const rows = table_.rows + first * table_.stride;
@@ -158,35 +159,37 @@ private:
 /// Points that were copied.
 class CopiedPoints final : public PointList {
 public:
-  explicit CopiedPoints(const std::shared_ptr<WorkingMemory> &memory) : memory_(memory), points_(memory) {}
+  CopiedPoints(const PlyElement &vertices, const std::shared_ptr<WorkingMemory> &memory)
+      : memory_(memory), points_(memory), colour_(vertices) {}
 
   std::uint64_t size() const override { return points_.size(); }
+  bool hasColours() const override { return bool(colour_); }
   void read(std::uint64_t first, std::span<PlyPoint> points) const override {
     std::ranges::copy(points_.span().subspan(first, points.size()), points.begin());
   }
 
   Expected<void> fill(PlyReader &reader, const PlyElement &vertices, const Progress &progress) {
     constexpr std::uint64_t kRowsBetweenLooks = 1 << 12;
-    const PlyColour colour(vertices);
     std::array<std::size_t, 3> axes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       axes[axis] = *findNumber(vertices, kAxes[axis]);
-    return reader.readRows(
-        [&](const PlyElement &element, std::uint64_t number, const PlyRow &row) -> Expected<void> {
-          if (number % kRowsBetweenLooks == 0) {
-            if (progress.stopped())
-              return Error::interrupted();
-            memory_->relieve();
-          }
-          if (&element != &vertices)
-            return {};
-          return points_.push({{row.values[axes[0]], row.values[axes[1]], row.values[axes[2]]}, colour(row)});
-        });
+    return reader.readRows([&](const PlyElement &element, std::uint64_t number,
+                               const PlyRow &row) -> Expected<void> {
+      if (number % kRowsBetweenLooks == 0) {
+        if (progress.stopped())
+          return Error::interrupted();
+        memory_->relieve();
+      }
+      if (&element != &vertices)
+        return {};
+      return points_.push({{row.values[axes[0]], row.values[axes[1]], row.values[axes[2]]}, colour_(row)});
+    });
   }
 
 private:
   std::shared_ptr<WorkingMemory> memory_;
   ScratchArray<PlyPoint> points_;
+  PlyColour colour_;
 };
 
 } // namespace
@@ -196,11 +199,6 @@ bool hasPoints(const PlyHeader &header) {
   return vertices && std::ranges::all_of(kAxes, [&](std::string_view axis) {
            return findNumber(*vertices, axis).has_value();
          });
-}
-
-bool hasColours(const PlyHeader &header) {
-  const PlyElement *vertices = header.find("vertex");
-  return vertices && bool(PlyColour(*vertices));
 }
 
 bool areIndices(const PlyHeader &header) {
@@ -217,7 +215,7 @@ readPointList(PlyReader &reader, const std::shared_ptr<WorkingMemory> &memory, c
   if (auto table = findTable(reader, vertices))
     return std::unique_ptr<PointList>(
         std::make_unique<TablePoints>(vertices, reader.header().encoding, std::move(*table)));
-  auto copied = std::make_unique<CopiedPoints>(memory);
+  auto copied = std::make_unique<CopiedPoints>(vertices, memory);
   if (auto filled = copied->fill(reader, vertices, progress); !filled)
     return filled.error();
   return std::unique_ptr<PointList>(std::move(copied));

@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace voxc {
 
@@ -24,11 +26,18 @@ public:
   virtual std::uint64_t size() const = 0;
   /// Writes the points from `first` on.
   virtual void read(std::uint64_t first, std::span<PlyPoint> points) const = 0;
+  /// False if all are white because nothing says otherwise.
+  virtual bool hasColours() const = 0;
+  /// Why so many points have the word 0.
+  virtual std::string saysDropped(std::uint64_t count) const {
+    return std::to_string(count) + " points are dropped: their colour is the word 0, which means empty";
+  }
+  /// What else is to be said of them; one sentence each.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
-/// True if an element has the properties x, y and z; if it has colours too; and if x, y and z are integers.
+/// True if an element has the properties x, y and z; and if they are integers.
 bool hasPoints(const PlyHeader &header);
-bool hasColours(const PlyHeader &header);
 bool areIndices(const PlyHeader &header);
 
 /// The points of a file that has some; in place if the rows are binary and of one size, else copied.

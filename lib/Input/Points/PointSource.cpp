@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -53,8 +54,10 @@ std::optional<Int3> voxelAt(const glm::dvec3 &position, const Bounds &box, const
 /// Goes through the points of a file as often as it takes to know their box, to count them and to place them.
 class PointPlacer {
 public:
-  PointPlacer(const PlyReader &reader, const PointList &points, const InputOptions &options)
-      : reader_(reader), points_(points), options_(options) {}
+  using Broken = std::function<Error(const std::string &)>;
+
+  PointPlacer(const PointList &points, const InputOptions &options, const Broken &broken)
+      : points_(points), options_(options), broken_(broken) {}
 
   std::uint64_t dropped() const { return dropped_; }
 
@@ -63,9 +66,8 @@ public:
     std::optional<Error> problem;
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
       if (!isInside(point.position, options_.mostExtent())) {
-        problem =
-            reader_.broken("vertex " + std::to_string(number) + " is the voxel " + listed(point.position) +
-                           ", but the format holds only " + toText(options_.mostExtent()));
+        problem = broken_("vertex " + std::to_string(number) + " is the voxel " + listed(point.position) +
+                          ", but the format holds only " + toText(options_.mostExtent()));
         return false;
       }
       const Int3 voxel = cellAt(point.position);
@@ -86,7 +88,7 @@ public:
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
       const glm::dvec3 position = vectorOf(point.position);
       if (glm::any(glm::isnan(position)) || glm::any(glm::isinf(position))) {
-        problem = reader_.broken("vertex " + std::to_string(number) + " has a coordinate that is not finite");
+        problem = broken_("vertex " + std::to_string(number) + " has a coordinate that is not finite");
         return false;
       }
       bounds.add(position);
@@ -158,9 +160,9 @@ private:
     return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
   }
 
-  const PlyReader &reader_;
   const PointList &points_;
   const InputOptions &options_;
+  const Broken &broken_;
   std::uint64_t dropped_ = 0;
 };
 
@@ -181,39 +183,41 @@ InputFact boxOf(const PointList &points) {
   return boxFact("box", low, high);
 }
 
-Expected<PointVoxels> placePoints(PlyReader &reader, const InputOptions &options) {
+} // namespace
+
+Expected<PointVoxels> placePoints(const PointList &points, bool areIndices, const InputOptions &options,
+                                  const std::function<Error(const std::string &)> &broken) {
   if (options.coverage != Coverage::Conservative)
     return Error::usage("--coverage is for meshes, and would do nothing for points; leave it out");
   if (options.colour != ColourRule::Mean)
     return Error::usage("--colour is for meshes, and would do nothing for points; leave it out");
-  const auto points = readPointList(reader, options.memory, options.progress);
-  if (!points)
-    return points.error();
-  PointPlacer placer(reader, **points, options);
-  const bool areIndices = voxc::areIndices(reader.header());
+  PointPlacer placer(points, options, broken);
   auto source = areIndices ? placer.placeIndices() : placer.placePositions();
   if (!source)
     return source.error();
   PointVoxels voxels{std::move(*source), areIndices, {}, {}};
   if (options.describe)
-    voxels.facts = {countFact("points", (*points)->size()),
+    voxels.facts = {countFact("points", points.size()),
                     {"coordinates", areIndices ? "whole numbers, which are voxels" : "of a model", {}},
-                    {"colours", hasColours(reader.header()) ? "one a point" : "none; they are white", {}},
-                    boxOf(**points)};
+                    {"colours", points.hasColours() ? "one a point" : "none; they are white", {}},
+                    boxOf(points)};
   if (placer.dropped() != 0)
-    voxels.warnings.push_back(std::to_string(placer.dropped()) +
-                              " points are dropped: their colour is the word 0, which means empty");
+    voxels.warnings.push_back(points.saysDropped(placer.dropped()));
   return voxels;
 }
-
-} // namespace
 
 Expected<PointVoxels> readPoints(PlyReader &reader, const InputOptions &options) {
   if (!hasPoints(reader.header()))
     return reader.broken("its points need an element 'vertex' with the properties x, y and z");
   options.memory->watch(reader.bytes());
-  auto voxels = placePoints(reader, options);
+  const auto points = readPointList(reader, options.memory, options.progress);
+  auto voxels = points ? placePoints(**points, areIndices(reader.header()), options,
+                                     [&](const std::string &what) { return reader.broken(what); })
+                       : Expected<PointVoxels>(points.error());
   options.memory->unwatch(reader.bytes());
+  if (voxels && points)
+    for (const std::string &warning : (*points)->warnings())
+      voxels->warnings.push_back(warning);
   return voxels;
 }
 

@@ -1,22 +1,26 @@
 // Statements of .mtl files.
 #include "Mesh/Obj/MaterialLibrary.h"
 
+#include "Mesh/ColourScale.h"
 #include "Support/Text.h"
 
 #include <algorithm>
-#include <vector>
+#include <set>
 
 namespace voxc {
 
 namespace {
 
-/// Options of textures that take one word, and those that take up to three numbers.
-constexpr std::array<std::string_view, 7> kWordOptions{"-blendu", "-blendv",  "-cc", "-clamp",
-                                                       "-texres", "-imfchan", "-bm"};
-constexpr std::array<std::string_view, 5> kNumberOptions{"-o", "-s", "-t", "-mm", "-boost"};
+/// About how light falls; in lower case.
+constexpr std::array<std::string_view, 8> kPassedOver{"ka",    "ks", "ns",        "ni",
+                                                      "illum", "tf", "sharpness", "interpolation"};
 
-template <std::size_t N> bool isOneOf(const std::array<std::string_view, N> &list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
+/// Words in the order that a sentence has them.
+std::string listed(const std::set<std::string> &words) {
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 class MtlReader {
@@ -33,31 +37,59 @@ public:
       line_ = lines.number();
       readStatement(takeWord(rest_));
     }
+    for (const MtlMaterial *material : read_)
+      if (!material->ambientImage.empty() && material->ambientImage != material->texture.image)
+        unused_.insert("map_Ka");
+    if (!unused_.empty())
+      warnings_.add("of the material library '" + library_ + "' these are not used: " + listed(unused_));
   }
 
 private:
+  static constexpr std::size_t kLongestWord = 32;
+  static constexpr std::size_t kMostUnused = 16;
+
   struct Statement {
     std::string_view word;
     void (MtlReader::*read)();
   };
 
+  /// Programs write the words in letters of any case.
   void readStatement(std::string_view word) {
-    static constexpr std::array<Statement, 6> kStatements{{{"newmtl", &MtlReader::beginMaterial},
-                                                           {"Kd", &MtlReader::readColour},
+    static constexpr std::array<Statement, 7> kStatements{{{"newmtl", &MtlReader::beginMaterial},
+                                                           {"kd", &MtlReader::readColour},
                                                            {"d", &MtlReader::readOpacity},
-                                                           {"Tr", &MtlReader::readTransparency},
-                                                           {"map_Kd", &MtlReader::readColourMap},
-                                                           {"map_d", &MtlReader::readMask}}};
-    for (const Statement &statement : kStatements)
-      if (statement.word == word) {
-        if (material_ || word == "newmtl")
-          (this->*statement.read)();
-        else
-          warn("stands before any newmtl");
-      }
+                                                           {"tr", &MtlReader::readTransparency},
+                                                           {"map_kd", &MtlReader::readColourMap},
+                                                           {"map_d", &MtlReader::readMask},
+                                                           {"map_ka", &MtlReader::readAmbientMap}}};
+    if (word.empty() || word.starts_with('#'))
+      return;
+    const std::string lower = lowerCase(word.substr(0, kLongestWord));
+    const auto *statement = std::ranges::find(kStatements, lower, &Statement::word);
+    if (statement == kStatements.end())
+      passOver(word, lower);
+    else if (material_ || lower == "newmtl")
+      (this->*statement->read)();
+    else
+      warn("stands before any newmtl");
   }
 
-  void beginMaterial() { material_ = &(materials_[std::string(trimmed(rest_))] = {}); }
+  /// Shares of which there are none mean nothing.
+  void passOver(std::string_view word, const std::string &lower) {
+    if (std::ranges::find(kPassedOver, lower) != kPassedOver.end() || unused_.size() == kMostUnused)
+      return;
+    bool isNothing = true;
+    for (std::string_view number = takeWord(rest_); !number.empty() && isNothing; number = takeWord(rest_))
+      isNothing = parseNumber(number) == 0.0;
+    if (!isNothing)
+      unused_.insert(std::string(word.substr(0, kLongestWord)));
+  }
+
+  void beginMaterial() {
+    material_ = &(materials_[std::string(trimmed(rest_))] = {});
+    material_->folder = folder_;
+    read_.insert(material_);
+  }
 
   /// One number is grey.
   void readColour() {
@@ -67,70 +99,46 @@ private:
     if (!red)
       return warn("has no colour in numbers");
     const std::array<double, 3> colour{*red, green.value_or(*red), blue.value_or(*red)};
+    ColourScale scale;
+    for (const double channel : colour)
+      scale.add(channel);
+    // Of so few numbers 2 may well be a light.
+    const double whole = scale.largest() > 2 ? scale.whole() : 1;
+    if (whole != 1)
+      warn("has a colour above 1, which is taken as one that counts to " +
+           std::to_string(static_cast<std::uint64_t>(whole)));
     for (std::size_t i = 0; i < colour.size(); ++i)
-      material_->colour[i] = static_cast<float>(colour[i]);
+      material_->colour[i] = static_cast<float>(colour[i] / whole);
   }
 
   void readOpacity() {
     std::string_view word = takeWord(rest_);
-    if (word == "-halo")
+    if (lowerCase(word) == "-halo")
       word = takeWord(rest_);
-    if (const auto opacity = parseNumber(word))
-      material_->colour[3] = static_cast<float>(*opacity);
-    else
-      warn("has no number");
+    const auto opacity = parseNumber(word);
+    if (!opacity)
+      return warn("has no number");
+    material_->colour[3] = static_cast<float>(*opacity);
+    material_->hasOpacity = true;
   }
 
   void readTransparency() {
-    if (const auto transparency = parseNumber(takeWord(rest_)))
-      material_->colour[3] = static_cast<float>(1 - *transparency);
-    else
+    const auto transparency = parseNumber(takeWord(rest_));
+    if (!transparency)
       warn("has no number");
+    else if (!material_->hasOpacity)
+      material_->colour[3] = static_cast<float>(1 - *transparency);
   }
 
-  void readColourMap() { material_->texture = readTexture(); }
-  void readMask() { material_->alphaMask = readTexture(); }
+  void readColourMap() { material_->texture = readImage(); }
+  void readMask() { material_->alphaMask = readImage(); }
+  void readAmbientMap() { material_->ambientImage = readImage().image; }
 
-  MtlTexture readTexture() {
-    MtlTexture texture;
-    while (rest_ = trimmed(rest_), rest_.starts_with('-')) {
-      std::string_view after = rest_;
-      const std::string_view option = takeWord(after);
-      if (isOneOf(kWordOptions, option)) {
-        const std::string_view value = takeWord(after);
-        texture.clamp = option == "-clamp" ? value == "on" : texture.clamp;
-      } else if (isOneOf(kNumberOptions, option)) {
-        readNumbers(option, after, texture);
-      } else {
-        break; // A name that begins with a dash.
-      }
-      rest_ = after;
-    }
-    if (rest_.empty())
+  MtlTexture readImage() {
+    MtlTexture texture = readTexture(rest_, unused_);
+    if (texture.image.empty())
       warn("names no image");
-    else
-      texture.image = pathOf(rest_);
     return texture;
-  }
-
-  static void readNumbers(std::string_view option, std::string_view &after, MtlTexture &texture) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::string_view next = after;
-      const auto number = parseNumber(takeWord(next));
-      if (!number)
-        return;
-      after = next;
-      if (i < 2 && option == "-o")
-        texture.offset[i] = static_cast<float>(*number);
-      if (i < 2 && option == "-s")
-        texture.scale[i] = static_cast<float>(*number);
-    }
-  }
-
-  std::string pathOf(std::string_view name) const {
-    std::string path(name);
-    std::replace(path.begin(), path.end(), '\\', '/');
-    return path.starts_with('/') ? path : folder_ + path;
   }
 
   void warn(const std::string &what) {
@@ -142,6 +150,8 @@ private:
   std::map<std::string, MtlMaterial> &materials_;
   Warnings &warnings_;
   MtlMaterial *material_ = nullptr;
+  std::set<const MtlMaterial *> read_;
+  std::set<std::string> unused_; ///< Statements and options.
   std::string_view rest_;
   std::uint64_t line_ = 0;
 };

@@ -2,6 +2,7 @@
 #include "Mesh/Obj/ObjGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -12,11 +13,37 @@ namespace voxc {
 
 namespace {
 
-constexpr std::uint32_t kWhite = 0xffffffff;
+/// Stands for the colour of a vertex that has none: no file has this number.
+constexpr float kNoChannel = std::numeric_limits<float>::lowest();
+constexpr ObjGeometry::Colour kNoColour{kNoChannel, kNoChannel, kNoChannel};
+
 constexpr std::uint64_t kMostVertices = std::numeric_limits<std::uint32_t>::max();
 
 /// Each becomes a part, which takes two hundred bytes beside the bound.
 constexpr std::size_t kMostRuns = std::size_t{1} << 16;
+
+std::uint32_t packed(const ObjGeometry::Colour &colour, double whole) {
+  if (colour == kNoColour)
+    return 0xffffffff;
+  std::uint32_t word = 0xff000000;
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    const double share = colour[i] / whole;
+    // Written so that NaN becomes 0.
+    const double bounded = share > 0 ? std::fmin(share, 1) : 0;
+    word |= static_cast<std::uint32_t>(std::lround(bounded * 255)) << 8 * i;
+  }
+  return word;
+}
+
+/// The index that a number counted from 1, or backwards from -1, means.
+std::optional<std::uint64_t> resolve(std::int64_t number, std::uint64_t count) {
+  const auto signedCount = static_cast<std::int64_t>(count);
+  if (number > 0 && number <= signedCount)
+    return static_cast<std::uint64_t>(number - 1);
+  if (number < 0 && number >= -signedCount)
+    return static_cast<std::uint64_t>(signedCount + number);
+  return std::nullopt;
+}
 
 } // namespace
 
@@ -24,14 +51,17 @@ ObjGeometry::ObjGeometry(const std::shared_ptr<WorkingMemory> &memory, Problem &
     : memory_(memory), problem_(problem), positions_(memory), uvs_(memory), colours_(memory), latest_(memory),
       vertexPositions_(memory), vertexUvs_(memory), vertexColours_(memory), indices_(memory) {}
 
-void ObjGeometry::addPosition(const Position &position, std::optional<std::uint32_t> colour) {
+void ObjGeometry::addPosition(const Position &position, const std::optional<Colour> &colour) {
   if (positions_.size() == kMostVertices)
     return problem_.set("there are more than 2^32 vertices");
   if (colour)
     while (!problem_ && colours_.size() < positions_.size())
-      problem_.check(colours_.push(kWhite));
+      problem_.check(colours_.push(kNoColour));
   if (colour || !colours_.empty())
-    problem_.check(colours_.push(colour.value_or(kWhite)));
+    problem_.check(colours_.push(colour.value_or(kNoColour)));
+  if (colour)
+    for (const float channel : *colour)
+      scale_.add(channel);
   problem_.check(positions_.push(position));
   problem_.check(latest_.push({}));
 }
@@ -52,24 +82,21 @@ void ObjGeometry::add(PrimitiveMode mode, std::span<const ObjCorner> corners, st
       addIndices({vertices_[i - 1], vertices_[i]});
 }
 
-std::optional<std::uint64_t> ObjGeometry::resolve(std::int64_t number, std::uint64_t count,
-                                                  const char *what) {
-  const auto signedCount = static_cast<std::int64_t>(count);
-  if (number > 0 && number <= signedCount)
-    return static_cast<std::uint64_t>(number - 1);
-  if (number < 0 && number >= -signedCount)
-    return static_cast<std::uint64_t>(signedCount + number);
-  problem_.set("it names the " + std::string(what) + " " + std::to_string(number) + ", but " +
-               std::to_string(count) + " stand before it");
-  return std::nullopt;
+void ObjGeometry::addAllAsPoints(std::uint32_t material) {
+  const auto count = static_cast<std::int64_t>(positions_.size());
+  for (std::int64_t number = 1; number <= count && !problem_; ++number)
+    add(PrimitiveMode::Points, std::array{ObjCorner{number, 0}}, material);
 }
 
 std::uint32_t ObjGeometry::vertexOf(const ObjCorner &corner) {
-  const auto position = resolve(corner.position, positions_.size(), "vertex");
-  const auto uv =
-      corner.uv == 0 ? std::optional<std::uint64_t>() : resolve(corner.uv, uvs_.size(), "texture coordinate");
-  if (!position || (corner.uv != 0 && !uv))
+  const auto position = resolve(corner.position, positions_.size());
+  const auto uv = resolve(corner.uv, uvs_.size());
+  if (!position)
+    problem_.set("it names the vertex " + std::to_string(corner.position) + ", but " +
+                 std::to_string(positions_.size()) + " stand before it");
+  if (!position)
     return 0;
+  badUvs_ += !uv && corner.uv != 0;
   const std::uint32_t uvNumber = uv ? static_cast<std::uint32_t>(*uv) + 1 : 0;
   Latest &latest = latest_[*position];
   if (!latest.isMade || latest.uv != uvNumber)
@@ -85,7 +112,7 @@ std::uint32_t ObjGeometry::makeVertex(std::uint64_t position, std::uint32_t uv) 
   problem_.check(vertexUvs_.push(uv == 0 ? Uv{} : uvs_[uv - 1]));
   if (!colours_.empty()) {
     while (!problem_ && vertexColours_.size() < vertex)
-      problem_.check(vertexColours_.push(kWhite));
+      problem_.check(vertexColours_.push(kNoColour));
     problem_.check(vertexColours_.push(colours_[position]));
   }
   return static_cast<std::uint32_t>(vertex);
@@ -133,6 +160,18 @@ void ObjGeometry::groupRuns() {
   indices_ = std::move(grouped);
 }
 
+/// To what colours count is known when all were seen.
+void ObjGeometry::keepColours(MeshPart &part, TriangleScene &scene) {
+  // Empty where no face came after the first colour.
+  if (vertexColours_.empty() || vertexColours_.size() != part.positions.count)
+    return;
+  ScratchArray<std::uint32_t> words(memory_);
+  const double whole = scale_.whole();
+  for (const Colour &colour : vertexColours_.span())
+    problem_.check(words.push(packed(colour, whole)));
+  part.colours = keep(std::move(words), kColourRows, scene);
+}
+
 void ObjGeometry::finish(TriangleScene &scene) {
   if (runs_.size() > kMostRuns)
     groupRuns();
@@ -145,9 +184,7 @@ void ObjGeometry::finish(TriangleScene &scene) {
   part.positions = keep(std::move(vertexPositions_), kDoubleRows3, scene);
   if (hasUvs)
     part.uvs = keep(std::move(vertexUvs_), kFloatRows2, scene);
-  // Empty where no face came after the first colour.
-  if (vertexColours_.size() == part.positions.count)
-    part.colours = keep(std::move(vertexColours_), kColourRows, scene);
+  keepColours(part, scene);
   const AttributeView indices = keep(std::move(indices_), kIndexRows, scene);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     if (ends[i] == runs_[i].begin)

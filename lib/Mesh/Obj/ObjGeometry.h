@@ -1,6 +1,7 @@
 // Vertices and primitives of an .obj.
 #pragma once
 
+#include "Mesh/ColourScale.h"
 #include "Mesh/KeptArray.h"
 #include "Mesh/Polygon.h"
 #include "Support/Problem.h"
@@ -25,12 +26,19 @@ public:
 
   using Position = PolygonCutter::Point; ///< Text has more digits than float32 where models lie in maps.
   using Uv = std::array<float, 2>;
+  using Colour = std::array<float, 3>;
 
-  void addPosition(const Position &position, std::optional<std::uint32_t> colour);
+  void addPosition(const Position &position, const std::optional<Colour> &colour);
   void addUv(const Uv &uv) { problem_.check(uvs_.push(uv)); }
 
-  /// Adds a face, a polyline or points. Problems: a corner that does not exist.
+  /// Adds a face, a polyline or points. A texture coordinate that does not exist is none. Problems: a vertex
+  /// that does not exist.
   void add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material);
+
+  /// True if there are vertices, and nothing that uses one.
+  bool isBare() const { return runs_.empty() && !positions_.empty(); }
+  /// Makes each vertex a point.
+  void addAllAsPoints(std::uint32_t material);
 
   /// Moves everything to the scene. Faces stay in their order, but for a file that changes the material more
   /// than 65536 times: there those of one material come together.
@@ -38,6 +46,11 @@ public:
 
   std::uint64_t shortFaces() const { return shortFaces_; }
   std::uint64_t badFans() const { return cutter_.badFans(); }
+  std::uint64_t positions() const { return positions_.size(); }
+  /// Corners whose texture coordinate does not exist.
+  std::uint64_t badUvs() const { return badUvs_; }
+  /// To what the colours count.
+  const ColourScale &colourScale() const { return scale_; }
 
 private:
   /// The vertex that was made last of a position: most often the next face asks for the same.
@@ -54,7 +67,7 @@ private:
     std::uint64_t begin; ///< The first of `indices_`.
   };
 
-  std::optional<std::uint64_t> resolve(std::int64_t number, std::uint64_t count, const char *what);
+  void keepColours(MeshPart &part, TriangleScene &scene);
   std::uint32_t vertexOf(const ObjCorner &corner);
   std::uint32_t makeVertex(std::uint64_t position, std::uint32_t uv);
   void beginRun(PrimitiveMode mode, std::uint32_t material);
@@ -67,12 +80,12 @@ private:
   Problem &problem_;
   ScratchArray<Position> positions_;
   ScratchArray<Uv> uvs_;
-  ScratchArray<std::uint32_t> colours_; ///< One a position from the first on that has a colour; else none.
+  ScratchArray<Colour> colours_; ///< One a position from the first on that has a colour; else none.
   ScratchArray<Latest> latest_;
 
   ScratchArray<Position> vertexPositions_;
   ScratchArray<Uv> vertexUvs_;
-  ScratchArray<std::uint32_t> vertexColours_;
+  ScratchArray<Colour> vertexColours_;
   ScratchArray<std::uint32_t> indices_;
   std::vector<Run> runs_;
 
@@ -80,6 +93,8 @@ private:
   std::vector<PolygonCutter::Point> points_;
   PolygonCutter cutter_;
   std::uint64_t shortFaces_ = 0;
+  std::uint64_t badUvs_ = 0;
+  ColourScale scale_;
 };
 
 } // namespace voxc

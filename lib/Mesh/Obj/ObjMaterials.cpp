@@ -1,9 +1,11 @@
 // From names to materials of the scene.
 #include "Mesh/Obj/ObjMaterials.h"
 
+#include "Mesh/FileBeside.h"
 #include "Support/Text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace voxc {
 
@@ -13,54 +15,115 @@ ObjMaterials::ObjMaterials(const MeshInput &input, TriangleScene &scene, Warning
 
 void ObjMaterials::addLibraries(std::string_view names) {
   // Names may have blanks in them, and several may stand in a line.
-  if (addLibrary(std::string(trimmed(names))))
+  if (addLibrary(names))
     return;
   std::string_view rest = names;
-  for (std::string_view name = takeWord(rest); !name.empty(); name = takeWord(rest))
-    if (!addLibrary(std::string(name)))
+  for (std::string_view name = takeName(rest); !name.empty(); name = takeName(rest))
+    if (!addLibrary(name) && !addOwnLibrary())
       warnings_.add("the material library '" + std::string(name) + "' cannot be read");
 }
 
-bool ObjMaterials::addLibrary(const std::string &name) {
-  std::string path = name;
-  std::replace(path.begin(), path.end(), '\\', '/');
-  path = path.starts_with('/') ? path : input_.folder() + path;
-  if (libraries_.contains(path))
+bool ObjMaterials::addLibrary(std::string_view name) {
+  const std::string folder = input_.folder();
+  const auto found = findBeside(name, std::span(&folder, 1));
+  if (!found)
+    return false;
+  if (libraries_.contains(found->path))
     return true;
-  const auto file = WatchedFile::open(path, input_.memory);
+  const auto file = WatchedFile::open(found->path, input_.memory);
   if (!file)
     return false;
-  libraries_.insert(path);
-  readMtl((*file)->text(), name, folderOf(path), known_, warnings_);
+  if (found->isElsewhere)
+    warnings_.add("the material library '" + std::string(trimmed(name)) + "' is not there; '" + found->path +
+                  "' beside the model is taken");
+  libraries_.insert(found->path);
+  readMtl((*file)->text(), std::string(trimmed(name)), folderOf(found->path), known_, warnings_);
   return true;
+}
+
+/// A model that was called otherwise has lost its library, or the library its old name.
+bool ObjMaterials::addOwnLibrary() {
+  if (std::exchange(askedForOwn_, true))
+    return false;
+  const std::string folder = input_.folder();
+  const std::string name = input_.path.substr(folder.size());
+  const std::string library = name.substr(0, name.find_last_of('.')) + ".mtl";
+  if (!findBeside(library, std::span(&folder, 1)))
+    return false;
+  warnings_.add("the model's material library is not there or not named; '" + library +
+                "' beside it is taken");
+  return addLibrary(library);
+}
+
+/// Libraries and models of different programs differ in letters.
+const MtlMaterial *ObjMaterials::find(const std::string &name) {
+  if (known_.empty() && libraries_.empty())
+    addOwnLibrary();
+  if (const auto found = known_.find(name); found != known_.end())
+    return &found->second;
+  const auto found = std::ranges::find_if(
+      known_, [&](const auto &entry) { return lowerCase(entry.first) == lowerCase(name); });
+  if (found == known_.end())
+    return nullptr;
+  warnings_.add("the material '" + name + "' is not defined; '" + found->first + "' stands in for it");
+  return &found->second;
 }
 
 std::uint32_t ObjMaterials::use(const std::string &name) {
   const auto [entry, isNew] = used_.try_emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
   if (!isNew)
     return entry->second;
-  const auto found = known_.find(name);
-  if (found == known_.end() && !name.empty())
+  const MtlMaterial *const found = name.empty() ? nullptr : find(name);
+  if (!found && !name.empty())
     warnings_.add("the material '" + name + "' is not defined; white stands in for it");
-  scene_.materials.push_back(found == known_.end() ? Material() : makeMaterial(found->second));
+  scene_.materials.push_back(found ? makeMaterial(name, *found) : Material());
   return entry->second;
 }
 
-Material ObjMaterials::makeMaterial(const MtlMaterial &found) {
+Material ObjMaterials::makeMaterial(const std::string &name, const MtlMaterial &found) {
   Material material;
   material.colour = found.colour;
-  material.texture = makeTexture(found.texture);
+  material.texture = makeTexture(found.texture, found.folder);
   // A mask that is the texture itself means that texture's alpha, which counts anyway.
   if (found.alphaMask.image != found.texture.image)
-    material.alphaMask = makeTexture(found.alphaMask);
+    material.alphaMask = makeTexture(found.alphaMask, found.folder);
+  // Maya writes black beside a texture, and shows the texture.
+  const bool isBlack =
+      std::ranges::all_of(std::span(material.colour).first(3), [](float c) { return c == 0; });
+  if (isBlack && material.texture.texture >= 0) {
+    std::ranges::fill(std::span(material.colour).first(3), 1.0f);
+    warnings_.add("the material '" + name + "' has the Kd 0 beside a texture, which is taken as it is");
+  }
+  // MeshLab writes "Tr 1" for what is opaque.
+  if (material.colour[3] <= 0) {
+    material.colour[3] = 1;
+    warnings_.add("the material '" + name + "' would be wholly invisible, and is taken for opaque");
+  }
   return material;
 }
 
-TextureUse ObjMaterials::makeTexture(const MtlTexture &texture) {
+/// Where the image of a texture is; if nowhere, where it should be.
+std::string ObjMaterials::imagePath(const MtlTexture &texture, const std::string &folder) {
+  const auto [entry, isNew] =
+      images_.try_emplace(folder + '\n' + texture.image, pathBelow(folder, texture.image));
+  if (!isNew)
+    return entry->second;
+  const std::array<std::string, 2> folders{folder, input_.folder()};
+  for (const std::string &name : {texture.image, texture.otherwise})
+    if (const auto found = name.empty() ? std::nullopt : findBeside(name, folders)) {
+      if (found->isElsewhere)
+        warnings_.add("the texture '" + name + "' is not there; '" + found->path +
+                      "' beside the model is taken");
+      return entry->second = found->path;
+    }
+  return entry->second;
+}
+
+TextureUse ObjMaterials::makeTexture(const MtlTexture &texture, const std::string &folder) {
   TextureUse use;
   if (texture.image.empty())
     return use;
-  const auto index = textures_.readFile(texture.image);
+  const auto index = textures_.readFile(imagePath(texture, folder));
   if (!index) {
     problem_.set(index.error());
     return use;

@@ -16,7 +16,8 @@ class ObjMaterials {
 public:
   ObjMaterials(const MeshInput &input, TriangleScene &scene, Warnings &warnings, Problem &problem);
 
-  /// Reads the libraries of a line `mtllib`; one that cannot be read becomes a warning.
+  /// Reads the libraries of a line `mtllib`; one that cannot be read becomes a warning. If there is none, the
+  /// one that is called as the model is taken, with a warning.
   void addLibraries(std::string_view names);
 
   /// Index of the scene's material for a name; white, with a warning, if it is not known. "" is that of faces
@@ -26,9 +27,12 @@ public:
   std::uint64_t libraryPeakBytes() const { return textures_.libraryPeakBytes(); }
 
 private:
-  bool addLibrary(const std::string &name);
-  Material makeMaterial(const MtlMaterial &found);
-  TextureUse makeTexture(const MtlTexture &texture);
+  bool addLibrary(std::string_view name);
+  bool addOwnLibrary();
+  const MtlMaterial *find(const std::string &name);
+  Material makeMaterial(const std::string &name, const MtlMaterial &found);
+  TextureUse makeTexture(const MtlTexture &texture, const std::string &folder);
+  std::string imagePath(const MtlTexture &texture, const std::string &folder);
 
   const MeshInput &input_;
   TriangleScene &scene_;
@@ -36,6 +40,8 @@ private:
   Problem &problem_;
   TextureSet textures_;
   std::set<std::string> libraries_;
+  std::map<std::string, std::string> images_; ///< Where the image of a folder and a name is.
+  bool askedForOwn_ = false;                  ///< The library that is called as the model was looked for.
   std::map<std::string, MtlMaterial> known_;
   std::map<std::string, std::uint32_t> used_;
 };

@@ -6,21 +6,22 @@
 #include "Support/Text.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <set>
 #include <vector>
 
 namespace voxc {
 
 namespace {
 
-std::uint32_t packColour(std::span<const double> channels) {
-  std::uint32_t word = 0xff000000;
-  for (std::size_t i = 0; i < 3; ++i) {
-    // Written so that NaN becomes 0.
-    const double bounded = channels[i] > 0 ? std::fmin(channels[i], 1) : 0;
-    word |= static_cast<std::uint32_t>(std::lround(bounded * 255)) << 8 * i;
-  }
-  return word;
+/// About normals, groups, levels of detail and free-form geometry, of which "curv" and "surf" give notice.
+constexpr std::array<std::string_view, 25> kPassedOver{
+    "vn",       "g",          "o",         "s",     "mg",    "vp",  "lod",  "bevel", "c_interp",
+    "d_interp", "shadow_obj", "trace_obj", "ctech", "stech", "deg", "bmat", "step",  "cstype",
+    "parm",     "trim",       "hole",      "scrv",  "sp",    "end", "con"};
+
+template <typename Table> bool contains(const Table &table, std::string_view word) {
+  return std::find(table.begin(), table.end(), word) != table.end();
 }
 
 class ObjReader {
@@ -39,10 +40,14 @@ public:
         return Error{problem_.error().kind,
                      "line " + std::to_string(lines.number()) + ": " + problem_.error().message};
     }
+    if (geometry_.isBare())
+      geometry_.addAllAsPoints(materials_.use(material_));
     geometry_.finish(scene_);
     if (problem_)
       return problem_.error();
     warnAboutFaces();
+    warnAboutColours();
+    warnAboutStatements();
     if (scene_.materials.empty())
       scene_.materials.emplace_back();
     scene_.warnings = warnings_.take();
@@ -52,27 +57,41 @@ public:
 
 private:
   static constexpr std::uint64_t kLinesBetweenLooks = 256;
+  static constexpr std::size_t kLongestWord = 32;
+  static constexpr std::size_t kMostUnknown = 8;
 
   struct Statement {
     std::string_view word;
     void (ObjReader::*read)();
   };
 
-  /// What is not in the table says nothing about the surface: normals, groups, smoothing.
+  /// Programs write the words in letters of any case.
   void readStatement(std::string_view word) {
-    static constexpr std::array<Statement, 9> kStatements{{{"v", &ObjReader::readPosition},
-                                                           {"vt", &ObjReader::readUv},
-                                                           {"f", &ObjReader::readFace},
-                                                           {"l", &ObjReader::readLine},
-                                                           {"p", &ObjReader::readPoints},
-                                                           {"usemtl", &ObjReader::useMaterial},
-                                                           {"mtllib", &ObjReader::readLibraries},
-                                                           {"curv", &ObjReader::passOver},
-                                                           {"surf", &ObjReader::passOver}}};
+    if (word.empty() || word.front() == '#' || readKnown(word) || contains(kPassedOver, word))
+      return;
+    const std::string lower = lowerCase(word.substr(0, kLongestWord));
+    if (!readKnown(lower) && !contains(kPassedOver, lower) && unknown_.size() < kMostUnknown)
+      unknown_.insert(std::string(word.substr(0, kLongestWord)));
+  }
+
+  bool readKnown(std::string_view word) {
+    static constexpr std::array<Statement, 11> kStatements{{{"v", &ObjReader::readPosition},
+                                                            {"vt", &ObjReader::readUv},
+                                                            {"f", &ObjReader::readFace},
+                                                            {"fo", &ObjReader::readFace}, // Of old files.
+                                                            {"l", &ObjReader::readLine},
+                                                            {"p", &ObjReader::readPoints},
+                                                            {"usemtl", &ObjReader::useMaterial},
+                                                            {"mtllib", &ObjReader::readLibraries},
+                                                            {"curv", &ObjReader::passOver},
+                                                            {"curv2", &ObjReader::passOver},
+                                                            {"surf", &ObjReader::passOver}}};
     const auto *statement = std::find_if(kStatements.begin(), kStatements.end(),
                                          [&](const Statement &s) { return s.word == word; });
-    if (statement != kStatements.end())
-      (this->*statement->read)();
+    if (statement == kStatements.end())
+      return false;
+    (this->*statement->read)();
+    return true;
   }
 
   /// Reads up to `most` numbers; how many there are.
@@ -96,9 +115,10 @@ private:
     const std::size_t count = readNumbers(numbers);
     if (count < 3)
       return problem_.set("a vertex has " + std::to_string(count) + " numbers, fewer than three");
-    std::optional<std::uint32_t> colour;
+    std::optional<ObjGeometry::Colour> colour;
     if (count >= 6)
-      colour = packColour(std::span(numbers).subspan(count - 3));
+      colour = {static_cast<float>(numbers[count - 3]), static_cast<float>(numbers[count - 2]),
+                static_cast<float>(numbers[count - 1])};
     geometry_.addPosition({numbers[0], numbers[1], numbers[2]}, colour);
   }
 
@@ -120,9 +140,11 @@ private:
       uv = uv.substr(0, uv.find('/'));
       const auto position = parseInteger(word.substr(0, slash));
       const auto uvNumber = uv.empty() ? std::optional<std::int64_t>(0) : parseInteger(uv);
-      if (!position || !uvNumber || (*uvNumber == 0 && !uv.empty()))
+      if (!position || !uvNumber)
         return problem_.set("'" + std::string(word.substr(0, 40)) + "' is not a corner");
-      corners_.push_back({*position, *uvNumber});
+      // A 0 that is written names none either.
+      constexpr std::int64_t kNowhere = std::numeric_limits<std::int64_t>::max();
+      corners_.push_back({*position, *uvNumber == 0 && !uv.empty() ? kNowhere : *uvNumber});
     }
   }
 
@@ -150,6 +172,26 @@ private:
     if (geometry_.badFans() != 0)
       warnings_.add(std::to_string(geometry_.badFans()) +
                     " faces of more than 128 corners are not convex and are cut into fans all the same");
+    if (geometry_.badUvs() != 0)
+      warnings_.add(std::to_string(geometry_.badUvs()) +
+                    " corners of faces name texture coordinates that do not exist; they have none");
+  }
+
+  void warnAboutColours() {
+    const ColourScale &scale = geometry_.colourScale();
+    if (scale.whole() != 1)
+      warnings_.add("the colours of vertices are not below 1, and are taken as numbers that count to " +
+                    std::to_string(static_cast<std::uint64_t>(scale.whole())));
+    else if (scale.largest() > 1)
+      warnings_.add("some colours of vertices are above 1, and are cut there");
+  }
+
+  void warnAboutStatements() {
+    std::string words;
+    for (const std::string &word : unknown_)
+      words += (words.empty() ? "'" : ", '") + word + "'";
+    if (!words.empty())
+      warnings_.add("statements that are not known are passed over: " + words);
   }
 
   const MeshInput &input_;
@@ -161,6 +203,7 @@ private:
   std::string_view rest_; ///< Of the line.
   std::string material_;
   std::vector<ObjCorner> corners_;
+  std::set<std::string> unknown_; ///< Statements.
   bool sawFreeForm_ = false;
 };
 

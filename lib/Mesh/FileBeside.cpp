@@ -1,0 +1,156 @@
+// Spellings of a file's name, and the search for each.
+#include "Mesh/FileBeside.h"
+
+#include "Support/Text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace voxc {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kBlanks = " \t";
+
+/// Entries of a folder that are looked at for a name in letters of another case.
+constexpr int kMostEntries = 1 << 16;
+
+bool isFile(const std::string &path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+std::string withSlashes(std::string_view name) {
+  std::string path(name);
+  std::ranges::replace(path, '\\', '/');
+  return path;
+}
+
+std::string_view withoutQuotes(std::string_view name) {
+  const bool isQuoted =
+      name.size() >= 2 && (name.front() == '"' || name.front() == '\'') && name.back() == name.front();
+  return isQuoted ? name.substr(1, name.size() - 2) : name;
+}
+
+/// Backslashes before blanks mean nothing by themselves.
+std::string withoutEscapes(std::string_view name) {
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name[i] != '\\' || i + 1 == name.size() || kBlanks.find(name[i + 1]) == std::string_view::npos)
+      plain += name[i];
+  return plain;
+}
+
+int hexOf(char c) {
+  const std::size_t digit = std::string_view("0123456789abcdef").find(lowerCase({&c, 1}));
+  return digit == std::string_view::npos ? -1 : static_cast<int>(digit);
+}
+
+/// As in addresses: "%20" is a blank.
+std::string withoutPercents(std::string_view name) {
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool isCode =
+        name[i] == '%' && i + 2 < name.size() && hexOf(name[i + 1]) >= 0 && hexOf(name[i + 2]) >= 0;
+    plain += isCode ? static_cast<char>(16 * hexOf(name[i + 1]) + hexOf(name[i + 2])) : name[i];
+    i += isCode ? 2 : 0;
+  }
+  return plain;
+}
+
+/// What a name may mean, the likeliest first.
+std::vector<std::string> spellingsOf(std::string_view name) {
+  const std::string_view whole = withoutQuotes(trimmed(name));
+  std::vector<std::string> spellings{withSlashes(whole), withSlashes(withoutEscapes(whole)),
+                                     withSlashes(withoutPercents(whole))};
+  if (const std::size_t comment = whole.find(" #"); comment != std::string_view::npos)
+    spellings.push_back(withSlashes(withoutQuotes(trimmed(whole.substr(0, comment)))));
+  return spellings;
+}
+
+/// The entry of a folder that is called so but for the case of letters; nothing if there is none.
+std::optional<std::string> entryOf(const std::string &folder, const std::string &name) {
+  std::error_code failed;
+  fs::directory_iterator entry(folder.empty() ? "." : folder, failed);
+  const std::string wanted = lowerCase(name);
+  for (int i = 0; i < kMostEntries && !failed && entry != fs::directory_iterator(); ++i) {
+    const std::string found = entry->path().filename().string();
+    if (lowerCase(found) == wanted)
+      return found;
+    entry.increment(failed);
+  }
+  return std::nullopt;
+}
+
+/// A file below a folder, in letters of any case.
+std::optional<std::string> inAnyCase(const std::string &folder, std::string_view path) {
+  std::string found = folder;
+  while (!path.empty()) {
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    const std::string part(path.substr(0, slash));
+    path.remove_prefix(std::min(slash + 1, path.size()));
+    std::error_code ignored;
+    if (part.empty() || part == "." || part == ".." || fs::exists(found + part, ignored)) {
+      found += part;
+    } else {
+      const auto entry = entryOf(found, part);
+      if (!entry)
+        return std::nullopt;
+      found += *entry;
+    }
+    found += path.empty() ? "" : "/";
+  }
+  return isFile(found) ? std::optional(found) : std::nullopt;
+}
+
+std::optional<std::string> findIn(std::span<const std::string> folders,
+                                  const std::vector<std::string> &names) {
+  for (const std::string &folder : folders)
+    for (const std::string &name : names)
+      if (const std::string path = pathBelow(folder, name); isFile(path))
+        return path;
+  for (const std::string &folder : folders)
+    for (const std::string &name : names)
+      if (!name.starts_with('/'))
+        if (const auto path = inAnyCase(folder, name))
+          return path;
+  return std::nullopt;
+}
+
+} // namespace
+
+std::string pathBelow(const std::string &folder, std::string_view name) {
+  const std::string path = withSlashes(name);
+  return path.starts_with('/') ? path : folder + path;
+}
+
+std::optional<FileBeside> findBeside(std::string_view name, std::span<const std::string> folders) {
+  std::vector<std::string> names = spellingsOf(name);
+  if (auto path = findIn(folders, names))
+    return FileBeside{std::move(*path), false};
+  for (std::string &spelling : names)
+    spelling.erase(0, spelling.find_last_of('/') + 1);
+  if (auto path = findIn(folders, names))
+    return FileBeside{std::move(*path), true};
+  return std::nullopt;
+}
+
+std::string_view takeName(std::string_view &text) {
+  text = trimmed(text);
+  std::size_t end = 0;
+  if (text.starts_with('"')) {
+    end = std::min(text.find('"', 1), text.size() - 1) + 1;
+  } else {
+    while (end < text.size() && kBlanks.find(text[end]) == std::string_view::npos)
+      end += text[end] == '\\' && end + 1 < text.size() ? 2 : 1;
+    end = std::min(end, text.size());
+  }
+  const std::string_view name = text.substr(0, end);
+  text.remove_prefix(end);
+  return name;
+}
+
+} // namespace voxc

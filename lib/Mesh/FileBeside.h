@@ -1,0 +1,28 @@
+// Files that a model names, which often come from another machine.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace voxc {
+
+struct FileBeside {
+  std::string path;
+  bool isElsewhere = false; ///< It is not where the name says, but has the same last part.
+};
+
+/// The file that `name` means, looked for in each of the folders (with a slash at their ends, or empty): as
+/// it is written; without quotes; with slashes for backslashes; with escaped blanks; in letters of another
+/// case; last of all its last part alone, as of a path of another machine. Nothing if there is none.
+std::optional<FileBeside> findBeside(std::string_view name, std::span<const std::string> folders);
+
+/// Takes the next name off the front of `text`: one in quotes, or a word whose blanks may be escaped with
+/// backslashes; empty if there is none.
+std::string_view takeName(std::string_view &text);
+
+/// The name with slashes for backslashes, below the folder unless it is absolute.
+std::string pathBelow(const std::string &folder, std::string_view name);
+
+} // namespace voxc
