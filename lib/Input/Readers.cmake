@@ -24,6 +24,7 @@ set(VOXC_INPUT_READERS
   Openers/OpenNifti.cpp
   Openers/OpenNrrd.cpp
   Openers/OpenSlices.cpp
+  Points/PointColour.cpp
   Points/PointList.cpp
   Points/PointSource.cpp)
 set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB png)

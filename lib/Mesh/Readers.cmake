@@ -27,9 +27,13 @@ set(VOXC_MESH_READERS
   Obj/ObjReader.cpp
   Obj/TextureOptions.cpp
   Ply/PlyColour.cpp
+  Ply/PlyFaceLooks.cpp
   Ply/PlyHeader.cpp
+  Ply/PlyNames.cpp
   Ply/PlyReader.cpp
   Ply/PlyScene.cpp
+  Ply/PlyTextures.cpp
+  Ply/PlyVertices.cpp
   Polygon.cpp
   NumberCheck.cpp
   SceneLoader.cpp

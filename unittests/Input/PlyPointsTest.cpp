@@ -98,6 +98,50 @@ TEST_F(PlyPoints, FirstOfDuplicatesWinsAndWordZeroIsDropped) {
   EXPECT_NE(input->warnings[0].find("2 points"), std::string::npos);
 }
 
+TEST_F(PlyPoints, ColoursCountToTheirLargest) {
+  const std::string places = "property int x\nproperty int y\nproperty int z\n";
+  const auto properties = [&](const std::string &type) {
+    return places + "property " + type + " r\nproperty " + type + " g\nproperty " + type + " b\n";
+  };
+  const Voxels expected{{mortonCode({0, 0, 0}), rgba(200, 100, 1)}, {mortonCode({1, 0, 0}), rgba(255, 0, 0)}};
+  for (const char *type : {"uchar", "ushort", "int", "float", "double"}) {
+    EXPECT_EQ(voxels(header("ascii", "2", properties(type)) + "0 0 0 200 100 1\n1 0 0 255 0 0\n"), expected)
+        << type;
+    auto input = open(header("ascii", "2", properties(type)) + "0 0 0 200 100 1\n1 0 0 255 0 0\n");
+    ASSERT_TRUE(input);
+    EXPECT_EQ(input->warnings.size(), *type == 'i' || std::string_view(type) == "uchar" ? 0u : 1u) << type;
+  }
+  for (const bool big : {false, true}) {
+    std::string bytes = header(big ? "binary_big_endian" : "binary_little_endian", "2", properties("ushort"));
+    for (const int place : {0, 1}) {
+      for (const int value : {place, 0, 0})
+        append(bytes, value, big);
+      for (const int value : {51400, 25700, 257})
+        append(bytes, static_cast<std::uint16_t>(place == 0 ? value : value == 51400 ? 65535 : 0), big);
+    }
+    EXPECT_EQ(voxels(bytes), expected);
+  }
+}
+
+TEST_F(PlyPoints, GaussianSplats) {
+  const std::string properties =
+      "property int x\nproperty int y\nproperty int z\nproperty float f_dc_0\nproperty float "
+      "f_dc_1\nproperty float f_dc_2\nproperty float f_rest_0\nproperty float opacity\n"
+      "property float scale_0\nproperty float rot_0\nproperty float more\n";
+  // The harmonic is 0.2821: 1.7725 is half the way from grey to white, in logits -2.2 is an opacity of
+  // 0.0998.
+  auto input = open(header("ascii", "4", properties) + "0 0 0 0 1.772454 -1.772454 9 6 1 1 1\n" +
+                    "1 0 0 9 -9 0.5 9 -2.1 1 1 1\n2 0 0 0 0 0 0 -2.2 1 1 1\n3 0 0 0 0 0 0 nan 1 1 1\n");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(voxelsOf(*input->source),
+            (Voxels{{mortonCode({0, 0, 0}), rgba(128, 255, 0)}, {mortonCode({1, 0, 0}), rgba(255, 0, 163)}}));
+  ASSERT_EQ(input->warnings.size(), 3u);
+  EXPECT_NE(input->warnings[0].find("2 of 4 splats are left out: their opacity is below 0.1"),
+            std::string::npos);
+  EXPECT_NE(input->warnings[1].find("higher harmonics are not used"), std::string::npos);
+  EXPECT_NE(input->warnings[2].find("these properties are not used: more"), std::string::npos);
+}
+
 TEST_F(PlyPoints, NoColourIsWhite) {
   EXPECT_EQ(voxels(header("ascii", "1", "property int x\nproperty int y\nproperty int z\n") + "1 2 3\n"),
             (Voxels{{mortonCode({1, 2, 3}), 0xffffffff}}));

@@ -1,7 +1,7 @@
 // Reading points: rows of one size are decoded where they lie, others are copied by the general reader.
 #include "Input/Points/PointList.h"
 
-#include "Mesh/Ply/PlyColour.h"
+#include "Input/Points/PointColour.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,13 +14,39 @@ namespace voxc {
 namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-constexpr std::array<std::string_view, 4> kChannels{"red", "green", "blue", "alpha"};
+constexpr std::uint64_t kRowsBetweenLooks = 1 << 12;
 
-/// The number of the property, unless it is a list.
-std::optional<std::size_t> findNumber(const PlyElement &element, std::string_view name) {
-  const auto found = element.find(name);
-  return found && !element.properties[*found].countType ? found : std::nullopt;
-}
+/// What points of PLY files have in common.
+class PlyPoints : public PointList {
+public:
+  PlyPoints(const PlyHeader &header, const PlyElement &vertices)
+      : vertices_(vertices), colour_(vertices), header_(header) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      axes_[axis] = *findNumber(vertices, kAxes[axis]);
+  }
+
+  bool hasColours() const override { return bool(colour_); }
+  std::string saysDropped(std::uint64_t count) const override { return colour_.saysDropped(count, size()); }
+
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> sentences = colour_.warnings();
+    PlyUse use(header_);
+    for (const std::size_t axis : axes_)
+      use.take(vertices_, axis);
+    colour_.take(use);
+    for (std::string &sentence : use.warnings())
+      sentences.push_back(std::move(sentence));
+    return sentences;
+  }
+
+protected:
+  const PlyElement &vertices_;
+  PointColour colour_;
+  std::array<std::size_t, 3> axes_{}; ///< The properties x, y and z.
+
+private:
+  const PlyHeader &header_;
+};
 
 template <typename Stored, bool kSwap> double load(const char *bytes) {
   std::array<char, sizeof(Stored)> raw;
@@ -96,100 +122,107 @@ std::optional<Table> findTable(const PlyReader &reader, const PlyElement &vertic
 }
 
 /// Points in the file.
-class TablePoints final : public PointList {
+class TablePoints final : public PlyPoints {
 public:
-  TablePoints(const PlyElement &vertices, PlyEncoding encoding, Table table)
-      : vertices_(vertices), encoding_(encoding), table_(std::move(table)), colour_(vertices) {
-    findByteChannels();
+  TablePoints(const PlyHeader &header, const PlyElement &vertices, Table table)
+      : PlyPoints(header, vertices), encoding_(header.encoding), table_(std::move(table)),
+        areBytes_(!colour_.areSplats() && colour_.colour().areBytes()) {
+    for (std::size_t i = 0; i < channels_.size(); ++i)
+      if (const auto channel = colour_.colour().channel(i); channel && areBytes_)
+        channels_[i] = table_.offsets[*channel];
+    hasAlpha_ = colour_.colour().channel(3).has_value();
   }
 
   std::uint64_t size() const override { return vertices_.count; }
-  bool hasColours() const override { return bool(colour_); }
 
   void read(std::uint64_t first, std::span<PlyPoint> points) const override {
     const char *const rows = table_.rows + first * table_.stride;
     static_assert(sizeof(PlyPoint) % sizeof(double) == 0);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t property = *findNumber(vertices_, kAxes[axis]);
-      loaderOf(vertices_.properties[property].type, encoding_)(rows + table_.offsets[property], table_.stride,
-                                                               points.size(), &points[0].position[axis],
-                                                               sizeof(PlyPoint) / sizeof(double));
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      loaderOf(vertices_.properties[axes_[axis]].type,
+               encoding_)(rows + table_.offsets[axes_[axis]], table_.stride, points.size(),
+                          &points[0].position[axis], sizeof(PlyPoint) / sizeof(double));
+    PlyRow row;
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i].word =
-          hasByteChannels_ ? bytesOf(rows + i * table_.stride) : colourOf(rows + i * table_.stride);
+          areBytes_ ? bytesOf(rows + i * table_.stride) : colourOf(rows + i * table_.stride, row);
+  }
+
+  /// Errors: interrupted.
+  Expected<void> look(const Progress &progress) {
+    PlyRow row;
+    for (std::uint64_t i = 0; colour_.colour().needsLook() && i < vertices_.count; ++i) {
+      if (i % kRowsBetweenLooks == 0 && progress.stopped())
+        return Error::interrupted();
+      load(table_.rows + i * table_.stride, row);
+      colour_.colour().look(row);
+    }
+    return {};
   }
 
 private:
   /// Most files have a byte for each channel.
-  void findByteChannels() {
-    for (std::size_t i = 0; i < kChannels.size(); ++i) {
-      const auto found = findNumber(vertices_, kChannels[i]);
-      if (!found || vertices_.properties[*found].type != PlyType::Uint8)
-        return;
-      channels_[i] = table_.offsets[*found];
-    }
-    hasByteChannels_ = true;
-  }
-
   std::uint32_t bytesOf(const char *row) const {
-    std::uint32_t word = 0;
-    for (std::size_t i = 0; i < channels_.size(); ++i)
-      word |= std::uint32_t{static_cast<unsigned char>(row[channels_[i]])} << 8 * i;
-    return word;
+    const auto byte = [&](std::size_t channel) {
+      return std::uint32_t{static_cast<unsigned char>(row[channels_[channel]])} << 8 * channel;
+    };
+    return byte(0) | byte(1) | byte(2) | (hasAlpha_ ? byte(3) : 0xff000000);
   }
 
-  std::uint32_t colourOf(const char *bytes) const {
-    if (!colour_)
-      return 0xffffffff;
-    PlyRow row{std::vector<double>(vertices_.properties.size()), {}};
+  void load(const char *bytes, PlyRow &row) const {
+    row.values.resize(vertices_.properties.size());
     for (std::size_t i = 0; i < row.values.size(); ++i)
       loaderOf(vertices_.properties[i].type, encoding_)(bytes + table_.offsets[i], 0, 1, &row.values[i], 1);
+  }
+
+  std::uint32_t colourOf(const char *bytes, PlyRow &row) const {
+    if (!colour_)
+      return 0xffffffff;
+    load(bytes, row);
     return colour_(row);
   }
 
-  const PlyElement &vertices_;
   PlyEncoding encoding_;
   Table table_;
-  PlyColour colour_;
+  bool areBytes_;
+  bool hasAlpha_ = false;
   std::array<std::uint64_t, 4> channels_{}; ///< Offsets of red, green, blue and alpha, if all are bytes.
-  bool hasByteChannels_ = false;
 };
 
 /// Points that were copied.
-class CopiedPoints final : public PointList {
+class CopiedPoints final : public PlyPoints {
 public:
-  CopiedPoints(const PlyElement &vertices, const std::shared_ptr<WorkingMemory> &memory)
-      : memory_(memory), points_(memory), colour_(vertices) {}
+  CopiedPoints(const PlyHeader &header, const PlyElement &vertices,
+               const std::shared_ptr<WorkingMemory> &memory)
+      : PlyPoints(header, vertices), memory_(memory), points_(memory) {}
 
   std::uint64_t size() const override { return points_.size(); }
-  bool hasColours() const override { return bool(colour_); }
   void read(std::uint64_t first, std::span<PlyPoint> points) const override {
     std::ranges::copy(points_.span().subspan(first, points.size()), points.begin());
   }
 
-  Expected<void> fill(PlyReader &reader, const PlyElement &vertices, const Progress &progress) {
-    constexpr std::uint64_t kRowsBetweenLooks = 1 << 12;
-    std::array<std::size_t, 3> axes;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      axes[axis] = *findNumber(vertices, kAxes[axis]);
+  Expected<void> fill(PlyReader &reader, const Progress &progress) {
+    const auto pause = [&](std::uint64_t number) -> Expected<void> {
+      if (number % kRowsBetweenLooks != 0)
+        return {};
+      memory_->relieve();
+      return progress.stopped() ? Expected<void>(Error::interrupted()) : Expected<void>();
+    };
+    if (auto looked = lookAtColours(reader, vertices_, colour_.colour(), pause); !looked)
+      return looked;
     return reader.readRows([&](const PlyElement &element, std::uint64_t number,
                                const PlyRow &row) -> Expected<void> {
-      if (number % kRowsBetweenLooks == 0) {
-        if (progress.stopped())
-          return Error::interrupted();
-        memory_->relieve();
-      }
-      if (&element != &vertices)
+      if (auto paused = pause(number); !paused)
+        return paused;
+      if (&element != &vertices_)
         return {};
-      return points_.push({{row.values[axes[0]], row.values[axes[1]], row.values[axes[2]]}, colour_(row)});
+      return points_.push({{row.values[axes_[0]], row.values[axes_[1]], row.values[axes_[2]]}, colour_(row)});
     });
   }
 
 private:
   std::shared_ptr<WorkingMemory> memory_;
   ScratchArray<PlyPoint> points_;
-  PlyColour colour_;
 };
 
 } // namespace
@@ -212,11 +245,14 @@ bool areIndices(const PlyHeader &header) {
 Expected<std::unique_ptr<PointList>>
 readPointList(PlyReader &reader, const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
   const PlyElement &vertices = *reader.header().find("vertex");
-  if (auto table = findTable(reader, vertices))
-    return std::unique_ptr<PointList>(
-        std::make_unique<TablePoints>(vertices, reader.header().encoding, std::move(*table)));
-  auto copied = std::make_unique<CopiedPoints>(vertices, memory);
-  if (auto filled = copied->fill(reader, vertices, progress); !filled)
+  if (auto table = findTable(reader, vertices)) {
+    auto points = std::make_unique<TablePoints>(reader.header(), vertices, std::move(*table));
+    if (auto looked = points->look(progress); !looked)
+      return looked.error();
+    return std::unique_ptr<PointList>(std::move(points));
+  }
+  auto copied = std::make_unique<CopiedPoints>(reader.header(), vertices, memory);
+  if (auto filled = copied->fill(reader, progress); !filled)
     return filled.error();
   return std::unique_ptr<PointList>(std::move(copied));
 }

@@ -29,9 +29,7 @@ public:
   /// False if all are white because nothing says otherwise.
   virtual bool hasColours() const = 0;
   /// Why so many points have the word 0.
-  virtual std::string saysDropped(std::uint64_t count) const {
-    return std::to_string(count) + " points are dropped: their colour is the word 0, which means empty";
-  }
+  virtual std::string saysDropped(std::uint64_t count) const = 0;
   /// What else is to be said of them; one sentence each.
   virtual std::vector<std::string> warnings() const { return {}; }
 };

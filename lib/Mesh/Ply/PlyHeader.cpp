@@ -1,6 +1,8 @@
 // Parsing the header of a PLY file.
 #include "Mesh/Ply/PlyHeader.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -35,6 +37,8 @@ constexpr std::array<std::pair<std::string_view, PlyEncoding>, 3> kEncodings{
 
 /// No sensible header line is longer; a binary file that only looks like a PLY may have no line end at all.
 constexpr std::size_t kMaxLine = 4096;
+
+constexpr std::size_t kMostTextures = 4096;
 
 std::optional<PlyType> parseType(std::string_view name) {
   for (std::size_t i = 0; i < kTypes.size(); ++i)
@@ -98,6 +102,16 @@ bool parseProperty(const std::vector<std::string> &words, PlyHeader &header) {
 
 bool skipLine(const std::vector<std::string> &, PlyHeader &) { return true; }
 
+/// Names of images, which MeshLab puts into comments, may have blanks.
+void readTexture(std::string_view line, PlyHeader &header) {
+  const std::string keyword = lowerCase(takeWord(line));
+  const std::string word = lowerCase(takeWord(line));
+  const bool isComment = keyword == "comment" || keyword == "obj_info";
+  if (isComment && (word == "texturefile" || word == "texturefile:") &&
+      header.textures.size() < kMostTextures)
+    header.textures.emplace_back(trimmed(line));
+}
+
 struct Keyword {
   std::string_view word;
   bool (*parse)(const std::vector<std::string> &words, PlyHeader &header);
@@ -113,6 +127,7 @@ bool parseLine(const std::string &line, PlyHeader &header) {
   const std::vector<std::string> words = splitWords(line);
   if (words.empty())
     return true;
+  readTexture(line, header);
   const auto keyword =
       std::find_if(kKeywords.begin(), kKeywords.end(), [&](const Keyword &k) { return k.word == words[0]; });
   return keyword != kKeywords.end() && keyword->parse(words, header);

@@ -38,6 +38,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
+  std::vector<std::string> textures; ///< Images that comments "TextureFile NAME" name, in their order.
 
   /// The element with this name, or null.
   const PlyElement *find(std::string_view element) const;

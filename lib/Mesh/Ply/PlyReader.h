@@ -23,6 +23,9 @@ public:
   /// Opens `path` and reads its header. Errors name the path.
   static Expected<PlyReader> open(const std::string &path);
 
+  /// The same file again, from its first row on.
+  Expected<PlyReader> reopened() const { return open(path_); }
+
   const PlyHeader &header() const { return header_; }
   /// The whole file, as it is mapped.
   std::span<const std::byte> bytes() const { return file_.bytes(); }

@@ -2,13 +2,16 @@
 #include "Mesh/Ply/PlyScene.h"
 
 #include "Mesh/KeptArray.h"
-#include "Mesh/Ply/PlyColour.h"
+#include "Mesh/Ply/PlyFaceLooks.h"
 #include "Mesh/Ply/PlyReader.h"
+#include "Mesh/Ply/PlyTextures.h"
+#include "Mesh/Ply/PlyVertices.h"
 #include "Mesh/Polygon.h"
 #include "Support/Problem.h"
+#include "Support/Warnings.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <utility>
 
 namespace voxc {
@@ -23,17 +26,7 @@ const PlyElement &elementOf(const PlyHeader &header, std::string_view name) {
   return found ? *found : kNoElement;
 }
 
-/// The list of corners of a face or strip.
-std::optional<std::size_t> findCorners(const PlyElement &element) {
-  for (const std::string_view name : {"vertex_indices", "vertex_index"})
-    if (const auto found = element.find(name); found && element.properties[*found].countType)
-      return found;
-  return std::nullopt;
-}
-
-bool needsDouble(PlyType type) {
-  return type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::Uint32;
-}
+constexpr std::array<std::string_view, 2> kCornerNames{"vertex_indices", "vertex_index"};
 
 /// Has the pages of a mapped file watched while it is read.
 class Watch {
@@ -53,24 +46,17 @@ private:
 class SceneBuilder {
 public:
   SceneBuilder(const PlyHeader &header, const MeshInput &input)
-      : input_(input), vertices_(elementOf(header, "vertex")), faces_(elementOf(header, "face")),
-        strips_(elementOf(header, "tristrips")), colour_(vertices_), faceCorners_(findCorners(faces_)),
-        stripCorners_(findCorners(strips_)), positions_(input.memory), widePositions_(input.memory),
-        colours_(input.memory), indices_(input.memory) {
-    // Text has more digits than float32, whatever the header calls its numbers.
-    isWide_ = header.encoding == PlyEncoding::Ascii;
-    position_ = {vertices_.find("x"), vertices_.find("y"), vertices_.find("z")};
-    for (const auto &axis : position_)
-      isWide_ = isWide_ || (axis && needsDouble(vertices_.properties[*axis].type));
-  }
+      : input_(input), header_(header),
+        vertices_(header, elementOf(header, "vertex"), input.memory, problem_),
+        faces_(elementOf(header, "face")), strips_(elementOf(header, "tristrips")),
+        looks_(header, faces_, vertices_.hasUvs(), input.memory, problem_),
+        faceCorners_(findList(faces_, kCornerNames)), stripCorners_(findList(strips_, kCornerNames)),
+        indices_(input.memory) {}
 
   /// What the header lacks, or nothing.
   std::string missing() const {
-    for (const auto &axis : position_)
-      if (!axis || vertices_.properties[*axis].countType)
-        return "its vertices need the properties x, y and z";
-    if (vertices_.count > std::numeric_limits<std::uint32_t>::max())
-      return "it has more than 2^32 vertices";
+    if (std::string missing = vertices_.missing(); !missing.empty())
+      return missing;
     if (faces_.count != 0 && !faceCorners_)
       return "its faces need the list vertex_indices";
     if (strips_.count != 0 && !stripCorners_)
@@ -78,14 +64,24 @@ public:
     return {};
   }
 
+  /// Looks at all colours before the first is asked for. Errors: those of reading.
+  Expected<void> lookAhead(const PlyReader &reader) {
+    const auto stopped = [&](std::uint64_t row) -> Expected<void> {
+      const bool isStopped = row % kRowsBetweenLooks == 0 && !input_.at(0, 1);
+      return isStopped ? Expected<void>(Error::interrupted()) : Expected<void>();
+    };
+    auto looked = lookAtColours(reader, vertices_.element(), vertices_.colour(), stopped);
+    return looked ? lookAtColours(reader, faces_, looks_.colour(), stopped) : looked;
+  }
+
   /// Adds a row.
   void add(const PlyElement &element, std::uint64_t index, const PlyRow &row) {
     if (index % kRowsBetweenLooks == 0 && !input_.at(index, element.count))
       problem_.set(Error::interrupted());
-    if (&element == &vertices_)
-      addVertex(row);
+    if (&element == &vertices_.element())
+      vertices_.add(row);
     else if (&element == &faces_)
-      addFace(index, row.lists[*faceCorners_]);
+      addFace(index, row);
     else if (&element == &strips_)
       addStrips(index, row.lists[*stripCorners_]);
   }
@@ -94,80 +90,101 @@ public:
 
   TriangleScene take() {
     TriangleScene scene;
+    Warnings warnings;
     MeshPart part;
-    part.positions = isWide_ ? keep(std::move(widePositions_), kDoubleRows3, scene)
-                             : keep(std::move(positions_), kFloatRows3, scene);
-    part.colours = keep(std::move(colours_), kColourRows, scene);
+    vertices_.keepIn(scene, part);
     part.indices = keep(std::move(indices_), kIndexRows, scene);
-    scene.materials.emplace_back();
-    if (part.positions && part.indices) {
-      scene.parts.push_back(part);
-      scene.instances.push_back({});
-    }
-    if (cutter_.badFans() != 0)
-      scene.warnings.push_back(
-          std::to_string(cutter_.badFans()) +
-          " faces of more than 128 corners are not convex and are cut into fans all the same");
+    addTextures(texturesFor(warnings), input_, scene, warnings, problem_);
+    if (!problem_ && looks_.isUsed())
+      addPartsByLook(part, looks_, input_.memory, scene, warnings, problem_);
+    else if (!problem_)
+      addPart(part, scene, warnings);
+    warn(warnings);
+    scene.warnings = warnings.take();
     return scene;
   }
 
 private:
-  void addVertex(const PlyRow &row) {
-    PolygonCutter::Point position;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      position[axis] = row.values[*position_[axis]];
-    if (isWide_)
-      problem_.check(widePositions_.push(position));
-    else
-      problem_.check(positions_.push({static_cast<float>(position[0]), static_cast<float>(position[1]),
-                                      static_cast<float>(position[2])}));
-    if (colour_)
-      problem_.check(colours_.push(colour_(row)));
+  /// The header, without textures where nothing says where they lie.
+  PlyHeader texturesFor(Warnings &warnings) const {
+    PlyHeader header;
+    if (vertices_.hasUvs() || looks_.hasUvs())
+      header.textures = header_.textures;
+    else if (!header_.textures.empty())
+      warnings.add("it names the texture '" + header_.textures[0] + "', but has no texture coordinates");
+    return header;
   }
 
-  bool isVertex(double corner) const { return corner >= 0 && corner < static_cast<double>(vertices_.count); }
+  void warn(Warnings &warnings) {
+    if (cutter_.badFans() != 0)
+      warnings.add(std::to_string(cutter_.badFans()) +
+                   " faces of more than 128 corners are not convex and are cut into fans all the same");
+    if (looks_.badFaces() != 0)
+      warnings.add(
+          std::to_string(looks_.badFaces()) +
+          " faces name a texture that is not there or have another number of texture coordinates than "
+          "corners; they have no texture");
+    for (const std::string &sentence : {vertices_.colour().warning(), looks_.colour().warning()})
+      if (!sentence.empty())
+        warnings.add(sentence);
+    PlyUse use(header_);
+    vertices_.take(use);
+    looks_.take(use);
+    use.take(faces_, faceCorners_);
+    use.take(strips_, stripCorners_);
+    for (std::string &sentence : use.warnings())
+      warnings.add(std::move(sentence));
+  }
+
+  bool isVertex(double corner) const {
+    return corner >= 0 && corner < static_cast<double>(vertices_.element().count);
+  }
 
   void noVertex(const char *what, std::uint64_t index, double corner) {
     problem_.set(std::string(what) + " " + std::to_string(index) + " names vertex " +
                  std::to_string(static_cast<std::int64_t>(std::clamp(corner, -0x1p53, 0x1p53))) +
-                 ", but there are " + std::to_string(vertices_.count));
+                 ", but there are " + std::to_string(vertices_.element().count));
   }
 
-  void addFace(std::uint64_t index, const std::vector<double> &corners) {
+  void addFace(std::uint64_t index, const PlyRow &row) {
+    const std::vector<double> &corners = row.lists[*faceCorners_];
     for (const double corner : corners)
       if (!isVertex(corner))
         return noVertex("face", index, corner);
-    if (corners.size() == 3)
-      return addTriangle(corners[0], corners[1], corners[2]);
     if (corners.size() < 3)
       return;
+    if (looks_.isUsed())
+      looks_.read(row, corners.size());
+    if (corners.size() == 3)
+      return addPiece(corners, {0, 1, 2});
+    // A file may name its faces before its vertices; their shape is not known then, and they become fans.
     points_.clear();
     for (const double corner : corners)
-      points_.push_back(positionOf(static_cast<std::uint64_t>(corner)));
-    for (const auto &[a, b, c] : cutter_.cut(points_))
-      addTriangle(corners[a], corners[b], corners[c]);
+      points_.push_back(vertices_.positionOf(static_cast<std::uint64_t>(corner)));
+    for (const PolygonCutter::Corners &places : cutter_.cut(points_))
+      addPiece(corners, places);
   }
 
-  /// A file may name its faces before its vertices; their shape is not known then, and they become fans.
-  PolygonCutter::Point positionOf(std::uint64_t vertex) const {
-    if (isWide_)
-      return vertex < widePositions_.size() ? widePositions_[vertex] : PolygonCutter::Point{};
-    if (vertex >= positions_.size())
-      return {};
-    const auto &[x, y, z] = positions_[vertex];
-    return {x, y, z};
+  /// A triangle of a face.
+  void addPiece(const std::vector<double> &corners, const std::array<std::uint32_t, 3> &places) {
+    addTriangle(corners[places[0]], corners[places[1]], corners[places[2]]);
+    if (looks_.isUsed())
+      looks_.add(places);
   }
 
   /// Several strips, with -1 between them.
   void addStrips(std::uint64_t index, const std::vector<double> &corners) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (corners[i] == -1)
+      if (corners[i] == -1) {
         begin = i + 1;
-      else if (!isVertex(corners[i]))
+      } else if (!isVertex(corners[i])) {
         return noVertex("strip", index, corners[i]);
-      else if (i >= begin + 2)
+      } else if (i >= begin + 2) {
         addTriangle(corners[i - 2], corners[i - 1], corners[i]);
+        if (looks_.isUsed())
+          looks_.addPlain();
+      }
     }
   }
 
@@ -178,21 +195,17 @@ private:
   }
 
   const MeshInput &input_;
-  const PlyElement &vertices_;
+  const PlyHeader &header_;
+  Problem problem_;
+  PlyVertices vertices_;
   const PlyElement &faces_;
   const PlyElement &strips_;
-  PlyColour colour_;
-  std::array<std::optional<std::size_t>, 3> position_;
+  PlyFaceLooks looks_;
   std::optional<std::size_t> faceCorners_;
   std::optional<std::size_t> stripCorners_;
-  bool isWide_ = false; ///< Coordinates that a float cannot hold.
-  ScratchArray<std::array<float, 3>> positions_;
-  ScratchArray<PolygonCutter::Point> widePositions_;
-  ScratchArray<std::uint32_t> colours_;
   ScratchArray<std::uint32_t> indices_;
   std::vector<PolygonCutter::Point> points_;
   PolygonCutter cutter_;
-  Problem problem_;
 };
 
 } // namespace
@@ -205,6 +218,8 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
   if (std::string missing = builder.missing(); !missing.empty())
     return reader->broken(missing);
   const Watch watch(reader->bytes(), *input.memory);
+  if (auto looked = builder.lookAhead(*reader); !looked)
+    return looked.error();
   auto read = reader->readRows(
       [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
         builder.add(element, index, row);
@@ -214,7 +229,9 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
     return reader->broken(builder.problem().error().message);
   if (!read)
     return read.error();
-  return builder.take();
+  TriangleScene scene = builder.take();
+  return builder.problem() ? Expected<TriangleScene>(builder.problem().error())
+                           : Expected<TriangleScene>(std::move(scene));
 }
 
 } // namespace voxc
