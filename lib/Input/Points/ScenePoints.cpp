@@ -2,6 +2,7 @@
 #include "Input/Points/ScenePoints.h"
 
 #include "Mesh/Voxelize/SurfaceColour.h"
+#include "Mesh/Voxelize/TextureMeans.h"
 #include "Mesh/Voxelize/TriangleCursor.h"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ public:
   Expected<void> fill(const TriangleScene &scene, const Progress &progress) {
     const TriangleNumbers numbers(scene);
     TriangleCursor cursor(scene, numbers);
-    SurfaceColour colour(scene);
+    const SceneMeans none; // A point has no area to average over.
+    SurfaceColour colour(scene, none);
     const glm::dvec3 corner(1, 0, 0);
     std::vector<std::uint32_t> words;
     for (std::uint64_t i = 0; i < numbers.size(); ++i) {
