@@ -8,8 +8,8 @@ namespace voxc {
 
 namespace {
 
-/// Cutting ears takes up to the cube of the corners.
-constexpr std::size_t kMostCorners = 128;
+/// Cutting ears one after the other takes up to the cube of the corners.
+constexpr std::size_t kFewCorners = 128;
 
 double turn(const std::array<double, 2> &a, const std::array<double, 2> &b, const std::array<double, 2> &c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -39,12 +39,13 @@ std::span<const PolygonCutter::Corners> PolygonCutter::cut(std::span<const Point
     return triangles_;
   }
   flatten(corners);
-  const bool convex = isConvex();
-  if (convex || corners.size() > kMostCorners) {
-    badFans_ += !convex;
+  if (isConvex()) {
     makeFan();
-  } else {
+  } else if (corners.size() <= kFewCorners) {
     cutEars();
+  } else if (!cutter_.cut(flat_, triangles_)) {
+    ++badFans_;
+    makeFan();
   }
   return triangles_;
 }

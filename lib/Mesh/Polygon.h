@@ -1,6 +1,8 @@
 // Polygons as triangles.
 #pragma once
 
+#include "Mesh/EarCutter.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -15,15 +17,14 @@ public:
   using Corners = std::array<std::uint32_t, 3>; ///< Of a triangle: which corners of the polygon.
 
   /// The triangles of a polygon of three corners or more, two less than it has corners. One that is convex
-  /// becomes a fan, and so does one of more than 128 corners; of others ears are cut off. Valid until the
-  /// next call.
+  /// becomes a fan; of others ears are cut off. Valid until the next call.
   std::span<const Corners> cut(std::span<const Point> corners);
 
-  /// How many polygons became fans though they are not convex.
+  /// How many polygons became fans though they are not convex, since cutting them would have taken too long.
   std::uint64_t badFans() const { return badFans_; }
 
 private:
-  using Flat = std::array<double, 2>;
+  using Flat = EarCutter::Flat;
 
   void flatten(std::span<const Point> corners);
   bool isConvex() const;
@@ -33,6 +34,7 @@ private:
 
   std::vector<Flat> flat_; ///< In the plane that shows most of it; turning left.
   std::vector<std::uint32_t> rest_;
+  EarCutter cutter_; ///< For polygons of many corners.
   std::vector<Corners> triangles_;
   std::uint64_t badFans_ = 0;
 };

@@ -1,5 +1,6 @@
 # The readers, which the fuzzers build apart from all else.
 set(VOXC_MESH_READERS
+  EarCutter.cpp
   FileBeside.cpp
   Gltf/DataUri.cpp
   Gltf/GltfAccessors.cpp

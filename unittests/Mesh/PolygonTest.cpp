@@ -80,6 +80,75 @@ TEST(Polygon, RandomStarsAreCoveredOnce) {
   }
 }
 
+/// The area of a flat polygon in the plane z = 0, with its sign.
+double signedAreaOf(const std::vector<Point> &corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point &a = corners[i];
+    const Point &b = corners[(i + 1) % corners.size()];
+    sum += (a[0] * b[1] - a[1] * b[0]) / 2;
+  }
+  return sum;
+}
+
+/// Held against the polygon: triangles all turn as it does, add up to its area, and lie in it.
+void expectCut(std::vector<Point> corners) {
+  for (int way = 0; way < 2; ++way, std::reverse(corners.begin(), corners.end())) {
+    const double whole = signedAreaOf(corners);
+    PolygonCutter cutter;
+    const auto triangles = cutter.cut(corners);
+    ASSERT_EQ(triangles.size(), corners.size() - 2);
+    EXPECT_EQ(cutter.badFans(), 0u);
+    double sum = 0;
+    for (const auto &[a, b, c] : triangles) {
+      const double part = signedAreaOf({corners[a], corners[b], corners[c]});
+      EXPECT_GE(part / whole, 0);
+      sum += part;
+    }
+    EXPECT_NEAR(sum / whole, 1, 1e-9);
+  }
+}
+
+Point polar(double radius, double turns) {
+  return {radius * std::cos(2 * M_PI * turns), radius * std::sin(2 * M_PI * turns), 0};
+}
+
+TEST(Polygon, ManyCornersAreNoReasonForAFan) {
+  std::vector<Point> gear;
+  for (int i = 0; i < 1000; ++i)
+    gear.push_back(polar(i / 2 % 2 == 0 ? 10 : 8, i / 1000.0));
+  expectCut(gear);
+  // A band that goes round 20 times.
+  std::vector<Point> spiral;
+  for (int i = 0; i < 4000; ++i)
+    spiral.push_back(polar(1 + i / 200.0, i / 200.0));
+  for (int i = 4000; i-- > 0;)
+    spiral.push_back(polar(1.4 + i / 200.0, i / 200.0));
+  expectCut(spiral);
+  // A comb on whole numbers, with corners on straight edges.
+  std::vector<Point> comb{{0, 0, 0}, {0, 9, 0}};
+  for (int i = 1; i < 2000; ++i)
+    comb.insert(comb.end(), {{i - 0.5, i % 4 < 2 ? 1.0 : 9.0, 0}, {double(i), i % 4 < 2 ? 9.0 : 1.0, 0}});
+  comb.push_back({2000, 0, 0});
+  comb.push_back({1000, 0, 0});
+  expectCut(comb);
+  std::mt19937 random(3);
+  std::vector<Point> star;
+  for (int i = 0; i < 50000; ++i)
+    star.push_back(polar(1 + random() % 1000 / 100.0, i / 50000.0));
+  expectCut(star);
+}
+
+TEST(Polygon, AHoleThatAnEdgeLeadsToStaysOne) {
+  // Round the outside, along an edge to the hole, round it the other way and back along the edge.
+  std::vector<Point> ring;
+  for (int i = 0; i <= 200; ++i)
+    ring.push_back(polar(5, i % 200 / 200.0));
+  for (int i = 200; i >= 0; --i)
+    ring.push_back(polar(3, i % 200 / 200.0));
+  expectCut(ring);
+}
+
 TEST(Polygon, WhateverItIsItEnds) {
   EXPECT_EQ(cut({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}).size(), 3u);
   EXPECT_EQ(cut({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 2u);
@@ -88,6 +157,23 @@ TEST(Polygon, WhateverItIsItEnds) {
   for (int i = 0; i < 1000; ++i)
     many.push_back({double(i), double(i % 7), 0});
   EXPECT_EQ(cut(many).size(), 998u);
+  std::mt19937 random(11);
+  for (const int kind : {0, 1, 2, 3}) {
+    // Tangles on few places, on a line, in one place, and such of no numbers.
+    std::vector<Point> tangle;
+    for (int i = 0; i < 3000; ++i)
+      tangle.push_back({double(random() % 50), kind == 0 ? double(random() % 50) : kind == 3 ? NAN : 0, 0});
+    if (kind == 2)
+      tangle.assign(3000, {1, 2, 3});
+    EXPECT_EQ(cut(tangle).size(), 2998u) << kind;
+  }
+  // One that would take too long is a fan, and is counted.
+  std::vector<Point> knot;
+  for (int i = 0; i < 40000; ++i)
+    knot.push_back({double(random() % 100000), double(random() % 100000), 0});
+  PolygonCutter cutter;
+  EXPECT_EQ(cutter.cut(knot).size(), knot.size() - 2);
+  EXPECT_EQ(cutter.badFans(), 1u);
 }
 
 } // namespace

@@ -171,7 +171,8 @@ private:
                     " faces have fewer than three corners and are left out");
     if (geometry_.badFans() != 0)
       warnings_.add(std::to_string(geometry_.badFans()) +
-                    " faces of more than 128 corners are not convex and are cut into fans all the same");
+                    " faces have so many corners in so tangled a way that they are cut into fans, which may "
+                    "cover more");
     if (geometry_.badUvs() != 0)
       warnings_.add(std::to_string(geometry_.badUvs()) +
                     " corners of faces name texture coordinates that do not exist; they have none");

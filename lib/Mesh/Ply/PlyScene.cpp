@@ -118,7 +118,8 @@ private:
   void warn(Warnings &warnings) {
     if (cutter_.badFans() != 0)
       warnings.add(std::to_string(cutter_.badFans()) +
-                   " faces of more than 128 corners are not convex and are cut into fans all the same");
+                   " faces have so many corners in so tangled a way that they are cut into fans, which may "
+                   "cover more");
     if (looks_.badFaces() != 0)
       warnings.add(
           std::to_string(looks_.badFaces()) +
