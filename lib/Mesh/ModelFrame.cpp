@@ -19,12 +19,16 @@ glm::dvec3 turned(const glm::dvec3 &point, bool zUp) {
   return zUp ? glm::dvec3{point[0], point[2], -point[1]} : point;
 }
 
+/// What a size is above a whole number of voxels for no other reason than rounding, as of a model that was
+/// turned. Corners snap to steps far larger than that.
+constexpr double kNothing = 0x1p-24;
+
 /// Voxels on each axis with `resolution` of them on the longest.
 Int3 extentAt(const glm::dvec3 &size, double longest, int resolution) {
   Int3 extent{1, 1, 1};
   for (int axis = 0; axis < 3; ++axis) {
     const double share = longest > 0 ? size[axis] / longest : 0;
-    extent[axis] = std::max(1, static_cast<int>(std::ceil(share * resolution)));
+    extent[axis] = std::max(1, static_cast<int>(std::ceil(share * resolution - kNothing)));
   }
   return extent;
 }

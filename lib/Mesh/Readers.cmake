@@ -13,6 +13,8 @@ set(VOXC_MESH_READERS
   Gltf/GltfMeshopt.cpp
   Gltf/GltfNodes.cpp
   Gltf/GltfObject.cpp
+  Gltf/GltfPlaces.cpp
+  Gltf/GltfPoses.cpp
   Gltf/GltfReader.cpp
   Gltf/GltfTransforms.cpp
   Gltf/Json.cpp

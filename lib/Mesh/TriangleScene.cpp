@@ -92,6 +92,7 @@ template <int N> std::array<double, N> readRow(const AttributeView &view, std::u
 template std::array<double, 2> readRow<2>(const AttributeView &, std::uint64_t);
 template std::array<double, 3> readRow<3>(const AttributeView &, std::uint64_t);
 template std::array<double, 4> readRow<4>(const AttributeView &, std::uint64_t);
+template std::array<double, 16> readRow<16>(const AttributeView &, std::uint64_t);
 
 std::uint32_t readIndex(const AttributeView &view, std::uint64_t row) {
   return rowOf(view.type).index(view.data + row * view.stride);

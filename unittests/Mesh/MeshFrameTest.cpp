@@ -45,6 +45,25 @@ TEST(MeshFrame, FarFaceIsKeptInTheLastVoxels) {
   EXPECT_EQ(first, last);
 }
 
+TEST(MeshFrame, RoundingAddsNoVoxels) {
+  // 2 x 1 x 0.5, turned by a quarter and back about two axes, as nodes of models may.
+  std::vector<Corner> corners;
+  for (const float x : {0.0f, 2.0f})
+    corners.insert(corners.end(), {{x, 0, 0}, {x, 1, 0}, {x, 1, 0.5f}});
+  for (const double leak : {2e-16, 1e-12, -1e-12}) {
+    const auto scene = soupOf(corners);
+    scene->instances[0].toModel = transformOfRows({1, leak, leak, 0, leak, 1, leak, 0, leak, leak, 1, 0});
+    for (const auto &[resolution, extent] :
+         {std::pair{16, Int3{16, 8, 4}}, {17, Int3{17, 9, 5}}, {1 << 10, Int3{1 << 10, 1 << 9, 1 << 8}}}) {
+      VoxelizeOptions options;
+      options.resolution = resolution;
+      auto source = open(scene, options);
+      ASSERT_TRUE(source);
+      EXPECT_EQ((*source)->extent(), extent) << leak;
+    }
+  }
+}
+
 TEST(MeshFrame, TransformLeadsBackToTheModel) {
   const std::vector<Corner> corners{{1, 2, 3}, {5, 4, 3}, {1, 2, 11}};
   for (const bool zUp : {false, true}) {

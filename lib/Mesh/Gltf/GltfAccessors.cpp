@@ -32,10 +32,11 @@ struct ShapeRow {
   std::uint8_t components;
 };
 
-constexpr std::array<ShapeRow, 4> kShapes{{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
+constexpr std::array<ShapeRow, 5> kShapes{
+    {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
 
 /// What an accessor without data shows again and again.
-constexpr std::array<std::byte, 32> kZeros{};
+constexpr std::array<std::byte, 128> kZeros{};
 
 /// How often accessors may show the same bytes. Files in which they show them ten times are odd, and those
 /// that say so thousands of times in a few kilobytes would cost time without end.
@@ -64,7 +65,7 @@ std::optional<AttributeView> readShape(const GltfObject &json) {
   if (!component)
     json.problem("has no componentType that is known");
   else if (shape == kShapes.end())
-    json.problem("is not of the type SCALAR, VEC2, VEC3 or VEC4");
+    json.problem("is not of the type SCALAR, VEC2, VEC3, VEC4 or MAT4");
   else if (count > std::numeric_limits<std::uint32_t>::max())
     json.problem("has a count of " + std::to_string(count) + ", more than 2^32");
   else

@@ -20,28 +20,30 @@ bool isFloat(Type type) { return type == Type::Float32 || type == Type::Float64;
 } // namespace
 
 GltfMeshes::GltfMeshes(GltfContext &context, GltfBuffers &buffers, GltfAccessors &accessors,
-                       GltfMaterials &materials)
+                       GltfMaterials &materials, GltfPoses &poses)
     : context_(context), buffers_(buffers), accessors_(accessors), materials_(materials),
-      list_(context.root.list("meshes")), known_(list_.size()) {}
+      list_(context.root.list("meshes")), poses_(poses), known_(list_.size()) {}
 
 GltfMeshes::Parts GltfMeshes::parts(std::size_t mesh) {
   std::optional<Parts> &known = known_[mesh];
-  if (known)
-    return *known;
-  const GltfObject json = list_[mesh];
-  const GltfList primitives = json.list("primitives");
+  if (!known)
+    known = readParts(mesh, nullptr);
+  return *known;
+}
+
+GltfMeshes::Parts GltfMeshes::parts(std::size_t mesh, const GltfPose &pose) { return readParts(mesh, &pose); }
+
+GltfMeshes::Parts GltfMeshes::readParts(std::size_t mesh, const GltfPose *pose) {
+  const GltfList primitives = list_[mesh].list("primitives");
   Parts parts;
   parts.begin = static_cast<std::uint32_t>(context_.scene.parts.size());
   for (std::size_t i = 0; i < primitives.size() && !context_.problem; ++i)
-    readPrimitive(primitives[i]);
+    readPrimitive(primitives[i], pose);
   parts.end = static_cast<std::uint32_t>(context_.scene.parts.size());
-  if (json.has("weights") && !std::exchange(sawMorphing_, true))
-    context_.warnings.add("morph targets are not applied: the model is read without them");
-  known = parts;
   return parts;
 }
 
-void GltfMeshes::readPrimitive(const GltfObject &primitive) {
+void GltfMeshes::readPrimitive(const GltfObject &primitive, const GltfPose *pose) {
   MeshPart part;
   const std::uint64_t mode = primitive.count("mode").value_or(kTriangles);
   if (mode >= kModes) {
@@ -69,6 +71,8 @@ void GltfMeshes::readPrimitive(const GltfObject &primitive) {
   part.uvs = readUvs(attributes, material.texture, use.uvSet, part);
   part.emissionUvs = readUvs(attributes, material.emissionTexture, use.emissionUvSet, part);
   readColours(attributes, part);
+  if (pose && !context_.problem)
+    applyPose(primitive, *pose, part);
   const bool hasIndices = draco_ || primitive.has("indices");
   const bool isEmpty = part.positions.count == 0 || (hasIndices && part.indices.count == 0);
   if (!context_.problem && !isEmpty)
@@ -83,6 +87,48 @@ AttributeView GltfMeshes::readUvs(const GltfObject &attributes, const TextureUse
   if (!attributes.has(name))
     context_.warnings.add(attributes.name() + " has no " + name + ", which a texture takes: it is left out");
   return attribute(attributes, name, 2, 2, part);
+}
+
+void GltfMeshes::applyPose(const GltfObject &primitive, const GltfPose &pose, MeshPart &part) {
+  const std::vector<GltfMorph> morphs = morphsOf(primitive, pose, part);
+  const std::vector<GltfJointSet> sets =
+      pose.joints ? jointSetsOf(primitive.object("attributes"), part) : std::vector<GltfJointSet>();
+  if (!context_.problem && part.positions && (pose.joints || !morphs.empty()))
+    part.positions = poses_.positions(primitive, part.positions, pose, morphs, sets);
+}
+
+std::vector<GltfMorph> GltfMeshes::morphsOf(const GltfObject &primitive, const GltfPose &pose,
+                                            const MeshPart &part) {
+  std::vector<GltfMorph> morphs;
+  const GltfList targets = primitive.list("targets");
+  for (std::size_t i = 0; i < std::min(targets.size(), pose.weights.size()); ++i) {
+    if (pose.weights[i] == 0)
+      continue;
+    const GltfObject target = targets[i];
+    const AttributeView deltas = attribute(target, "POSITION", 3, 3, part);
+    if (deltas)
+      morphs.push_back({deltas, pose.weights[i]});
+    if (target.has("COLOR_0") || target.has("TEXCOORD_0") || target.has("TEXCOORD_1"))
+      context_.warnings.add("morph targets of colours and texture coordinates are not applied");
+  }
+  return morphs;
+}
+
+std::vector<GltfJointSet> GltfMeshes::jointSetsOf(const GltfObject &attributes, const MeshPart &part) {
+  std::vector<GltfJointSet> sets;
+  for (std::size_t i = 0; !context_.problem; ++i) {
+    const std::string end = "_" + std::to_string(i);
+    GltfJointSet set{attribute(attributes, "JOINTS" + end, 4, 4, part),
+                     attribute(attributes, "WEIGHTS" + end, 4, 4, part)};
+    if (!set.joints || !set.weights)
+      break;
+    if (set.joints.type != Type::Uint8 && set.joints.type != Type::Uint16)
+      attributes.problem("has joints that are not whole numbers from 0 to 65535");
+    // As of colours, whether the accessor says so or not.
+    set.weights.normalized = !isFloat(set.weights.type);
+    sets.push_back(set);
+  }
+  return sets;
 }
 
 void GltfMeshes::readColours(const GltfObject &attributes, MeshPart &part) {

@@ -4,6 +4,7 @@
 #include "Mesh/Gltf/GltfAccessors.h"
 #include "Mesh/Gltf/GltfDraco.h"
 #include "Mesh/Gltf/GltfMaterials.h"
+#include "Mesh/Gltf/GltfPoses.h"
 
 #include <optional>
 #include <vector>
@@ -12,7 +13,8 @@ namespace voxc {
 
 class GltfMeshes {
 public:
-  GltfMeshes(GltfContext &context, GltfBuffers &buffers, GltfAccessors &accessors, GltfMaterials &materials);
+  GltfMeshes(GltfContext &context, GltfBuffers &buffers, GltfAccessors &accessors, GltfMaterials &materials,
+             GltfPoses &poses);
 
   const GltfList &list() const { return list_; }
 
@@ -24,9 +26,15 @@ public:
 
   /// The parts of a mesh, which are read when it is asked for first.
   Parts parts(std::size_t mesh);
+  /// Those of a mesh in a pose, which are read anew.
+  Parts parts(std::size_t mesh, const GltfPose &pose);
 
 private:
-  void readPrimitive(const GltfObject &primitive);
+  Parts readParts(std::size_t mesh, const GltfPose *pose);
+  void readPrimitive(const GltfObject &primitive, const GltfPose *pose);
+  void applyPose(const GltfObject &primitive, const GltfPose &pose, MeshPart &part);
+  std::vector<GltfMorph> morphsOf(const GltfObject &primitive, const GltfPose &pose, const MeshPart &part);
+  std::vector<GltfJointSet> jointSetsOf(const GltfObject &attributes, const MeshPart &part);
   /// The coordinates that a texture takes; absent, with a warning, if the primitive has none.
   AttributeView readUvs(const GltfObject &attributes, const TextureUse &texture, std::uint64_t set,
                         const MeshPart &part);
@@ -42,9 +50,9 @@ private:
   GltfAccessors &accessors_;
   GltfMaterials &materials_;
   GltfList list_;
+  GltfPoses &poses_;
   std::vector<std::optional<Parts>> known_;
   std::optional<DracoMesh> draco_; ///< Of the primitive that is being read.
-  bool sawMorphing_ = false;
 };
 
 } // namespace voxc

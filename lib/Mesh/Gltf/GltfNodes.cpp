@@ -15,9 +15,9 @@ constexpr std::uint64_t kFewInstances = std::uint64_t{1} << 19;
 
 class NodeReader {
 public:
-  NodeReader(GltfContext &context, GltfMeshes &meshes, GltfAccessors &accessors)
-      : context_(context), meshes_(meshes), accessors_(accessors), nodes_(context.root.list("nodes")),
-        wasReached_(nodes_.size()) {}
+  NodeReader(GltfContext &context, GltfMeshes &meshes, GltfAccessors &accessors, GltfPoses &poses)
+      : context_(context), meshes_(meshes), accessors_(accessors), poses_(poses),
+        nodes_(context.root.list("nodes")), wasReached_(nodes_.size()) {}
 
   void read() {
     pushRoots();
@@ -75,17 +75,23 @@ private:
     const Transform toModel = compose(pending.parent, readTransform(node));
     if (!isFinite(toModel))
       node.problem("has a transform that is not finite");
-    if (const auto mesh = node.index("mesh", meshes_.list())) {
+    if (const auto mesh = node.index("mesh", meshes_.list()))
       addMesh(node, *mesh, toModel);
-      if (node.has("skin") && !std::exchange(sawSkin_, true))
-        context_.warnings.add("skins are not applied: the model is read as its nodes place it");
-    }
     pushAll(node.list("children"), toModel);
   }
 
   void addMesh(const GltfObject &node, std::size_t mesh, const Transform &toModel) {
-    const GltfMeshes::Parts parts = meshes_.parts(mesh);
+    const std::optional<GltfPose> pose = poses_.of(node, meshes_.list()[mesh], toModel);
+    if (context_.problem)
+      return;
+    const GltfMeshes::Parts parts = pose ? meshes_.parts(mesh, *pose) : meshes_.parts(mesh);
     const GltfObject instancing = node.extension("EXT_mesh_gpu_instancing");
+    // Joints place what they are bound to, wherever its node stands.
+    if (pose && pose->joints) {
+      if (instancing)
+        context_.warnings.add(node.name() + " has a skin and instances, of which one is read");
+      return addInstance(node, parts, {});
+    }
     if (!instancing)
       return addInstance(node, parts, toModel);
     const InstanceTransforms transforms(instancing, accessors_);
@@ -105,16 +111,16 @@ private:
   GltfContext &context_;
   GltfMeshes &meshes_;
   GltfAccessors &accessors_;
+  GltfPoses &poses_;
   GltfList nodes_;
   std::vector<bool> wasReached_;
   std::vector<Pending> pending_;
-  bool sawSkin_ = false;
 };
 
 } // namespace
 
-void readGltfNodes(GltfContext &context, GltfMeshes &meshes, GltfAccessors &accessors) {
-  NodeReader(context, meshes, accessors).read();
+void readGltfNodes(GltfContext &context, GltfMeshes &meshes, GltfAccessors &accessors, GltfPoses &poses) {
+  NodeReader(context, meshes, accessors, poses).read();
 }
 
 } // namespace voxc

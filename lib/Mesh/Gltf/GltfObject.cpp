@@ -110,6 +110,13 @@ std::optional<std::size_t> GltfList::index(std::size_t element, const GltfList &
   return checkedIndex(json_[element], name_ + "[" + std::to_string(element) + "]", list, *problem_);
 }
 
+double GltfList::number(std::size_t element) const {
+  const auto number = json_[element].number();
+  if (!number)
+    problem_->set(name_ + "[" + std::to_string(element) + "] is not a number");
+  return number.value_or(0);
+}
+
 std::string_view GltfList::text(std::size_t element) const {
   const auto text = json_[element].text();
   if (!text)

@@ -68,6 +68,7 @@ public:
   /// The element as an index of `list`, or nothing and a problem.
   std::optional<std::size_t> index(std::size_t element, const GltfList &list) const;
   std::string_view text(std::size_t element) const;
+  double number(std::size_t element) const;
 
 private:
   friend class GltfObject;

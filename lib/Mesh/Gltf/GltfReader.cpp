@@ -27,8 +27,11 @@ void readModel(GltfContext &context) {
   GltfBuffers buffers(context);
   GltfAccessors accessors(context, buffers);
   GltfMaterials materials(context, buffers);
-  GltfMeshes meshes(context, buffers, accessors, materials);
-  readGltfNodes(context, meshes, accessors);
+  GltfPoses poses(context, buffers, accessors);
+  GltfMeshes meshes(context, buffers, accessors, materials, poses);
+  readGltfNodes(context, meshes, accessors, poses);
+  if (context.root.list("animations").size() != 0)
+    context.warnings.add("animations are not applied: the model is read as it stands without them");
   context.scene.loaderPeakBytes += materials.libraryPeakBytes();
 }
 

@@ -20,16 +20,15 @@ Transform fromParts(const Three &move, const Four &rotation, const Three &scale)
   return {axes[0] * scale[0], axes[1] * scale[1], axes[2] * scale[2], glm::dvec3(move[0], move[1], move[2])};
 }
 
-/// glTF writes matrices column by column.
-Transform fromColumns(const std::array<double, 16> &columns) {
-  return Transform(glm::make_mat4(columns.data()));
-}
-
 constexpr std::array<double, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 } // namespace
 
 Transform compose(const Transform &outer, const Transform &inner) { return outer * glm::dmat4(inner); }
+
+Transform fromColumns(const std::array<double, 16> &columns) {
+  return Transform(glm::make_mat4(columns.data()));
+}
 
 Transform readTransform(const GltfObject &node) {
   if (node.has("matrix"))

@@ -8,6 +8,9 @@ namespace voxc {
 /// First `inner`, then `outer`.
 Transform compose(const Transform &outer, const Transform &inner);
 
+/// A matrix of four rows, of which the last is left out, as glTF writes it: column by column.
+Transform fromColumns(const std::array<double, 16> &columns);
+
 /// A node's matrix, or its translation, rotation and scale.
 Transform readTransform(const GltfObject &node);
 
