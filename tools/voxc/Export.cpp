@@ -46,6 +46,10 @@ public:
              "or of a scan, by its own axes: axial, coronal, sagittal")
         .takes("PLANE")
         .oneOf({kEnumNames<SlicePlane>.begin(), kEnumNames<SlicePlane>.end()});
+    command.addFlag(
+        "--texture", options_.texture,
+        "Of a .glb file: colours in a texture, with fewer and larger faces that meet without gaps, "
+        "rather than one a vertex");
     addCompressArgument(command, options_.save.compress);
     page_.declare(command);
     command

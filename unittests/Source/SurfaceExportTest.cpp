@@ -147,6 +147,89 @@ TEST(SurfaceExport, ComesBackInTheSameColours) {
   }
 }
 
+ExportOptions withTexture() {
+  ExportOptions options;
+  options.texture = true;
+  return options;
+}
+
+Voxels randomVoxels(Int3 extent, unsigned sparse, std::mt19937 &random) {
+  Voxels voxels;
+  Int3 cell;
+  for (cell.z = 0; cell.z < extent.z; ++cell.z)
+    for (cell.y = 0; cell.y < extent.y; ++cell.y)
+      for (cell.x = 0; cell.x < extent.x; ++cell.x)
+        if (random() % sparse == 0)
+          voxels[mortonCode(cell)] =
+              rgba(random() % 256, random() % 256, random() % 256);
+  return voxels;
+}
+
+/// Checks that each triangle has an area and that all of them share whole edges, and gives their area.
+double areaOfClosed(const TriangleScene &scene) {
+  using Point = std::array<double, 3>;
+  std::map<std::pair<Point, Point>, int> edges; // Those that go one way less those that go the other.
+  double area = 0;
+  for (const MeshPart &part : scene.parts)
+    for (std::uint64_t triangle = 0; triangle < part.triangles(); ++triangle) {
+      const auto corners = part.corners(triangle);
+      std::array<Point, 3> points;
+      for (std::size_t i = 0; i < 3; ++i)
+        points[i] = readRow<3>(part.positions, corners[i]);
+      const auto at = [&](std::size_t i) { return glm::dvec3(points[i][0], points[i][1], points[i][2]); };
+      const double twice = glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+      EXPECT_GT(twice, 0);
+      area += twice / 2;
+      for (std::size_t i = 0; i < 3; ++i) {
+        ++edges[{points[i], points[(i + 1) % 3]}];
+        --edges[{points[(i + 1) % 3], points[i]}];
+      }
+    }
+  for (const auto &[edge, count] : edges)
+    EXPECT_EQ(count, 0);
+  return area;
+}
+
+TEST(SurfaceExport, WithATextureIsClosedAndComesBackInTheSameColours) {
+  std::mt19937 random(7);
+  const TemporaryFolder folder;
+  const std::string path = folder.path("v.glb");
+  for (const Int3 extent : {Int3{1, 1, 1}, Int3{5, 9, 3}, Int3{70, 66, 5}, Int3{3, 64, 130}})
+    for (const unsigned sparse : {1u, 2u, 3u, 40u}) {
+      const Voxels voxels = randomVoxels(extent, sparse, random);
+      if (voxels.empty())
+        continue;
+      const auto exported = exportVoxels(denseVolume(voxels, extent, Transform()), path, withTexture());
+      ASSERT_TRUE(exported) << exported.error().message;
+      const auto scene = loadScene(path, WorkingMemory::createDefault());
+      ASSERT_TRUE(scene) << scene.error().message;
+      EXPECT_EQ(scene->warnings, std::vector<std::string>());
+      EXPECT_NEAR(areaOfClosed(*scene), static_cast<double>(visibleFaces(voxels).size()), 1e-6);
+    }
+  // Apart from each other, so that no voxel beside them is taken too.
+  Voxels apart;
+  for (const auto &[code, word] : randomVoxels({35, 20, 30}, 2, random))
+    apart[mortonCode(mortonCell(code) * 2)] = word;
+  ASSERT_TRUE(exportVoxels(denseVolume(apart, {70, 40, 60}, Transform()), path, withTexture()));
+  const Voxels back = voxelsOfMesh(path, {70, 40, 60});
+  for (const auto &[code, word] : apart)
+    ASSERT_EQ(back.at(code), word);
+}
+
+TEST(SurfaceExport, WithATextureMergesColours) {
+  const TemporaryFolder folder;
+  Voxels voxels;
+  for (int x = 0; x < 60; ++x)
+    for (int z = 0; z < 60; ++z)
+      voxels[mortonCode({x, 0, z})] = rgba(static_cast<std::uint32_t>(x), 9, static_cast<std::uint32_t>(z));
+  const auto plate = exportVoxels(mappedVolume(voxels, {60, 1, 60}), folder.path("v.glb"), withTexture());
+  ASSERT_TRUE(plate);
+  EXPECT_EQ(plate->rectangles, 6u);
+  const auto other = exportVoxels(mappedVolume(voxels, {60, 1, 60}), folder.path("v.ply"), withTexture());
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().message.find("only a file that ends in .glb"), std::string::npos);
+}
+
 TEST(SurfaceExport, MergesWhatIsFlatAndOfOneColour) {
   const TemporaryFolder folder;
   Voxels voxels;
@@ -165,6 +248,7 @@ TEST(SurfaceExport, MergesWhatIsFlatAndOfOneColour) {
 
 TEST(SurfaceExport, OfNothingIsAModelWithoutAMesh) {
   const TemporaryFolder folder;
+  ASSERT_TRUE(exportVoxels(mappedVolume({}, {4, 4, 4}), folder.path("t.glb"), withTexture()));
   ASSERT_TRUE(exportVoxels(mappedVolume({}, {4, 4, 4}), folder.path("v.glb")));
   std::ifstream file(folder.path("v.glb"), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};

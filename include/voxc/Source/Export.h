@@ -40,7 +40,11 @@ struct ExportOptions {
   SaveOptions save; ///< Of a .hvx file; its `progress` and `memory` of every kind.
   /// A kind that holds too few colours gets those that stand best for the volume's, rather than to fail.
   bool lossy = false;
-  SlicePlane slices = SlicePlane::Z;   ///< Of pictures.
+  SlicePlane slices = SlicePlane::Z; ///< Of pictures.
+  /// A .glb has its colours in a texture, a texel for each face of a voxel, rather than one a vertex: faces
+  /// of several colours are merged, and triangles share whole edges, so that no gap is between them. All
+  /// faces are in memory meanwhile.
+  bool texture = false;
   std::vector<OtherExport> otherKinds; ///< Asked before the kinds known here.
 };
 
@@ -66,7 +70,7 @@ std::vector<ExportFormat> exportFormats();
 /// - .vox: MagicaVoxel, models of up to 256 cells a side in a scene graph, at most 255 colours; of a pattern
 ///   such as scene%d.vox a file for each cube of 1024 cells a side, with colours of its own;
 /// - .nvdb: a NanoVDB grid of RGBA8 values, active where there are voxels;
-/// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex;
+/// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex or a texture;
 /// - .png: a picture for each slice in the plane `options.slices`; `path` is a pattern with %d or %04d in
 /// place
 ///   of its number, unless there is but one;

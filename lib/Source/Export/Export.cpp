@@ -83,6 +83,9 @@ Expected<void> write(const ExportKind &kind, const Volume &volume, const std::st
                      const ExportOptions &options, Exported &exported) {
   if (const auto pattern = NumberedPath::parse(path); pattern && kind.write == writeMagicaVoxel)
     return writeMagicaVoxelParts(volume, *pattern, options, exported);
+  if (options.texture)
+    return writeFile({kind.format, kind.unit, kind.bytesEach, kind.count, writeTexturedSurface}, volume, path,
+                     options, exported);
   if (kind.write)
     return writeFile(kind, volume, path, options, exported);
   if (kind.format.ending == ".png")
@@ -109,6 +112,8 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
   if (options.save.compress && ending != ".hvx")
     return Error::usage("'" + path +
                         "' is no volume that could be compressed; only a file that ends in .hvx is");
+  if (options.texture && ending != ".glb")
+    return Error::usage("'" + path + "' has no texture; only a file that ends in .glb may have one");
   if (options.save.progress.stopped())
     return Error::interrupted();
   for (const OtherExport &other : options.otherKinds)

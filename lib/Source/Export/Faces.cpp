@@ -136,11 +136,14 @@ private:
   int layer_;
 };
 
+/// Which faces of a plane make one rectangle.
+enum class Merge { OneColour, AnyColour };
+
 class FaceWalk {
 public:
-  FaceWalk(const Volume &volume, const std::function<bool(const FaceRectangle &)> &visit,
-           const Progress &progress)
-      : volume_(volume), visit_(visit), progress_(progress), block_(volume) {}
+  /// `visit` is given words where rectangles have several colours.
+  FaceWalk(const Volume &volume, Merge merge, const VisitFaces &visit, const Progress &progress)
+      : volume_(volume), merge_(merge), visit_(visit), progress_(progress), block_(volume) {}
 
   Expected<void> run() {
     const Int3 extent = volume_.info().extent;
@@ -233,14 +236,14 @@ private:
         found.width = widthOf(words, u, v, found.word);
         const std::uint64_t run = (~std::uint64_t{0} >> (kBlock - found.width)) << u;
         while (v + found.height < kBlock && (row(v + found.height) & run) == run &&
-               words.isRun(u, v + found.height, found.width, found.word))
+               (merge_ == Merge::AnyColour || words.isRun(u, v + found.height, found.width, found.word)))
           ++found.height;
         for (int i = 0; i < found.height; ++i)
           row(v + i) &= ~run;
         found.low[first.axis] += layer;
         found.low[(first.axis + 1) % 3] += u;
         found.low[(first.axis + 2) % 3] += v;
-        goes_ = visit_(found);
+        goes_ = visit_(found, wordsOf(words, found, u, v));
       }
   }
 
@@ -248,26 +251,46 @@ private:
   int widthOf(const PlaneWords &words, int u, int v, std::uint32_t word) {
     const int most = std::countr_one(row(v) >> u);
     int width = 1;
-    while (width < most && words.at(u + width, v) == word)
+    while (width < most && (merge_ == Merge::AnyColour || words.at(u + width, v) == word))
       ++width;
     return width;
+  }
+
+  std::span<const std::uint32_t> wordsOf(const PlaneWords &words, const FaceRectangle &face, int u, int v) {
+    if (merge_ == Merge::OneColour)
+      return {};
+    words_.clear();
+    for (int j = 0; j < face.height; ++j)
+      for (int i = 0; i < face.width; ++i)
+        words_.push_back(words.at(u + i, v + j));
+    return words_;
   }
 
   std::uint64_t &row(int v) { return plane_[static_cast<std::size_t>(v)]; }
 
   const Volume &volume_;
-  const std::function<bool(const FaceRectangle &)> &visit_;
+  Merge merge_;
+  const VisitFaces &visit_;
   const Progress &progress_;
   FaceBlock block_;
-  Plane plane_{};    ///< Faces that no rectangle has yet.
-  bool goes_ = true; ///< Until `visit` ends it.
+  std::vector<std::uint32_t> words_; ///< Of the rectangle in work.
+  Plane plane_{};                    ///< Faces that no rectangle has yet.
+  bool goes_ = true;                 ///< Until `visit` ends it.
 };
 
 } // namespace
 
 Expected<void> forEachFace(const Volume &volume, const std::function<bool(const FaceRectangle &)> &visit,
                            const Progress &progress) {
-  return FaceWalk(volume, visit, progress).run();
+  const auto visitOne = [&](const FaceRectangle &face, std::span<const std::uint32_t>) {
+    return visit(face);
+  };
+  return FaceWalk(volume, Merge::OneColour, visitOne, progress).run();
+}
+
+Expected<void> forEachFaceOfAnyColour(const Volume &volume, const VisitFaces &visit,
+                                      const Progress &progress) {
+  return FaceWalk(volume, Merge::AnyColour, visit, progress).run();
 }
 
 } // namespace voxc

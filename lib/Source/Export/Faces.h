@@ -4,6 +4,7 @@
 #include "voxc/Volume/Volume.h"
 
 #include <functional>
+#include <span>
 
 namespace voxc {
 
@@ -21,5 +22,10 @@ struct FaceRectangle {
 /// once. Merges within cubes of 64 cells, so that memory does not follow the volume. Errors: interrupted.
 Expected<void> forEachFace(const Volume &volume, const std::function<bool(const FaceRectangle &)> &visit,
                            const Progress &progress = {});
+
+/// The same for rectangles of any colours: `words` has those of the voxels, along the width first.
+using VisitFaces = std::function<bool(const FaceRectangle &face, std::span<const std::uint32_t> words)>;
+Expected<void> forEachFaceOfAnyColour(const Volume &volume, const VisitFaces &visit,
+                                      const Progress &progress = {});
 
 } // namespace voxc

@@ -1,11 +1,10 @@
 // Slices as PNG pictures.
 #include "Source/Export/NumberedFiles.h"
+#include "Source/Export/PngEncoder.h"
 #include "Source/Export/SliceAxes.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 #include "Support/ParallelFor.h"
-
-#include <png.h>
 
 #include <algorithm>
 #include <cstring>
@@ -25,21 +24,6 @@ constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
 /// Slices that are read at once take this many cells, or are one: of those that lie across the rows of a
 /// volume each reads all rows.
 constexpr std::int64_t kCellsAtOnce = std::int64_t{1} << 24;
-
-Expected<std::string> encode(std::span<const std::uint32_t> words, std::int32_t width, std::int32_t height) {
-  png_image image;
-  std::memset(&image, 0, sizeof image);
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  image.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::string bytes(size, '\0');
-  if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, words.data(), 0, nullptr))
-    return Error::environment(std::string("a slice cannot be encoded: ") + image.message);
-  bytes.resize(size);
-  return bytes;
-}
 
 /// The slices of a volume, some at a time.
 class Slices {
@@ -130,7 +114,7 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     auto encoded = parallelTry(count, options.save.threads, [&](std::uint64_t i) -> Expected<void> {
       if (options.save.progress.stopped())
         return Error::interrupted();
-      auto slice = encode(std::span(words).subspan(i * cells, cells), slices.width(), slices.height());
+      auto slice = encodePng(std::span(words).subspan(i * cells, cells), slices.width(), slices.height());
       if (!slice)
         return slice.error();
       pictures[i] = std::move(*slice);

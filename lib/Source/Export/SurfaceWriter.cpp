@@ -1,5 +1,6 @@
-// Binary glTF: a head that is written last, the corners of rectangles as they are found, then their indices.
+// Binary glTF with a colour a vertex: the corners of rectangles as they are found, then their indices.
 #include "Source/Export/Faces.h"
+#include "Source/Export/GlbFile.h"
 #include "Source/Export/Writers.h"
 #include "Support/Srgb.h"
 #include "voxc/Volume/LabelColour.h"
@@ -31,16 +32,8 @@ std::array<std::uint16_t, 4> linearColour(std::uint32_t word) {
   return colour;
 }
 
-constexpr std::uint32_t kJsonBytes = 2044; ///< Padded with blanks to this, so that it can be written last.
-constexpr std::uint32_t kBinaryOffset = 12 + 8 + kJsonBytes + 8;
 constexpr std::uint64_t kCorners = 4;
 constexpr std::uint64_t kIndices = 6;
-constexpr std::uint64_t kBytesEach = kCorners * sizeof(Vertex) + kIndices * sizeof(std::uint32_t);
-
-/// Of which a .glb can say its length.
-constexpr std::uint64_t kMostRectangles =
-    (std::numeric_limits<std::uint32_t>::max() - kBinaryOffset) / kBytesEach;
-
 /// The corners counter-clockwise as seen from outside.
 std::array<Vertex, kCorners> cornersOf(const FaceRectangle &face) {
   constexpr std::array<std::array<int, 2>, kCorners> kTurn{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -51,62 +44,31 @@ std::array<Vertex, kCorners> cornersOf(const FaceRectangle &face) {
     corner[face.axis] += face.isHigh;
     corner[(face.axis + 1) % 3] += u * face.width;
     corner[(face.axis + 2) % 3] += v * face.height;
-    for (int axis = 0; axis < 3; ++axis)
-      corners[i].position[static_cast<std::size_t>(axis)] = static_cast<float>(corner[axis]);
+    corners[i].position = positionOf(corner);
     corners[i].colour = linearColour(face.word);
   }
   return corners;
-}
-
-std::string numberText(double number) {
-  std::array<char, 32> text;
-  return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.17g", number))};
-}
-
-/// Column by column, with the row that every affine map has.
-std::string matrixText(const Transform &transform) {
-  std::string text;
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row)
-      text += numberText(transform[column][row]) + ",";
-    text += column < 3 ? "0," : "1";
-  }
-  return text;
-}
-
-std::string boundText(const std::array<float, 3> &bound) {
-  return "[" + numberText(bound[0]) + "," + numberText(bound[1]) + "," + numberText(bound[2]) + "]";
 }
 
 class SurfaceFile {
 public:
   explicit SurfaceFile(OutputFile &file) : file_(file) {}
 
-  Expected<void> begin() {
-    const std::string room(kBinaryOffset, ' ');
-    return file_.write(room.data(), room.size());
-  }
+  Expected<void> begin() { return file_.begin(); }
 
   Expected<void> add(const FaceRectangle &face) {
-    if (rectangles_ == kMostRectangles)
-      return Error::input("the surface has more than " + std::to_string(kMostRectangles) +
-                          " rectangles, which are the 4 GiB that a .glb file can hold");
     ++rectangles_;
     isTranslucent_ = isTranslucent_ || face.word >> 24 != 255;
     const auto corners = cornersOf(face);
     for (const Vertex &corner : corners)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low_[axis] = std::min(low_[axis], corner.position[axis]);
-        high_[axis] = std::max(high_[axis], corner.position[axis]);
-      }
+      bounds_.add(corner.position);
     return file_.write(corners.data(), sizeof corners);
   }
 
   Expected<void> finish(const Transform &voxelToModel) {
     if (auto written = writeIndices(); !written)
       return written;
-    const std::string head = headOf(voxelToModel);
-    return file_.rewrite(0, head.data(), head.size());
+    return file_.finish(rectangles_ == 0 ? "" : meshText(), voxelToModel);
   }
 
   std::uint64_t rectangles() const { return rectangles_; }
@@ -134,54 +96,25 @@ private:
     return R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1},"indices":2,"material":0}]}],)"
            R"("materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1})" +
            std::string(isTranslucent_ ? R"(,"alphaMode":"BLEND")" : "") +
-           R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + vertices +
-           R"(,"min":)" + boundText(low_) + R"(,"max":)" + boundText(high_) +
+           R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" + vertices + "," +
+           bounds_.text() +
            R"(},{"bufferView":0,"byteOffset":12,"componentType":5123,"normalized":true,"type":"VEC4","count":)" +
            vertices + R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" + indices +
            R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + vertexBytes +
            R"(,"byteStride":20,"target":34962},{"buffer":0,"byteOffset":)" + vertexBytes +
-           R"(,"byteLength":)" + indexBytes + R"(,"target":34963}],"buffers":[{"byteLength":)" +
-           std::to_string(rectangles_ * kBytesEach) + "}]";
+           R"(,"byteLength":)" + indexBytes + R"(,"target":34963}])";
   }
 
-  /// A volume without a face is a node without a mesh: glTF has no empty accessors.
-  std::string headOf(const Transform &voxelToModel) const {
-    const bool isEmpty = rectangles_ == 0;
-    std::string node = isEmpty ? "" : R"("mesh":0)";
-    if (isFinite(voxelToModel) && rowsOf(voxelToModel) != rowsOf(Transform()))
-      node += std::string(isEmpty ? "" : ",") + R"("matrix":[)" + matrixText(voxelToModel) + "]";
-    std::string json = R"({"asset":{"version":"2.0","generator":"voxc"},"scene":0,"scenes":[{"nodes":[0]}],)"
-                       R"("nodes":[{)" +
-                       node + "}]" + (isEmpty ? "" : "," + meshText()) + "}";
-    json.resize(kJsonBytes, ' ');
-    std::string head = "glTF";
-    const auto word = [&](std::uint64_t value) {
-      const auto narrow = static_cast<std::uint32_t>(value);
-      head.append(reinterpret_cast<const char *>(&narrow), sizeof narrow);
-    };
-    word(2);
-    word(kBinaryOffset + rectangles_ * kBytesEach);
-    word(kJsonBytes);
-    head += "JSON" + json;
-    word(rectangles_ * kBytesEach);
-    head += std::string("BIN\0", 4);
-    return head;
-  }
-
-  OutputFile &file_;
+  GlbFile file_;
   std::uint64_t rectangles_ = 0;
   bool isTranslucent_ = false; ///< Some voxel is.
-  std::array<float, 3> low_{std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
-                            std::numeric_limits<float>::max()};
-  std::array<float, 3> high_{};
+  PositionBounds bounds_;
 };
 
 } // namespace
 
 Expected<void> writeSurface(const Volume &volume, OutputFile &file, const ExportOptions &options,
                             Exported &exported) {
-  if (!file.isRegular())
-    return Error::input("a .glb file begins with what is known last; write it to a file, not to a pipe");
   SurfaceFile surface(file);
   Expected<void> written = surface.begin();
   if (!written)

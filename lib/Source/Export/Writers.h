@@ -28,6 +28,10 @@ Expected<void> writeMagicaVoxelParts(const Volume &volume, const NumberedPath &p
 /// A binary glTF 2.0 file of the volume's faces. Errors: more than 4 GiB; a pipe.
 WriteExport writeSurface;
 
+/// The same with a texture: fewer rectangles, and triangles that share whole edges. Errors: as that; more
+/// faces than fit a texture.
+WriteExport writeTexturedSurface;
+
 /// A NanoVDB file of one RGBA8 grid. Errors: more than 2^31 leaves.
 WriteExport writeNanoVdb;
 

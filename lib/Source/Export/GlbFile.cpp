@@ -1,0 +1,95 @@
+// The head of a .glb file, which says how long all is that follows.
+#include "Source/Export/GlbFile.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace voxc {
+
+namespace {
+
+constexpr std::uint32_t kJsonBytes = 2044; ///< Padded with blanks to this, so that it can be written last.
+constexpr std::uint32_t kBinaryOffset = 12 + 8 + kJsonBytes + 8;
+constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max() - kBinaryOffset - 3;
+
+std::string numberText(double number) {
+  std::array<char, 32> text;
+  return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.17g", number))};
+}
+
+std::string boundText(const std::array<float, 3> &bound) {
+  return "[" + numberText(bound[0]) + "," + numberText(bound[1]) + "," + numberText(bound[2]) + "]";
+}
+
+/// Column by column, with the row that every affine map has.
+std::string matrixText(const Transform &transform) {
+  std::string text;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row)
+      text += numberText(transform[column][row]) + ",";
+    text += column < 3 ? "0," : "1";
+  }
+  return text;
+}
+
+std::string jsonOf(const std::string &mesh, std::uint64_t bytes, const Transform &voxelToModel) {
+  std::string node = mesh.empty() ? "" : R"("mesh":0)";
+  if (isFinite(voxelToModel) && rowsOf(voxelToModel) != rowsOf(Transform()))
+    node += std::string(mesh.empty() ? "" : ",") + R"("matrix":[)" + matrixText(voxelToModel) + "]";
+  std::string json = R"({"asset":{"version":"2.0","generator":"voxc"},"scene":0,"scenes":[{"nodes":[0]}],)"
+                     R"("nodes":[{)" +
+                     node + "}]";
+  if (!mesh.empty())
+    json += "," + mesh + R"(,"buffers":[{"byteLength":)" + std::to_string(bytes) + "}]";
+  json += "}";
+  json.resize(kJsonBytes, ' ');
+  return json;
+}
+
+} // namespace
+
+void PositionBounds::add(const std::array<float, 3> &position) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low_[axis] = std::min(low_[axis], position[axis]);
+    high_[axis] = std::max(high_[axis], position[axis]);
+  }
+}
+
+std::string PositionBounds::text() const {
+  return R"("min":)" + boundText(low_) + R"(,"max":)" + boundText(high_);
+}
+
+Expected<void> GlbFile::begin() {
+  if (!file_.isRegular())
+    return Error::input("a .glb file begins with what is known last; write it to a file, not to a pipe");
+  const std::string room(kBinaryOffset, ' ');
+  return file_.write(room.data(), room.size());
+}
+
+Expected<void> GlbFile::write(const void *bytes, std::uint64_t size) {
+  if (size > kMostBytes - bytes_)
+    return Error::input(
+        "the surface takes more than the 4 GiB that a .glb file can hold; export a part of it, or points");
+  bytes_ += size;
+  return file_.write(bytes, size);
+}
+
+Expected<void> GlbFile::finish(const std::string &mesh, const Transform &voxelToModel) {
+  constexpr std::array<char, 3> kPadding{};
+  if (auto padded = write(kPadding.data(), -bytes_ % 4); !padded)
+    return padded;
+  std::string head = "glTF";
+  const auto word = [&](std::uint64_t value) {
+    const auto narrow = static_cast<std::uint32_t>(value);
+    head.append(reinterpret_cast<const char *>(&narrow), sizeof narrow);
+  };
+  word(2);
+  word(kBinaryOffset + bytes_);
+  word(kJsonBytes);
+  head += "JSON" + jsonOf(mesh, bytes_, voxelToModel);
+  word(bytes_);
+  head += std::string("BIN\0", 4);
+  return file_.rewrite(0, head.data(), head.size());
+}
+
+} // namespace voxc
