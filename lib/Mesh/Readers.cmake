@@ -40,6 +40,7 @@ set(VOXC_MESH_READERS
   Polygon.cpp
   NumberCheck.cpp
   SceneLoader.cpp
+  Stl/StlColours.cpp
   Stl/StlReader.cpp
   Stl/StlText.cpp
   TriangleScene.cpp)

@@ -11,11 +11,31 @@ const std::array<Corner, 3> kCorners{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}};
 const std::string kFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\n"
                            "endloop\nendfacet\n";
 
-std::string binary(const std::string &title, std::uint32_t count) {
-  std::string file = title + std::string(80 - title.size(), '\0') + bytesOf({count});
-  for (std::uint32_t i = 0; i < count; ++i)
-    file += bytesOf({0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f}) + "\x1f\x80";
+/// A triangle for each pair of bytes behind it.
+std::string coloured(const std::string &title, const std::vector<std::uint16_t> &colours) {
+  std::string file =
+      title + std::string(80 - title.size(), '\0') + bytesOf({static_cast<std::uint32_t>(colours.size())});
+  for (const std::uint16_t colour : colours)
+    file += bytesOf({0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f}) + bytesOf({colour});
   return file;
+}
+
+std::string binary(const std::string &title, std::uint32_t count) {
+  return coloured(title, std::vector<std::uint16_t>(count));
+}
+
+using Rgba = std::array<int, 4>;
+
+/// The one colour of a triangle, in bytes.
+Rgba colourOf(const TriangleScene &scene, std::uint64_t triangle) {
+  const auto of = [&](std::size_t corner) {
+    const auto colour = readRow<4>(scene.parts[0].colours, scene.parts[0].corners(triangle)[corner]);
+    return Rgba{static_cast<int>(colour[0] * 255 + 0.5), static_cast<int>(colour[1] * 255 + 0.5),
+                static_cast<int>(colour[2] * 255 + 0.5), static_cast<int>(colour[3] * 255 + 0.5)};
+  };
+  EXPECT_EQ(of(0), of(1));
+  EXPECT_EQ(of(0), of(2));
+  return of(0);
 }
 
 TEST_F(StlReader, ReadsText) {
@@ -51,6 +71,38 @@ TEST_F(StlReader, ReadsBinary) {
 TEST_F(StlReader, BinaryMayBeginAsText) {
   EXPECT_EQ(countTriangles(load("m.stl", binary("solid of some program", 3))), 3u);
   EXPECT_EQ(countTriangles(load("m.stl", binary("solid", 1) + "and more behind")), 1u);
+}
+
+TEST_F(StlReader, ColoursOfVisCam) {
+  const TriangleScene scene =
+      load("m.stl", coloured("header", {0x8000 | 31 << 10, 0x8000 | 31 << 5 | 16, 0x001f, 0x8000}));
+  EXPECT_EQ(colourOf(scene, 0), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(colourOf(scene, 1), (Rgba{0, 255, 132, 255}));
+  EXPECT_EQ(colourOf(scene, 2), (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(colourOf(scene, 3), (Rgba{0, 0, 0, 255}));
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(StlReader, ColoursOfMagics) {
+  const TriangleScene scene =
+      load("m.stl", coloured("COLOR=\x10\xc8\x20\x80", {0xffff, 31, 31 << 10, 31 << 5}));
+  EXPECT_EQ(colourOf(scene, 0), (Rgba{16, 200, 32, 128}));
+  EXPECT_EQ(colourOf(scene, 1), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(colourOf(scene, 2), (Rgba{0, 0, 255, 255}));
+  EXPECT_EQ(colourOf(scene, 3), (Rgba{0, 255, 0, 255}));
+  const TriangleScene whole =
+      load("m.stl", coloured(std::string("solid COLOR=\x10\xc8\x20\0,MATERIAL=", 26), {0, 0}));
+  EXPECT_EQ(colourOf(whole, 1), (Rgba{16, 200, 32, 255}));
+  ASSERT_EQ(whole.warnings.size(), 1u);
+  EXPECT_NE(whole.warnings[0].find("MATERIAL"), std::string::npos);
+  EXPECT_FALSE(load("m.stl", coloured(std::string(72, ' ') + "COLOR=\1", {0})).parts[0].colours);
+}
+
+TEST_F(StlReader, BytesThatAreNoColoursAreSaid) {
+  const TriangleScene scene = load("m.stl", coloured("header", {0, 7}));
+  EXPECT_FALSE(scene.parts[0].colours);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("no colours"), std::string::npos);
 }
 
 } // namespace

@@ -2,10 +2,12 @@
 #include "Mesh/Stl/StlReader.h"
 
 #include "Mesh/KeptArray.h"
+#include "Mesh/Stl/StlColours.h"
 #include "Mesh/Stl/StlText.h"
 #include "Support/Problem.h"
 #include "Support/Text.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -16,9 +18,10 @@ namespace {
 
 using StlCorner = std::array<float, 3>;
 
-constexpr std::size_t kHeaderBytes = 84; ///< 80 that mean nothing, and the number of triangles.
+constexpr std::size_t kHeaderBytes = 84; ///< 80 of any text, and the number of triangles.
 constexpr std::size_t kCountOffset = 80;
-constexpr std::size_t kTriangleBytes = 50; ///< A normal, three corners, two bytes that mean nothing.
+constexpr std::size_t kTriangleBytes = 50; ///< A normal, three corners, two bytes that may be a colour.
+constexpr std::size_t kColourOffset = 48;
 constexpr std::size_t kNormalBytes = 12;
 constexpr std::size_t kCornerBytes = 12;
 constexpr std::uint64_t kBlock = 4096;
@@ -46,7 +49,26 @@ bool isText(std::span<const std::byte> bytes) {
   return text.substr(0, 512).find('\0') == std::string_view::npos;
 }
 
-void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, Problem &problem) {
+std::uint16_t coloursAt(const std::byte *triangle) {
+  std::array<std::uint8_t, 2> bytes;
+  std::memcpy(bytes.data(), triangle + kColourOffset, bytes.size());
+  return static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
+}
+
+/// The colour of each corner, if triangles have colours.
+void readColours(const MeshInput &input, const StlColours &colours, ScratchArray<std::uint32_t> &words,
+                 std::uint64_t count, Problem &problem) {
+  for (std::uint64_t i = 0; i < count && !problem; ++i) {
+    if (i % kBlock == 0 && !input.at(i, count))
+      return problem.set(Error::interrupted());
+    const std::uint32_t word =
+        colours(coloursAt(input.file->bytes().data() + kHeaderBytes + i * kTriangleBytes));
+    problem.check(words.append(std::array{word, word, word}));
+  }
+}
+
+void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, StlColours &colours,
+                Problem &problem) {
   const std::span<const std::byte> bytes = input.file->bytes();
   if (bytes.size() < kHeaderBytes)
     return problem.set("it is neither the text 'solid' nor has it the 84 bytes of a binary header");
@@ -59,9 +81,10 @@ void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, Proble
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i % kBlock == 0 && !input.at(i, count))
       return problem.set(Error::interrupted());
-    const std::byte *triangle = bytes.data() + kHeaderBytes + i * kTriangleBytes + kNormalBytes;
+    const std::byte *triangle = bytes.data() + kHeaderBytes + i * kTriangleBytes;
     for (std::size_t corner = 0; corner < 3; ++corner)
-      corners[3 * i + corner] = cornerAt(triangle + corner * kCornerBytes);
+      corners[3 * i + corner] = cornerAt(triangle + kNormalBytes + corner * kCornerBytes);
+    colours.look(coloursAt(triangle));
   }
 }
 
@@ -77,8 +100,15 @@ Expected<TriangleScene> readStl(const MeshInput &input) {
     part.positions = keep(std::move(corners), kDoubleRows3, scene);
   } else {
     ScratchArray<StlCorner> corners(input.memory);
-    readBinary(input, corners, problem);
+    StlColours colours(input.file->bytes().first(std::min(kCountOffset, input.file->bytes().size())));
+    readBinary(input, corners, colours, problem);
+    ScratchArray<std::uint32_t> words(input.memory);
+    if (!problem && colours.areThere())
+      readColours(input, colours, words, corners.size() / 3, problem);
+    if (std::string warning = colours.warning(); !warning.empty())
+      scene.warnings.push_back(std::move(warning));
     part.positions = keep(std::move(corners), kFloatRows3, scene);
+    part.colours = keep(std::move(words), kColourRows, scene);
   }
   if (problem)
     return problem.error();

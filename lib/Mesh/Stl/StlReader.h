@@ -6,8 +6,8 @@
 
 namespace voxc {
 
-/// Reads the triangles; normals and the two bytes that some programs keep a colour in mean nothing. Errors: a
-/// file that is cut short or no STL.
+/// Reads the triangles, and the colours of binary files; normals mean nothing. Errors: a file that is cut
+/// short or no STL.
 Expected<TriangleScene> readStl(const MeshInput &input);
 
 } // namespace voxc
