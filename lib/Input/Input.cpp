@@ -24,7 +24,7 @@ Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
                             "VOXC_OPENVDB=ON");
 }
 
-constexpr std::array<InputKind, 18> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 24> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -39,7 +39,13 @@ constexpr std::array<InputKind, 18> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".nhdr", openNrrd, "a dense volume"},
                                             {".nii", openNifti, "a dense volume"},
                                             {".nii.gz", openNifti, "a dense volume"},
+                                            {".hdr", openNifti, "a dense volume"},
+                                            {".hdr.gz", openNifti, "a dense volume"},
+                                            {".img", openNifti, "a dense volume"},
+                                            {".img.gz", openNifti, "a dense volume"},
                                             {".png", openSlices, "slices"},
+                                            {".tif", openSlices, "slices"},
+                                            {".tiff", openSlices, "slices"},
                                             {".nvdb", openNanoVdb, "a NanoVDB grid"},
                                             {".vdb", lackOpenVdb, "an OpenVDB grid"}}};
 

@@ -1,15 +1,27 @@
 # What reads voxel inputs and needs no voxelizer; fuzzers build it apart from all else.
 set(VOXC_INPUT_READERS
+  Dense/ByteStream.cpp
   Dense/ColourMap.cpp
+  Dense/DenseCells.cpp
   Dense/DenseFacts.cpp
   Dense/DenseVolume.cpp
   Dense/GzipReader.cpp
   Dense/Histogram.cpp
+  Dense/Labels.cpp
   Dense/NiftiHeader.cpp
+  Dense/NrrdAxes.cpp
+  Dense/NrrdData.cpp
+  Dense/NrrdFields.cpp
   Dense/NrrdHeader.cpp
+  Dense/Orientation.cpp
   Dense/PngSlice.cpp
   Dense/SampleChecks.cpp
   Dense/Samples.cpp
+  Dense/TextStreams.cpp
+  Dense/TiffFile.cpp
+  Dense/TiffSlice.cpp
+  Dense/Units.cpp
+  Dense/VolumeChoice.cpp
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp
   MagicaVoxel/VoxScene.cpp
@@ -27,4 +39,4 @@ set(VOXC_INPUT_READERS
   Points/PointColour.cpp
   Points/PointList.cpp
   Points/PointSource.cpp)
-set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB png)
+set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB BZip2::BZip2 png tiff)

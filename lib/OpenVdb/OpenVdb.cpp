@@ -96,15 +96,31 @@ private:
   OccupancyPyramid &occupancy_;
 };
 
-/// The first grid of floats. Null if there is none.
-Grid::ConstPtr readGrid(const std::string &path) {
+/// A grid of floats, and the others of its file.
+struct Found {
+  Grid::ConstPtr grid; ///< Null if there is none.
+  std::string name;
+  std::string others; ///< "Cd (vec3s), heat (float)".
+};
+
+/// The grid of a name, or the first one of floats.
+Found readGrid(const std::string &path, const std::string &wanted) {
   openvdb::initialize();
   openvdb::io::File file(path);
   file.open(false);
-  for (auto name = file.beginName(); name != file.endName(); ++name)
-    if (auto metadata = file.readGridMetadata(name.gridName()); metadata->isType<Grid>())
-      return openvdb::gridConstPtrCast<Grid>(file.readGrid(name.gridName()));
-  return nullptr;
+  Found found;
+  for (auto name = file.beginName(); name != file.endName(); ++name) {
+    const auto metadata = file.readGridMetadata(name.gridName());
+    const bool isWanted = wanted.empty() || name.gridName() == wanted;
+    if (!found.grid && isWanted && metadata->isType<Grid>()) {
+      found.grid = openvdb::gridConstPtrCast<Grid>(file.readGrid(name.gridName()));
+      found.name = name.gridName();
+    } else {
+      found.others +=
+          (found.others.empty() ? "" : ", ") + name.gridName() + " (" + metadata->valueType() + ")";
+    }
+  }
+  return found;
 }
 
 Expected<Look> lookOf(const Grid &grid, const InputOptions &options) {
@@ -204,10 +220,17 @@ Expected<Input> openVdb(const std::string &path, const InputOptions &options) {
     return Error::input("'" + path + "' is not a usable OpenVDB file: " + problem);
   };
   try {
-    const Grid::ConstPtr grid = readGrid(path);
-    if (!grid)
-      return broken("it has no grid of 32-bit floats");
-    auto input = makeInput(grid, options);
+    const Found found = readGrid(path, options.grid);
+    if (!found.grid)
+      return broken("it has no grid of 32-bit floats" +
+                    (options.grid.empty() ? std::string() : " of the name '" + options.grid + "'") +
+                    (found.others.empty() ? "" : "; there are " + found.others));
+    auto input = makeInput(found.grid, options);
+    if (input && !options.grid.empty())
+      input->provenance += " grid=" + provenanceWord(options.grid);
+    else if (input && !found.others.empty())
+      input->warnings.push_back("the grid '" + found.name + "' is taken, and left out are " + found.others +
+                                " (--grid NAME takes one of them)");
     if (!input && input.error().kind == ErrorKind::Input)
       return broken(input.error().message);
     if (input)

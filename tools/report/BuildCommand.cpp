@@ -15,9 +15,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// Options that say how an input becomes voxels; all but `--crop` have a value.
-constexpr std::array<std::string_view, 10> kInputOptions = {
-    "--resolution", "--bounds",     "--up",     "--coverage", "--colour",
-    "--threshold",  "--colour-map", "--window", "--interior", "--fill-colour"};
+constexpr std::array<std::string_view, 12> kInputOptions = {
+    "--resolution", "--bounds", "--up",     "--coverage", "--colour",   "--threshold",
+    "--colour-map", "--window", "--volume", "--grid",     "--interior", "--fill-colour"};
 constexpr std::string_view kCrop = "--crop";
 
 /// The words of a command, of which some stand in single quotes.

@@ -73,6 +73,12 @@ InputOptions optionsFor(const std::string &input, const VolumeInfo &info) {
   own.up = arguments.up;
   if (!checkInputArguments(own, input))
     own.up.clear();
+  own.volume = arguments.volume;
+  own.grid = arguments.grid;
+  if (!checkInputArguments(own, input)) {
+    own.volume = 0;
+    own.grid.clear();
+  }
   own.colourMap = "labels";
   if (!checkInputArguments(own, input))
     own.colourMap.clear();

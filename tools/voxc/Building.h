@@ -32,6 +32,8 @@ public:
   void declareCompress(const CommandLine &command);
   /// Adds --max-bytes.
   void declareMaxBytes(const CommandLine &command);
+  /// The options that say how the input becomes voxels, to be filled by options of the command's own.
+  InputArguments &inputArguments() { return inputArguments_; }
   /// Lets INPUT be left out in favour of `input`, and FORMAT in favour of `auto`: one argument alone is the
   /// format, unless it names an input.
   void defaultInput(const CommandLine &command, const std::string &input);

@@ -45,10 +45,11 @@ struct MatterRow {
 };
 
 constexpr MatterRow kMatters[] = {
-    {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther},   {".obj", kMesh},   {".ply", kMesh},
-    {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},     {".nrrd", kDense}, {".nhdr", kDense},
-    {".nii", kDense},       {".nii.gz", kDense}, {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},
-    {".vox", kModels},      {".hvx", kOther},    {".binvox", kOther},
+    {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther}, {".obj", kMesh},     {".ply", kMesh},
+    {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense},   {".nhdr", kDense},
+    {".nii", kDense},       {".nii.gz", kDense}, {".hdr", kDense},  {".hdr.gz", kDense}, {".img", kDense},
+    {".img.gz", kDense},    {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},    {".tif", kDense},
+    {".tiff", kDense},      {".vox", kModels},   {".hvx", kOther},  {".binvox", kOther},
 };
 
 /// What an input is made of; nothing if its kind is not known here.
@@ -73,6 +74,13 @@ struct OptionRow {
   bool (*isGiven)(const InputArguments &arguments);
 };
 
+/// Inputs of which an ending says more than what they are made of.
+bool endsIn(const std::string &input, std::initializer_list<std::string_view> endings) {
+  std::string lower = input;
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return std::ranges::any_of(endings, [&](std::string_view ending) { return lower.ends_with(ending); });
+}
+
 constexpr OptionRow kOptions[] = {
     {"--resolution", kMesh | kBuiltin, "meshes and built-in scenes; others have voxels of their own",
      [](const InputArguments &arguments) { return arguments.resolution != 0; }},
@@ -88,6 +96,10 @@ constexpr OptionRow kOptions[] = {
      [](const InputArguments &arguments) { return !arguments.colourMap.empty(); }},
     {"--window", kDense, "dense volumes",
      [](const InputArguments &arguments) { return !arguments.window.empty(); }},
+    {"--volume", kDense, "scans of several volumes",
+     [](const InputArguments &arguments) { return arguments.volume != 0; }},
+    {"--grid", kDense, "files of several grids",
+     [](const InputArguments &arguments) { return !arguments.grid.empty(); }},
 };
 
 } // namespace
@@ -139,6 +151,9 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
       if (row.isGiven(arguments) && !(row.matters & *matter))
         return Error::usage(std::string(row.name) + " is for " + row.text + ", and would do nothing for '" +
                             input + "'; leave it out");
+  if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb"}))
+    return Error::usage("--grid is for .nvdb and .vdb files, and would do nothing for '" + input +
+                        "'; leave it out");
   if (!arguments.fillColour.empty() && arguments.interior != "fill")
     return Error::usage("--fill-colour is for --interior fill; give both, or leave it out");
   const std::vector<double> &bounds = arguments.bounds;
@@ -193,6 +208,15 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .list()
       .values(2);
   command
+      .add("--volume", arguments.volume,
+           "Which of several volumes or components of a scan, from 1 on; default: the first, with a warning")
+      .takes("N")
+      .between(1, 1 << 30);
+  command
+      .add("--grid", arguments.grid,
+           "The grid of a .nvdb or .vdb file; default: the first that can be a shape")
+      .takes("NAME");
+  command
       .add("--interior", arguments.interior,
            "The inside of things: keep (default), drop what no ray from outside reaches, or fill")
       .takes("WHAT")
@@ -203,6 +227,18 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .takes("RRGGBB")
       .check(checkColour);
   command.addFlag("--crop", arguments.crop, "Moves the smallest box around all voxels to the origin");
+}
+
+Option addVolumePath(const CommandLine &command, std::string &path, InputArguments &arguments,
+                     const char *text) {
+  command.remove(command.option("--volume"));
+  const auto take = [&path, &arguments](const std::string &value) {
+    int number = 0;
+    const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), number);
+    const bool isNumber = failure == std::errc() && end == value.data() + value.size() && number > 0;
+    isNumber ? void(arguments.volume = number) : void(path = value);
+  };
+  return command.addTaken("--volume", take, std::string(text) + "; a number: which volume of the input");
 }
 
 namespace {
@@ -235,6 +271,22 @@ template <typename Number> std::vector<Number> parseNumbers(std::string_view tex
 
 } // namespace
 
+namespace {
+
+/// A word of a provenance as it was: %20 is a blank.
+std::string decoded(std::string_view word) {
+  std::string text;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const bool isBlank = word.substr(i, 3) == "%20";
+    const bool isCode = isBlank || word.substr(i, 3) == "%25";
+    text += isBlank ? ' ' : word[i];
+    i += isCode ? 2 : 0;
+  }
+  return text;
+}
+
+} // namespace
+
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance) {
   arguments.isAutomatic = arguments.isAutomatic && valueOf(provenance, "coverage").empty();
   const std::vector<int> resolution = parseNumbers<int>(valueOf(provenance, "resolution"));
@@ -253,6 +305,11 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
   const std::vector<double> window = parseNumbers<double>(valueOf(provenance, "window"));
   if (arguments.window.empty() && window.size() == 2)
     arguments.window = window;
+  const std::vector<int> volume = parseNumbers<int>(valueOf(provenance, "volume"));
+  if (arguments.volume == 0 && volume.size() == 1)
+    arguments.volume = volume.front();
+  if (arguments.grid.empty())
+    arguments.grid = decoded(valueOf(provenance, "grid"));
   if (arguments.coverage.empty())
     arguments.coverage = valueOf(provenance, "coverage");
   if (arguments.colour.empty())
@@ -291,6 +348,8 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
     options.colourMap = arguments.colourMap;
   if (!arguments.window.empty())
     std::ranges::copy(arguments.window, options.window.emplace().begin());
+  options.volume = arguments.volume;
+  options.grid = arguments.grid;
   options.interior = interiorOf(arguments.interior);
   // What a volume says of itself was not checked; its voxels are compared anyhow.
   options.fillWord = parseColour(arguments.fillColour).value_or(options.fillWord);

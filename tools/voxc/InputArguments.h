@@ -21,6 +21,8 @@ struct InputArguments {
   std::optional<double> threshold;
   std::string colourMap;      ///< Empty: the library's default.
   std::vector<double> window; ///< Empty, or two numbers.
+  int volume = 0;             ///< From 1 on; 0: the first.
+  std::string grid;           ///< Its name, or empty.
   std::string interior;       ///< "keep", "drop", "fill", or empty.
   std::string fillColour;     ///< 6 or 8 hexadecimal digits, or empty.
   bool crop = false;
@@ -44,9 +46,15 @@ bool isKnownInput(const std::string &input);
 /// "rrggbb" or "rrggbbaa" as a word, R in the low byte; nothing if it is neither.
 std::optional<std::uint32_t> parseColour(std::string_view text);
 
-/// Adds --resolution, --bounds, --up, --coverage, --colour, --threshold, --colour-map, --window,
+/// Adds --resolution, --bounds, --up, --coverage, --colour, --threshold, --colour-map, --window, --volume,
+/// --grid,
 /// --interior, --fill-colour and --crop to a command.
 void addInputArguments(const CommandLine &command, InputArguments &arguments);
+
+/// Adds --volume to a command that writes a volume under that name: a path for `path`, or the number of a
+/// volume of the input.
+Option addVolumePath(const CommandLine &command, std::string &path, InputArguments &arguments,
+                     const char *text);
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance);

@@ -43,7 +43,8 @@ public:
         .takes("N")
         .between(kLeastFanIn, kMostFanIn)
         .showsDefault();
-    command.add("--volume", volume_, "Volume that is written in the end; default: the plan's name with .hvx")
+    addVolumePath(command, volume_, building_.inputArguments(),
+                  "Volume that is written in the end; default: the plan's name with .hvx")
         .takes("V.hvx");
     command.add("-o,--output", output_, "Build plan to write").takes("P.plan").required();
     addCommonOptions(command, common_);

@@ -1,6 +1,7 @@
 // voxc run: compiles, builds and renders in one go.
 #include "Building.h"
 #include "Figures.h"
+#include "InputArguments.h"
 #include "Outputs.h"
 #include "Rendering.h"
 #include "Stages.h"
@@ -19,7 +20,7 @@ public:
     building_.declare(command);
     building_.defaultInput(command, "builtin:terrain");
     rendering_.declare(command);
-    command.add("--volume", volumePath_, "Keeps the volume too").takes("V.hvx");
+    addVolumePath(command, volumePath_, building_.inputArguments(), "Keeps the volume too").takes("V.hvx");
     building_.declareCompress(command);
     tracing_.declare(command);
     attributes_.declare(command);

@@ -253,18 +253,21 @@ TEST_F(DenseVolumes, NiftiScalesItsSamplesAndTakesTheFirstVolume) {
 }
 
 TEST_F(DenseVolumes, WhatNobodySaysOfThemIsFound) {
-  const std::string file = nifti(true, false) + "\1\1\1\5\6\6";
+  std::string file = nifti(true, false);
+  // Halves are no labels: the samples are 0.5 and 2.5 to 3.
+  file.replace(112, 4, bytesOf<float>({0.5}));
+  file += "\1\1\1\5\6\6";
   options_.isAutomatic = true;
-  EXPECT_EQ(voxels("a.nii", file).size(), 3u); // From a threshold between 1 and 5.
+  EXPECT_EQ(voxels("a.nii", file).size(), 3u); // From a threshold between 0.5 and 2.5.
   EXPECT_THAT(warnings_, testing::IsEmpty());
   // Most is solid, which may be meant; no voxel is black.
-  options_.threshold = 1;
+  options_.threshold = 0.5;
   const Voxels automatic = voxels("a.nii", file);
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("100 % of the samples become voxels")));
   for (const auto &[place, word] : automatic)
     EXPECT_GT(word & 255, 90u);
   // The up of NIfTI files is +z, unless it is said.
-  options_.window = {{0, 6}};
+  options_.window = {{0, 3}};
   const Voxels upright = voxels("a.nii", file);
   options_.isUpKnown = true;
   const Voxels asTheyLie = voxels("a.nii", file);
@@ -335,17 +338,20 @@ TEST_F(DenseVolumes, FactsAreThoseOfTheFile) {
 TEST_F(DenseVolumes, NiftiSaysWhereItsSamplesLie) {
   std::string file = nifti(true, false) + "\1\2\3\4\5\6";
   file.replace(252, 4, bytesOf<std::int16_t>({1, 0}));
-  // A half turn about z: the quaternion (0, 0, 0, 1); and z mirrored.
+  // A half turn about z: the quaternion (0, 0, 0, 1); and z mirrored. Voxels go to the right, front and up,
+  // so that the first one is the last sample.
   file.replace(256, 24, bytesOf<float>({0, 0, 1, 10, 20, 30}));
   file.replace(76, 4, bytesOf<float>({-1}));
   voxels("a.nii", file);
-  EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(10, 20, 30));
-  EXPECT_THAT(toModel(1.5, 1.5, 1.5), ElementsAre(8, 17, 26));
+  EXPECT_THAT(toModel(2.5, 1.5, 0.5), ElementsAre(10, 20, 30));
+  EXPECT_THAT(toModel(1.5, 0.5, 0.5), ElementsAre(8, 17, 30));
+  // Of both, the matrix counts; it swaps x and y.
   file.replace(254, 2, bytesOf<std::int16_t>({1}));
   file.replace(280, 48, bytesOf<float>({0, 5, 0, 1, 6, 0, 0, 2, 0, 0, 7, 3}));
   voxels("a.nii", file);
   EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(1, 2, 3));
-  EXPECT_THAT(toModel(1.5, 0.5, 0.5), ElementsAre(1, 8, 3));
+  EXPECT_THAT(toModel(0.5, 1.5, 0.5), ElementsAre(1, 8, 3));
+  EXPECT_EQ(extent_, (Int3{2, 3, 1}));
 }
 
 TEST_F(DenseVolumes, BinvoxRunsGoAlongYThenZThenX) {

@@ -130,6 +130,46 @@ TEST(NanoVdb, ZipIsInflated) {
   EXPECT_FALSE(openInput(folder.file("cut.nvdb", file.substr(0, file.size() - 9)), {}));
 }
 
+TEST(NanoVdb, OfSeveralGridsAndSegmentsOneIsTakenByName) {
+  const TemporaryFolder folder;
+  nanovdb::GridBuilder<nanovdb::Vec3f> arrows(nanovdb::Vec3f(0.0f));
+  arrows.getAccessor().setValue(nanovdb::Coord(0, 0, 0), nanovdb::Vec3f(1.0f));
+  nanovdb::GridBuilder<float> few(0.0f), many(0.0f);
+  few.getAccessor().setValue(nanovdb::Coord(0, 0, 0), 1.0f);
+  auto accessor = many.getAccessor();
+  for (int x = 0; x < 5; ++x)
+    accessor.setValue(nanovdb::Coord(x, 0, 0), 1.0f);
+  std::vector<nanovdb::GridHandle<>> handles;
+  handles.push_back(arrows.getHandle<>(1.0, nanovdb::Vec3d(0.0), "velocity"));
+  handles.push_back(few.getHandle<>(1.0, nanovdb::Vec3d(0.0), "few"));
+  nanovdb::io::writeGrids(folder.path("a.nvdb"), handles);
+  nanovdb::io::writeGrid(folder.path("b.nvdb"), many.getHandle<>(1.0, nanovdb::Vec3d(0.0), "many of it"));
+  const auto bytesOf = [&](const char *name) {
+    std::ifstream file(folder.path(name), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  // Two files joined are two segments of one.
+  const std::string path = folder.file("c.nvdb", bytesOf("a.nvdb") + bytesOf("b.nvdb"));
+  InputOptions options;
+  const auto first = openInput(path, options);
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(voxelsOf(*first->source).size(), 1u);
+  ASSERT_EQ(first->warnings.size(), 1u);
+  EXPECT_THAT(first->warnings[0],
+              HasSubstr("it holds 3 grids; 'few' is taken, and left out are velocity (vectors of "
+                        "3 floats), many of it (float)"));
+  options.grid = "many of it";
+  const auto named = openInput(path, options);
+  ASSERT_TRUE(named) << named.error().message;
+  EXPECT_EQ(voxelsOf(*named->source).size(), 5u);
+  EXPECT_TRUE(named->warnings.empty());
+  EXPECT_THAT(named->provenance, HasSubstr("grid=many%20of%20it"));
+  options.grid = "smoke";
+  EXPECT_THAT(
+      openInput(path, options).error().message,
+      HasSubstr("it has no grid 'smoke'; there are velocity (vectors of 3 floats), few (float), many of it"));
+}
+
 TEST(NanoVdb, BrokenFilesAreErrors) {
   const TemporaryFolder folder;
   const SmallFile small(folder);

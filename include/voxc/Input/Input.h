@@ -55,8 +55,10 @@ struct InputOptions {
   std::string colourMap = "grey";
   std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
                                                ///< the least and the greatest.
-  Coverage coverage = Coverage::Conservative;  ///< Which voxels a triangle of a mesh takes.
-  ColourRule colour = ColourRule::Mean;        ///< Which colour a texture of a mesh gives to a voxel.
+  int volume = 0;   ///< Which of several volumes in one scan, from 1 on; 0: the first, with a warning.
+  std::string grid; ///< The name of a grid of a .nvdb or .vdb file; empty: the first that can be a shape.
+  Coverage coverage = Coverage::Conservative; ///< Which voxels a triangle of a mesh takes.
+  ColourRule colour = ColourRule::Mean;       ///< Which colour a texture of a mesh gives to a voxel.
   Interior interior = Interior::Keep;  ///< What becomes of the inside: `dropInterior`, `fillInterior`, and of
                                        ///< a mesh `fillMesh`.
   std::uint32_t fillWord = 0xffffffff; ///< Of the voxels that are added to the inside.

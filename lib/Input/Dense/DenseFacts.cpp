@@ -75,4 +75,12 @@ std::vector<InputFact> factsOf(const DenseVolume &volume, const Histogram &histo
   return facts;
 }
 
+std::vector<InputFact> factsOf(const DenseVolume &volume) {
+  return {{"samples",
+           "colours of " + std::to_string(volume.channels) + " channels, " + toText(volume.layout),
+           {}},
+          sizeFact("size", volume.extent),
+          spacingFact(volume.sampleToModel)};
+}
+
 } // namespace voxc

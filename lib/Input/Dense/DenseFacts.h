@@ -10,4 +10,7 @@ namespace voxc {
 /// All facts of a volume whose samples were counted by `histogram`.
 std::vector<InputFact> factsOf(const DenseVolume &volume, const Histogram &histogram);
 
+/// Those of a volume of colours.
+std::vector<InputFact> factsOf(const DenseVolume &volume);
+
 } // namespace voxc

@@ -2,8 +2,10 @@
 #include "Input/Dense/DenseVolume.h"
 
 #include "Input/Dense/ColourMap.h"
+#include "Input/Dense/DenseCells.h"
 #include "Input/Dense/DenseFacts.h"
 #include "Input/Dense/Histogram.h"
+#include "Input/Dense/Labels.h"
 #include "Input/Dense/SampleChecks.h"
 #include "Input/Openers/InputText.h"
 #include "Source/DenseSource.h"
@@ -17,32 +19,14 @@ namespace voxc {
 
 namespace {
 
-class SampleRows final : public DenseRows {
-public:
-  SampleRows(DenseVolume volume, SampleMap map) : volume_(std::move(volume)), map_(map) {}
-
-  void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
-    const std::uint64_t at = cellNumber(volume_.extent, first) * byteSize(volume_.layout.type);
-    mapSamples(volume_.layout, volume_.samples + at, static_cast<std::size_t>(count), map_, words);
-  }
-
-private:
-  DenseVolume volume_;
-  SampleMap map_;
-};
-
 /// From the least to the greatest value that is finite.
 Expected<SampleRange> rangeOf(const DenseVolume &volume, const SampleMap &map, const InputOptions &options) {
   SampleRange range;
-  const std::uint64_t count = cellsOf(volume.extent);
-  const std::uint64_t bytes = byteSize(volume.layout.type);
-  constexpr std::uint64_t kStep = 1 << 14;
-  for (std::uint64_t done = 0; done < count; done += kStep) {
-    if (options.progress.stopped())
-      return Error::interrupted();
-    addToRange(volume.layout, volume.samples + done * bytes, std::min(kStep, count - done), map, range);
-    options.memory->relieve();
-  }
+  const auto looked = forEachPiece(volume, options, [&](const std::byte *samples, std::size_t count) {
+    addToRange(volume.layout, samples, count, map, range);
+  });
+  if (!looked)
+    return looked.error();
   return range.low <= range.high ? range : SampleRange{0, 0};
 }
 
@@ -51,15 +35,28 @@ constexpr double kMostlySolid = 0.5;
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-/// Finds the threshold that nobody gave, if too much would be solid without, and says what it is.
-void findThreshold(DenseVolume &volume, const Histogram &histogram, SampleMap &map) {
+/// Finds the threshold that nobody gave, if too much would be solid without, and says what it is. Labels have
+/// none: a histogram parts what is measured, and would drop some of them. Error: interrupted.
+Expected<void> findThreshold(DenseVolume &volume, const Histogram &histogram, const InputOptions &options,
+                             SampleMap &map) {
   const double share = histogram.shareFrom(histogram.range.low);
   constexpr double kBackground = 0.3; // Of the samples that are not 0: some of them are background then.
   if (map.threshold || share <= kBackground || histogram.range.low >= histogram.range.high)
-    return;
+    return {};
+  const auto labels = countLabels(volume, options);
+  if (!labels)
+    return labels.error();
+  if (*labels || volume.areLabels) {
+    volume.notes.push_back("its samples look like labels" +
+                           (*labels ? ", " + std::to_string(**labels) + " beside 0" : std::string()) +
+                           "; all but 0 are voxels (--threshold takes those from a value up, --colour-map "
+                           "labels keeps their numbers)");
+    return {};
+  }
   map.threshold = histogram.threshold();
   volume.notes.push_back(percent(share) + " of the samples are not 0; those from " + toText(*map.threshold) +
                          " up are taken, which parts them best (--threshold " + toText(*map.threshold) + ")");
+  return {};
 }
 
 /// Warns of a threshold that parts nothing, or of little that it leaves out.
@@ -142,7 +139,8 @@ Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options, std:
     return fits.error();
   const bool isColoured = !map.labels && !options.keepsSamples;
   if (options.isAutomatic && isColoured)
-    findThreshold(volume, *histogram, map);
+    if (auto found = findThreshold(volume, *histogram, options, map); !found)
+      return found.error();
   if (map.threshold || (options.isAutomatic && isColoured))
     warnOfThreshold(volume, *histogram, map);
   if (!isColoured)
@@ -156,18 +154,62 @@ Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options, std:
   return map;
 }
 
+std::string volumeProvenance(const InputOptions &options) {
+  return options.volume > 0 ? " volume=" + std::to_string(options.volume) : "";
+}
+
 std::string provenanceOf(const SampleMap &map, const InputOptions &options) {
   std::string text = "coverage=samples";
   if (map.threshold)
     text += " threshold=" + toText(*map.threshold);
-  text += " colour-map=" + options.colourMap;
+  text += " colour-map=" + options.colourMap + volumeProvenance(options);
   if (map.labels)
     return text + upProvenance(options);
   text += " window=" + toText(map.window.low) + "," + toText(map.window.high);
   return text + upProvenance(options);
 }
 
+/// Options that mean nothing for colours. Error: one of them is given.
+Expected<void> checkColours(const InputOptions &options) {
+  const bool isMapped = options.colourMap != "grey" && options.colourMap != kLabels;
+  const char *const given = options.threshold ? "--threshold"
+                            : options.window  ? "--window"
+                            : isMapped        ? "--colour-map"
+                                              : nullptr;
+  return given ? Error::usage(std::string(given) + " would do nothing for a volume of colours; leave it out")
+               : Expected<void>();
+}
+
+/// The samples as rows of words, and what they are said to be.
+Expected<std::shared_ptr<const DenseRows>> rowsOf(DenseVolume volume, const InputOptions &options,
+                                                  Input &input) {
+  if (volume.channels > 1) {
+    if (auto checked = checkColours(options); !checked)
+      return checked.error();
+    if (options.describe)
+      input.facts = factsOf(volume);
+    input.provenance = "coverage=cells" + volumeProvenance(options) + upProvenance(options);
+    input.warnings = std::move(volume.warnings);
+    input.notes = std::move(volume.notes);
+    return makeRows(std::move(volume), SampleMap());
+  }
+  const auto map = mapOf(volume, options, input.facts);
+  if (!map)
+    return map.error();
+  input.provenance = provenanceOf(*map, options);
+  input.warnings = std::move(volume.warnings);
+  input.notes = std::move(volume.notes);
+  return makeRows(std::move(volume), *map);
+}
+
 } // namespace
+
+std::array<std::int64_t, 3> stepsOf(const DenseVolume &volume) {
+  if (volume.steps != std::array<std::int64_t, 3>{})
+    return volume.steps;
+  const auto bytes = static_cast<std::int64_t>(byteSize(volume.layout.type));
+  return {bytes, bytes * volume.extent.x, bytes * volume.extent.x * volume.extent.y};
+}
 
 Expected<std::uint64_t> sampleBytes(Int3 extent, SampleLayout layout) {
   if (auto possible = checkGridExtent(extent); !possible)
@@ -189,19 +231,15 @@ Transform mapOfSteps(const std::array<std::array<double, 3>, 3> &steps, const st
 
 Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
   Input input;
-  const auto map = mapOf(volume, options, input.facts);
-  if (!map)
-    return map.error();
-  input.provenance = provenanceOf(*map, options);
-  input.warnings = std::move(volume.warnings);
-  input.notes = std::move(volume.notes);
   Int3 extent = volume.extent;
-  const std::int32_t height = extent.y;
   Transform voxelToModel = volume.sampleToModel;
-  std::shared_ptr<const DenseRows> rows = std::make_shared<SampleRows>(std::move(volume), *map);
+  auto made = rowsOf(std::move(volume), options, input);
+  if (!made)
+    return made.error();
+  std::shared_ptr<const DenseRows> rows = std::move(*made);
   if (options.zUp) {
-    rows = turnUpright(std::move(rows), height);
-    voxelToModel = turnUpright(voxelToModel, height);
+    rows = turnUpright(std::move(rows), extent.y);
+    voxelToModel = turnUpright(voxelToModel, extent.y);
     extent = {extent.x, extent.z, extent.y};
   }
   auto source = makeDenseSource(extent, std::move(rows), voxelToModel, options.memory, options.progress);

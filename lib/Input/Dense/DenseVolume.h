@@ -5,24 +5,38 @@
 #include "Support/WatchedFile.h"
 #include "voxc/Input/Input.h"
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace voxc {
 
-/// Samples in memory or in a mapped file, x fastest, then y, then z.
+/// Samples in memory or in a mapped file, by default x fastest, then y, then z.
 struct DenseVolume {
   Int3 extent;
   SampleLayout layout;
   double slope = 1;
   double intercept = 0;
-  const std::byte *samples = nullptr;
+  const std::byte *samples = nullptr;  ///< The sample of cell (0, 0, 0).
   std::shared_ptr<const void> storage; ///< What `samples` points into.
-  Transform sampleToModel;             ///< Of points in voxels: sample i fills [i, i + 1).
+  /// Bytes from a sample to the next along each axis, which may be negative; all 0: as the default has it.
+  std::array<std::int64_t, 3> steps{};
+  /// 3 or 4: a cell is not a sample but a colour of so many, each `channelStep` bytes behind the one before.
+  /// Whole numbers are colours from 0 to the greatest of their type, others from 0 to 1; without alpha, black
+  /// is empty.
+  int channels = 1;
+  std::int64_t channelStep = 0;
+  bool areLabels = false;  ///< The file says that its samples are numbers of things.
+  double unit = 0;         ///< Metres of a step of length 1 in the model; 0: not known.
+  Transform sampleToModel; ///< Of points in voxels: sample i fills [i, i + 1).
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
 };
+
+/// `volume.steps`, or those of samples without gaps.
+std::array<std::int64_t, 3> stepsOf(const DenseVolume &volume);
 
 /// The bytes of all samples of a possible extent. Error: more than 2^63, so that no file has them.
 Expected<std::uint64_t> sampleBytes(Int3 extent, SampleLayout layout);

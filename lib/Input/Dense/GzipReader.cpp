@@ -39,6 +39,14 @@ GzipReader::~GzipReader() {
 }
 
 Expected<void> GzipReader::read(std::span<std::byte> target) {
+  const auto count = readSome(target);
+  if (!count)
+    return count.error();
+  return *count == target.size() ? Expected<void>() : Error::input("its compressed data ends too soon");
+}
+
+Expected<std::size_t> GzipReader::readSome(std::span<std::byte> target) {
+  const std::size_t wanted = target.size();
   z_stream &stream = state_->stream;
   if (!state_->isOpen)
     return Error::environment("out of memory for inflating");
@@ -54,7 +62,7 @@ Expected<void> GzipReader::read(std::span<std::byte> target) {
     target = target.subspan(room - stream.avail_out);
     if (result == Z_STREAM_END && !target.empty()) {
       if (!isGzip(bytes_))
-        return Error::input("its compressed data ends too soon");
+        break;
       inflateReset(&stream);
     } else if (result == Z_BUF_ERROR) {
       return Error::input("its compressed data ends too soon");
@@ -63,7 +71,7 @@ Expected<void> GzipReader::read(std::span<std::byte> target) {
                           (stream.msg ? std::string(": ") + stream.msg : std::string()));
     }
   }
-  return {};
+  return wanted - target.size();
 }
 
 Expected<std::shared_ptr<const InflatedBytes>> GzipReader::read(std::uint64_t count,

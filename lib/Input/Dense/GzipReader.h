@@ -29,6 +29,9 @@ public:
   GzipReader(const GzipReader &) = delete;
   GzipReader &operator=(const GzipReader &) = delete;
 
+  /// Fills `target`, or as much of it as there is left, and returns how much that was. Error: damaged data.
+  Expected<std::size_t> readSome(std::span<std::byte> target);
+
   /// Fills `target`. Errors: damaged data, or an end before that.
   Expected<void> read(std::span<std::byte> target);
 

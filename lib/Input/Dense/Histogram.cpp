@@ -1,7 +1,7 @@
 // Histograms of dense volumes.
 #include "Input/Dense/Histogram.h"
 
-#include "Source/GridExtent.h"
+#include "Input/Dense/DenseCells.h"
 
 #include <algorithm>
 #include <numeric>
@@ -58,19 +58,15 @@ Expected<Histogram> histogramOf(const DenseVolume &volume, const SampleMap &map,
   parts.window = range;
   for (std::size_t i = 0; i < parts.colours.size(); ++i)
     parts.colours[i] = std::uint32_t(i + 1);
-  const std::uint64_t count = cellsOf(volume.extent);
-  const std::uint64_t bytes = byteSize(volume.layout.type);
-  constexpr std::uint64_t kStep = 1 << 14;
-  std::vector<std::uint32_t> words(kStep);
-  for (std::uint64_t done = 0; done < count; done += kStep) {
-    if (options.progress.stopped())
-      return Error::interrupted();
-    const std::size_t some = std::size_t(std::min(kStep, count - done));
-    mapSamples(volume.layout, volume.samples + done * bytes, some, parts, words.data());
-    for (std::size_t i = 0; i < some; ++i)
-      words[i] == 0 ? ++histogram.zeros : ++histogram.counts[words[i] - 1];
-    options.memory->relieve();
-  }
+  std::vector<std::uint32_t> words;
+  const auto counted = forEachPiece(volume, options, [&](const std::byte *samples, std::size_t some) {
+    words.resize(some);
+    mapSamples(volume.layout, samples, some, parts, words.data());
+    for (const std::uint32_t word : words)
+      word == 0 ? ++histogram.zeros : ++histogram.counts[word - 1];
+  });
+  if (!counted)
+    return counted.error();
   return histogram;
 }
 

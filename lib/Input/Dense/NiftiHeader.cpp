@@ -30,10 +30,12 @@ struct FieldOffsets {
   std::size_t quaternion;
   std::size_t qoffset;
   std::size_t srow;
+  std::size_t units;
+  std::size_t intent;
 };
 
-constexpr FieldOffsets kVersion1{348, 344, 70, 40, 76, 108, 112, 116, 252, 254, 256, 268, 280};
-constexpr FieldOffsets kVersion2{540, 4, 12, 16, 104, 168, 176, 184, 344, 348, 352, 376, 400};
+constexpr FieldOffsets kVersion1{348, 344, 70, 40, 76, 108, 112, 116, 252, 254, 256, 268, 280, 123, 68};
+constexpr FieldOffsets kVersion2{540, 4, 12, 16, 104, 168, 176, 184, 344, 348, 352, 376, 400, 500, 504};
 
 /// Numbers of a header of either version and byte order.
 class Reader {
@@ -53,6 +55,11 @@ public:
   /// Number `i` of an array of numbers.
   double number(std::size_t offset, std::size_t i = 0) const {
     return isVersion1_ ? load<float>(offset + 4 * i) : load<double>(offset + 8 * i);
+  }
+  /// What the three lowest bits of the byte of units say of lengths.
+  unsigned lengthUnit() const {
+    return isVersion1_ ? std::to_integer<unsigned>(bytes_[at().units]) & 7
+                       : static_cast<unsigned>(load<std::int32_t>(at().units)) & 7;
   }
   double dataOffset() const {
     return isVersion1_ ? load<float>(at().dataOffset)
@@ -79,9 +86,12 @@ private:
 struct TypeCode {
   std::int64_t code;
   SampleType type;
+  int channels = 1;
 };
 
-constexpr std::array<TypeCode, 10> kTypes{{{2, SampleType::Uint8},
+constexpr std::array<TypeCode, 12> kTypes{{{128, SampleType::Uint8, 3},
+                                           {2304, SampleType::Uint8, 4},
+                                           {2, SampleType::Uint8},
                                            {4, SampleType::Int16},
                                            {8, SampleType::Int32},
                                            {16, SampleType::Float32},
@@ -130,18 +140,45 @@ Transform mapByMatrix(const Reader &reader) {
   return mapOfSteps(steps, origin);
 }
 
-Transform mapOf(const Reader &reader) {
+void readMap(const Reader &reader, NiftiHeader &header) {
   Vector sizes;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    sizes[axis] = reader.number(reader.at().pixdim, axis + 1);
-  Transform map;
-  if (reader.code(reader.at().sformCode) > 0)
-    map = mapByMatrix(reader);
-  else if (reader.code(reader.at().qformCode) > 0)
-    map = mapByRotation(reader, sizes);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sizes[axis] = std::abs(reader.number(reader.at().pixdim, axis + 1));
+    // Axes that are not there have no size.
+    if (sizes[axis] == 0 && header.extent[static_cast<int>(axis)] == 1)
+      sizes[axis] = 1;
+  }
+  const bool hasMatrix = !header.isAnalyze && reader.code(reader.at().sformCode) > 0;
+  const bool hasRotation = !header.isAnalyze && reader.code(reader.at().qformCode) > 0;
+  header.hasOrientation = hasMatrix || hasRotation;
+  if (hasMatrix)
+    header.sampleToModel = mapByMatrix(reader);
+  else if (hasRotation)
+    header.sampleToModel = mapByRotation(reader, sizes);
   else if (std::ranges::all_of(sizes, [](double size) { return size > 0; }))
-    map = transformOfRows({sizes[0], 0, 0, 0, 0, sizes[1], 0, 0, 0, 0, sizes[2], 0});
-  return isFinite(map) ? map : Transform();
+    header.sampleToModel = transformOfRows({sizes[0], 0, 0, 0, 0, sizes[1], 0, 0, 0, 0, sizes[2], 0});
+  if (!isFinite(header.sampleToModel)) {
+    header.sampleToModel = Transform();
+    header.hasOrientation = false;
+  }
+}
+
+/// Colours and labels by what the file is meant for.
+void readIntent(const Reader &reader, NiftiHeader &header) {
+  constexpr std::int64_t kLabel = 1002, kRgb = 2003, kRgba = 2004;
+  constexpr std::array<double, 4> kUnits{0, 1, 1e-3, 1e-6};
+  if (header.isAnalyze)
+    return;
+  const unsigned unit = reader.lengthUnit();
+  header.unit = unit < kUnits.size() ? kUnits[unit] : 0;
+  const std::int64_t intent = reader.code(reader.at().intent);
+  header.areLabels = intent == kLabel;
+  const int channels = intent == kRgb ? 3 : intent == kRgba ? 4 : 1;
+  if (channels > 1 && header.volumes == static_cast<std::uint64_t>(channels)) {
+    header.channels = channels;
+    header.arePlanes = true;
+    header.volumes = 1;
+  }
 }
 
 Expected<void> readDimensions(const Reader &reader, NiftiHeader &header) {
@@ -180,34 +217,42 @@ Expected<void> readDataOffset(const Reader &reader, NiftiHeader &header) {
   // Notes may stand between header and samples; they are not that long.
   constexpr double kMost = 1 << 26;
   const double offset = reader.dataOffset();
-  if (!(offset >= static_cast<double>(reader.at().bytes) && offset <= kMost))
+  const double least = header.isPair ? 0 : static_cast<double>(reader.at().bytes);
+  if (!(offset >= least && offset <= kMost))
     return Error::input("its samples begin at byte " + std::to_string(offset) +
                         ", which is inside the header or too far behind it");
   header.dataOffset = static_cast<std::uint64_t>(offset);
   return {};
 }
 
-Expected<NiftiHeader> readFields(const Reader &reader, bool isBigEndian) {
-  NiftiHeader header;
+Expected<NiftiHeader> readFields(const Reader &reader, bool isBigEndian, NiftiHeader header) {
   const std::int64_t code = reader.datatype();
   const auto *const type = std::ranges::find(kTypes, code, &TypeCode::code);
   if (type == kTypes.end())
     return Error::input("its samples are of the type " + std::to_string(code) +
-                        ", which is not a number of up to 64 bits");
+                        ", which is neither a number of 8 to 64 bits nor a colour of bytes");
   header.layout = {type->type, isBigEndian};
+  header.channels = type->channels;
   if (auto read = readDimensions(reader, header); !read)
     return read.error();
-  if (auto read = readScale(reader, header); !read)
-    return read.error();
+  if (!header.isAnalyze && header.channels == 1)
+    if (auto read = readScale(reader, header); !read)
+      return read.error();
   if (auto read = readDataOffset(reader, header); !read)
     return read.error();
-  header.sampleToModel = mapOf(reader);
+  readMap(reader, header);
+  readIntent(reader, header);
   return header;
 }
 
 } // namespace
 
-Expected<NiftiHeader> readNiftiHeader(std::span<const std::byte> bytes) {
+Expected<std::uint64_t> NiftiHeader::volumeBytes() const {
+  const auto bytes = sampleBytes(extent, layout);
+  return bytes ? Expected<std::uint64_t>(*bytes * static_cast<std::uint64_t>(channels)) : bytes;
+}
+
+Expected<NiftiHeader> readNiftiHeader(std::span<const std::byte> bytes, bool allowsAnalyze) {
   std::uint32_t size = 0;
   if (bytes.size() >= sizeof size)
     std::memcpy(&size, bytes.data(), sizeof size);
@@ -217,11 +262,18 @@ Expected<NiftiHeader> readNiftiHeader(std::span<const std::byte> bytes) {
   if ((size != 348 && size != 540) || bytes.size() < size)
     return Error::input("it does not begin with a NIfTI header");
   const Reader reader(bytes, swaps, size == 348);
-  if (reader.hasMagic(std::string_view("ni", 2)))
-    return Error::input("its samples are in another file; write it as a single .nii");
-  if (!reader.hasMagic(size == 348 ? std::string_view("n+1\0", 4) : std::string_view("n+2\0\r\n\x1a\n", 8)))
+  const auto hasMagic = [&](std::string_view first, std::string_view second) {
+    return reader.hasMagic(size == 348 ? first : second);
+  };
+  NiftiHeader header;
+  header.isPair = hasMagic({"ni1\0", 4}, {"ni2\0\r\n\x1a\n", 8});
+  header.isAnalyze =
+      !header.isPair && !hasMagic({"n+1\0", 4}, {"n+2\0\r\n\x1a\n", 8}) && allowsAnalyze && size == 348;
+  if (header.isAnalyze)
+    header.isPair = true;
+  else if (!header.isPair && !hasMagic({"n+1\0", 4}, {"n+2\0\r\n\x1a\n", 8}))
     return Error::input("it does not begin with a NIfTI header");
-  return readFields(reader, swaps == (std::endian::native == std::endian::little));
+  return readFields(reader, swaps == (std::endian::native == std::endian::little), header);
 }
 
 } // namespace voxc

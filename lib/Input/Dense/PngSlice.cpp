@@ -1,39 +1,160 @@
-// Slices through libpng.
-#include "Input/Dense/PngSlice.h"
+// Slices through libpng, whose errors leave by longjmp: functions that they leave have nothing to destroy.
+#include "Input/Dense/Slice.h"
 
 #include <png.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <csetjmp>
 #include <cstring>
 #include <string>
+#include <utility>
 
 namespace voxc {
 
 namespace {
 
-constexpr std::uint64_t kMostCells = std::uint64_t{1} << 26;
-/// No PNG has more texels a byte: deflate makes 1032 bytes of one, of one bit a texel.
-constexpr std::uint64_t kMostCellsAByte = 8400;
-constexpr std::uint64_t kFewCells = 1 << 16;
-
-/// A picture whose header has been read; freed on every way out.
-struct OpenPng {
-  explicit OpenPng(std::span<const std::byte> bytes) {
-    std::memset(&image, 0, sizeof image);
-    image.version = PNG_IMAGE_VERSION;
-    isOpen = png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) != 0;
-  }
-  ~OpenPng() { png_image_free(&image); }
-  OpenPng(const OpenPng &) = delete;
-  OpenPng &operator=(const OpenPng &) = delete;
-
-  bool has(png_uint_32 flag) const { return (image.format & flag) != 0; }
-
-  png_image image;
-  bool isOpen = false;
+/// What is left of the file, and what went wrong.
+struct Source {
+  std::span<const std::byte> bytes;
+  std::array<char, 128> problem{};
 };
 
-/// Of pictures without alpha, black is empty: the word 0.
+void readBytes(png_structp png, png_bytep target, std::size_t count) {
+  auto &source = *static_cast<Source *>(png_get_io_ptr(png));
+  if (count > source.bytes.size())
+    png_error(png, "it is cut short");
+  std::memcpy(target, source.bytes.data(), count);
+  source.bytes = source.bytes.subspan(count);
+}
+
+[[noreturn]] void fail(png_structp png, png_const_charp message) {
+  auto &source = *static_cast<Source *>(png_get_error_ptr(png));
+  std::strncpy(source.problem.data(), message, source.problem.size() - 1);
+  png_longjmp(png, 1);
+}
+
+void ignore(png_structp, png_const_charp) {}
+
+/// The header of a picture: false if it is broken.
+bool readInfo(png_structp png, png_infop info) {
+  if (setjmp(png_jmpbuf(png)))
+    return false;
+  png_read_info(png, info);
+  return true;
+}
+
+/// What is done with pixels while they are read.
+void setTransforms(png_structp png, png_infop info, const Slice &slice) {
+  const int kind = png_get_color_type(png, info);
+  const bool isWide = png_get_bit_depth(png, info) == 16;
+  png_set_expand(png);
+  if (slice.isGrey) {
+    if (isWide && std::endian::native == std::endian::little)
+      png_set_swap(png);
+    return;
+  }
+  if (isWide)
+    png_set_scale_16(png);
+  if ((kind & PNG_COLOR_MASK_COLOR) == 0)
+    png_set_gray_to_rgb(png);
+  png_set_filler(png, 255, PNG_FILLER_AFTER);
+}
+
+/// Rows of pixels: false if they are broken.
+bool readRows(png_structp png, png_infop info, const Slice &slice, std::byte *target) {
+  if (setjmp(png_jmpbuf(png)))
+    return false;
+  setTransforms(png, info, slice);
+  const int passes = png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  const std::size_t row = slice.bytes() / static_cast<std::size_t>(slice.height);
+  if (png_get_rowbytes(png, info) != row)
+    return false;
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::int32_t y = 0; y < slice.height; ++y)
+      png_read_row(png, reinterpret_cast<png_bytep>(target) + static_cast<std::size_t>(y) * row, nullptr);
+  png_read_end(png, nullptr);
+  return true;
+}
+
+class PngSlice final : public SliceReader {
+public:
+  explicit PngSlice(std::span<const std::byte> bytes) : source_{bytes}, size_(bytes.size()) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, fail, ignore);
+    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+  }
+  ~PngSlice() override {
+    if (png_)
+      png_destroy_read_struct(&png_, info_ ? &info_ : nullptr, nullptr);
+  }
+  PngSlice(const PngSlice &) = delete;
+  PngSlice &operator=(const PngSlice &) = delete;
+
+  Expected<void> open() {
+    if (!info_)
+      return Error::environment("out of memory for a PNG picture");
+    if (source_.bytes.size() < 8 ||
+        png_sig_cmp(reinterpret_cast<png_const_bytep>(source_.bytes.data()), 0, 8))
+      return Error::input("it is no PNG picture, or a broken one: it does not begin as one");
+    png_set_read_fn(png_, &source_, readBytes);
+    png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
+    if (!readInfo(png_, info_))
+      return Error::input(std::string("it is no PNG picture, or a broken one: ") + source_.problem.data());
+    const std::uint64_t width = png_get_image_width(png_, info_);
+    const std::uint64_t height = png_get_image_height(png_, info_);
+    if (auto checked = checkSlice(width, height, size_); !checked)
+      return checked;
+    const int kind = png_get_color_type(png_, info_);
+    const bool hasClear = png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
+    hasAlpha_ = (kind & PNG_COLOR_MASK_ALPHA) != 0 || hasClear;
+    slice_ = {static_cast<std::int32_t>(width), static_cast<std::int32_t>(height),
+              (kind & PNG_COLOR_MASK_COLOR) == 0 && !hasAlpha_,
+              png_get_bit_depth(png_, info_) == 16 ? SampleType::Uint16 : SampleType::Uint8};
+    if (!slice_.isGrey)
+      slice_.type = SampleType::Uint8;
+    return {};
+  }
+
+  Expected<bool> next(Slice &slice) override {
+    slice = slice_;
+    return !std::exchange(isRead_, true);
+  }
+
+  Expected<void> decode(std::span<std::byte> target) override {
+    if (!readRows(png_, info_, slice_, target.data()))
+      return Error::input(std::string("it is broken: ") + source_.problem.data());
+    if (!slice_.isGrey && !hasAlpha_)
+      clearBlack(target);
+    return {};
+  }
+
+private:
+  Source source_;
+  std::uint64_t size_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  Slice slice_;
+  bool hasAlpha_ = false;
+  bool isRead_ = false;
+};
+
+} // namespace
+
+Expected<void> checkSlice(std::uint64_t width, std::uint64_t height, std::uint64_t bytes) {
+  constexpr std::uint64_t kMostCells = std::uint64_t{1} << 26;
+  // No PNG has more texels a byte: deflate makes 1032 bytes of one, of one bit a texel.
+  constexpr std::uint64_t kMostCellsAByte = 8400;
+  constexpr std::uint64_t kFewCells = 1 << 16;
+  const bool isPossible = width > 0 && height > 0 && width <= kMostCells && height <= kMostCells;
+  if (isPossible && width * height <= kMostCells && width * height <= kFewCells + kMostCellsAByte * bytes)
+    return {};
+  return Error::input("it has " + std::to_string(width) + "x" + std::to_string(height) +
+                      " cells, more than the 2^26 that a slice may have, or than its " +
+                      std::to_string(bytes) + " bytes can hold");
+}
+
 void clearBlack(std::span<std::byte> cells) {
   constexpr std::uint32_t kBlack = 0xff000000;
   for (std::size_t at = 0; at < cells.size(); at += 4) {
@@ -44,37 +165,11 @@ void clearBlack(std::span<std::byte> cells) {
   }
 }
 
-} // namespace
-
-Expected<PngSlice> readPngSlice(std::span<const std::byte> bytes) {
-  const OpenPng png(bytes);
-  if (!png.isOpen)
-    return Error::input(std::string("it is no PNG picture, or a broken one: ") + png.image.message);
-  if (png.has(PNG_FORMAT_FLAG_LINEAR))
-    return Error::input("it has 16 bits a channel; slices of 8 are read");
-  const std::uint64_t cells = std::uint64_t{png.image.width} * png.image.height;
-  if (cells > kMostCells || cells > kFewCells + kMostCellsAByte * bytes.size())
-    return Error::input("it has " + std::to_string(png.image.width) + "x" + std::to_string(png.image.height) +
-                        " cells, more than the 2^26 that a slice may have, or than its " +
-                        std::to_string(bytes.size()) + " bytes can hold");
-  const bool isGrey = !png.has(PNG_FORMAT_FLAG_COLOR) && !png.has(PNG_FORMAT_FLAG_ALPHA);
-  return PngSlice{static_cast<std::int32_t>(png.image.width), static_cast<std::int32_t>(png.image.height),
-                  isGrey};
-}
-
-Expected<void> decodePngSlice(std::span<const std::byte> bytes, const PngSlice &slice,
-                              std::span<std::byte> target) {
-  OpenPng png(bytes);
-  if (!png.isOpen || static_cast<std::int32_t>(png.image.width) != slice.width ||
-      static_cast<std::int32_t>(png.image.height) != slice.height || target.size() != slice.bytes())
-    return Error::input("its header cannot be read again");
-  const bool hasAlpha = png.has(PNG_FORMAT_FLAG_ALPHA);
-  png.image.format = slice.isGrey ? PNG_FORMAT_GRAY : PNG_FORMAT_RGBA;
-  if (!png_image_finish_read(&png.image, nullptr, target.data(), 0, nullptr))
-    return Error::input(std::string("it is broken: ") + png.image.message);
-  if (!slice.isGrey && !hasAlpha)
-    clearBlack(target);
-  return {};
+Expected<std::unique_ptr<SliceReader>> openPngSlice(std::span<const std::byte> bytes) {
+  auto slice = std::make_unique<PngSlice>(bytes);
+  if (auto opened = slice->open(); !opened)
+    return opened.error();
+  return std::unique_ptr<SliceReader>(std::move(slice));
 }
 
 } // namespace voxc

@@ -25,6 +25,12 @@ void mapAll(const std::byte *samples, std::size_t count, const SampleMap &map, s
 }
 
 template <typename Stored, bool kSwap>
+void loadAll(const std::byte *samples, std::size_t count, double *values) {
+  for (std::size_t i = 0; i < count; ++i)
+    values[i] = load<Stored, kSwap>(samples + i * sizeof(Stored));
+}
+
+template <typename Stored, bool kSwap>
 void rangeOfAll(const std::byte *samples, std::size_t count, const SampleMap &map, SampleRange &range) {
   for (std::size_t i = 0; i < count; ++i) {
     const double value = map.slope * load<Stored, kSwap>(samples + i * sizeof(Stored)) + map.intercept;
@@ -40,15 +46,20 @@ struct TypeRow {
   std::uint64_t bytes;
   using Map = void (*)(const std::byte *, std::size_t, const SampleMap &, std::uint32_t *);
   using Range = void (*)(const std::byte *, std::size_t, const SampleMap &, SampleRange &);
+  using Load = void (*)(const std::byte *, std::size_t, double *);
   std::array<Map, 2> map; ///< As they lie, and swapped.
   std::array<Range, 2> range;
+  std::array<Load, 2> load;
+  double greatest;
 };
 
 template <typename Stored> constexpr TypeRow row(std::string_view name) {
   return {name,
           sizeof(Stored),
           {mapAll<Stored, false>, mapAll<Stored, true>},
-          {rangeOfAll<Stored, false>, rangeOfAll<Stored, true>}};
+          {rangeOfAll<Stored, false>, rangeOfAll<Stored, true>},
+          {loadAll<Stored, false>, loadAll<Stored, true>},
+          static_cast<double>(std::numeric_limits<Stored>::max())};
 }
 
 /// In the order of `SampleType`.
@@ -98,6 +109,8 @@ std::string toText(SampleLayout layout) {
   return byteSize(layout.type) == 1 ? name : name + (layout.bigEndian ? ", big-endian" : ", little-endian");
 }
 
+double greatest(SampleType type) { return rowOf(type).greatest; }
+
 bool isWhole(SampleType type) { return type != SampleType::Float32 && type != SampleType::Float64; }
 
 std::uint32_t SampleMap::word(double stored) const {
@@ -124,6 +137,10 @@ std::uint32_t SampleMap::word(double stored) const {
 void mapSamples(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,
                 std::uint32_t *words) {
   rowOf(layout.type).map[isSwapped(layout)](samples, count, map, words);
+}
+
+void loadSamples(SampleLayout layout, const std::byte *samples, std::size_t count, double *values) {
+  rowOf(layout.type).load[isSwapped(layout)](samples, count, values);
 }
 
 void addToRange(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,

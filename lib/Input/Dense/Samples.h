@@ -43,6 +43,8 @@ std::string sampleLayoutNames();
 std::string toText(SampleLayout layout);
 /// Whether samples are whole numbers.
 bool isWhole(SampleType type);
+/// The greatest number of a type of whole numbers.
+double greatest(SampleType type);
 
 /// The least and the greatest of numbers, but for those that are not finite.
 struct SampleRange {
@@ -71,6 +73,9 @@ struct SampleMap {
 /// Writes the words of `count` samples.
 void mapSamples(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,
                 std::uint32_t *words);
+
+/// Writes `count` samples as they are stored.
+void loadSamples(SampleLayout layout, const std::byte *samples, std::size_t count, double *values);
 
 /// Widens `range` by the values of `count` samples.
 void addToRange(SampleLayout layout, const std::byte *samples, std::size_t count, const SampleMap &map,

@@ -70,6 +70,27 @@ const ValueKind *findValueKind(std::uint32_t type) {
   return kind == kKinds.end() ? nullptr : kind;
 }
 
+std::string nameOfType(std::uint32_t type) {
+  struct Name {
+    std::uint32_t type;
+    const char *name;
+  };
+  constexpr std::array<Name, 10> kOthers{{{6, "vectors of 3 floats"},
+                                          {7, "vectors of 3 doubles"},
+                                          {9, "half floats"},
+                                          {16, "floats of varying bits"},
+                                          {17, "vectors of 4 floats"},
+                                          {18, "vectors of 4 doubles"},
+                                          {19, "indices"},
+                                          {20, "indices"},
+                                          {21, "indices"},
+                                          {22, "indices"}}};
+  if (const ValueKind *const kind = findValueKind(type))
+    return kind->name;
+  const auto *const other = std::ranges::find(kOthers, type, &Name::type);
+  return other == kOthers.end() ? "type " + std::to_string(type) : other->name;
+}
+
 bool isActiveInLeaf(const std::byte *leaf, std::uint32_t cell) { return bitOf(leaf + kLeafMask, cell); }
 
 } // namespace voxc

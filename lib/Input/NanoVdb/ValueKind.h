@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace voxc {
 
@@ -31,6 +32,9 @@ struct ValueKind {
 
 /// The kind of a type; null if it is not read.
 const ValueKind *findValueKind(std::uint32_t type);
+
+/// What the values of a type are called, also of those that are not read.
+std::string nameOfType(std::uint32_t type);
 
 /// Whether cell `cell` of a leaf is active.
 bool isActiveInLeaf(const std::byte *leaf, std::uint32_t cell);

@@ -99,6 +99,13 @@ std::string withProvenance(const std::string &provenance, std::string_view key, 
   return text + start + value;
 }
 
+std::string provenanceWord(std::string_view text) {
+  std::string word;
+  for (const char c : text)
+    word += c == ' ' ? "%20" : c == '%' ? "%25" : std::string(1, c);
+  return word;
+}
+
 std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options) {
   std::string text = "resolution=" + std::to_string(resolution) + " coverage=" + coverage;
   if (options.bounds) {

@@ -46,6 +46,9 @@ std::string upProvenance(const InputOptions &options);
 /// `provenance` with "key=value" in place of what it said of `key`, or at its end.
 std::string withProvenance(const std::string &provenance, std::string_view key, const std::string &value);
 
+/// A text as a word of a provenance: blanks and '%' become %20 and %25.
+std::string provenanceWord(std::string_view text);
+
 /// The options that decide the voxels of a model whose longest axis got `resolution` of them.
 std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options);
 

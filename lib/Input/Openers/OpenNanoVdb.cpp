@@ -142,7 +142,16 @@ Expected<Look> lookOf(const NanoVdbGrid &grid, const InputOptions &options, cons
   return look;
 }
 
-std::vector<InputFact> factsOf(const NanoVdbGrid &grid, const SampleRange &range, std::uint32_t others) {
+/// "a, b and c", of many the first few.
+std::string listed(const std::vector<std::string> &names) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+}
+
+std::vector<InputFact> factsOf(const NanoVdbGrid &grid, const SampleRange &range, const StoredGrid &stored) {
   const bool isLevelSet = grid.isLevelSet() && grid.kind().meaning == ValueMeaning::Sample;
   const auto corner = [](Int3 cell) {
     return std::array<double, 3>{double(cell.x), double(cell.y), double(cell.z)};
@@ -154,8 +163,12 @@ std::vector<InputFact> factsOf(const NanoVdbGrid &grid, const SampleRange &range
       {"background", toText(grid.background()), {grid.background()}}};
   if (grid.kind().meaning == ValueMeaning::Sample)
     facts.push_back({"range", toText(range.low) + " to " + toText(range.high), {range.low, range.high}});
-  if (others != 0)
-    facts.push_back(countFact("other grids", others));
+  if (!stored.name.empty())
+    facts.push_back({"grid", stored.name, {}});
+  if (!stored.others.empty()) {
+    facts.push_back(countFact("other grids", stored.others.size()));
+    facts.back().text += ": " + listed(stored.others);
+  }
   return facts;
 }
 
@@ -237,14 +250,18 @@ Expected<Input> makeInput(std::shared_ptr<const OpenGrid> open, const InputOptio
     return look.error();
   Input input;
   if (options.describe)
-    input.facts = factsOf(grid, range, open->stored.others);
+    input.facts = factsOf(grid, range, open->stored);
   if (options.threshold && !look->isLevelSet)
     if (const auto complaint = complaintOf(*options.threshold, {std::min(range.low, grid.background()),
                                                                 std::max(range.high, grid.background())}))
       input.warnings.push_back(*complaint);
   input.provenance = provenanceOf(*look, options);
-  if (open->stored.others != 0)
-    input.warnings.push_back(std::to_string(open->stored.others) + " grids after the first are left out");
+  if (!options.grid.empty())
+    input.provenance += " grid=" + provenanceWord(options.grid);
+  else if (!open->stored.others.empty())
+    input.warnings.push_back("it holds " + std::to_string(open->stored.others.size() + 1) + " grids; '" +
+                             open->stored.name + "' is taken, and left out are " +
+                             listed(open->stored.others) + " (--grid NAME takes one of them)");
   OccupancyPyramid occupancy = occupancyOf(grid, *look, *stored);
   const Transform map = voxelToModelOf(grid);
   std::shared_ptr<const DenseRows> rows = std::make_shared<GridRows>(std::move(open), *look);
@@ -265,7 +282,7 @@ Expected<Input> openFile(const std::string &path, const InputOptions &options) {
                ? Error::input("'" + path + "' is not a usable NanoVDB file: " + error.message)
                : error;
   };
-  auto stored = findNanoVdbGrid(std::move(*file), options.memory, options.progress);
+  auto stored = findNanoVdbGrid(std::move(*file), options.grid, options.memory, options.progress);
   if (!stored)
     return broken(stored.error());
   auto grid = NanoVdbGrid::open(stored->bytes, options.progress);

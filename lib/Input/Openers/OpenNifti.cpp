@@ -1,12 +1,17 @@
-// Opening NIfTI volumes, compressed or not.
+// Opening NIfTI volumes and pairs of files, compressed or not.
 #include "Input/Openers/Openers.h"
 
+#include "Input/Dense/ByteStream.h"
 #include "Input/Dense/DenseVolume.h"
 #include "Input/Dense/GzipReader.h"
 #include "Input/Dense/NiftiHeader.h"
+#include "Input/Dense/Orientation.h"
+#include "Input/Dense/VolumeChoice.h"
+#include "Support/Text.h"
 #include "voxc/Support/Stopwatch.h"
 
-#include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +20,90 @@ namespace voxc {
 namespace {
 
 using File = std::shared_ptr<const WatchedFile>;
+using Cells = ScratchArray<std::byte>;
+
+/// The endings of the two files of a pair, header and samples.
+constexpr std::array<std::string_view, 2> kPair{".hdr", ".img"};
+
+/// The path of the other file of a pair, which may be compressed where this is not. Nothing if neither is
+/// there.
+std::optional<std::string> partnerOf(const std::string &path, std::string_view ending) {
+  std::string base = path;
+  if (lowerCase(base).ends_with(".gz"))
+    base.resize(base.size() - 3);
+  const std::size_t dot = base.rfind('.');
+  const bool isCapital = dot + 1 < base.size() && base[dot + 1] >= 'A' && base[dot + 1] <= 'Z';
+  base.resize(dot);
+  for (const char c : ending)
+    base += isCapital && c >= 'a' ? static_cast<char>(c - 'a' + 'A') : c;
+  std::error_code ignored;
+  for (const char *const packed : {"", ".gz", ".GZ"})
+    if (std::filesystem::exists(base + packed, ignored))
+      return base + packed;
+  return std::nullopt;
+}
+
+bool hasEnding(const std::string &path, std::string_view ending) {
+  const std::string name = lowerCase(path);
+  return name.ends_with(ending) || name.ends_with(std::string(ending) + ".gz");
+}
+
+std::unique_ptr<ByteStream> streamOf(const File &file) {
+  return isGzip(file->bytes()) ? makeGzipStream(file->bytes()) : makeRawStream(file->bytes());
+}
+
+Expected<NiftiHeader> readHeader(const File &file, const std::string &path) {
+  std::vector<std::byte> front(NiftiHeader::kMaxBytes);
+  // Both versions begin with their size, and the shorter one may end before the longer would.
+  const auto count = streamOf(file)->readSome(front);
+  if (!count)
+    return count.error();
+  front.resize(*count);
+  return readNiftiHeader(front, hasEnding(path, kPair[0]));
+}
+
+/// The file with the samples.
+Expected<File> openSamples(const NiftiHeader &header, File file, const std::string &path,
+                           const InputOptions &options) {
+  if (!header.isPair)
+    return file;
+  const auto samples = partnerOf(path, kPair[1]);
+  if (!samples)
+    return Error::input("its samples are in a file of its name that ends in .img, which is not there");
+  return WatchedFile::open(*samples, options.memory);
+}
+
+/// Puts the samples of volume `number` into `volume`.
+Expected<void> takeSamples(const NiftiHeader &header, std::uint64_t number, File file,
+                           const InputOptions &options, DenseVolume &volume) {
+  const auto size = header.volumeBytes();
+  if (!size)
+    return size.error();
+  if (number > (std::uint64_t{1} << 62) / *size)
+    return Error::input("its volumes are larger than any file");
+  const std::uint64_t begin = header.dataOffset + number * *size;
+  const std::span<const std::byte> bytes = file->bytes();
+  if (!isGzip(bytes)) {
+    if (begin > bytes.size() || *size > bytes.size() - begin)
+      return Error::input("it has " + std::to_string(bytes.size()) + " bytes, but its samples take " +
+                          std::to_string(*size) + " behind byte " + std::to_string(begin));
+    volume.samples = bytes.data() + begin;
+    volume.storage = std::move(file);
+    return {};
+  }
+  const auto stream = makeGzipStream(bytes);
+  if (begin > stream->mostBytes() || *size > stream->mostBytes())
+    return Error::input("its " + std::to_string(bytes.size()) + " compressed bytes cannot hold the " +
+                        std::to_string(*size) + " that its header speaks of");
+  if (auto skipped = skipBytes(*stream, begin, options.progress); !skipped)
+    return skipped;
+  Cells cells(options.memory);
+  if (auto read = appendBytes(*stream, *size, cells, *options.memory, options.progress); !read)
+    return read;
+  volume.samples = cells.data();
+  volume.storage = std::make_shared<const Cells>(std::move(cells));
+  return {};
+}
 
 Expected<DenseVolume> volumeOf(const NiftiHeader &header) {
   DenseVolume volume;
@@ -23,57 +112,36 @@ Expected<DenseVolume> volumeOf(const NiftiHeader &header) {
   volume.slope = header.slope;
   volume.intercept = header.intercept;
   volume.sampleToModel = header.sampleToModel;
-  if (header.volumes > 1)
-    volume.warnings.push_back("it holds " + std::to_string(header.volumes) +
-                              " volumes; the first of them is taken");
+  volume.unit = header.unit;
+  volume.areLabels = header.areLabels;
+  volume.channels = header.channels;
+  const auto bytes = static_cast<std::int64_t>(byteSize(header.layout.type));
+  const std::int64_t cell = header.arePlanes ? bytes : bytes * header.channels;
+  const std::int64_t row = cell * header.extent.x;
+  if (header.channels > 1)
+    volume.steps = {cell, row, row * header.extent.y};
+  volume.channelStep = header.arePlanes ? row * header.extent.y * header.extent.z : bytes;
   return volume;
 }
 
-Expected<DenseVolume> readMapped(File file) {
-  const std::span<const std::byte> bytes = file->bytes();
-  const auto header = readNiftiHeader(bytes);
+Expected<DenseVolume> readVolume(File file, const std::string &path, const InputOptions &options) {
+  const auto header = readHeader(file, path);
   if (!header)
     return header.error();
-  const auto size = sampleBytes(header->extent, header->layout);
-  if (!size)
-    return size.error();
-  if (header->dataOffset > bytes.size() || *size > bytes.size() - header->dataOffset)
-    return Error::input("it has " + std::to_string(bytes.size()) + " bytes, but its samples take " +
-                        std::to_string(*size) + " behind byte " + std::to_string(header->dataOffset));
+  auto samples = openSamples(*header, std::move(file), path, options);
+  if (!samples)
+    return samples.error();
   auto volume = volumeOf(*header);
-  volume->samples = bytes.data() + header->dataOffset;
-  volume->storage = std::move(file);
-  return volume;
-}
-
-Expected<DenseVolume> readCompressed(const File &file, const InputOptions &options) {
-  GzipReader reader(file->bytes());
-  // Both versions begin with their size, and the shorter one may end before the longer would.
-  std::vector<std::byte> front(348);
-  if (auto read = reader.read(front); !read)
-    return read.error();
-  std::uint64_t begin = front.size();
-  if (!readNiftiHeader(front)) {
-    front.resize(NiftiHeader::kMaxBytes);
-    if (auto read = reader.read(std::span(front).subspan(begin)); !read)
-      return read.error();
-    begin = front.size();
-  }
-  const auto header = readNiftiHeader(front);
-  if (!header)
-    return header.error();
-  const auto size = sampleBytes(header->extent, header->layout);
-  if (!size)
-    return size.error();
-  std::vector<std::byte> notes(header->dataOffset - begin);
-  if (auto read = reader.read(notes); !read)
-    return read.error();
-  auto inflated = reader.read(*size, options.memory, options.progress);
-  if (!inflated)
-    return inflated.error();
-  auto volume = volumeOf(*header);
-  volume->samples = (*inflated)->data();
-  volume->storage = std::move(*inflated);
+  const auto number = chooseVolume(header->volumes, options, volume->warnings);
+  if (!number)
+    return number.error();
+  if (auto taken = takeSamples(*header, *number, std::move(*samples), options, *volume); !taken)
+    return taken.error();
+  if (header->hasOrientation)
+    orient(*volume);
+  else if (options.isAutomatic)
+    volume->notes.push_back(std::string(header->isAnalyze ? "an Analyze file" : "its header") +
+                            " does not say how the axes lie; they are taken as right, front and up");
   return volume;
 }
 
@@ -81,10 +149,14 @@ Expected<DenseVolume> readCompressed(const File &file, const InputOptions &optio
 
 Expected<Input> openNifti(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto file = WatchedFile::open(path, options.memory);
+  const bool isImage = hasEnding(path, kPair[1]);
+  const auto header = isImage ? partnerOf(path, kPair[0]) : std::optional(path);
+  if (!header)
+    return Error::input("'" + path + "' lacks its header, a file of its name that ends in .hdr");
+  auto file = WatchedFile::open(*header, options.memory);
   if (!file)
     return file.error();
-  auto volume = isGzip((*file)->bytes()) ? readCompressed(*file, options) : readMapped(std::move(*file));
+  auto volume = readVolume(std::move(*file), *header, options);
   if (!volume && volume.error().kind == ErrorKind::Input)
     return Error::input("'" + path + "' is not a usable NIfTI file: " + volume.error().message);
   if (!volume)

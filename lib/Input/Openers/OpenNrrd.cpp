@@ -2,8 +2,10 @@
 #include "Input/Openers/Openers.h"
 
 #include "Input/Dense/DenseVolume.h"
-#include "Input/Dense/GzipReader.h"
+#include "Input/Dense/NrrdData.h"
 #include "Input/Dense/NrrdHeader.h"
+#include "Input/Dense/Orientation.h"
+#include "Input/Dense/VolumeChoice.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <filesystem>
@@ -13,98 +15,90 @@ namespace voxc {
 
 namespace {
 
-using File = std::shared_ptr<const WatchedFile>;
-
-/// Takes lines off the front; false if there are fewer.
-bool skipLines(std::span<const std::byte> &bytes, std::uint64_t lines) {
-  for (; lines > 0; --lines) {
-    const auto end = std::find(bytes.begin(), bytes.end(), std::byte{'\n'});
-    if (end == bytes.end())
-      return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(end - bytes.begin()) + 1);
+/// Bytes from the first sample to that of the volume that is asked for.
+Expected<std::int64_t> offsetOf(const NrrdHeader &header, const InputOptions &options,
+                                std::vector<std::string> &warnings) {
+  std::uint64_t volumes = 1;
+  for (const NrrdHeader::Others &axis : header.others)
+    volumes *= axis.size;
+  auto volume = chooseVolume(volumes, options, warnings);
+  if (!volume)
+    return volume.error();
+  std::int64_t offset = 0;
+  for (const NrrdHeader::Others &axis : header.others) {
+    offset += static_cast<std::int64_t>(*volume % axis.size) * axis.step;
+    *volume /= axis.size;
   }
-  return true;
+  return offset;
 }
 
-/// The samples as they lie in the file.
-Expected<void> mapSamples(DenseVolume &volume, const NrrdHeader &header, std::span<const std::byte> data,
-                          std::uint64_t size, File file) {
-  const std::uint64_t skip = header.byteSkip >= 0 ? static_cast<std::uint64_t>(header.byteSkip)
-                                                  : data.size() - std::min(size, data.size());
-  if (skip > data.size() || size > data.size() - skip)
-    return Error::input("its data have " + std::to_string(data.size()) + " bytes, but it needs " +
-                        std::to_string(size) + " behind a skip of " + std::to_string(skip));
-  volume.samples = data.data() + skip;
-  volume.storage = std::move(file);
-  return {};
+/// The steps, or none where samples lie without gaps, as they are read fastest.
+std::array<std::int64_t, 3> stepsIfAny(const NrrdHeader &header) {
+  const auto bytes = static_cast<std::int64_t>(byteSize(header.layout.type));
+  const std::int64_t row = bytes * header.extent.x;
+  const std::array<std::int64_t, 3> without{bytes, row, row * header.extent.y};
+  const auto isSame = [&](int axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    return header.steps[i] == without[i] || header.extent[axis] == 1;
+  };
+  return isSame(0) && isSame(1) && isSame(2) ? std::array<std::int64_t, 3>{} : header.steps;
 }
 
-/// What is left out before the samples of compressed data.
-Expected<void> skipBytes(GzipReader &reader, std::int64_t count) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 24;
-  if (count > kMost)
-    return Error::input("its byte skip of " + std::to_string(count) +
-                        " is too large; compressed data may skip " + std::to_string(kMost));
-  std::vector<std::byte> skipped(static_cast<std::size_t>(count));
-  return reader.read(skipped);
+Expected<DenseVolume> volumeOf(NrrdHeader &header, NrrdData data, std::int64_t offset) {
+  DenseVolume volume;
+  volume.extent = header.extent;
+  volume.layout = header.layout;
+  volume.samples = data.samples + offset;
+  volume.storage = std::move(data.storage);
+  volume.steps = stepsIfAny(header);
+  volume.channels = header.channels;
+  volume.channelStep = header.channelStep;
+  volume.areLabels = header.areLabels;
+  volume.sampleToModel = header.sampleToModel;
+  volume.unit = header.unit;
+  volume.warnings = std::move(header.warnings);
+  volume.notes = std::move(header.notes);
+  if (header.hasSpace)
+    orient(volume, header.isLeftHanded);
+  return volume;
 }
 
-Expected<void> inflateSamples(DenseVolume &volume, const NrrdHeader &header, std::span<const std::byte> data,
-                              std::uint64_t size, const InputOptions &options) {
-  GzipReader reader(data);
-  if (auto skipped = skipBytes(reader, header.byteSkip); !skipped)
-    return skipped;
-  auto inflated = reader.read(size, options.memory, options.progress);
-  if (!inflated)
-    return inflated.error();
-  volume.samples = (*inflated)->data();
-  volume.storage = std::move(*inflated);
-  return {};
-}
-
-Expected<DenseVolume> readVolume(const std::string &path, const InputOptions &options) {
+Expected<DenseVolume> readVolume(const std::string &path, const InputOptions &options, bool &isUpZ) {
   auto file = WatchedFile::open(path, options.memory);
   if (!file)
     return file.error();
-  std::string_view text = (*file)->text();
-  const auto header = readNrrdHeader(text);
-  if (!header)
-    return Error::input("'" + path + "' is not a usable NRRD file: " + header.error().message);
-  std::span<const std::byte> data = std::as_bytes(std::span(text));
-  if (!header->dataFile.empty()) {
-    file = WatchedFile::open(std::filesystem::path(path).parent_path() / header->dataFile, options.memory);
-    if (!file)
-      return file.error();
-    data = (*file)->bytes();
-  }
   const auto broken = [&](const Error &error) {
     return error.kind != ErrorKind::Input
                ? error
                : Error::input("'" + path + "' is not a usable NRRD file: " + error.message);
   };
-  if (!skipLines(data, header->lineSkip))
-    return broken(Error::input("its data have fewer lines than it skips"));
-  const auto size = sampleBytes(header->extent, header->layout);
-  if (!size)
-    return broken(size.error());
-  DenseVolume volume;
-  volume.extent = header->extent;
-  volume.layout = header->layout;
-  volume.sampleToModel = header->sampleToModel;
-  const auto found = header->isGzip ? inflateSamples(volume, *header, data, *size, options)
-                                    : mapSamples(volume, *header, data, *size, std::move(*file));
-  if (!found)
-    return broken(found.error());
-  return volume;
+  std::string_view text = (*file)->text();
+  auto header = readNrrdHeader(text, options.volume > 0);
+  if (!header)
+    return broken(header.error());
+  const auto offset = offsetOf(*header, options, header->warnings);
+  if (!offset)
+    return broken(offset.error());
+  auto data = readNrrdData(*header, std::move(*file), std::as_bytes(std::span(text)),
+                           std::filesystem::path(path).parent_path(), options);
+  if (!data)
+    return broken(data.error());
+  isUpZ = header->isUpZ;
+  return volumeOf(*header, std::move(*data), *offset);
 }
 
 } // namespace
 
 Expected<Input> openNrrd(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto volume = readVolume(path, options);
+  bool isUpZ = false;
+  auto volume = readVolume(path, options, isUpZ);
   if (!volume)
     return volume.error();
+  if (isUpZ && options.isAutomatic && !options.isUpKnown)
+    volume->notes.push_back(
+        "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "
+        "the up of pictures, as it is for NIfTI files");
   auto input = makeInput(std::move(*volume), options);
   if (input)
     input->loadSeconds = loading.seconds();

@@ -1,7 +1,7 @@
-// Opening slices: PNG pictures of one size, one for each z.
+// Opening slices: PNG pictures and pages of TIFF files, all of one size, one for each z.
 #include "Input/Dense/ColourMap.h"
 #include "Input/Dense/DenseVolume.h"
-#include "Input/Dense/PngSlice.h"
+#include "Input/Dense/Slice.h"
 #include "Input/Openers/InputText.h"
 #include "Input/Openers/Openers.h"
 #include "Source/DenseSource.h"
@@ -9,6 +9,8 @@
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/Stopwatch.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -33,9 +35,10 @@ private:
 };
 
 struct Stack {
-  PngSlice slice;
+  Slice slice;
   Int3 extent;
   std::shared_ptr<const ScratchCells> cells;
+  std::vector<std::string> warnings;
 };
 
 Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
@@ -47,36 +50,69 @@ Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
   return {};
 }
 
+/// Appends the next picture of a file to a stack.
+Expected<void> append(const Slice &slice, SliceReader &reader, const InputOptions &options, Stack &stack,
+                      ScratchCells &cells) {
+  if (stack.extent.z == 0)
+    stack.slice = slice;
+  else if (slice != stack.slice)
+    return Error::input("it has another size than the first, or colours or samples where that has others");
+  stack.extent = {slice.width, slice.height, stack.extent.z + 1};
+  if (auto fits = checkExtent(stack.extent, options); !fits)
+    return fits;
+  const std::uint64_t begin = cells.size();
+  if (auto resized = cells.resize(begin + slice.bytes()); !resized)
+    return resized;
+  if (auto decoded = reader.decode(cells.span().subspan(begin)); !decoded)
+    return decoded;
+  options.memory->relieve(slice.bytes());
+  return {};
+}
+
+/// Appends all pictures of a file.
+Expected<void> appendFile(const std::string &path, const InputOptions &options, Stack &stack,
+                          ScratchCells &cells) {
+  auto file = WatchedFile::open(path, options.memory);
+  if (!file)
+    return file.error();
+  const auto broken = [&](const Error &error) {
+    return error.kind == ErrorKind::Input
+               ? Error::input("'" + path + "' is not a usable slice: " + error.message)
+               : error;
+  };
+  auto reader = isTiff((*file)->bytes()) ? openTiffSlices((*file)->bytes()) : openPngSlice((*file)->bytes());
+  if (!reader)
+    return broken(reader.error());
+  while (true) {
+    if (options.progress.stopped())
+      return Error::interrupted();
+    Slice slice;
+    const auto next = (*reader)->next(slice);
+    if (!next)
+      return broken(next.error());
+    if (!*next)
+      break;
+    if (auto appended = append(slice, **reader, options, stack, cells); !appended)
+      return broken(appended.error());
+  }
+  // Of many files that all say the same, once is enough.
+  for (std::string &warning : (*reader)->warnings)
+    if (std::ranges::find(stack.warnings, warning) == stack.warnings.end())
+      stack.warnings.push_back(std::move(warning));
+  return {};
+}
+
 Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOptions &options) {
   Stack stack;
   ScratchCells cells(options.memory);
-  for (std::size_t z = 0; z < paths.size(); ++z) {
+  for (const std::string &path : paths) {
     if (options.progress.stopped())
       return Error::interrupted();
-    const auto broken = [&](const std::string &problem) {
-      return Error::input("'" + paths[z] + "' is not a usable slice: " + problem);
-    };
-    auto file = WatchedFile::open(paths[z], options.memory);
-    if (!file)
-      return file.error();
-    const auto slice = readPngSlice((*file)->bytes());
-    if (!slice)
-      return broken(slice.error().message);
-    if (z == 0) {
-      stack.slice = *slice;
-      stack.extent = {slice->width, slice->height, static_cast<std::int32_t>(paths.size())};
-      if (auto fits = checkExtent(stack.extent, options); !fits)
-        return broken(fits.error().message);
-    } else if (*slice != stack.slice) {
-      return broken("it has another size than the first, or colours where that is grey");
-    }
-    const std::uint64_t begin = cells.size();
-    if (auto resized = cells.resize(begin + slice->bytes()); !resized)
-      return resized.error();
-    if (auto decoded = decodePngSlice((*file)->bytes(), *slice, cells.span().subspan(begin)); !decoded)
-      return broken(decoded.error().message);
-    options.memory->relieve(slice->bytes());
+    if (auto appended = appendFile(path, options, stack, cells); !appended)
+      return appended.error();
   }
+  if (stack.extent.z == 0)
+    return Error::input("'" + paths.front() + "' is not a usable slice: it has no picture");
   stack.cells = std::make_shared<const ScratchCells>(std::move(cells));
   return stack;
 }
@@ -117,7 +153,7 @@ Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
 Expected<Input> openSamples(const Stack &stack, const InputOptions &options) {
   DenseVolume volume;
   volume.extent = stack.extent;
-  volume.layout = {SampleType::Uint8, false};
+  volume.layout = {stack.slice.type, std::endian::native == std::endian::big};
   volume.samples = stack.cells->data();
   volume.storage = stack.cells;
   return makeInput(std::move(volume), options);
@@ -134,8 +170,10 @@ Expected<Input> openSlices(const std::string &path, const InputOptions &options)
   if (!stack)
     return stack.error();
   auto input = stack->slice.isGrey ? openSamples(*stack, options) : openWords(*stack, options);
-  if (input)
-    input->loadSeconds = loading.seconds();
+  if (!input)
+    return input;
+  input->warnings.insert(input->warnings.begin(), stack->warnings.begin(), stack->warnings.end());
+  input->loadSeconds = loading.seconds();
   return input;
 }
 

@@ -23,7 +23,7 @@ constexpr std::size_t kMostCompanions = 10000;
 constexpr int kDeepest = 4;
 
 /// Inputs whose path may be a pattern of numbered files, and the most of these.
-constexpr std::array<std::string_view, 2> kNumbered = {".png", ".vox"};
+constexpr std::array<std::string_view, 4> kNumbered = {".png", ".vox", ".tif", ".tiff"};
 constexpr std::size_t kMostNumbered = std::size_t{1} << 21;
 
 /// Whether the ending of a path, in lower case, is one of these.

@@ -74,6 +74,8 @@ std::vector<std::string> toWords(const InputArguments &arguments) {
   add("--threshold", arguments.threshold ? exact(*arguments.threshold) : "");
   add("--colour-map", arguments.colourMap);
   add("--window", joined(arguments.window));
+  add("--volume", arguments.volume == 0 ? "" : std::to_string(arguments.volume));
+  add("--grid", arguments.grid);
   add("--interior", arguments.interior);
   add("--fill-colour", arguments.fillColour);
   if (arguments.crop)

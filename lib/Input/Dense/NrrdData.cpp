@@ -1,0 +1,114 @@
+// Files and encodings of NRRD samples.
+#include "Input/Dense/NrrdData.h"
+
+#include "Input/Dense/ByteStream.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+using Cells = ScratchArray<std::byte>;
+
+/// Takes lines off the front; false if there are fewer.
+bool skipLines(std::span<const std::byte> &bytes, std::uint64_t lines) {
+  for (; lines > 0; --lines) {
+    const auto end = std::find(bytes.begin(), bytes.end(), std::byte{'\n'});
+    if (end == bytes.end())
+      return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(end - bytes.begin()) + 1);
+  }
+  return true;
+}
+
+std::unique_ptr<ByteStream> streamOf(const NrrdHeader &header, std::span<const std::byte> data) {
+  switch (header.encoding) {
+  case NrrdEncoding::Raw:
+    return makeRawStream(data);
+  case NrrdEncoding::Gzip:
+    return makeGzipStream(data);
+  case NrrdEncoding::Bzip2:
+    return makeBzip2Stream(data);
+  case NrrdEncoding::Text:
+    return makeTextStream(data, header.layout.type);
+  case NrrdEncoding::Hex:
+    return makeHexStream(data);
+  }
+  return nullptr;
+}
+
+/// Bytes that stand before the samples of a file that has `size` of them. Digits skip bytes of the file
+/// itself, as what they stand for begins nowhere else.
+Expected<std::uint64_t> skipOf(const NrrdHeader &header, std::span<const std::byte> data, std::uint64_t size,
+                               const InputOptions &options) {
+  if (header.byteSkip >= 0)
+    return static_cast<std::uint64_t>(header.byteSkip);
+  const auto all = countBytes(*streamOf(header, data), options.progress);
+  if (!all)
+    return all.error();
+  return *all - std::min(size, *all);
+}
+
+/// The samples as they lie in the file.
+Expected<NrrdData> mapSamples(const NrrdHeader &header, std::span<const std::byte> data,
+                              std::shared_ptr<const WatchedFile> file) {
+  const std::uint64_t skip = header.byteSkip >= 0 ? static_cast<std::uint64_t>(header.byteSkip)
+                                                  : data.size() - std::min(header.bytes, data.size());
+  if (skip > data.size() || header.bytes > data.size() - skip)
+    return Error::input("its data have " + std::to_string(data.size()) + " bytes, but it needs " +
+                        std::to_string(header.bytes) + " behind a skip of " + std::to_string(skip));
+  return NrrdData{data.data() + skip, std::move(file)};
+}
+
+/// Appends the samples of one file.
+Expected<void> appendFile(const NrrdHeader &header, std::span<const std::byte> data, std::uint64_t size,
+                          const InputOptions &options, Cells &cells) {
+  const bool isDigits = header.encoding == NrrdEncoding::Text || header.encoding == NrrdEncoding::Hex;
+  if (isDigits && static_cast<std::uint64_t>(header.byteSkip) > data.size())
+    return Error::input("its data end within the " + std::to_string(header.byteSkip) +
+                        " bytes that it skips");
+  if (isDigits)
+    return appendBytes(*streamOf(header, data.subspan(static_cast<std::size_t>(header.byteSkip))), size,
+                       cells, *options.memory, options.progress);
+  const auto skip = skipOf(header, data, size, options);
+  if (!skip)
+    return skip.error();
+  const auto stream = streamOf(header, data);
+  if (*skip > stream->mostBytes())
+    return Error::input("its data cannot have the " + std::to_string(*skip) + " bytes that it skips");
+  if (auto skipped = skipBytes(*stream, *skip, options.progress); !skipped)
+    return skipped;
+  return appendBytes(*stream, size, cells, *options.memory, options.progress);
+}
+
+} // namespace
+
+Expected<NrrdData> readNrrdData(const NrrdHeader &header, std::shared_ptr<const WatchedFile> file,
+                                std::span<const std::byte> behind, const std::string &folder,
+                                const InputOptions &options) {
+  const std::size_t files = std::max<std::size_t>(header.dataFiles.size(), 1);
+  Cells cells(options.memory);
+  for (std::size_t i = 0; i < files; ++i) {
+    std::span<const std::byte> data = behind;
+    if (!header.dataFiles.empty()) {
+      auto opened = WatchedFile::open(std::filesystem::path(folder) / header.dataFiles[i], options.memory);
+      if (!opened)
+        return opened.error();
+      file = std::move(*opened);
+      data = file->bytes();
+    }
+    if (!skipLines(data, header.lineSkip))
+      return Error::input("its data have fewer lines than it skips");
+    if (files == 1 && header.encoding == NrrdEncoding::Raw)
+      return mapSamples(header, data, std::move(file));
+    if (auto appended = appendFile(header, data, header.bytes / files, options, cells); !appended)
+      return appended.error();
+  }
+  const std::byte *const samples = cells.data();
+  return NrrdData{samples, std::make_shared<const Cells>(std::move(cells))};
+}
+
+} // namespace voxc

@@ -1,0 +1,61 @@
+// Pictures that are slices of a volume: grey samples, or the words of cells.
+#pragma once
+
+#include "Input/Dense/Samples.h"
+#include "voxc/Support/Error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// What a picture says of itself before it is decoded.
+struct Slice {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  bool isGrey = false;                 ///< A sample a cell; else RGBA8, of which the word 0 is empty.
+  SampleType type = SampleType::Uint8; ///< Of grey samples, in this machine's byte order.
+
+  bool operator==(const Slice &) const = default;
+  std::uint64_t bytes() const {
+    const std::uint64_t cells = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    return cells * (isGrey ? byteSize(type) : 4);
+  }
+};
+
+/// Error: larger than a slice may be: 2^26 cells, and no more than `bytes` of a compressed picture can hold.
+Expected<void> checkSlice(std::uint64_t width, std::uint64_t height, std::uint64_t bytes);
+
+/// Of words without alpha, black is empty: the word 0.
+void clearBlack(std::span<std::byte> cells);
+
+/// The pictures of one file, one after the other.
+class SliceReader {
+public:
+  virtual ~SliceReader() = default;
+
+  /// Goes on to the next picture, at first to the first one; false behind the last. Errors: broken, larger
+  /// than a slice may be, or of a kind that is not read.
+  virtual Expected<bool> next(Slice &slice) = 0;
+
+  /// Writes the cells of the picture, the upper row first, to `target`, which has `bytes()` of them. Of
+  /// pictures without alpha black is empty. Error: broken.
+  virtual Expected<void> decode(std::span<std::byte> target) = 0;
+
+  /// What of the file is left out, or means something else; one sentence each. Once all pictures are read.
+  std::vector<std::string> warnings;
+};
+
+/// Readers of a PNG picture, of 8 or 16 bits a channel, and of the pages of a TIFF file, of 1 to 64 bits.
+/// `bytes` must outlive them. Errors: broken, or larger than a slice may be.
+Expected<std::unique_ptr<SliceReader>> openPngSlice(std::span<const std::byte> bytes);
+Expected<std::unique_ptr<SliceReader>> openTiffSlices(std::span<const std::byte> bytes);
+
+/// Whether bytes begin as those of a TIFF file.
+bool isTiff(std::span<const std::byte> bytes);
+
+} // namespace voxc
