@@ -135,10 +135,11 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
     if (read.threshold)
       choices.threshold = *read.threshold;
     choices.colourMap = textOr(read.colour_map, choices.colourMap.c_str());
-    const std::string coverage = textOr(read.coverage, "conservative");
-    if (coverage != "conservative" && coverage != "thin")
-      return wrap(Error::usage("'" + coverage + "' is no coverage; there are conservative, thin"));
-    choices.coverage = coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
+    const std::string name = textOr(read.coverage, "conservative");
+    const std::optional<Coverage> coverage = coverageOf(name);
+    if (!coverage)
+      return wrap(Error::usage("'" + name + "' is no coverage; there are conservative, thin, inner, centre"));
+    choices.coverage = *coverage;
     choices.threads = given.threads;
     choices.memory = memoryOf(given);
     choices.progress = progress.get();

@@ -179,9 +179,11 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .oneOf({"y", "z"});
   command
       .add("--coverage", arguments.coverage,
-           "Voxels that a triangle takes: conservative (default), all that it touches, or thin")
+           "Voxels that a triangle takes: conservative (default), all that it touches; thin; or inner, thin "
+           "with "
+           "one voxel where a face lies between two")
       .takes("RULE")
-      .oneOf({"conservative", "thin"});
+      .oneOf({"conservative", "thin", "inner"});
   command
       .add("--colour", arguments.colour,
            "Colour from a mesh's texture: mean (default) of a voxel's texels, where they are finer than "
@@ -336,7 +338,8 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   options.isAutomatic = arguments.isAutomatic;
   options.isUpKnown = !arguments.up.empty();
   options.zUp = arguments.up == "z";
-  options.coverage = arguments.coverage == "thin" ? Coverage::Thin : Coverage::Conservative;
+  // One that is not known was said by a volume, not by who calls.
+  options.coverage = coverageOf(arguments.coverage).value_or(options.coverage);
   options.colour = arguments.colour == "nearest" ? ColourRule::Nearest : ColourRule::Mean;
   if (!arguments.bounds.empty())
     std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());

@@ -176,6 +176,59 @@ TEST(CellCover, LargeRangesAreTheirPartsPutTogether) {
   }
 }
 
+/// Cells by segments whose ends are drawn at random, by `coverSegments` and by clipping. Segments that a
+/// triangle is parallel to are not looked at.
+void expectSegments(const SnappedTriangle &triangle, int log2Side, std::mt19937_64 &random) {
+  const auto &[a, b, c] = triangle.corners;
+  const ExactTriangle exact{exactly(a), exactly(b), exactly(c)};
+  SegmentEnds ends;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    const bool isUpright =
+        Rational(b[u] - a[u]) * Rational(c[v] - a[v]) != Rational(b[v] - a[v]) * Rational(c[u] - a[u]);
+    if (isUpright)
+      ends.leftOut[axis] = static_cast<int>(random() % 3) - 1;
+    ends.keptIn[axis] = static_cast<int>(random() % 9) - 1;
+  }
+  Cells expected;
+  for (Int3 cell; cell.z < kSmall.high.z; ++cell.z)
+    for (cell.y = 0; cell.y < kSmall.high.y; ++cell.y)
+      for (cell.x = 0; cell.x < kSmall.high.x; ++cell.x)
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto i = static_cast<std::size_t>(axis);
+          if (ends.leftOut[i] == 0)
+            continue;
+          Point64 low;
+          for (int k = 0; k < 3; ++k)
+            low[static_cast<std::size_t>(k)] = (2 * std::int64_t{cell[k]} + 1) << (log2Side - 1);
+          Point64 high = low;
+          low[i] -= std::int64_t{1} << (log2Side - 1);
+          high[i] += std::int64_t{1} << (log2Side - 1);
+          const ExactPoint end = exactly(ends.leftOut[i] > 0 ? high : low);
+          if (meetsExactly(exact, exactly(low), exactly(high)) &&
+              (cell[axis] == ends.keptIn[i] || !meetsExactly(exact, end, end)))
+            expected.emplace(cell.x, cell.y, cell.z);
+        }
+  Cells cells;
+  std::vector<CellMask> masks;
+  coverSegments(triangle, log2Side, ends, kSmall, masks);
+  for (const CellMask &mask : masks)
+    forEachCell(mask, [&](Int3 cell) { cells.emplace(cell.x, cell.y, cell.z); });
+  ASSERT_EQ(cells, expected) << testing::PrintToString(triangle.corners);
+}
+
+TEST(CellCover, SegmentsWithoutAnEndAreExact) {
+  std::mt19937_64 random(8);
+  RandomTriangles lattice(9, -32, 8, 24);
+  RandomTriangles anywhere(10, -40, 1, 240);
+  for (int i = 0; i < test::rounds(20); ++i) {
+    expectSegments(lattice.next(), 4, random);
+    expectSegments(anywhere.next(), 4, random);
+    expectSegments(hugeTriangle(random, (std::int64_t{1} << (16 + i % 22)) - 1), 12, random);
+  }
+}
+
 TEST(CellCover, CrossesAreAmongCubes) {
   RandomTriangles triangles(6, -32, 4, 64);
   for (int i = 0; i < test::rounds(200); ++i) {

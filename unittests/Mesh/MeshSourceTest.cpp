@@ -51,6 +51,9 @@ VoxelizeOptions optionsOf(int resolution, Coverage coverage = Coverage::Conserva
 
 constexpr std::array<Coverage, 2> kCoverages{Coverage::Conservative, Coverage::Thin};
 
+/// And that by which halves of the volume are not alike.
+constexpr std::array<Coverage, 3> kAllCoverages{Coverage::Conservative, Coverage::Thin, Coverage::Inner};
+
 std::set<std::uint64_t> placesOf(const Voxels &voxels) {
   std::set<std::uint64_t> places;
   for (const auto &[code, word] : voxels)
@@ -80,7 +83,7 @@ TEST(MeshSource, IsWhatTheReferenceSaysForEverySize) {
   std::mt19937 random(1);
   for (int i = 0; i < test::rounds(3); ++i) {
     const Scene scene = sceneOf({randomPart(random, 40), randomPart(random, 40)});
-    for (const Coverage coverage : kCoverages) {
+    for (const Coverage coverage : kAllCoverages) {
       const VoxelizeOptions options = optionsOf(50 + i * 31, coverage);
       const Voxels expected = reference(scene, options);
       EXPECT_GT(expected.size(), 1000u);
@@ -98,7 +101,10 @@ TEST(MeshSource, CroppedIsWhatTheReferenceSays) {
     VoxelizeOptions options = optionsOf(70);
     options.bounds = {{0.3, 0.25, 0.4, 0.8, 0.9, 0.5}};
     options.zUp = zUp;
-    EXPECT_EQ(voxelized(scene, options), reference(scene, options));
+    for (const Coverage coverage : kAllCoverages) {
+      options.coverage = coverage;
+      EXPECT_EQ(voxelized(scene, options), reference(scene, options));
+    }
     EXPECT_EQ(voxelized(scene, options, {3, 2}), reference(scene, options));
   }
 }

@@ -94,10 +94,10 @@ Voxels voxelized(const std::vector<Corner> &corners, Coverage coverage) {
   return source ? voxelsOf(**source) : Voxels{};
 }
 
-TEST(Watertight, ThinLeaksNowhereAndIsPartOfConservative) {
-  for (int i = 0; i < test::rounds(6); ++i) {
-    const auto corners = StarShape(static_cast<unsigned>(i)).triangles();
-    const Voxels thin = voxelized(corners, Coverage::Thin);
+TEST(Watertight, ThinAndInnerLeakNowhereAndArePartOfConservative) {
+  for (int i = 0; i < test::rounds(12); ++i) {
+    const auto corners = StarShape(static_cast<unsigned>(i / 2)).triangles();
+    const Voxels thin = voxelized(corners, i % 2 == 0 ? Coverage::Thin : Coverage::Inner);
     const auto reached = outside(thin);
     EXPECT_FALSE(reached.contains(mortonCode({kSide / 2, kSide / 2, kSide / 2})));
     for (const std::uint64_t code : reached) {
@@ -127,9 +127,11 @@ TEST(Watertight, SurfacesOnFacesOfVoxelsDoNotLeakEither) {
         }
         corners.insert(corners.end(), {square[0], square[1], square[2], square[1], square[3], square[2]});
       }
-    const auto reached = outside(voxelized(corners, Coverage::Thin));
-    EXPECT_GT(reached.size(), 1000u);
-    EXPECT_FALSE(reached.contains(mortonCode({kSide / 2, kSide / 2, kSide / 2})));
+    for (const Coverage coverage : {Coverage::Thin, Coverage::Inner}) {
+      const auto reached = outside(voxelized(corners, coverage));
+      EXPECT_GT(reached.size(), 1000u);
+      EXPECT_FALSE(reached.contains(mortonCode({kSide / 2, kSide / 2, kSide / 2})));
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace voxc {
 
@@ -15,7 +16,22 @@ enum class Coverage {
   Conservative, ///< Every closed voxel cube that the closed triangle touches.
   Thin,         ///< Those in which it meets one of the three axis-parallel segments through the centre, from
                 ///< face to face: no path over faces crosses a watertight surface (6-separating).
+  Inner,  ///< As thin, and as separating, but what lies exactly between two voxels takes one of them: in
+          ///< a closed mesh whose triangles turn alike that on the inner side, else that with the higher
+          ///< coordinate, or the last of the volume. Segments that a triangle is parallel to do not count.
+  Centre, ///< Of a solid, all whose centre lies in it: see `centreMesh`. Before it, as conservative.
 };
+
+/// What the rules are called, in their order.
+inline constexpr std::array<std::string_view, 4> kCoverageNames{"conservative", "thin", "inner", "centre"};
+
+/// The rule of a name, or nothing.
+constexpr std::optional<Coverage> coverageOf(std::string_view name) {
+  for (std::size_t i = 0; i < kCoverageNames.size(); ++i)
+    if (kCoverageNames[i] == name)
+      return static_cast<Coverage>(i);
+  return std::nullopt;
+}
 
 /// Which colour a texture gives to a voxel.
 enum class ColourRule {

@@ -106,8 +106,8 @@ std::string provenanceWord(std::string_view text) {
   return word;
 }
 
-std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options) {
-  std::string text = "resolution=" + std::to_string(resolution) + " coverage=" + coverage;
+std::string modelProvenance(std::string_view coverage, int resolution, const InputOptions &options) {
+  std::string text = "resolution=" + std::to_string(resolution) + " coverage=" + std::string(coverage);
   if (options.bounds) {
     text += " bounds=";
     for (std::size_t i = 0; i < options.bounds->size(); ++i)

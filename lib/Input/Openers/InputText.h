@@ -50,6 +50,6 @@ std::string withProvenance(const std::string &provenance, std::string_view key, 
 std::string provenanceWord(std::string_view text);
 
 /// The options that decide the voxels of a model whose longest axis got `resolution` of them.
-std::string modelProvenance(const char *coverage, int resolution, const InputOptions &options);
+std::string modelProvenance(std::string_view coverage, int resolution, const InputOptions &options);
 
 } // namespace voxc

@@ -18,8 +18,6 @@ namespace voxc {
 
 namespace {
 
-constexpr std::array<const char *, 2> kCoverageNames{"conservative", "thin"};
-
 VoxelizeOptions voxelizeOptions(const InputOptions &options) {
   return {options.resolution, modelExtent(options), options.bounds,   options.zUp,
           options.coverage,   options.regions,      options.progress, options.colour};

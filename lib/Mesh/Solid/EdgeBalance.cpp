@@ -2,6 +2,8 @@
 // one.
 #include "Mesh/Solid/EdgeBalance.h"
 
+#include "Mesh/Solid/PointHash.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,11 +13,13 @@ namespace voxc {
 
 namespace {
 
+__extension__ using Uint128 = unsigned __int128;
+
 /// Buckets are so many that few of an open mesh's edges share one with an open edge.
 constexpr std::uint64_t kFewestBuckets = 1 << 10;
 constexpr std::uint64_t kMostBuckets = 1 << 24;
 constexpr std::uint64_t kMostEdges = 1 << 22; ///< That are looked at one by one.
-constexpr std::uint64_t kTrianglesBetweenLooks = 64;
+constexpr std::uint64_t kMostRims = 1 << 18;  ///< That are kept.
 
 /// What the edges of a bucket add up to.
 struct Bucket {
@@ -27,32 +31,23 @@ struct Bucket {
 
 /// An edge of a triangle.
 struct Edge {
-  std::uint64_t hash; ///< Of its ends in order.
-  /// 8 times the triangle, plus twice the edge's number there, plus 1 if it is passed backwards.
-  std::uint64_t place;
+  std::uint64_t hash;  ///< Of its ends in order.
+  std::uint64_t place; ///< 16 times the triangle, plus 4 times the edge's number there, plus two bits.
 
-  std::int64_t way() const { return (place & 1) == 0 ? 1 : -1; }
+  static constexpr std::uint64_t kIsBackwards = 1; ///< Its triangle passes it from the higher end.
+  static constexpr std::uint64_t kIsMirrored = 2;  ///< So it counts the other way.
+
+  std::uint64_t triangle() const { return place / 16; }
+  std::size_t from() const { return place / 4 % 4; }
+  bool isBackwards() const { return (place & kIsBackwards) != 0; }
+  std::int64_t way() const { return isBackwards() == ((place & kIsMirrored) != 0) ? 1 : -1; }
 };
-
-constexpr std::uint64_t scattered(std::uint64_t value) {
-  value = (value ^ value >> 32) * 0xd6e8feb86659fd93;
-  value = (value ^ value >> 32) * 0xd6e8feb86659fd93;
-  return value ^ value >> 32;
-}
-
-std::uint64_t hashOf(const Point64 &low, const Point64 &high) {
-  std::uint64_t hash = 0;
-  for (const Point64 *point : {&low, &high})
-    for (const std::int64_t coordinate : *point)
-      hash = scattered(hash * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(coordinate));
-  return hash;
-}
 
 class Counter {
 public:
   Counter(const TriangleScene &scene, const MeshModel &model, const std::shared_ptr<WorkingMemory> &memory,
-          const Progress &progress)
-      : scene_(scene), model_(model), memory_(memory), progress_(progress), buckets_(memory) {}
+          const Progress &progress, const TriangleSet *only)
+      : scene_(scene), model_(model), memory_(memory), progress_(progress), only_(only), buckets_(memory) {}
 
   Expected<EdgeBalance> run() {
     const std::uint64_t buckets =
@@ -68,92 +63,111 @@ public:
     if (!summed)
       return summed.error();
     EdgeBalance balance;
-    if (std::ranges::all_of(buckets_.span(), [](const Bucket &bucket) { return bucket.sum == 0; }))
-      return balance;
     const bool isEven =
         std::ranges::all_of(buckets_.span(), [](const Bucket &bucket) { return bucket.parity == 0; });
+    if (std::ranges::none_of(buckets_.span(), [this](const Bucket &bucket) { return isOpen(bucket); })) {
+      balance.rule = only_ ? SolidRule::Parity : SolidRule::Winding;
+      return balance;
+    }
     balance.rule = isEven ? SolidRule::Parity : SolidRule::Enclosure;
-    if (auto found = findOpen(balance.open); !found)
+    if (auto found = findOpen(balance); !found)
       return found.error();
     return balance;
   }
 
 private:
   Bucket &bucketOf(const Edge &edge) { return buckets_[edge.hash & (buckets_.size() - 1)]; }
+  bool isOpen(const Bucket &bucket) const { return (only_ ? bucket.parity : bucket.sum) != 0; }
 
   /// Calls `visit` for the edges of all triangles, but for those without a length.
   template <typename Visit> Expected<void> forEachEdge(Visit visit) {
-    TriangleCursor cursor(scene_, model_.numbers);
-    for (std::uint64_t number = 0; number < model_.numbers.size(); ++number) {
-      if (number % kTrianglesBetweenLooks == 0) {
-        if (progress_.stopped())
-          return Error::interrupted();
-        memory_->relieve();
-      }
-      cursor.moveTo(number);
+    const auto visitEdges = [&](std::uint64_t number, const TriangleCursor &cursor) -> Expected<void> {
       const SnappedTriangle triangle = model_.snapped(cursor);
+      const std::uint64_t mirrored = cursor.isMirrored() ? Edge::kIsMirrored : 0;
       for (std::size_t from = 0; from < 3; ++from) {
-        const Point64 &a = triangle.corners[from];
-        const Point64 &b = triangle.corners[(from + 1) % 3];
-        if (a == b)
+        std::array<Point64, 2> ends{triangle.corners[from], triangle.corners[(from + 1) % 3]};
+        if (ends[0] == ends[1])
           continue;
-        const bool isBackwards = b < a;
-        const Edge edge{isBackwards ? hashOf(b, a) : hashOf(a, b), 8 * number + 2 * from + isBackwards};
+        const bool isBackwards = ends[1] < ends[0];
+        if (isBackwards)
+          std::swap(ends[0], ends[1]);
+        const Edge edge{hashOf(ends), 16 * number + 4 * from + mirrored + isBackwards};
         if (auto visited = visit(edge); !visited)
           return visited;
       }
-    }
-    return {};
+      return {};
+    };
+    return forEachTriangle(scene_, model_, only_, *memory_, progress_, visitEdges);
   }
 
   /// So many of the first buckets have about `kMostEdges` edges in those that are not even; one of these at
   /// least.
   std::uint64_t bucketsToOpen() const {
+    const auto isOpenOne = [this](const Bucket &bucket) { return isOpen(bucket); };
     const double edges = 3 * static_cast<double>(model_.numbers.size());
-    const auto uneven = std::ranges::count_if(buckets_.span(), [](const Bucket &b) { return b.sum != 0; });
+    const auto uneven = std::ranges::count_if(buckets_.span(), isOpenOne);
     const double share = static_cast<double>(kMostEdges) / edges * static_cast<double>(buckets_.size()) /
                          static_cast<double>(uneven);
     if (share >= 1)
       return buckets_.size();
     const auto end = static_cast<std::uint64_t>(share * static_cast<double>(buckets_.size()));
-    const auto first = std::ranges::find_if(buckets_.span(), [](const Bucket &b) { return b.sum != 0; });
+    const auto first = std::ranges::find_if(buckets_.span(), isOpenOne);
     return std::max(end, static_cast<std::uint64_t>(first - buckets_.span().begin()) + 1);
   }
 
-  Expected<void> findOpen(OpenEdges &open) {
+  Expected<void> findOpen(EdgeBalance &balance) {
     const std::uint64_t end = bucketsToOpen();
-    open.isAll = end == buckets_.size();
+    balance.open.isAll = end == buckets_.size();
     ScratchArray<Edge> edges(memory_);
     auto collected = forEachEdge([&](const Edge &edge) -> Expected<void> {
-      const bool isLeftOut = bucketOf(edge).sum == 0 || (edge.hash & (buckets_.size() - 1)) >= end;
+      const bool isLeftOut = !isOpen(bucketOf(edge)) || (edge.hash & (buckets_.size() - 1)) >= end;
       return isLeftOut ? Expected<void>() : edges.push(edge);
     });
     if (!collected)
       return collected;
     std::ranges::sort(edges.span(), {}, [](const Edge &edge) { return std::pair(edge.hash, edge.place); });
-    std::uint64_t first = ~std::uint64_t{0};
+    const Edge *first = nullptr;
     for (auto begin = edges.span().begin(); begin != edges.span().end();) {
       std::int64_t sum = 0;
-      const auto group = begin;
-      for (; begin != edges.span().end() && begin->hash == group->hash; ++begin)
+      const Edge &group = *begin;
+      std::int64_t count = 0;
+      for (; begin != edges.span().end() && begin->hash == group.hash; ++begin, ++count)
         sum += begin->way();
+      if (only_)
+        sum = count % 2;
       if (sum == 0)
         continue;
-      ++open.count;
-      first = std::min(first, group->place);
+      ++balance.open.count;
+      if (!first || group.place < first->place)
+        first = &group;
+      if (balance.rims.size() < kMostRims)
+        balance.rims.push_back(rimAt(group, sum));
     }
-    tellEnds(first, open);
+    balance.areRimsAll = balance.open.isAll && balance.open.count == balance.rims.size();
+    if (first)
+      tellEnds(*first, balance.open);
     return {};
   }
 
-  void tellEnds(std::uint64_t place, OpenEdges &open) const {
+  RimEdge rimAt(const Edge &edge, std::int64_t times) const {
     TriangleCursor cursor(scene_, model_.numbers);
-    cursor.moveTo(place / 8);
+    cursor.moveTo(edge.triangle());
     const auto corners = cursor.corners();
-    const std::uint64_t from = place / 2 % 4;
+    const SnappedTriangle snapped = model_.snapped(cursor);
+    const std::size_t from = edge.from();
+    const std::size_t to = (from + 1) % 3;
+    const std::size_t low = edge.isBackwards() ? to : from;
+    const std::size_t high = edge.isBackwards() ? from : to;
+    return {{snapped.corners[low], snapped.corners[high]}, {corners[low], corners[high]}, times};
+  }
+
+  void tellEnds(const Edge &edge, OpenEdges &open) const {
+    TriangleCursor cursor(scene_, model_.numbers);
+    cursor.moveTo(edge.triangle());
+    const auto corners = cursor.corners();
     for (int axis = 0; axis < 3; ++axis) {
-      open.from[static_cast<std::size_t>(axis)] = corners[from][axis];
-      open.to[static_cast<std::size_t>(axis)] = corners[(from + 1) % 3][axis];
+      open.from[static_cast<std::size_t>(axis)] = corners[edge.from()][axis];
+      open.to[static_cast<std::size_t>(axis)] = corners[(edge.from() + 1) % 3][axis];
     }
   }
 
@@ -161,15 +175,60 @@ private:
   const MeshModel &model_;
   std::shared_ptr<WorkingMemory> memory_;
   const Progress &progress_;
+  const TriangleSet *only_; ///< Then edges count whichever way they are passed.
   ScratchArray<Bucket> buckets_;
 };
+
+/// Six times the volume of the tetrahedron of a triangle and the origin.
+Uint128 volumeOf(const SnappedTriangle &triangle) {
+  const auto &[a, b, c] = triangle.corners;
+  const auto product = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+    // Below 2^120; sums that pass 2^128 on the way come back.
+    return static_cast<Uint128>(x) * static_cast<Uint128>(y) * static_cast<Uint128>(z);
+  };
+  Uint128 volume = 0;
+  for (std::size_t x = 0; x < 3; ++x) {
+    const std::size_t y = (x + 1) % 3;
+    const std::size_t z = (x + 2) % 3;
+    volume += product(a[x], b[y], c[z]) - product(a[x], b[z], c[y]);
+  }
+  return volume;
+}
 
 } // namespace
 
 Expected<EdgeBalance> EdgeBalance::of(const TriangleScene &scene, const MeshModel &model,
                                       const std::shared_ptr<WorkingMemory> &memory,
                                       const Progress &progress) {
-  return Counter(scene, model, memory, progress).run();
+  return Counter(scene, model, memory, progress, nullptr).run();
+}
+
+Expected<EdgeBalance> EdgeBalance::ofEither(const TriangleSet &only, const TriangleScene &scene,
+                                            const MeshModel &model,
+                                            const std::shared_ptr<WorkingMemory> &memory,
+                                            const Progress &progress) {
+  return Counter(scene, model, memory, progress, &only).run();
+}
+
+Expected<Facing> facingOf(const TriangleScene &scene, const MeshModel &model,
+                          const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
+  const auto balance = EdgeBalance::of(scene, model, memory, progress);
+  if (!balance)
+    return balance.error();
+  if (balance->rule != SolidRule::Winding)
+    return Facing::Unknown;
+  Uint128 volume = 0;
+  auto summed = forEachTriangle(scene, model, nullptr, *memory, progress,
+                                [&](std::uint64_t, const TriangleCursor &cursor) -> Expected<void> {
+                                  const Uint128 part = volumeOf(model.snapped(cursor));
+                                  volume += cursor.isMirrored() ? 0 - part : part;
+                                  return {};
+                                });
+  if (!summed)
+    return summed.error();
+  if (volume == 0)
+    return Facing::Unknown;
+  return volume >> 127 == 0 ? Facing::Outwards : Facing::Inwards;
 }
 
 } // namespace voxc

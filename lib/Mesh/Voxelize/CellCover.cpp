@@ -4,6 +4,7 @@
 #include "Mesh/Voxelize/Separation.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace voxc {
@@ -62,6 +63,70 @@ private:
   std::array<Separation<Wide>, Boxes> boxes_;
 };
 
+/// Takes the cells with a coordinate out of a mask.
+void takeOut(CellMask &mask, std::size_t axis, int coordinate) {
+  const int place = coordinate - mask.low[static_cast<int>(axis)];
+  if (place < 0 || place > 7)
+    return;
+  if (axis == 2) {
+    mask.slices[static_cast<std::size_t>(place)] = 0;
+    return;
+  }
+  const std::uint64_t cells =
+      axis == 0 ? std::uint64_t{0x0101010101010101} << place : std::uint64_t{0xff} << 8 * place;
+  for (std::uint64_t &slice : mask.slices)
+    slice &= ~cells;
+}
+
+/// Tests windows of cells by their segments, without some ends.
+template <typename Wide> class SegmentTest {
+public:
+  SegmentTest(const SnappedTriangle &triangle, int log2Side, const SegmentEnds &ends,
+              std::vector<CellMask> &masks)
+      : masks_(masks) {
+    const std::int64_t half = std::int64_t{1} << (log2Side - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (ends.leftOut[axis] == 0)
+        continue;
+      Point64 reach{};
+      reach[axis] = half;
+      // Whether the triangle holds a point beside the centre is whether one beside the triangle holds the
+      // centre.
+      SnappedTriangle beside = triangle;
+      for (Point64 &corner : beside.corners)
+        corner[axis] -= ends.leftOut[axis] * half;
+      segments_[axis] = Segment{Separation<Wide>(triangle, reach, log2Side),
+                                Separation<Wide>(beside, Point64{}, log2Side), ends.keptIn[axis]};
+    }
+  }
+
+  void operator()(const CellRange &window) {
+    const Int3 size = window.high - window.low;
+    CellMask &mask = masks_.emplace_back(CellMask{window.low});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!segments_[axis])
+        continue;
+      CellMask met{window.low};
+      CellMask leftOut{window.low};
+      segments_[axis]->whole.cover(met, size);
+      segments_[axis]->end.cover(leftOut, size);
+      takeOut(leftOut, axis, segments_[axis]->keptIn);
+      for (std::size_t z = 0; z < 8; ++z)
+        mask.slices[z] |= met.slices[z] & ~leftOut.slices[z];
+    }
+  }
+
+private:
+  struct Segment {
+    Separation<Wide> whole;
+    Separation<Wide> end;
+    int keptIn;
+  };
+
+  std::vector<CellMask> &masks_;
+  std::array<std::optional<Segment>, 3> segments_;
+};
+
 template <typename Test> void testFewWindows(const CellRange &range, Test test) {
   for (int z = range.low.z; z < range.high.z; z += 8)
     for (int y = range.low.y; y < range.high.y; y += 8)
@@ -78,14 +143,18 @@ void testManyWindows(const SnappedTriangle &triangle, int log2Side, const CellRa
     forEachCell(mask, [&](Int3 window) { test(intersection(windowAt(window * 8), range)); });
 }
 
-template <typename Wide, std::size_t Boxes>
-void coverRange(const SnappedTriangle &triangle, const CellShape &shape, const CellRange &range,
-                std::vector<CellMask> &masks) {
-  WindowTest<Wide, Boxes> test(triangle, shape, masks);
+template <typename Test>
+void testWindows(const SnappedTriangle &triangle, int log2Side, const CellRange &range, const Test &test) {
   if (windowCount(range) <= kFewWindows)
     testFewWindows(range, test);
   else
-    testManyWindows(triangle, shape.log2Side, range, test);
+    testManyWindows(triangle, log2Side, range, test);
+}
+
+template <typename Wide, std::size_t Boxes>
+void coverRange(const SnappedTriangle &triangle, const CellShape &shape, const CellRange &range,
+                std::vector<CellMask> &masks) {
+  testWindows(triangle, shape.log2Side, range, WindowTest<Wide, Boxes>(triangle, shape, masks));
 }
 
 } // namespace
@@ -131,6 +200,18 @@ void coverCells(const SnappedTriangle &triangle, const CellShape &shape, const C
                          : isCube ? coverRange<Int128, 1>
                               : coverRange<Int128, 3>;
   cover(triangle, shape, range, masks);
+}
+
+void coverSegments(const SnappedTriangle &triangle, int log2Side, const SegmentEnds &ends,
+                   const CellRange &within, std::vector<CellMask> &masks) {
+  masks.clear();
+  const CellRange range = cellsOf(triangle, log2Side, within);
+  if (range.empty())
+    return;
+  if (Separation<std::int64_t>::fits(triangle, log2Side))
+    testWindows(triangle, log2Side, range, SegmentTest<std::int64_t>(triangle, log2Side, ends, masks));
+  else
+    testWindows(triangle, log2Side, range, SegmentTest<Int128>(triangle, log2Side, ends, masks));
 }
 
 } // namespace voxc

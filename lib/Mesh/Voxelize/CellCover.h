@@ -30,6 +30,12 @@ struct CellShape {
   static CellShape cross(int log2Side);
 };
 
+/// Of the three segments through a cell's centre, which ends do not belong to them.
+struct SegmentEnds {
+  std::array<int, 3> leftOut{}; ///< 1: the high end, -1: the low one, 0: the segment is not looked at.
+  std::array<int, 3> keptIn{-1, -1, -1}; ///< The cells with this coordinate have both ends all the same.
+};
+
 /// Touched cells among 8x8x8: bit x + 8 y of slice z is the cell low + (x, y, z).
 struct CellMask {
   Int3 low;
@@ -52,5 +58,10 @@ CellRange cellsOf(const SnappedTriangle &triangle, int log2Side, const CellRange
 /// may be empty. Exact also where the triangle or a box is flat, a segment or a point.
 void coverCells(const SnappedTriangle &triangle, const CellShape &shape, const CellRange &within,
                 std::vector<CellMask> &masks);
+
+/// Sets `masks` to the cells of which the triangle meets a segment elsewhere than in an end that is left out.
+/// Segments that are looked at must meet its line or plane in one point at most.
+void coverSegments(const SnappedTriangle &triangle, int log2Side, const SegmentEnds &ends,
+                   const CellRange &within, std::vector<CellMask> &masks);
 
 } // namespace voxc

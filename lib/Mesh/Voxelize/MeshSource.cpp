@@ -180,7 +180,7 @@ private:
   }
 
   void propose(const SnappedTriangle &triangle, const CellRange &within) {
-    coverCells(triangle, mesh_->voxelShape, within, masks_);
+    mesh_->rule.cover(triangle, cursor_.isMirrored(), within, masks_);
     if (masks_.empty())
       return;
     colour_.moveTo(cursor_);

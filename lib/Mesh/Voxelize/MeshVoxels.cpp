@@ -1,6 +1,7 @@
 // Sorting the triangles of a scene into chunks.
 #include "Mesh/Voxelize/MeshVoxels.h"
 
+#include "Mesh/Solid/EdgeBalance.h"
 #include "Mesh/Voxelize/RegionFilter.h"
 
 #include <algorithm>
@@ -86,10 +87,16 @@ Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<con
   auto bins = Bins::create(model->extent(), log2Bin, memory);
   if (!bins)
     return bins.error();
-  const int bits = model->grid.bits();
-  const CellShape shape = options.coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits);
+  Facing facing = tuning.facing.value_or(Facing::Unknown);
+  if (options.coverage == Coverage::Inner && !tuning.facing) {
+    const auto found = facingOf(*scene, *model, memory, options.progress);
+    if (!found)
+      return found.error();
+    facing = *found;
+  }
+  const VoxelRule rule(options.coverage, model->grid.bits(), facing, model->extent());
   auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
-                                           shape, tuning.log2Chunk, options.progress);
+                                           rule, tuning.log2Chunk, options.progress);
   if (options.colour == ColourRule::Mean) {
     auto means = SceneMeans::of(*mesh->scene, memory, options.progress);
     if (!means)

@@ -1,4 +1,5 @@
 // The simple way to voxelize: each voxel of each triangle's box is held against the definition.
+#include "Mesh/Solid/EdgeBalance.h"
 #include "Mesh/Voxelize/MeshModel.h"
 #include "Mesh/Voxelize/NearestPoint.h"
 #include "Mesh/Voxelize/SurfaceColour.h"
@@ -61,11 +62,12 @@ bool touches(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, co
 
 class Reference {
 public:
-  Reference(const TriangleScene &scene, const MeshModel &model, const SceneMeans &means, Coverage coverage)
+  Reference(const TriangleScene &scene, const MeshModel &model, const SceneMeans &means, Coverage coverage,
+            Facing facing)
       : model_(model), cursor_(scene, model.numbers), colour_(scene, means),
-        side_(std::int64_t{1} << model.grid.bits()) {
+        side_(std::int64_t{1} << model.grid.bits()), isInner_(coverage == Coverage::Inner), facing_(facing) {
     const std::int64_t half = side_ / 2;
-    if (coverage == Coverage::Conservative)
+    if (coverage != Coverage::Thin && coverage != Coverage::Inner)
       boxes_ = {{half, half, half}};
     else
       boxes_ = {{half, 0, 0}, {0, half, 0}, {0, 0, half}};
@@ -118,8 +120,34 @@ private:
     Point64 centre;
     for (int axis = 0; axis < 3; ++axis)
       centre[static_cast<std::size_t>(axis)] = voxel[axis] * side_ + side_ / 2;
-    return std::any_of(boxes_.begin(), boxes_.end(),
-                       [&](const Point64 &half) { return touches(triangle, axes, centre, half); });
+    for (std::size_t box = 0; box < boxes_.size(); ++box)
+      if (touches(triangle, axes, centre, boxes_[box]) &&
+          (!isInner_ || !isLeftOut(triangle, axes, box, voxel, centre)))
+        return true;
+    return false;
+  }
+
+  /// By the rule `Inner`: is the segment along an axis, which the triangle meets, met in an end that belongs
+  /// to the next voxel, or not to be looked at?
+  bool isLeftOut(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, std::size_t axis,
+                 Int3 voxel, const Point64 &centre) const {
+    const Wide3 &normal = axes[3];
+    const bool isThin = normal == Wide3{};
+    const Point64 low{triangle.low(0), triangle.low(1), triangle.low(2)};
+    Point64 beyond{triangle.high(0), triangle.high(1), triangle.high(2)};
+    beyond[axis] = low[axis];
+    const bool isAlong = isThin && beyond == low && triangle.high(axis) != low[axis];
+    if (isAlong || (!isThin && normal[axis] == 0))
+      return true;
+    const bool isSided = !isThin && facing_ != Facing::Unknown;
+    bool isAtHigh = true;
+    if (isSided)
+      isAtHigh = (normal[axis] < 0) == ((facing_ == Facing::Outwards) != cursor_.isMirrored());
+    else if (voxel[static_cast<int>(axis)] == model_.extent()[static_cast<int>(axis)] - 1)
+      return false;
+    Point64 end = centre;
+    end[axis] += isAtHigh ? side_ / 2 : -side_ / 2;
+    return touches(triangle, axes, end, Point64{});
   }
 
   void propose(Int3 voxel, const NearestPoints &nearest) {
@@ -152,6 +180,8 @@ private:
   SurfaceColour colour_;
   std::int64_t side_; ///< Of a voxel, in steps of the grid.
   std::vector<Point64> boxes_;
+  bool isInner_;
+  Facing facing_;
   std::array<glm::dvec3, 3> corners_{}; ///< Of the triangle in work, in voxels.
   bool isFiner_ = false;                ///< Its texels are finer than voxels.
   std::vector<std::uint32_t> words_;    ///< Of the voxel in work.
@@ -172,7 +202,14 @@ Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleSce
       return made.error();
     means = std::move(*made);
   }
-  Reference reference(scene, *model, means, options.coverage);
+  Facing facing = Facing::Unknown;
+  if (options.coverage == Coverage::Inner) {
+    const auto found = facingOf(scene, *model, WorkingMemory::createDefault(), options.progress);
+    if (!found)
+      return found.error();
+    facing = *found;
+  }
+  Reference reference(scene, *model, means, options.coverage, facing);
   const std::uint64_t count = model->numbers.size();
   for (std::uint64_t number = 0; number < count; ++number) {
     if (number % kProgressStep == 0) {

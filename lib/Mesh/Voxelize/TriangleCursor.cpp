@@ -1,6 +1,9 @@
 // Reading triangles in place, with short ways for what most files hold.
 #include "Mesh/Voxelize/TriangleCursor.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cstring>
 
@@ -48,6 +51,7 @@ void TriangleCursor::enter(std::size_t instance) {
   instance_ = &scene_.instances[instance];
   part_ = &scene_.parts[instance_->part];
   isMoved_ = instance_->toModel != Transform();
+  isMirrored_ = isMoved_ && glm::determinant(glm::dmat3(instance_->toModel)) < 0;
   const AttributeView &indices = part_->indices;
   const bool isPlain = part_->mode == PrimitiveMode::Triangles &&
                        (indices.type == Type::Uint32 || indices.type == Type::Uint16);

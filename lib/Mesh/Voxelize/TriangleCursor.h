@@ -35,6 +35,8 @@ public:
   void moveTo(std::uint64_t triangle);
 
   std::uint32_t partIndex() const { return instance_->part; }
+  /// Does the instance's place turn triangles around, as a mirror does?
+  bool isMirrored() const { return isMirrored_; }
   const MeshPart &part() const { return *part_; }
   const std::array<std::uint32_t, 3> &vertices() const { return vertices_; }
   /// The corners, at the instance's place in the model. The vertices must exist.
@@ -50,7 +52,8 @@ private:
   std::uint64_t end_ = 0;
   const MeshInstance *instance_ = nullptr;
   const MeshPart *part_ = nullptr;
-  bool isMoved_ = false;                    ///< The instance is at another place than its part.
+  bool isMoved_ = false; ///< The instance is at another place than its part.
+  bool isMirrored_ = false;
   const std::byte *indexRows_ = nullptr;    ///< Of uint32 or uint16 for plain triangles, else null.
   const std::byte *positionRows_ = nullptr; ///< Of three floats or doubles, else null.
   bool areDoubles_ = false;
