@@ -48,9 +48,9 @@ Expected<void> changeInside(Input &input, const InputOptions &options) {
 }
 
 /// Tells what was made of the inside.
-void tellInside(Input &input, const InputOptions &options) {
+void tellInside(Input &input, Interior interior, const InputOptions &options) {
   const std::string voxels = std::to_string(input.interiorVoxels) + " voxels ";
-  if (options.interior == Interior::Drop) {
+  if (interior == Interior::Drop) {
     input.provenance = withProvenance(input.provenance, "interior", "drop");
     input.notes.push_back(voxels +
                           "that no ray from outside comes to are left out; rays that begin among them "
@@ -82,12 +82,14 @@ Expected<void> cropBorder(Input &input, const InputOptions &options) {
 } // namespace
 
 Expected<void> applyChanges(Input &input, const InputOptions &options) {
-  if (options.interior != Interior::Keep && !isSaid(input.provenance, options.interior)) {
+  // A solid by the centres of cells is filled, whether that was asked for or not.
+  const Interior interior = options.interior == Interior::Keep ? input.interior : options.interior;
+  if (interior != Interior::Keep && !isSaid(input.provenance, interior)) {
     // The inside of a mesh is filled where its triangles are at hand.
-    if (input.interior != options.interior)
+    if (input.interior != interior)
       if (auto changed = changeInside(input, options); !changed)
         return changed;
-    tellInside(input, options);
+    tellInside(input, interior, options);
   }
   return options.crop ? cropBorder(input, options) : Expected<void>();
 }

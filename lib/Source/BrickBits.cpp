@@ -1,7 +1,7 @@
 // From Morton order to coordinates and back, by cubes of 2^3.
 #include "Source/BrickBits.h"
 
-#include "voxc/Support/Geometry.h"
+#include <algorithm>
 
 namespace voxc {
 
@@ -47,6 +47,18 @@ MortonBits toMorton(const Slices &slices) {
     bits[i / 8] |= octet << 8 * (i % 8);
   }
   return bits;
+}
+
+Slices cellsBetween(Int3 low, Int3 high) {
+  const auto upTo = [](int end) { return (1u << std::clamp(end, 0, 8)) - 1; };
+  const std::uint64_t row = upTo(high.x) & ~upTo(low.x);
+  std::uint64_t slice = 0;
+  for (int y = std::max(low.y, 0); y < std::min(high.y, 8); ++y)
+    slice |= row << 8 * y;
+  Slices cells{};
+  for (int z = std::max(low.z, 0); z < std::min(high.z, 8); ++z)
+    cells[static_cast<std::size_t>(z)] = slice;
+  return cells;
 }
 
 } // namespace voxc

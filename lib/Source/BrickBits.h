@@ -1,6 +1,8 @@
 // A bit for each cell of a brick of 8^3, in the two orders in which bricks are read and searched.
 #pragma once
 
+#include "voxc/Support/Geometry.h"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -18,6 +20,9 @@ MortonBits bitsOf(const std::uint32_t *words);
 
 Slices toSlices(const MortonBits &bits);
 MortonBits toMorton(const Slices &slices);
+
+/// The cells of a brick that lie in a box, both ends given from the brick's low corner.
+Slices cellsBetween(Int3 low, Int3 high);
 
 inline bool isAny(const Slices &slices) {
   std::uint64_t any = 0;

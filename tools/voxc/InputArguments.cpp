@@ -154,7 +154,7 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
   if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb"}))
     return Error::usage("--grid is for .nvdb and .vdb files, and would do nothing for '" + input +
                         "'; leave it out");
-  if (!arguments.fillColour.empty() && arguments.interior != "fill")
+  if (!arguments.fillColour.empty() && arguments.interior != "fill" && arguments.coverage != "centre")
     return Error::usage("--fill-colour is for --interior fill; give both, or leave it out");
   const std::vector<double> &bounds = arguments.bounds;
   if (bounds.size() == 6 && bounds[0] == bounds[3] && bounds[1] == bounds[4] && bounds[2] == bounds[5])
@@ -179,11 +179,11 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .oneOf({"y", "z"});
   command
       .add("--coverage", arguments.coverage,
-           "Voxels that a triangle takes: conservative (default), all that it touches; thin; or inner, thin "
+           "Voxels of a mesh: conservative (default), all that a triangle touches; thin, fewer; inner, thin "
            "with "
-           "one voxel where a face lies between two")
+           "one where a face lies between two; or centre, all whose centre is inside")
       .takes("RULE")
-      .oneOf({"conservative", "thin", "inner"});
+      .oneOf({"conservative", "thin", "inner", "centre"});
   command
       .add("--colour", arguments.colour,
            "Colour from a mesh's texture: mean (default) of a voxel's texels, where they are finer than "

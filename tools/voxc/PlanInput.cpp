@@ -52,7 +52,8 @@ Expected<Input> openPlanned(const BuildPlan &plan, std::span<const WorkItem> ite
   inputOptions.progress = options.progress;
   inputOptions.memory = options.memory;
   inputOptions.threads = options.threads;
-  if (!inputOptions.crop && inputOptions.interior == Interior::Keep)
+  if (!inputOptions.crop && inputOptions.interior == Interior::Keep &&
+      inputOptions.coverage != Coverage::Centre)
     inputOptions.regions = boxesOf(plan, items);
   auto input = openInput(plan.input, inputOptions);
   if (!input)

@@ -1,6 +1,9 @@
 // Closed surfaces for tests of solids.
 #pragma once
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -76,5 +79,24 @@ inline Soup box(Corner low, Corner high) {
 }
 
 inline Soup cube(float low, float high) { return box({low, low, low}, {high, high, high}); }
+
+/// The winding number of a point: solid angles over 4 pi (A. van Oosterom and J. Strackee, "The solid angle
+/// of a plane triangle", IEEE Transactions on Biomedical Engineering 30, 1983).
+inline int windingAt(const Soup &soup, const glm::dvec3 &point) {
+  double sum = 0;
+  for (std::size_t i = 0; i < soup.size(); i += 3) {
+    std::array<glm::dvec3, 3> v;
+    std::array<double, 3> length;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = glm::dvec3(soup[i + k][0], soup[i + k][1], soup[i + k][2]) - point;
+      length[k] = std::sqrt(glm::dot(v[k], v[k]));
+    }
+    const double volume = glm::dot(v[0], glm::cross(v[1], v[2]));
+    const double rest = length[0] * length[1] * length[2] + glm::dot(v[0], v[1]) * length[2] +
+                        glm::dot(v[1], v[2]) * length[0] + glm::dot(v[2], v[0]) * length[1];
+    sum += 2 * std::atan2(volume, rest);
+  }
+  return static_cast<int>(std::lround(sum / (4 * std::numbers::pi)));
+}
 
 } // namespace voxc::test

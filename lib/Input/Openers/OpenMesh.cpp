@@ -36,30 +36,54 @@ std::string placeOf(const std::array<double, 3> &point) {
   return text.data();
 }
 
-/// What is wrong with a mesh that is not filled by its winding numbers.
-std::string complaintOf(SolidRule rule, const OpenEdges &open) {
+std::string percent(double share) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.2g %%", 100 * share);
+  return text.data();
+}
+
+constexpr const char *kByParity = "inside is what a ray enters an odd number of times";
+
+/// What is wrong with a mesh that is not closed, or whose triangles face both ways.
+std::string complaintOf(const SolidMesh &solid) {
+  const OpenEdges &open = solid.open;
   const std::string where = (open.isAll ? ": " : ": at least ") + std::to_string(open.count) +
                             " edges lack a counterpart, one from " + placeOf(open.from) + " to " +
                             placeOf(open.to) + "; ";
-  if (rule == SolidRule::Parity)
-    return "the triangles of the mesh do not all face the same way" + where +
-           "inside is what a ray enters an odd number of times";
-  return "the mesh is not closed" + where + "inside is what its voxels enclose";
+  if (solid.holes != 0) {
+    const std::string holes =
+        solid.holes == 1 ? "its hole is closed by a fan that has "
+                         : "its " + std::to_string(solid.holes) + " holes are closed by fans that have ";
+    return "the mesh is not closed" + where + holes + percent(solid.holeShare) + " of its area (at most " +
+           percent(kMostHoles) + " may be closed), and " +
+           (solid.rule == SolidRule::Winding ? "inside is what it then winds around" : kByParity);
+  }
+  if (solid.rule == SolidRule::Parity)
+    return "the triangles of the mesh do not all face the same way" + where + kByParity;
+  return "the mesh is not closed" + where +
+         (solid.isDoubleSided ? "inside is what its closed double-sided parts hold"
+                              : "inside is what its voxels enclose") +
+         ", as to close its holes takes more than " + percent(kMostHoles) + " of its area";
 }
 
-/// Makes the inside of the mesh voxels.
+/// Makes the inside of the mesh voxels; by its cells' centres, if that is the rule.
 Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Input &input) {
   const Stopwatch filling;
-  auto solid = fillMesh(scene, voxelizeOptions(options), std::move(input.source), options.fillWord,
-                        {options.memory, options.threads, options.progress});
+  const auto make = options.coverage == Coverage::Centre ? centreMesh : fillMesh;
+  auto solid = make(scene, voxelizeOptions(options), std::move(input.source), options.fillWord,
+                    {options.memory, options.threads, options.progress});
   if (!solid)
     return solid.error();
   input.source = std::move(solid->source);
   input.interior = Interior::Fill;
   input.interiorVoxels = solid->voxels;
   input.interiorSeconds = filling.seconds();
-  if (solid->rule != SolidRule::Winding)
-    input.warnings.push_back(complaintOf(solid->rule, solid->open));
+  if (solid->open.count != 0)
+    input.warnings.push_back(complaintOf(*solid));
+  if (solid->isDoubleSided)
+    input.notes.push_back(
+        "triangles lie on others that face the other way; of these, one of each two says what "
+        "is inside, which a ray enters an odd number of times");
   return {};
 }
 
@@ -114,7 +138,7 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
                                      longestAxis(input.source->extent()), options);
   if (options.colour == ColourRule::Nearest)
     input.provenance += " colour=nearest";
-  if (options.interior == Interior::Fill)
+  if (options.interior == Interior::Fill || options.coverage == Coverage::Centre)
     if (auto filled = fill(*shared, options, input); !filled)
       return filled.error();
   return input;

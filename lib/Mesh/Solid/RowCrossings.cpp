@@ -13,8 +13,6 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr std::uint64_t kTrianglesBetweenLooks = 64;
-
 int signOf(Wide value) { return (value > 0) - (value < 0); }
 
 /// Twice the area of the triangle a, b, p as it is seen along x. Without overflow: coordinates are below
@@ -58,7 +56,13 @@ public:
                       [](const CellCrossings &c) { return std::array{c.cell.z, c.cell.y, c.cell.x}; });
   }
 
-  void add(const SnappedTriangle &triangle) {
+  /// What a triangle counts for.
+  struct Role {
+    int way; ///< 0: not for winding and crossings; -1 if it is mirrored, else 1.
+    bool isTwin;
+  };
+
+  void add(const SnappedTriangle &triangle, const Role &role) {
     const auto [firstZ, lastZ] = centresOf(triangle, 2);
     const auto [firstY, lastY] = centresOf(triangle, 1);
     if (firstY > lastY || firstZ > lastZ)
@@ -70,7 +74,7 @@ public:
       else if (at->cell.y > lastY)
         at = from(at->cell.z + 1, firstY);
       else
-        test(triangle, *at++);
+        test(triangle, role, *at++);
     }
   }
 
@@ -90,7 +94,7 @@ private:
                                     [](const CellCrossings &c) { return rowOf(c.cell); });
   }
 
-  void test(const SnappedTriangle &triangle, CellCrossings &cell) const {
+  void test(const SnappedTriangle &triangle, const Role &role, CellCrossings &cell) const {
     Point64 centre;
     for (std::size_t axis = 0; axis < 3; ++axis)
       centre[axis] = (2 * std::int64_t{cell.cell[static_cast<int>(axis)]} + 1) << (bits_ - 1);
@@ -100,8 +104,9 @@ private:
     if (way == 0 || !isBelow(triangle, centre))
       return;
     // Whoever leaves by a triangle sees it turn the other way.
-    cell.winding -= way;
-    ++cell.crossings;
+    cell.winding -= way * role.way;
+    cell.crossings += role.way != 0;
+    cell.twins += role.isTwin;
   }
 
   std::span<CellCrossings> cells_;
@@ -112,19 +117,15 @@ private:
 
 Expected<void> countCrossings(const TriangleScene &scene, const MeshModel &model,
                               ScratchArray<CellCrossings> &cells, WorkingMemory &memory,
-                              const Progress &progress) {
+                              const Progress &progress, const TriangleRoles &roles) {
   Rows rows(cells.span(), model.grid.bits());
-  TriangleCursor cursor(scene, model.numbers);
-  for (std::uint64_t number = 0; number < model.numbers.size(); ++number) {
-    if (number % kTrianglesBetweenLooks == 0) {
-      if (progress.stopped())
-        return Error::interrupted();
-      memory.relieve();
-    }
-    cursor.moveTo(number);
-    rows.add(model.snapped(cursor));
-  }
-  return {};
+  const auto add = [&](std::uint64_t number, const TriangleCursor &cursor) -> Expected<void> {
+    const bool isTwin = number >= roles.twinCaps || (roles.twins && roles.twins->has(number));
+    const int way = number >= roles.twinCaps ? 0 : cursor.isMirrored() ? -1 : 1;
+    rows.add(model.snapped(cursor), {way, isTwin});
+    return {};
+  };
+  return forEachTriangle(scene, model, nullptr, memory, progress, add);
 }
 
 } // namespace voxc

@@ -1,40 +1,61 @@
 // Filling a mesh: its empty cells fall into parts, and one cell of each tells whether it lies inside.
 #include "voxc/Mesh/SolidMesh.h"
 
-#include "Mesh/Solid/EdgeBalance.h"
-#include "Mesh/Solid/RowCrossings.h"
+#include "Mesh/Solid/CentreSource.h"
+#include "Mesh/Solid/ClosedMesh.h"
+#include "Mesh/Solid/InsideCells.h"
+#include "Mesh/Voxelize/MeshVoxels.h"
 #include "Source/Interior/FloodTree.h"
 #include "Source/Interior/PaintedSource.h"
-#include "voxc/Source/Interior.h"
 
+#include <string>
 #include <utility>
 
 namespace voxc {
 
 namespace {
 
-/// The scene without colours: nothing of it is cut out, and voxels are made faster.
-std::shared_ptr<const TriangleScene> shapeOf(const TriangleScene &scene) {
-  auto shape = std::make_shared<TriangleScene>(scene);
-  shape->materials = {Material{}};
-  shape->textures.clear();
-  for (MeshPart &part : shape->parts) {
-    part.uvs = {};
-    part.emissionUvs = {};
-    part.colours = {};
-    part.material = 0;
+/// What both ways to make a solid begin with.
+struct Prepared {
+  ClosedMesh mesh;
+  Facing facing; ///< Of the scene before its holes were closed: its voxels shall stay what they are.
+
+  static Expected<Prepared> of(const TriangleScene &scene, const VoxelizeOptions &options,
+                               const InteriorOptions &means) {
+    const auto model = MeshModel::open(scene, options, means.memory.get());
+    if (!model)
+      return model.error();
+    Facing facing = Facing::Unknown;
+    if (options.coverage == Coverage::Inner) {
+      const auto found = facingOf(scene, *model, means.memory, means.progress);
+      if (!found)
+        return found.error();
+      facing = *found;
+    }
+    auto mesh = ClosedMesh::of(scene, *model, means.memory, means.progress);
+    if (!mesh)
+      return mesh.error();
+    return Prepared{std::move(*mesh), facing};
   }
-  return shape;
-}
 
-bool isInside(const CellCrossings &cell, SolidRule rule) {
-  return rule == SolidRule::Winding ? cell.winding != 0 : cell.crossings % 2 != 0;
-}
+  /// The solid, with what was found out of the mesh.
+  SolidMesh solid(std::unique_ptr<VoxelSource> source, std::uint64_t voxels) const {
+    return {std::move(source), voxels, mesh.rule, mesh.hasTwins, mesh.open, mesh.holes, mesh.holeShare};
+  }
+};
 
-Expected<FloodTree::Chosen> insideOf(const TriangleScene &scene, const MeshModel &model, SolidRule rule,
-                                     const VoxelizeOptions &options, const InteriorOptions &means) {
-  const std::shared_ptr<WorkingMemory> &memory = means.memory;
-  auto shape = makeMeshSource(shapeOf(scene), options, memory);
+/// The voxels of the closed mesh as a tree, and the empty cells inside.
+struct Inside {
+  FloodTree tree;
+  FloodTree::Chosen cells;
+};
+
+Expected<Inside> insideOf(const Prepared &prepared, const VoxelizeOptions &options,
+                          const InteriorOptions &means) {
+  const ClosedMesh &mesh = prepared.mesh;
+  MeshTuning tuning;
+  tuning.facing = prepared.facing;
+  auto shape = makeMeshSource(mesh.scene, options, means.memory, tuning);
   if (!shape)
     return shape.error();
   // What lies beyond the volume is no way from one part to another.
@@ -44,18 +65,58 @@ Expected<FloodTree::Chosen> insideOf(const TriangleScene &scene, const MeshModel
   const auto parts = tree->floodEveryPart();
   if (!parts)
     return parts.error();
-  ScratchArray<CellCrossings> cells(memory);
+  ScratchArray<CellCrossings> cells(means.memory);
   for (const Int3 &part : parts->span())
     if (auto added = cells.push({part}); !added)
       return added.error();
-  if (auto counted = countCrossings(scene, model, cells, *memory, means.progress); !counted)
+  if (auto counted =
+          countCrossings(*mesh.scene, mesh.model, cells, *means.memory, means.progress, mesh.roles());
+      !counted)
     return counted.error();
   tree->drain();
   for (const CellCrossings &cell : cells.span())
-    if (isInside(cell, rule))
+    if (mesh.isInside(cell))
       if (auto flooded = tree->floodFrom(cell.cell); !flooded)
         return flooded.error();
-  return tree->choose(Choice::Reached);
+  auto chosen = tree->choose(Choice::Reached);
+  if (!chosen)
+    return chosen.error();
+  return Inside{std::move(*tree), std::move(*chosen)};
+}
+
+/// Takes the cells where a source has voxels out of the bricks, and counts those that are left.
+Expected<std::uint64_t> leaveEmpty(ScratchArray<BrickCells> &bricks, VoxelSource &source) {
+  std::uint64_t count = 0;
+  std::array<std::uint32_t, 512> words;
+  for (BrickCells &brick : bricks.span()) {
+    if (auto read = source.read({brick.low, 3}, words.data()); !read)
+      return read.error();
+    const Slices voxels = toSlices(bitsOf(words.data()));
+    for (std::size_t z = 0; z < brick.cells.size(); ++z)
+      brick.cells[z] &= ~voxels[z];
+    count += countBits(brick.cells);
+  }
+  return count;
+}
+
+/// Paints the cells inside that triangles which close holes touch: no part of the empty cells has them.
+Expected<std::uint64_t> fillCaps(const Prepared &prepared, const VoxelizeOptions &options, std::uint32_t word,
+                                 std::unique_ptr<VoxelSource> &source, const InteriorOptions &means) {
+  const ClosedMesh &mesh = prepared.mesh;
+  const VoxelRule rule(options.coverage, mesh.model.grid.bits(), prepared.facing, mesh.model.extent());
+  auto bricks = voxelsOfCaps(mesh, rule, means.memory, means.progress);
+  if (!bricks)
+    return bricks.error();
+  if (auto kept = keepInside(*bricks, mesh, means.memory, means.progress); !kept)
+    return kept.error();
+  const auto count = leaveEmpty(*bricks, *source);
+  if (!count)
+    return count.error();
+  auto cells = setOf(bricks->span(), mesh.model.extent(), means.memory);
+  if (!cells)
+    return cells.error();
+  source = paint(std::move(source), std::move(*cells), word);
+  return *count;
 }
 
 } // namespace
@@ -63,23 +124,54 @@ Expected<FloodTree::Chosen> insideOf(const TriangleScene &scene, const MeshModel
 Expected<SolidMesh> fillMesh(const TriangleScene &scene, const VoxelizeOptions &options,
                              std::unique_ptr<VoxelSource> surface, std::uint32_t word,
                              const InteriorOptions &means) {
-  const auto model = MeshModel::open(scene, options, means.memory.get());
-  if (!model)
-    return model.error();
-  const auto balance = EdgeBalance::of(scene, *model, means.memory, means.progress);
-  if (!balance)
-    return balance.error();
-  if (balance->rule == SolidRule::Enclosure) {
+  const auto prepared = Prepared::of(scene, options, means);
+  if (!prepared)
+    return prepared.error();
+  if (!prepared->mesh.isClosed()) {
     auto filled = fillInterior(std::move(surface), word, means);
     if (!filled)
       return filled.error();
-    return SolidMesh{std::move(filled->source), filled->voxels, balance->rule, balance->open};
+    return prepared->solid(std::move(filled->source), filled->voxels);
   }
-  auto inside = insideOf(scene, *model, balance->rule, options, means);
+  auto inside = insideOf(*prepared, options, means);
   if (!inside)
     return inside.error();
-  return SolidMesh{paint(std::move(surface), std::move(inside->cells), word), inside->count, balance->rule,
-                   balance->open};
+  std::unique_ptr<VoxelSource> source = paint(std::move(surface), std::move(inside->cells.cells), word);
+  std::uint64_t count = inside->cells.count;
+  if (prepared->mesh.holes != 0) {
+    const auto added = fillCaps(*prepared, options, word, source, means);
+    if (!added)
+      return added.error();
+    count += *added;
+  }
+  return prepared->solid(std::move(source), count);
+}
+
+Expected<SolidMesh> centreMesh(const TriangleScene &scene, const VoxelizeOptions &options,
+                               std::unique_ptr<VoxelSource> surface, std::uint32_t word,
+                               const InteriorOptions &means) {
+  const auto prepared = Prepared::of(scene, options, means);
+  if (!prepared)
+    return prepared.error();
+  const ClosedMesh &mesh = prepared->mesh;
+  if (!mesh.isClosed())
+    return Error::input(
+        "the mesh is not closed, so that no centre lies inside it: " + std::to_string(mesh.open.count) +
+        " edges lack a counterpart; close it, or take the coverage conservative, thin or inner");
+  auto inside = insideOf(*prepared, options, means);
+  if (!inside)
+    return inside.error();
+  auto bricks = inside->tree.voxels();
+  if (!bricks)
+    return bricks.error();
+  if (auto kept = keepInside(*bricks, mesh, means.memory, means.progress); !kept)
+    return kept.error();
+  auto cells = setOf(bricks->span(), mesh.model.extent(), means.memory);
+  if (!cells)
+    return cells.error();
+  const std::uint64_t count = inside->cells.count;
+  return prepared->solid(
+      makeCentreSource(std::move(surface), {std::move(inside->cells.cells), std::move(*cells)}, word), count);
 }
 
 } // namespace voxc

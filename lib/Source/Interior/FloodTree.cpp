@@ -13,19 +13,6 @@ constexpr std::uint64_t kStepsBetweenLooks = 1 << 10;
 
 Int3 cellsPerSide(int height) { return Int3{1, 1, 1} * (1 << 3 * height); }
 
-/// The cells of a brick that lie in a box, both ends given from the brick's low corner.
-Slices cellsBetween(Int3 low, Int3 high) {
-  const auto upTo = [](int end) { return (1u << std::clamp(end, 0, 8)) - 1; };
-  const std::uint64_t row = upTo(high.x) & ~upTo(low.x);
-  std::uint64_t slice = 0;
-  for (int y = std::max(low.y, 0); y < std::min(high.y, 8); ++y)
-    slice |= row << 8 * y;
-  Slices cells{};
-  for (int z = std::max(low.z, 0); z < std::min(high.z, 8); ++z)
-    cells[static_cast<std::size_t>(z)] = slice;
-  return cells;
-}
-
 Slices joined(const Slices &a, const Slices &b) {
   Slices both;
   for (std::size_t z = 0; z < 8; ++z)

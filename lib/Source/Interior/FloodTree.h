@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Source/BrickBits.h"
-#include "Source/Interior/CellSet.h"
+#include "Source/Interior/BrickCells.h"
 #include "voxc/Source/Interior.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Support/Progress.h"
@@ -65,6 +65,9 @@ public:
   };
   Expected<Chosen> choose(Choice choice) const;
 
+  /// The voxels of the source, in Morton order. Error: no memory.
+  Expected<ScratchArray<BrickCells>> voxels() const;
+
 private:
   /// What stands for a child that is no node: the others are kFirst and the index of a node or leaf.
   enum Child : std::uint32_t { kEmpty, kWet, kFull, kFirst };
@@ -124,6 +127,9 @@ private:
 
   std::uint32_t chooseChild(std::uint32_t child, int height, Choice choice, CellSet &cells,
                             std::uint64_t &count, std::optional<Error> &error) const;
+
+  void listVoxels(std::uint32_t child, const Cube &cube, int height, ScratchArray<BrickCells> &bricks,
+                  std::optional<Error> &error) const;
 
   std::uint32_t addNode(std::uint32_t children);
   std::uint32_t addLeaf(Int3 low, const Slices &voxels);

@@ -69,4 +69,40 @@ std::uint32_t FloodTree::chooseChild(std::uint32_t child, int height, Choice cho
   return error ? std::uint32_t{CellSet::kNone} : take(children);
 }
 
+Expected<ScratchArray<BrickCells>> FloodTree::voxels() const {
+  ScratchArray<BrickCells> bricks(memory_);
+  std::optional<Error> error;
+  listVoxels(root_, {{}, 3 * height_}, height_, bricks, error);
+  if (error)
+    return *error;
+  return bricks;
+}
+
+void FloodTree::listVoxels(std::uint32_t child, const Cube &cube, int height,
+                           ScratchArray<BrickCells> &bricks, std::optional<Error> &error) const {
+  if (child == kEmpty || child == kWet || error || isOutside(cube, extent_))
+    return;
+  if (height > 1) {
+    const int log2Child = 3 * (height - 1);
+    for (std::uint32_t i = 0; i < 512; ++i) {
+      const Cube part{cube.low + mortonCell(i) * (1 << log2Child), log2Child};
+      listVoxels(child == kFull ? std::uint32_t{kFull} : nodes_[child - kFirst][i], part, height - 1, bricks,
+                 error);
+    }
+    return;
+  }
+  Slices cells;
+  cells.fill(~std::uint64_t{0});
+  if (child != kFull)
+    cells = leaves_[child - kFirst].voxels;
+  // What lies beyond the extent may be taken for full.
+  const Slices within = cellsBetween(Int3{} - cube.low, extent_ - cube.low);
+  for (std::size_t z = 0; z < cells.size(); ++z)
+    cells[z] &= within[z];
+  if (!isAny(cells))
+    return;
+  if (auto added = bricks.push({cube.low, cells}); !added)
+    error = added.error();
+}
+
 } // namespace voxc

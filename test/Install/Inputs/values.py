@@ -22,7 +22,7 @@ def named(header):
 def main():
     headers, folder = map(Path, sys.argv[1:])
     mesh, scan = folder / "mesh.obj", folder / "scan.raw"
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
     scan.write_bytes(bytes(range(8)))
     solid = voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool))
     pictures = solid.tracer("cpu")

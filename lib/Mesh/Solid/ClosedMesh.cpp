@@ -1,0 +1,144 @@
+// Choosing a rule, and adding the parts that close holes.
+#include "Mesh/Solid/ClosedMesh.h"
+
+#include "Mesh/KeptArray.h"
+#include "Mesh/Solid/HoleCaps.h"
+#include "Mesh/Solid/TwinTriangles.h"
+
+#include <glm/geometric.hpp>
+
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+/// The scene without colours: nothing of it is cut out, and voxels are made faster.
+TriangleScene shapeOf(const TriangleScene &scene) {
+  TriangleScene shape = scene;
+  shape.materials = {Material{}};
+  shape.textures.clear();
+  for (MeshPart &part : shape.parts) {
+    part.uvs = {};
+    part.emissionUvs = {};
+    part.colours = {};
+    part.material = 0;
+  }
+  return shape;
+}
+
+/// In squares of a voxel's side.
+Expected<double> areaOf(const TriangleScene &scene, const MeshModel &model, const TriangleSet *only,
+                        WorkingMemory &memory, const Progress &progress) {
+  double area = 0;
+  auto summed = forEachTriangle(scene, model, only, memory, progress,
+                                [&](std::uint64_t, const TriangleCursor &cursor) -> Expected<void> {
+                                  const auto [a, b, c] = model.inVoxels(model.snapped(cursor));
+                                  area += glm::length(glm::cross(b - a, c - a)) / 2;
+                                  return {};
+                                });
+  return summed ? Expected<double>(area) : summed.error();
+}
+
+class Closer {
+public:
+  Closer(ClosedMesh &mesh, const TriangleScene &scene, const std::shared_ptr<WorkingMemory> &memory,
+         const Progress &progress)
+      : mesh_(mesh), scene_(scene), memory_(memory), progress_(progress), shape_(shapeOf(scene)) {}
+
+  Expected<void> close() {
+    mesh_.caps = mesh_.twinCaps = mesh_.model.numbers.size();
+    if (auto closed = closeAll(); !closed)
+      return closed;
+    if (auto closed = closeTwins(); !closed)
+      return closed;
+    mesh_.model.numbers = TriangleNumbers(shape_);
+    mesh_.scene = std::make_shared<TriangleScene>(std::move(shape_));
+    return {};
+  }
+
+private:
+  /// Of all triangles: by the way that they turn, if that leaves small holes, else whichever way.
+  Expected<void> closeAll() {
+    const auto balance = EdgeBalance::of(scene_, mesh_.model, memory_, progress_);
+    if (!balance)
+      return balance.error();
+    mesh_.rule = balance->rule;
+    mesh_.open = balance->open;
+    if (balance->rule != SolidRule::Enclosure || !balance->areRimsAll)
+      return {};
+    const auto area = areaOf(scene_, mesh_.model, nullptr, *memory_, progress_);
+    if (!area)
+      return area.error();
+    for (const bool isEither : {false, true}) {
+      const HoleCaps caps = HoleCaps::of(balance->rims, isEither, mesh_.model);
+      if (!isSmall(caps, *area))
+        continue;
+      mesh_.rule = isEither ? SolidRule::Parity : SolidRule::Winding;
+      return add(caps, *area, mesh_.twinCaps);
+    }
+    return {};
+  }
+
+  /// Of triangles that lie on others, which wind around nothing.
+  Expected<void> closeTwins() {
+    auto twins = findTwins(scene_, mesh_.model, memory_, progress_);
+    if (!twins)
+      return twins.error();
+    mesh_.twins = std::move(*twins);
+    if (mesh_.twins.empty())
+      return {};
+    const auto balance = EdgeBalance::ofEither(mesh_.twins, scene_, mesh_.model, memory_, progress_);
+    if (!balance)
+      return balance.error();
+    mesh_.hasTwins = balance->rule == SolidRule::Parity;
+    if (mesh_.hasTwins || !balance->areRimsAll)
+      return {};
+    const auto area = areaOf(scene_, mesh_.model, &mesh_.twins, *memory_, progress_);
+    if (!area)
+      return area.error();
+    const HoleCaps caps = HoleCaps::of(balance->rims, true, mesh_.model);
+    if (!isSmall(caps, *area))
+      return {};
+    mesh_.hasTwins = true;
+    if (mesh_.open.count == 0)
+      mesh_.open = balance->open;
+    std::uint64_t end = 0;
+    return add(caps, *area, end);
+  }
+
+  static bool isSmall(const HoleCaps &caps, double area) { return caps.area <= kMostHoles * area; }
+
+  /// Adds a part, and sets `end` to the number of the triangle after its last one.
+  Expected<void> add(const HoleCaps &caps, double area, std::uint64_t &end) {
+    ScratchArray<std::array<double, 3>> corners(memory_);
+    if (auto kept = corners.append(caps.corners); !kept)
+      return kept;
+    MeshPart part;
+    part.positions = keep(std::move(corners), kDoubleRows3, shape_);
+    shape_.instances.push_back({static_cast<std::uint32_t>(shape_.parts.size()), {}});
+    shape_.parts.push_back(part);
+    end = triangleCount(shape_);
+    mesh_.holes += caps.holes;
+    mesh_.holeShare = std::max(mesh_.holeShare, area > 0 ? caps.area / area : 0);
+    return {};
+  }
+
+  ClosedMesh &mesh_;
+  const TriangleScene &scene_;
+  std::shared_ptr<WorkingMemory> memory_;
+  const Progress &progress_;
+  TriangleScene shape_;
+};
+
+} // namespace
+
+Expected<ClosedMesh> ClosedMesh::of(const TriangleScene &scene, const MeshModel &model,
+                                    const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
+  ClosedMesh mesh{nullptr, model, SolidRule::Enclosure, false, TriangleSet(memory), 0, 0, 0, 0, {}};
+  if (auto closed = Closer(mesh, scene, memory, progress).close(); !closed)
+    return closed.error();
+  return mesh;
+}
+
+} // namespace voxc

@@ -1,0 +1,24 @@
+// Triangles that close the holes of a mesh.
+#pragma once
+
+#include "Mesh/Solid/EdgeBalance.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace voxc {
+
+/// Fans from the middle of each rim: with them, each edge is passed as often one way as the other.
+struct HoleCaps {
+  std::vector<std::array<double, 3>> corners; ///< Three a triangle, in model units.
+  std::uint64_t holes = 0;                    ///< Rims that have no corner in common.
+  double area = 0;                            ///< Of all fans, in squares of a voxel's side.
+
+  /// Closes all `rims`; or, if `isEither`, those that are passed an odd number of times, whichever way.
+  /// Nothing is made if that takes 2^20 triangles or more: then the area is infinite.
+  static HoleCaps of(std::span<const RimEdge> rims, bool isEither, const MeshModel &model);
+};
+
+} // namespace voxc

@@ -1,0 +1,153 @@
+// Solids by the centres of their cells, held against winding numbers by solid angles.
+#include "SceneTesting.h"
+#include "SolidShapes.h"
+#include "Source/SourceTesting.h"
+#include "TestLength.h"
+#include "voxc/Mesh/SolidMesh.h"
+
+#include <numbers>
+#include <random>
+
+namespace voxc::test {
+namespace {
+
+constexpr std::uint32_t kFill = 0xff332211;
+
+VoxelizeOptions optionsAt(int resolution) {
+  VoxelizeOptions options;
+  options.resolution = resolution;
+  options.bounds = {{0, 0, 0, 1, 1, 1}};
+  options.coverage = Coverage::Centre;
+  return options;
+}
+
+Expected<SolidMesh> centred(const std::shared_ptr<TriangleScene> &scene, const VoxelizeOptions &options,
+                            unsigned threads = 1) {
+  const auto memory = WorkingMemory::create(std::uint64_t{1} << 26);
+  auto surface = makeMeshSource(scene, options, memory);
+  EXPECT_TRUE(surface) << surface.error().message;
+  return centreMesh(*scene, options, std::move(*surface), kFill, {memory, threads, options.progress});
+}
+
+Voxels solidOf(const Soup &soup, const VoxelizeOptions &options, bool *isDoubleSided = nullptr) {
+  auto solid = centred(soupOf(soup), options);
+  EXPECT_TRUE(solid) << solid.error().message;
+  if (isDoubleSided)
+    *isDoubleSided = solid && solid->isDoubleSided;
+  return solid ? voxelsOf(*solid->source) : Voxels{};
+}
+
+/// Every cell whose centre, moved as the rule says, the mesh winds about: white where a triangle touches it.
+void expectCentres(const Soup &soup, int resolution) {
+  VoxelizeOptions options = optionsAt(resolution);
+  bool isDoubleSided = false;
+  const Voxels solid = solidOf(soup, options, &isDoubleSided);
+  // Surfaces drawn at random may lie on each other, one facing the other way: winding numbers miss them.
+  if (isDoubleSided)
+    return;
+  options.coverage = Coverage::Conservative;
+  const Voxels touched =
+      voxelsOf(**makeMeshSource(soupOf(soup), options, WorkingMemory::create(std::uint64_t{1} << 26)));
+  Voxels expected;
+  for (Int3 cell; cell.z < resolution; ++cell.z)
+    for (cell.y = 0; cell.y < resolution; ++cell.y)
+      for (cell.x = 0; cell.x < resolution; ++cell.x) {
+        const glm::dvec3 centre(cell.x + 0.5 + 1e-5, cell.y + 0.5 + 1e-8, cell.z + 0.5 + 1e-11);
+        if (windingAt(soup, centre / double(resolution)) == 0)
+          continue;
+        const auto there = touched.find(mortonCode(cell));
+        expected[mortonCode(cell)] = there == touched.end() ? kFill : there->second;
+      }
+  ASSERT_EQ(solid, expected);
+}
+
+TEST(SolidCentres, AreThoseThatTheMeshWindsAbout) {
+  expectCentres(sphere(0.4), 24);
+  expectCentres(flipped(sphere(0.4)), 24);
+  expectCentres(torus(0.3, 0.12), 24);
+  expectCentres(joined(sphere(0.45), flipped(sphere(0.25))), 24);
+  // Thinner than a voxel: some centres are in it, all the same.
+  expectCentres(box({0.1f, 0.1f, 0.51f}, {0.9f, 0.9f, 0.54f}), 16);
+}
+
+TEST(SolidCentres, OnTheSurfaceAreDecidedByTheSameRuleEverywhere) {
+  // Faces through centres: those at the low ends belong to the box, those at the high ends do not.
+  for (const float low : {4.0f / 16, 4.5f / 16})
+    expectCentres(cube(low, low + 0.5f), 16);
+  EXPECT_EQ(solidOf(cube(4.5f / 16, 12.5f / 16), optionsAt(16)).size(), 512u);
+  // Boxes that share such faces share no cell, and leave none out.
+  const Soup whole = cube(4.5f / 16, 12.5f / 16);
+  const Soup parts = joined(box({4.5f / 16, 4.5f / 16, 4.5f / 16}, {8.5f / 16, 12.5f / 16, 12.5f / 16}),
+                            box({8.5f / 16, 4.5f / 16, 4.5f / 16}, {12.5f / 16, 12.5f / 16, 12.5f / 16}));
+  EXPECT_EQ(solidOf(parts, optionsAt(16)).size(), solidOf(whole, optionsAt(16)).size());
+}
+
+TEST(SolidCentres, OfRandomClosedSurfaces) {
+  std::mt19937 random(1);
+  for (int round = 0; round < rounds(12); ++round) {
+    std::vector<Corner> points(6);
+    // Every other time all corners are at centres of cells, so that rows meet them in every way.
+    for (Corner &point : points)
+      for (float &coordinate : point)
+        coordinate = round % 2 == 0 ? (static_cast<float>(random() % 16) + 0.5f) / 16
+                                    : static_cast<float>(random() % 1000) / 1000;
+    Soup soup;
+    for (int i = 0; i < 4; ++i) {
+      std::array<Corner, 4> t;
+      for (Corner &corner : t)
+        corner = points[random() % points.size()];
+      soup =
+          joined(std::move(soup), {t[0], t[1], t[2], t[0], t[3], t[1], t[1], t[3], t[2], t[2], t[3], t[0]});
+    }
+    SCOPED_TRACE(round);
+    expectCentres(soup, 16);
+  }
+}
+
+TEST(SolidCentres, HaveTheVolumeOfTheBody) {
+  const double radius = 0.4;
+  const double ball = 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+  const Soup soup = sphere(radius, {0.5f, 0.5f, 0.5f}, 64);
+  for (const int resolution : {32, 64, 128}) {
+    const auto voxels = static_cast<double>(solidOf(soup, optionsAt(resolution)).size());
+    EXPECT_NEAR(voxels / std::pow(resolution, 3) / ball, 1, 0.006) << resolution;
+  }
+}
+
+TEST(SolidCentres, OnSeveralThreadsAndOfMoreCellsThanABatchAreTheSame) {
+  const auto scene = soupOf(sphere(0.45));
+  auto options = optionsAt(100);
+  EXPECT_EQ(voxelsOf(*centred(scene, options, 3)->source), voxelsOf(*centred(scene, options)->source));
+  // Four million cells that triangles touch.
+  options = optionsAt(1000);
+  options.bounds = {{0, 0, 0, 1, 1, 1}};
+  auto solid = centred(soupOf(box({0.0105f, 0.0105f, 0.0105f}, {0.9895f, 0.9895f, 0.9895f})), options);
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->voxels, 978u * 978 * 978);
+  Int3 cell{10, 500, 500};
+  std::uint32_t word = 0;
+  // The low face lies through centres, the high one too.
+  for (const auto &[x, expected] :
+       {std::pair{9, 0u}, {10, 0xffffffffu}, {11, kFill}, {988, kFill}, {989, 0u}}) {
+    cell.x = x;
+    ASSERT_TRUE(solid->source->read({cell, 0}, &word));
+    EXPECT_EQ(word, expected) << x;
+  }
+}
+
+TEST(SolidCentres, OfWhatIsNotClosedAreAnError) {
+  Soup bin = cube(0.2f, 0.8f);
+  bin.resize(30);
+  const auto solid = centred(soupOf(bin), optionsAt(8));
+  ASSERT_FALSE(solid);
+  EXPECT_EQ(solid.error().kind, ErrorKind::Input);
+  EXPECT_EQ(solid.error().message.find("the mesh is not closed, so that no centre lies inside it: 4 edges"),
+            0u);
+  // A small hole is closed.
+  Soup open = sphere(0.4);
+  open.erase(open.begin() + 1200, open.begin() + 1203);
+  EXPECT_EQ(solidOf(open, optionsAt(30)).size(), solidOf(sphere(0.4), optionsAt(30)).size());
+}
+
+} // namespace
+} // namespace voxc::test
