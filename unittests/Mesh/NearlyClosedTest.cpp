@@ -110,19 +110,66 @@ TEST(NearlyClosed, AWideHoleIsCutOffByItsFan) {
   EXPECT_EQ(solid.cells, expected);
 }
 
-TEST(NearlyClosed, CracksBesideCornersOnEdgesAreNoHoles) {
-  // One side of a cube is cut in the middle of an edge that its neighbour has in one piece.
+/// A box of which one side is cut in the middle of an edge that its neighbour has in one piece; the middle
+/// lies so far beside the edge.
+Soup cracked(float beside) {
   Soup soup = cube(0.2f, 0.8f);
-  const Soup side{soup.begin(), soup.begin() + 3};
-  const Corner middle{(side[0][0] + side[1][0]) / 2, (side[0][1] + side[1][1]) / 2,
-                      (side[0][2] + side[1][2]) / 2};
+  const std::array<Corner, 3> side{soup[0], soup[1], soup[2]};
+  Corner middle;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    middle[axis] = (side[0][axis] + side[1][axis]) / 2 + beside;
   soup.erase(soup.begin(), soup.begin() + 3);
-  soup = joined(soup, {side[0], middle, side[2], middle, side[1], side[2]});
-  const Solid solid = solidOf(soup, optionsAt(20));
+  return joined(std::move(soup), {side[0], middle, side[2], middle, side[1], side[2]});
+}
+
+TEST(NearlyClosed, CornersOnEdgesMakeNoHoles) {
+  const Solid solid = solidOf(cracked(0), optionsAt(20));
   EXPECT_EQ(solid.told.rule, SolidRule::Winding);
-  EXPECT_EQ(solid.told.open.count, 3u);
-  EXPECT_LT(solid.told.holeShare, 1e-3);
+  EXPECT_EQ(solid.told.open.count, 0u);
+  EXPECT_EQ(solid.told.holes, 0u);
   EXPECT_EQ(solid.cells, solidOf(cube(0.2f, 0.8f), optionsAt(20)).cells);
+  const Solid beside = solidOf(cracked(0.001f), optionsAt(20));
+  EXPECT_EQ(beside.told.rule, SolidRule::Winding);
+  EXPECT_EQ(beside.told.open.count, 3u);
+  EXPECT_EQ(beside.told.holes, 1u);
+  EXPECT_LT(beside.told.holeShare, 1e-3);
+  EXPECT_EQ(beside.cells, expectedOf(beside.surface, cube(0.2f, 0.8f), 20));
+}
+
+/// Two boxes of 8, 4 and 4 units that touch, each side cut into strips of its own: all edges are parted
+/// elsewhere.
+TEST(NearlyClosed, MergedFacesOfVoxelsAreClosed) {
+  std::mt19937 random(4);
+  for (int round = 0; round < rounds(10); ++round) {
+    Soup soup;
+    const auto strips = [&](Corner low, Corner high, std::size_t axis, bool isHigh) {
+      const std::size_t u = (axis + 1 + random() % 2) % 3;
+      Corner from = low;
+      (isHigh ? from : high)[axis] = (isHigh ? high : low)[axis];
+      // Along u, in units of an eighth.
+      while (from[u] < high[u]) {
+        Corner to = high;
+        to[u] = std::min(high[u], from[u] + static_cast<float>(1 + random() % 3) / 8);
+        const std::size_t v = 3 - axis - u;
+        std::array<Corner, 4> square{from, from, to, to};
+        square[1][v] = to[v];
+        square[3][v] = from[v];
+        const bool turnsLeft = (v == (axis + 1) % 3) == isHigh;
+        const Soup strip{square[0], square[1], square[2], square[0], square[2], square[3]};
+        soup = joined(std::move(soup), turnsLeft ? strip : flipped(strip));
+        from[u] = to[u];
+      }
+    };
+    for (const auto &[low, high] :
+         {std::pair<Corner, Corner>{{0, 0, 0}, {1, 0.5f, 0.5f}}, {{0, 0.5f, 0.5f}, {0.5f, 1, 1}}})
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const bool isHigh : {false, true})
+          strips(low, high, axis, isHigh);
+    const Solid solid = solidOf(soup, optionsAt(8, Coverage::Inner));
+    EXPECT_EQ(solid.told.rule, SolidRule::Winding);
+    EXPECT_EQ(solid.told.open.count, 0u);
+    EXPECT_EQ(solid.cells.size(), 8u * 4 * 4 + 4 * 4 * 4);
+  }
 }
 
 TEST(NearlyClosed, HolesAmongFlippedTriangles) {

@@ -118,17 +118,16 @@ TEST(SolidCentres, OnSeveralThreadsAndOfMoreCellsThanABatchAreTheSame) {
   const auto scene = soupOf(sphere(0.45));
   auto options = optionsAt(100);
   EXPECT_EQ(voxelsOf(*centred(scene, options, 3)->source), voxelsOf(*centred(scene, options)->source));
-  // Four million cells that triangles touch.
-  options = optionsAt(1000);
-  options.bounds = {{0, 0, 0, 1, 1, 1}};
-  auto solid = centred(soupOf(box({0.0105f, 0.0105f, 0.0105f}, {0.9895f, 0.9895f, 0.9895f})), options);
+  // Three million cells that triangles touch.
+  options = optionsAt(700);
+  auto solid = centred(soupOf(cube(10.5f / 700, 689.5f / 700)), options);
   ASSERT_TRUE(solid);
-  EXPECT_EQ(solid->voxels, 978u * 978 * 978);
-  Int3 cell{10, 500, 500};
+  EXPECT_EQ(solid->voxels, 678u * 678 * 678);
+  Int3 cell{10, 350, 350};
   std::uint32_t word = 0;
   // The low face lies through centres, the high one too.
   for (const auto &[x, expected] :
-       {std::pair{9, 0u}, {10, 0xffffffffu}, {11, kFill}, {988, kFill}, {989, 0u}}) {
+       {std::pair{9, 0u}, {10, 0xffffffffu}, {11, kFill}, {688, kFill}, {689, 0u}}) {
     cell.x = x;
     ASSERT_TRUE(solid->source->read({cell, 0}, &word));
     EXPECT_EQ(word, expected) << x;

@@ -56,7 +56,8 @@ std::string complaintOf(const SolidMesh &solid) {
                          : "its " + std::to_string(solid.holes) + " holes are closed by fans that have ";
     return "the mesh is not closed" + where + holes + percent(solid.holeShare) + " of its area (at most " +
            percent(kMostHoles) + " may be closed), and " +
-           (solid.rule == SolidRule::Winding ? "inside is what it then winds around" : kByParity);
+           (solid.rule == SolidRule::Winding && !solid.isDoubleSided ? "inside is what it then winds around"
+                                                                     : kByParity);
   }
   if (solid.rule == SolidRule::Parity)
     return "the triangles of the mesh do not all face the same way" + where + kByParity;

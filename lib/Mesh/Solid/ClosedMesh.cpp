@@ -2,10 +2,9 @@
 #include "Mesh/Solid/ClosedMesh.h"
 
 #include "Mesh/KeptArray.h"
+#include "Mesh/Solid/Facing.h"
 #include "Mesh/Solid/HoleCaps.h"
 #include "Mesh/Solid/TwinTriangles.h"
-
-#include <glm/geometric.hpp>
 
 #include <utility>
 
@@ -25,19 +24,6 @@ TriangleScene shapeOf(const TriangleScene &scene) {
     part.material = 0;
   }
   return shape;
-}
-
-/// In squares of a voxel's side.
-Expected<double> areaOf(const TriangleScene &scene, const MeshModel &model, const TriangleSet *only,
-                        WorkingMemory &memory, const Progress &progress) {
-  double area = 0;
-  auto summed = forEachTriangle(scene, model, only, memory, progress,
-                                [&](std::uint64_t, const TriangleCursor &cursor) -> Expected<void> {
-                                  const auto [a, b, c] = model.inVoxels(model.snapped(cursor));
-                                  area += glm::length(glm::cross(b - a, c - a)) / 2;
-                                  return {};
-                                });
-  return summed ? Expected<double>(area) : summed.error();
 }
 
 class Closer {
@@ -72,7 +58,7 @@ private:
       return area.error();
     for (const bool isEither : {false, true}) {
       const HoleCaps caps = HoleCaps::of(balance->rims, isEither, mesh_.model);
-      if (!isSmall(caps, *area))
+      if (!caps.isSmall(*area))
         continue;
       mesh_.rule = isEither ? SolidRule::Parity : SolidRule::Winding;
       return add(caps, *area, mesh_.twinCaps);
@@ -98,7 +84,7 @@ private:
     if (!area)
       return area.error();
     const HoleCaps caps = HoleCaps::of(balance->rims, true, mesh_.model);
-    if (!isSmall(caps, *area))
+    if (!caps.isSmall(*area))
       return {};
     mesh_.hasTwins = true;
     if (mesh_.open.count == 0)
@@ -106,8 +92,6 @@ private:
     std::uint64_t end = 0;
     return add(caps, *area, end);
   }
-
-  static bool isSmall(const HoleCaps &caps, double area) { return caps.area <= kMostHoles * area; }
 
   /// Adds a part, and sets `end` to the number of the triangle after its last one.
   Expected<void> add(const HoleCaps &caps, double area, std::uint64_t &end) {

@@ -3,6 +3,7 @@
 #include "Mesh/Solid/EdgeBalance.h"
 
 #include "Mesh/Solid/PointHash.h"
+#include "Mesh/Solid/RimLines.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,6 @@
 namespace voxc {
 
 namespace {
-
-__extension__ using Uint128 = unsigned __int128;
 
 /// Buckets are so many that few of an open mesh's edges share one with an open edge.
 constexpr std::uint64_t kFewestBuckets = 1 << 10;
@@ -144,9 +143,26 @@ private:
         balance.rims.push_back(rimAt(group, sum));
     }
     balance.areRimsAll = balance.open.isAll && balance.open.count == balance.rims.size();
-    if (first)
-      tellEnds(*first, balance.open);
+    if (balance.areRimsAll)
+      join(balance);
+    else if (first)
+      tellEnds(rimAt(*first, 1), balance.open);
     return {};
+  }
+
+  /// Evens out rims that lie on each other, which may change the rule.
+  void join(EdgeBalance &balance) const {
+    balance.rims = joinedOnLines(balance.rims);
+    if (only_)
+      std::erase_if(balance.rims, [](const RimEdge &rim) { return rim.times % 2 == 0; });
+    balance.open.count = balance.rims.size();
+    if (balance.rims.empty()) {
+      balance.rule = only_ ? SolidRule::Parity : SolidRule::Winding;
+      return;
+    }
+    if (std::ranges::all_of(balance.rims, [](const RimEdge &rim) { return rim.times % 2 == 0; }))
+      balance.rule = SolidRule::Parity;
+    tellEnds(*std::ranges::min_element(balance.rims, {}, &RimEdge::place), balance.open);
   }
 
   RimEdge rimAt(const Edge &edge, std::int64_t times) const {
@@ -158,16 +174,13 @@ private:
     const std::size_t to = (from + 1) % 3;
     const std::size_t low = edge.isBackwards() ? to : from;
     const std::size_t high = edge.isBackwards() ? from : to;
-    return {{snapped.corners[low], snapped.corners[high]}, {corners[low], corners[high]}, times};
+    return {{snapped.corners[low], snapped.corners[high]}, {corners[low], corners[high]}, times, edge.place};
   }
 
-  void tellEnds(const Edge &edge, OpenEdges &open) const {
-    TriangleCursor cursor(scene_, model_.numbers);
-    cursor.moveTo(edge.triangle());
-    const auto corners = cursor.corners();
+  static void tellEnds(const RimEdge &rim, OpenEdges &open) {
     for (int axis = 0; axis < 3; ++axis) {
-      open.from[static_cast<std::size_t>(axis)] = corners[edge.from()][axis];
-      open.to[static_cast<std::size_t>(axis)] = corners[(edge.from() + 1) % 3][axis];
+      open.from[static_cast<std::size_t>(axis)] = rim.points[rim.times > 0 ? 0 : 1][axis];
+      open.to[static_cast<std::size_t>(axis)] = rim.points[rim.times > 0 ? 1 : 0][axis];
     }
   }
 
@@ -178,22 +191,6 @@ private:
   const TriangleSet *only_; ///< Then edges count whichever way they are passed.
   ScratchArray<Bucket> buckets_;
 };
-
-/// Six times the volume of the tetrahedron of a triangle and the origin.
-Uint128 volumeOf(const SnappedTriangle &triangle) {
-  const auto &[a, b, c] = triangle.corners;
-  const auto product = [](std::int64_t x, std::int64_t y, std::int64_t z) {
-    // Below 2^120; sums that pass 2^128 on the way come back.
-    return static_cast<Uint128>(x) * static_cast<Uint128>(y) * static_cast<Uint128>(z);
-  };
-  Uint128 volume = 0;
-  for (std::size_t x = 0; x < 3; ++x) {
-    const std::size_t y = (x + 1) % 3;
-    const std::size_t z = (x + 2) % 3;
-    volume += product(a[x], b[y], c[z]) - product(a[x], b[z], c[y]);
-  }
-  return volume;
-}
 
 } // namespace
 
@@ -208,27 +205,6 @@ Expected<EdgeBalance> EdgeBalance::ofEither(const TriangleSet &only, const Trian
                                             const std::shared_ptr<WorkingMemory> &memory,
                                             const Progress &progress) {
   return Counter(scene, model, memory, progress, &only).run();
-}
-
-Expected<Facing> facingOf(const TriangleScene &scene, const MeshModel &model,
-                          const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  const auto balance = EdgeBalance::of(scene, model, memory, progress);
-  if (!balance)
-    return balance.error();
-  if (balance->rule != SolidRule::Winding)
-    return Facing::Unknown;
-  Uint128 volume = 0;
-  auto summed = forEachTriangle(scene, model, nullptr, *memory, progress,
-                                [&](std::uint64_t, const TriangleCursor &cursor) -> Expected<void> {
-                                  const Uint128 part = volumeOf(model.snapped(cursor));
-                                  volume += cursor.isMirrored() ? 0 - part : part;
-                                  return {};
-                                });
-  if (!summed)
-    return summed.error();
-  if (volume == 0)
-    return Facing::Unknown;
-  return volume >> 127 == 0 ? Facing::Outwards : Facing::Inwards;
 }
 
 } // namespace voxc

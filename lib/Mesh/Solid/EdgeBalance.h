@@ -1,8 +1,7 @@
-// Is a mesh closed, and which way does it face? Told by the edges of its triangles.
+// Is a mesh closed? Told by the edges of its triangles.
 #pragma once
 
 #include "Mesh/Solid/TriangleSet.h"
-#include "Mesh/Voxelize/VoxelRule.h"
 #include "voxc/Mesh/SolidMesh.h"
 
 #include <memory>
@@ -14,12 +13,15 @@ namespace voxc {
 struct RimEdge {
   std::array<Point64, 2> ends;        ///< Snapped; the first is the lower one.
   std::array<glm::dvec3, 2> points{}; ///< In model units.
-  std::int64_t times = 0; ///< It is passed so much more often from the first to the second than back.
+  std::int64_t times = 0;  ///< It is passed so much more often from the first to the second than back.
+  std::uint64_t place = 0; ///< In the order of triangles.
 };
 
-/// The best rule for a mesh, and its open edges unless that is `SolidRule::Winding`. Edges are those of the
-/// snapped triangles, so that corners in one place are one corner, whatever their numbers. They are compared
-/// by hashes of 64 bits. Triangles that are mirrored turn the other way.
+/// The best rule for a mesh, and its open edges unless that is `SolidRule::Winding`. Where they are few
+/// enough to be kept, edges that lie on each other even out, too, though one is parted by a corner and the
+/// other is not. Edges are those of the snapped triangles, so that corners in one place are one corner,
+/// whatever their numbers. They are compared by hashes of 64 bits. Triangles that are mirrored turn the other
+/// way.
 struct EdgeBalance {
   SolidRule rule = SolidRule::Winding;
   OpenEdges open;
@@ -36,9 +38,5 @@ struct EdgeBalance {
                                         const MeshModel &model, const std::shared_ptr<WorkingMemory> &memory,
                                         const Progress &progress);
 };
-
-/// How a mesh faces: known if its rule is `Winding` and it has a volume. Errors: interrupted, no memory.
-Expected<Facing> facingOf(const TriangleScene &scene, const MeshModel &model,
-                          const std::shared_ptr<WorkingMemory> &memory, const Progress &progress);
 
 } // namespace voxc

@@ -16,6 +16,9 @@ struct HoleCaps {
   std::uint64_t holes = 0;                    ///< Rims that have no corner in common.
   double area = 0;                            ///< Of all fans, in squares of a voxel's side.
 
+  /// May they close a mesh of this area?
+  bool isSmall(double meshArea) const { return area <= kMostHoles * meshArea; }
+
   /// Closes all `rims`; or, if `isEither`, those that are passed an odd number of times, whichever way.
   /// Nothing is made if that takes 2^20 triangles or more: then the area is infinite.
   static HoleCaps of(std::span<const RimEdge> rims, bool isEither, const MeshModel &model);

@@ -3,6 +3,7 @@
 
 #include "Mesh/Solid/CentreSource.h"
 #include "Mesh/Solid/ClosedMesh.h"
+#include "Mesh/Solid/Facing.h"
 #include "Mesh/Solid/InsideCells.h"
 #include "Mesh/Voxelize/MeshVoxels.h"
 #include "Source/Interior/FloodTree.h"

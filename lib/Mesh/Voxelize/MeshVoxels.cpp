@@ -1,7 +1,7 @@
 // Sorting the triangles of a scene into chunks.
 #include "Mesh/Voxelize/MeshVoxels.h"
 
-#include "Mesh/Solid/EdgeBalance.h"
+#include "Mesh/Solid/Facing.h"
 #include "Mesh/Voxelize/RegionFilter.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The simple way to voxelize: each voxel of each triangle's box is held against the definition.
-#include "Mesh/Solid/EdgeBalance.h"
+#include "Mesh/Solid/Facing.h"
 #include "Mesh/Voxelize/MeshModel.h"
 #include "Mesh/Voxelize/NearestPoint.h"
 #include "Mesh/Voxelize/SurfaceColour.h"
