@@ -13,14 +13,14 @@ namespace voxc {
 /// Fans from the middle of each rim: with them, each edge is passed as often one way as the other.
 struct HoleCaps {
   std::vector<std::array<double, 3>> corners; ///< Three a triangle, in model units.
-  std::uint64_t holes = 0;                    ///< Rims that have no corner in common.
+  std::uint64_t holes = 0;                    ///< Loops of their rims.
   double area = 0;                            ///< Of all fans, in squares of a voxel's side.
 
   /// May they close a mesh of this area?
   bool isSmall(double meshArea) const { return area <= kMostHoles * meshArea; }
 
-  /// Closes all `rims`; or, if `isEither`, those that are passed an odd number of times, whichever way.
-  /// Nothing is made if that takes 2^20 triangles or more: then the area is infinite.
+  /// Closes all `rims`; or, if `isEither`, those that are passed an odd number of times, whichever way. If
+  /// they make no loops, or 2^20 triangles or more, there are no fans, and the area is infinite.
   static HoleCaps of(std::span<const RimEdge> rims, bool isEither, const MeshModel &model);
 };
 
