@@ -32,6 +32,13 @@ if(VOXC_OPENVDB)
   find_library(VOXC_IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)
 endif()
 
+# The component that reads meshes through assimp; not by default for the same reason.
+option(VOXC_ASSIMP "Read .fbx, .dae, .3ds, .off, .x3d and other meshes through assimp" OFF)
+if(VOXC_ASSIMP)
+  find_path(VOXC_ASSIMP_INCLUDE assimp/scene.h REQUIRED)
+  find_library(VOXC_ASSIMP_LIBRARY assimp REQUIRED)
+endif()
+
 # Kernels in HLSL and MSL, where there is what writes them.
 find_package(spirv_cross_c_shared CONFIG QUIET)
 option(VOXC_SPIRV_CROSS "Write kernels in HLSL and MSL, if SPIRV-Cross is found" ON)

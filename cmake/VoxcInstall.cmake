@@ -39,6 +39,9 @@ set(internalHeaders PATTERN "Stopwatch.h" EXCLUDE)
 if(NOT VOXC_OPENVDB)
   list(APPEND internalHeaders PATTERN "OpenVdb" EXCLUDE)
 endif()
+if(NOT VOXC_ASSIMP)
+  list(APPEND internalHeaders PATTERN "Assimp" EXCLUDE)
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/voxc" "${PROJECT_SOURCE_DIR}/include/voxc-c"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev ${internalHeaders})
 

@@ -24,7 +24,13 @@ Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
                             "VOXC_OPENVDB=ON");
 }
 
-constexpr std::array<InputKind, 24> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
+  return Error::environment("'" + path +
+                            "' is a mesh that assimp reads, which this build does not have; build voxc with "
+                            "VOXC_ASSIMP=ON, or convert it to .glb");
+}
+
+constexpr std::array<InputKind, 29> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -47,7 +53,12 @@ constexpr std::array<InputKind, 24> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".tif", openSlices, "slices"},
                                             {".tiff", openSlices, "slices"},
                                             {".nvdb", openNanoVdb, "a NanoVDB grid"},
-                                            {".vdb", lackOpenVdb, "an OpenVDB grid"}}};
+                                            {".vdb", lackOpenVdb, "an OpenVDB grid"},
+                                            {".fbx", lackAssimp, "a mesh"},
+                                            {".dae", lackAssimp, "a mesh"},
+                                            {".3ds", lackAssimp, "a mesh"},
+                                            {".off", lackAssimp, "a mesh"},
+                                            {".x3d", lackAssimp, "a mesh"}}};
 
 /// Whether an input is of this kind; `name` is its last part in lower case, without the number of a frame.
 bool isOfKind(const InputKind &kind, const std::string &input, std::string_view name) {
@@ -58,7 +69,7 @@ bool isOfKind(const InputKind &kind, const std::string &input, std::string_view 
 Error unknownKind(const std::string &input, std::span<const InputKind> others) {
   std::string kinds;
   for (const InputKind &kind : kKinds)
-    if (kind.open != lackOpenVdb)
+    if (kind.open != lackOpenVdb && kind.open != lackAssimp)
       kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
   for (const InputKind &kind : others)
     kinds += " " + std::string(kind.mark);

@@ -124,7 +124,8 @@ std::optional<std::string> findIn(std::span<const std::string> folders,
 
 std::string pathBelow(const std::string &folder, std::string_view name) {
   const std::string path = withSlashes(name);
-  return path.starts_with('/') ? path : folder + path;
+  const bool hasDrive = path.size() > 2 && path[1] == ':' && path[2] == '/';
+  return path.starts_with('/') || hasDrive ? path : folder + path;
 }
 
 std::optional<FileBeside> findBeside(std::string_view name, std::span<const std::string> folders) {

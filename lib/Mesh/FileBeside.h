@@ -22,7 +22,8 @@ std::optional<FileBeside> findBeside(std::string_view name, std::span<const std:
 /// backslashes; empty if there is none.
 std::string_view takeName(std::string_view &text);
 
-/// The name with slashes for backslashes, below the folder unless it is absolute.
+/// The name with slashes for backslashes, below the folder unless it is absolute, here or on
+/// Windows.
 std::string pathBelow(const std::string &folder, std::string_view name);
 
 } // namespace voxc

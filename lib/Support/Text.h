@@ -27,7 +27,11 @@ std::optional<std::int64_t> parseInteger(std::string_view word);
 /// Lines of a text. A backslash at the end of a line joins it with the next.
 class TextLines {
 public:
-  explicit TextLines(std::string_view text) : text_(text), rest_(text) {}
+  /// A mark of UTF-8 at the beginning is passed over.
+  explicit TextLines(std::string_view text) : text_(text), rest_(text) {
+    if (rest_.starts_with("\xef\xbb\xbf"))
+      rest_.remove_prefix(3);
+  }
 
   /// The next line, without its end; valid until the next call.
   std::optional<std::string_view> next();

@@ -4,6 +4,9 @@
 #ifdef VOXC_HAS_OPENVDB
 #include "voxc/OpenVdb/OpenVdb.h"
 #endif
+#ifdef VOXC_HAS_ASSIMP
+#include "voxc/Assimp/Assimp.h"
+#endif
 
 #include <algorithm>
 #include <cctype>
@@ -346,6 +349,10 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   options.threshold = arguments.threshold;
 #ifdef VOXC_HAS_OPENVDB
   options.otherKinds.push_back(openVdbKind());
+#endif
+#ifdef VOXC_HAS_ASSIMP
+  for (const InputKind &kind : assimpKinds())
+    options.otherKinds.push_back(kind);
 #endif
   if (!arguments.colourMap.empty())
     options.colourMap = arguments.colourMap;

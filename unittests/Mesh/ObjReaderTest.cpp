@@ -32,8 +32,8 @@ TEST_F(ObjReader, TextureOptions) {
   folder_.file("t.tga", kImage);
   folder_.file("m.mtl", "newmtl a\nmap_Kd -blendu on -clamp on -s 2 3 1 -o 0.5 0.25 -bm 1 t.tga\n"
                         "map_d -imfchan r t.tga\nnewmtl b\nmap_d t.tga\n");
-  const TriangleScene scene =
-      load("m.obj", "mtllib m.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
+  const TriangleScene scene = load("m.obj", "mtllib m.mtl\n" + kTriangle +
+                                                "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\n");
   const TextureUse &use = materialOf(scene, 0).texture;
   EXPECT_EQ(use.wrap[0], TextureWrap::ClampToEdge);
   EXPECT_EQ(use.wrap[1], TextureWrap::ClampToEdge);

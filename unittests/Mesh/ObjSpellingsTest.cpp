@@ -73,6 +73,13 @@ TEST_F(ObjSpellings, WordsInAnyCase) {
   EXPECT_TRUE(has(model.warnings, "'A' is not defined; 'a' stands in for it"));
 }
 
+TEST_F(ObjSpellings, MarksOfUtf8ArePassedOver) {
+  folder_.file("m.mtl", "\xef\xbb\xbfnewmtl a\nKd 0 1 0\n");
+  const TriangleScene scene = load("m.obj", "\xef\xbb\xbfmtllib m.mtl\n" + kTriangle);
+  EXPECT_EQ(materialOf(scene, 0).colour, (Colour{0, 1, 0, 1}));
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
 TEST_F(ObjSpellings, WhatIsNotUsedIsSaidOnce) {
   folder_.file("t.tga", kImage);
   const std::vector<std::string> warnings = warningsWith(
@@ -166,6 +173,13 @@ TEST_F(ObjSpellings, TextureCoordinatesThatDoNotExistAreNone) {
   const TriangleScene some = load("m.obj", vertices + "vt 0.5 0.25\nf 1/1 2/2 3/1\n");
   EXPECT_TRUE(has(some.warnings, "1 corners"));
   EXPECT_EQ(readRow<2>(some.parts[0].uvs, some.parts[0].corners(0)[2]), (std::array<double, 2>{0.5, 0.75}));
+}
+
+TEST_F(ObjSpellings, TexturesWithoutCoordinatesAreSaid) {
+  folder_.file("t.tga", kImage);
+  folder_.file("m.mtl", "newmtl a\nmap_Kd t.tga\n");
+  const std::string model = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+  EXPECT_TRUE(has(load("m.obj", model).warnings, "has no texture coordinates"));
 }
 
 TEST_F(ObjSpellings, VerticesWithoutFacesArePoints) {

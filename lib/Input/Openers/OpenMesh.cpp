@@ -113,8 +113,12 @@ Expected<void> openPoints(const std::string &path, const TriangleScene &scene, c
 } // namespace
 
 Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
+  return openMeshBy(loadScene, path, options);
+}
+
+Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto scene = loadScene(path, options.memory, options.progress);
+  auto scene = load(path, options.memory, options.progress);
   if (!scene)
     return scene.error();
   Input input;

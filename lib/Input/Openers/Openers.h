@@ -11,6 +11,11 @@ namespace voxc {
 Expected<Input> openBuiltin(const std::string &text, const InputOptions &options);
 Expected<Input> openGrid(const std::string &text, const InputOptions &options);
 Expected<Input> openMesh(const std::string &path, const InputOptions &options);
+/// The same for a mesh that `load` reads.
+using LoadScene = Expected<TriangleScene> (*)(const std::string &path,
+                                              const std::shared_ptr<WorkingMemory> &memory,
+                                              const Progress &progress);
+Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputOptions &options);
 Expected<Input> openPly(const std::string &path, const InputOptions &options);
 Expected<Input> openVolume(const std::string &path, const InputOptions &options);
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options);

@@ -47,6 +47,7 @@ public:
       return problem_.error();
     warnAboutFaces();
     warnAboutColours();
+    warnAboutTextures();
     warnAboutStatements();
     if (scene_.materials.empty())
       scene_.materials.emplace_back();
@@ -185,6 +186,13 @@ private:
                     std::to_string(static_cast<std::uint64_t>(scale.whole())));
     else if (scale.largest() > 1)
       warnings_.add("some colours of vertices are above 1, and are cut there");
+  }
+
+  void warnAboutTextures() {
+    const bool hasUvs =
+        std::ranges::any_of(scene_.parts, [](const MeshPart &part) { return bool(part.uvs); });
+    if (!hasUvs && !scene_.textures.empty())
+      warnings_.add("the model has no texture coordinates, and its textures are not used");
   }
 
   void warnAboutStatements() {

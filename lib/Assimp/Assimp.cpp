@@ -1,0 +1,135 @@
+// Files that assimp reads. It throws; nothing of that leaves this file.
+#include "voxc/Assimp/Assimp.h"
+
+#include "Assimp/AssimpScene.h"
+#include "Assimp/TrialRead.h"
+#include "Input/Openers/Openers.h"
+#include "Mesh/NumberCheck.h"
+#include "Support/ResidentGrowth.h"
+#include "Support/Text.h"
+
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+
+#include <array>
+#include <exception>
+#include <mutex>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+/// assimp has one logger for all that it reads.
+std::mutex logging;
+
+/// Collects what assimp warns of.
+class WarningStream final : public Assimp::LogStream {
+public:
+  explicit WarningStream(Warnings &warnings) : warnings_(warnings) {}
+  void write(const char *message) override {
+    std::string_view text(message);
+    for (const std::string_view front : {"Warn,", "Error,"})
+      if (const std::size_t at = text.find(front); at != std::string_view::npos)
+        text = text.substr(text.find(':', at) + 1);
+    warnings_.add("assimp says: " + std::string(trimmed(text)));
+  }
+
+private:
+  Warnings &warnings_;
+};
+
+/// Logs while it lives.
+class Logging {
+public:
+  explicit Logging(Warnings &warnings) : lock_(logging), stream_(warnings) {
+    Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(&stream_, Assimp::Logger::Warn);
+  }
+  ~Logging() {
+    Assimp::DefaultLogger::get()->detachStream(&stream_, Assimp::Logger::Warn);
+    Assimp::DefaultLogger::kill();
+  }
+  Logging(const Logging &) = delete;
+  Logging &operator=(const Logging &) = delete;
+
+private:
+  std::lock_guard<std::mutex> lock_;
+  WarningStream stream_;
+};
+
+/// A scene without meshes stays without: assimp would make some of its skeleton.
+const aiScene *readWith(Assimp::Importer &importer, const std::string &path) {
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  return importer.ReadFile(path, 0);
+}
+
+/// Tries the file in a process of its own, as there are files that assimp does not survive.
+Expected<void> tryOut(const MeshInput &input) {
+  constexpr std::uint64_t kBytesAByte = 256, kBytes = std::uint64_t{1} << 30;
+  auto tried = tryToRead(
+      [&]() -> std::string {
+        Assimp::Importer importer;
+        return readWith(importer, input.path) ? std::string() : importer.GetErrorString();
+      },
+      kBytes + kBytesAByte * input.file->bytes().size(), input.progress);
+  if (!tried && tried.error().kind == ErrorKind::Input)
+    return Error::input("'" + input.path + "' cannot be read through assimp: " + tried.error().message);
+  return tried;
+}
+
+Expected<TriangleScene> read(const MeshInput &input) {
+  if (auto tried = tryOut(input); !tried)
+    return tried.error();
+  Warnings warnings;
+  const ResidentGrowth growth;
+  Assimp::Importer importer;
+  const aiScene *found = nullptr;
+  {
+    const Logging log(warnings);
+    found = readWith(importer, input.path);
+  }
+  if (!found)
+    return Error::input("'" + input.path + "' cannot be read through assimp: " + importer.GetErrorString());
+  const std::uint64_t taken = growth.bytes();
+  auto scene = sceneOf(*found, input, warnings);
+  if (!scene)
+    return scene;
+  scene->loaderPeakBytes += taken;
+  scene->warnings = warnings.take();
+  if (auto checked = checkNumbers(*scene, input); !checked)
+    return Error{checked.error().kind, "'" + input.path + "': " + checked.error().message};
+  return scene;
+}
+
+Expected<TriangleScene> load(const std::string &path, const std::shared_ptr<WorkingMemory> &memory,
+                             const Progress &progress) {
+  auto file = WatchedFile::open(path, memory);
+  if (!file)
+    return file.error();
+  try {
+    return read({path, *file, memory, progress});
+  } catch (const std::bad_alloc &) {
+    return Error::environment("there is not enough memory to read '" + path + "'");
+  } catch (const std::exception &problem) {
+    return Error::input("'" + path + "' cannot be read through assimp: " + problem.what());
+  }
+}
+
+Expected<Input> open(const std::string &path, const InputOptions &options) {
+  return openMeshBy(load, path, options);
+}
+
+} // namespace
+
+std::vector<InputKind> assimpKinds() {
+  std::vector<InputKind> kinds;
+  for (const std::string_view ending : {".fbx", ".dae", ".3ds", ".off", ".x3d"})
+    kinds.push_back({ending, open, "a mesh"});
+  return kinds;
+}
+
+} // namespace voxc

@@ -1,0 +1,184 @@
+// Meshes through assimp, where the component was built; a clear message where it was not.
+#include "Mesh/LoadTesting.h"
+
+#include "voxc/Input/Input.h"
+
+#include <gmock/gmock.h>
+
+#ifdef VOXC_HAS_ASSIMP
+#include "Assimp/TrialRead.h"
+#include "voxc/Assimp/Assimp.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <vector>
+#endif
+
+namespace voxc {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(Assimp, ABuildWithoutItSaysSo) {
+  const TemporaryFolder folder;
+  for (const char *name : {"a.fbx", "A.DAE", "a.3ds", "a.off", "a.x3d"}) {
+    const auto input = openInput(folder.file(name, ""), {});
+    ASSERT_FALSE(input);
+    EXPECT_EQ(input.error().kind, ErrorKind::Environment);
+    EXPECT_THAT(input.error().message, HasSubstr("VOXC_ASSIMP=ON"));
+  }
+}
+
+#ifdef VOXC_HAS_ASSIMP
+
+class AssimpMeshes : public testing::Test {
+protected:
+  Input open(const std::string &name, const std::string &content) {
+    options_.otherKinds = assimpKinds();
+    options_.resolution = 2;
+    auto input = openInput(folder_.file(name, content), options_);
+    EXPECT_TRUE(input) << input.error().message;
+    return input ? std::move(*input) : Input{};
+  }
+  std::string problem(const std::string &name, const std::string &content) {
+    options_.otherKinds = assimpKinds();
+    auto input = openInput(folder_.file(name, content), options_);
+    return input ? "no error" : input.error().message;
+  }
+
+  TemporaryFolder folder_;
+  InputOptions options_;
+};
+
+/// A square in the plane z = 0 with the material of this effect, twice as wide as high by its node.
+std::string collada(const std::string &effect, const std::string &images = "", const std::string &more = "") {
+  return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+         "version=\"1.4.1\">"
+         "<asset><up_axis>Y_UP</up_axis></asset>" +
+         images + "<library_effects><effect id=\"e\"><profile_COMMON>" + effect +
+         "</profile_COMMON></effect></library_effects>"
+         "<library_materials><material id=\"m\"><instance_effect url=\"#e\"/></material></library_materials>"
+         "<library_geometries><geometry id=\"g\"><mesh>"
+         "<source id=\"p\"><float_array id=\"pa\" count=\"12\">0 0 0 1 0 0 1 1 0 0 1 0</float_array>"
+         "<technique_common><accessor source=\"#pa\" count=\"4\" stride=\"3\"><param name=\"X\" "
+         "type=\"float\"/>"
+         "<param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+         "type=\"float\"/></accessor></technique_common></source>"
+         "<source id=\"t\"><float_array id=\"ta\" count=\"8\">0 0 1 0 1 1 0 1</float_array>"
+         "<technique_common><accessor source=\"#ta\" count=\"4\" stride=\"2\"><param name=\"S\" "
+         "type=\"float\"/>"
+         "<param name=\"T\" type=\"float\"/></accessor></technique_common></source>"
+         "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+         "<polylist material=\"s\" count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>"
+         "<input semantic=\"TEXCOORD\" source=\"#t\" offset=\"1\" set=\"0\"/>"
+         "<vcount>4</vcount><p>0 0 1 1 2 2 3 3</p></polylist></mesh></geometry></library_geometries>"
+         "<library_visual_scenes><visual_scene id=\"sc\"><node id=\"n\"><scale>2 1 1</scale>"
+         "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "
+         "target=\"#m\">"
+         "<bind_vertex_input semantic=\"UV0\" input_semantic=\"TEXCOORD\" "
+         "input_set=\"0\"/></instance_material>"
+         "</technique_common></bind_material></instance_geometry></node>" +
+         more +
+         "</visual_scene></library_visual_scenes><scene><instance_visual_scene "
+         "url=\"#sc\"/></scene></COLLADA>";
+}
+
+TEST_F(AssimpMeshes, ColladaColours) {
+  const Input input =
+      open("m.dae", collada("<technique sid=\"c\"><lambert><diffuse><color>1 0.2 0 1</color></diffuse>"
+                            "</lambert></technique>"));
+  EXPECT_EQ(input.source->extent(), (Int3{2, 1, 1}));
+  EXPECT_EQ(voxelsOf(*input.source),
+            (Voxels{{mortonCode({0, 0, 0}), rgba(255, 51, 0)}, {mortonCode({1, 0, 0}), rgba(255, 51, 0)}}));
+  EXPECT_EQ(input.triangles, 2u);
+  EXPECT_THAT(input.warnings, IsEmpty());
+}
+
+TEST_F(AssimpMeshes, ColladaTextures) {
+  // The left texel is red, the right green.
+  folder_.file("t.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\30\40\0\0\377\0\377\0", 24));
+  const std::string effect =
+      "<newparam sid=\"su\"><surface type=\"2D\"><init_from>i</init_from></surface></newparam><newparam "
+      "sid=\"sa\">"
+      "<sampler2D><source>su</source></sampler2D></newparam><technique sid=\"c\"><lambert><diffuse>"
+      "<texture texture=\"sa\" texcoord=\"UV0\"/></diffuse></lambert></technique>";
+  for (const char *path : {"t.tga", "C:/elsewhere/t.tga"}) {
+    const Input input =
+        open("m.dae", collada(effect, "<library_images><image id=\"i\"><init_from>" + std::string(path) +
+                                          "</init_from></image></library_images>"));
+    EXPECT_EQ(voxelsOf(*input.source),
+              (Voxels{{mortonCode({0, 0, 0}), rgba(255, 0, 0)}, {mortonCode({1, 0, 0}), rgba(0, 255, 0)}}));
+    EXPECT_EQ(input.warnings.size(), path[0] == 't' ? 0u : 1u);
+  }
+}
+
+TEST_F(AssimpMeshes, OffFiles) {
+  const Input input = open("m.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n");
+  EXPECT_EQ(voxelsOf(*input.source).size(), 4u);
+  EXPECT_EQ(input.triangles, 2u);
+}
+
+/// A chunk of a .3ds.
+std::string chunk(std::uint16_t id, const std::string &content) {
+  return bytesOf({id}) + bytesOf({static_cast<std::uint32_t>(content.size() + 6)}) + content;
+}
+
+TEST_F(AssimpMeshes, ThreeDsFiles) {
+  const std::string colour = chunk(0x0011, std::string("\0\377\0", 3));
+  const std::string material = chunk(0xafff, chunk(0xa000, std::string("m\0", 2)) + chunk(0xa020, colour));
+  const std::string vertices =
+      bytesOf<std::uint16_t>({3}) + bytesOf({0.f, 0.f, 0.f, 2.f, 0.f, 0.f, 2.f, 0.f, 2.f});
+  const std::string faces = bytesOf<std::uint16_t>({1, 0, 1, 2, 0}) +
+                            chunk(0x4130, std::string("m\0", 2) + bytesOf<std::uint16_t>({1, 0}));
+  const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces));
+  const Input input =
+      open("m.3ds", chunk(0x4d4d, chunk(0x3d3d, material + chunk(0x4000, std::string("o\0", 2) + mesh))));
+  const Voxels voxels = voxelsOf(*input.source);
+  ASSERT_FALSE(voxels.empty());
+  for (const auto &[code, word] : voxels)
+    EXPECT_EQ(word, rgba(0, 255, 0));
+}
+
+TEST_F(AssimpMeshes, BrokenFilesAreErrors) {
+  EXPECT_THAT(problem("m.off", "OFF\n4 1\n"), HasSubstr("m.off'"));
+  EXPECT_THAT(problem("m.fbx", "not an fbx"), HasSubstr("cannot be read through assimp"));
+  EXPECT_THAT(problem("m.dae", "<COLLADA"), HasSubstr("cannot be read through assimp"));
+  EXPECT_THAT(problem("m.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n"), HasSubstr("m.off'"));
+}
+
+TEST(TrialRead, WhatCrashesIsAnError) {
+  const auto problem = [](const std::function<std::string()> &read) {
+    const auto tried = tryToRead(read, std::uint64_t{1} << 26, {});
+    return tried ? std::string("no error") : tried.error().message;
+  };
+  EXPECT_EQ(problem([] { return std::string(); }), "no error");
+  EXPECT_EQ(problem([] { return std::string("it is red"); }), "it is red");
+  EXPECT_THAT(problem([]() -> std::string {
+                std::raise(SIGSEGV);
+                return {};
+              }),
+              HasSubstr("the file is broken"));
+  EXPECT_THAT(problem([] { return std::string(std::vector<char>(std::size_t{1} << 32, 'x').data(), 3); }),
+              HasSubstr("more memory"));
+}
+
+TEST(TrialRead, StopsWhenAsked) {
+  const std::atomic<bool> stop = true;
+  Progress progress;
+  progress.stop = &stop;
+  const auto tried = tryToRead(
+      []() -> std::string {
+        for (;;)
+          pause();
+      },
+      1, progress);
+  ASSERT_FALSE(tried);
+  EXPECT_EQ(tried.error().kind, ErrorKind::Interrupted);
+}
+
+#endif
+
+} // namespace
+} // namespace voxc
