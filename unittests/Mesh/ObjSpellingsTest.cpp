@@ -156,6 +156,17 @@ TEST_F(ObjSpellings, ColoursOfVerticesCountToTheirLargest) {
   EXPECT_TRUE(has(bright.warnings, "above 1, and are cut"));
 }
 
+TEST_F(ObjSpellings, PaintOfZBrush) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const TriangleScene scene = load("m.obj", vertices + "#MRGB ffc86432ff0a141e\n#MRGB 00ff0000\nf 1 2 3\n");
+  EXPECT_EQ(bytesOfFirst(scene), (std::array<int, 3>{200, 100, 50}));
+  EXPECT_EQ(readRow<4>(scene.parts[0].colours, 2), (std::array<double, 4>{1, 0, 0, 1}));
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_TRUE(has(load("m.obj", vertices + "f 1 2 3\n#MRGB ffc86432\n").warnings, "are not used"));
+  EXPECT_TRUE(has(load("m.obj", "#MRGB ffc86432\n" + vertices + "f 1 2 3\n").warnings, "are not used"));
+  EXPECT_FALSE(load("m.obj", vertices + "#MRGB what\nf 1 2 3\n").parts[0].colours);
+}
+
 TEST_F(ObjSpellings, ColoursOfMaterialsCountToTheirLargest) {
   const TriangleScene scene = loadWith("newmtl a\nKd 204 102 0\n");
   EXPECT_EQ(materialOf(scene, 0).colour, (Colour{0.8f, 0.4f, 0, 1}));

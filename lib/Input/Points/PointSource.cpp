@@ -207,6 +207,9 @@ Expected<PointVoxels> placePoints(const PointList &points, bool areIndices, cons
 }
 
 Expected<PointVoxels> readPoints(PlyReader &reader, const InputOptions &options) {
+  if (const PlyElement *vertices = reader.header().find("vertex");
+      vertices && vertices->find("packed_position"))
+    return reader.broken("it holds compressed Gaussian splats, which are not read; save it as a plain .ply");
   if (!hasPoints(reader.header()))
     return reader.broken("its points need an element 'vertex' with the properties x, y and z");
   options.memory->watch(reader.bytes());

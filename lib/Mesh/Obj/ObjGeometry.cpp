@@ -66,6 +66,16 @@ void ObjGeometry::addPosition(const Position &position, const std::optional<Colo
   problem_.check(latest_.push({}));
 }
 
+void ObjGeometry::paint(const Colour &colour) {
+  isPaintLate_ = isPaintLate_ || painted_ >= positions_.size() || !runs_.empty();
+  if (isPaintLate_)
+    return;
+  while (!problem_ && colours_.size() < positions_.size())
+    problem_.check(colours_.push(kNoColour));
+  if (!problem_)
+    colours_[painted_++] = colour;
+}
+
 void ObjGeometry::add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material) {
   vertices_.clear();
   for (const ObjCorner &corner : corners)

@@ -29,6 +29,9 @@ public:
   using Colour = std::array<float, 3>;
 
   void addPosition(const Position &position, const std::optional<Colour> &colour);
+  /// Paints the next position that is not painted yet, as ZBrush does it behind all of them. A painted file
+  /// has its faces behind that.
+  void paint(const Colour &colour);
   void addUv(const Uv &uv) { problem_.check(uvs_.push(uv)); }
 
   /// Adds a face, a polyline or points. A texture coordinate that does not exist is none. Problems: a vertex
@@ -49,6 +52,7 @@ public:
   std::uint64_t positions() const { return positions_.size(); }
   /// Corners whose texture coordinate does not exist.
   std::uint64_t badUvs() const { return badUvs_; }
+  bool isPaintLate() const { return isPaintLate_; }
   /// To what the colours count.
   const ColourScale &colourScale() const { return scale_; }
 
@@ -81,6 +85,7 @@ private:
   ScratchArray<Position> positions_;
   ScratchArray<Uv> uvs_;
   ScratchArray<Colour> colours_; ///< One a position from the first on that has a colour; else none.
+  std::uint64_t painted_ = 0;
   ScratchArray<Latest> latest_;
 
   ScratchArray<Position> vertexPositions_;
@@ -94,6 +99,7 @@ private:
   PolygonCutter cutter_;
   std::uint64_t shortFaces_ = 0;
   std::uint64_t badUvs_ = 0;
+  bool isPaintLate_ = false; ///< There was paint for no vertex, or behind faces.
   ColourScale scale_;
 };
 

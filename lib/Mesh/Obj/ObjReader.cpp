@@ -6,6 +6,7 @@
 #include "Support/Text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <set>
 #include <vector>
@@ -23,6 +24,8 @@ constexpr std::array<std::string_view, 25> kPassedOver{
 template <typename Table> bool contains(const Table &table, std::string_view word) {
   return std::find(table.begin(), table.end(), word) != table.end();
 }
+
+constexpr std::string_view kPaint = "#MRGB";
 
 class ObjReader {
 public:
@@ -47,6 +50,7 @@ public:
       return problem_.error();
     warnAboutFaces();
     warnAboutColours();
+    warnAboutPaint();
     warnAboutTextures();
     warnAboutStatements();
     if (scene_.materials.empty())
@@ -68,6 +72,8 @@ private:
 
   /// Programs write the words in letters of any case.
   void readStatement(std::string_view word) {
+    if (word == kPaint)
+      readPaint();
     if (word.empty() || word.front() == '#' || readKnown(word) || contains(kPassedOver, word))
       return;
     const std::string lower = lowerCase(word.substr(0, kLongestWord));
@@ -121,6 +127,19 @@ private:
       colour = {static_cast<float>(numbers[count - 3]), static_cast<float>(numbers[count - 2]),
                 static_cast<float>(numbers[count - 1])};
     geometry_.addPosition({numbers[0], numbers[1], numbers[2]}, colour);
+  }
+
+  /// Colours that ZBrush hides in comments: MMRRGGBB in hexadecimal digits for each vertex, of which MM is a
+  /// mask.
+  void readPaint() {
+    for (std::string_view words = trimmed(rest_); words.size() >= 8; words.remove_prefix(8)) {
+      unsigned word = 0;
+      const auto parsed = std::from_chars(words.data(), words.data() + 8, word, 16);
+      if (parsed.ptr != words.data() + 8)
+        return;
+      const auto share = [&](unsigned shift) { return static_cast<float>(word >> shift & 255) / 255; };
+      geometry_.paint({share(16), share(8), share(0)});
+    }
   }
 
   void readUv() {
@@ -186,6 +205,11 @@ private:
                     std::to_string(static_cast<std::uint64_t>(scale.whole())));
     else if (scale.largest() > 1)
       warnings_.add("some colours of vertices are above 1, and are cut there");
+  }
+
+  void warnAboutPaint() {
+    if (geometry_.isPaintLate())
+      warnings_.add("some colours of comments #MRGB stand behind faces or have no vertex, and are not used");
   }
 
   void warnAboutTextures() {
