@@ -82,8 +82,8 @@ VOXC_API voxc_error *voxc_build_source(const voxc_format *format, const voxc_sou
 typedef struct voxc_input_options {
   size_t struct_size;
   int32_t resolution; /* Voxels on the longest axis of a mesh; 0: what the format holds. */
-  /* Which voxels of a mesh: "conservative" (null), all that a triangle touches; "thin", fewer; "inner", thin with one
-   * where a face lies between two; or "centre", all whose centre lies in a closed mesh. */
+  /* Which voxels of a mesh: "conservative" (null), all that a triangle touches; "thin", fewer; "inner", thin
+   * with one where a face lies between two; or "centre", all whose centre lies in a closed mesh. */
   const char *coverage;
   int z_up; /* 1: +z is up; -1: +y is up; 0: by the kind of file. */
   /* Samples of a dense volume from here up are voxels; null: found by the histogram. */

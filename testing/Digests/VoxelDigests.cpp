@@ -210,7 +210,7 @@ private:
     return {};
   }
 
-  /// By both voxelizers, which must agree, in both coverages, turned, cropped, and filled.
+  /// By both voxelizers, which must agree, by each coverage, turned, cropped, and filled.
   Expected<void> addMesh(const std::string &name, const char *file, const std::string &content,
                          ReadMesh read) {
     const auto path = folder_.write(file, content);
@@ -219,7 +219,7 @@ private:
     const auto scene = loaded(read, *path, memory_);
     if (!scene)
       return scene.error();
-    for (const Coverage coverage : {Coverage::Conservative, Coverage::Thin})
+    for (const Coverage coverage : {Coverage::Conservative, Coverage::Thin, Coverage::Inner})
       for (const bool zUp : {false, true}) {
         VoxelizeOptions options;
         options.resolution = zUp ? 61 : 64;
@@ -231,8 +231,8 @@ private:
           return quick ? simple.error() : quick.error();
         if (*quick != *simple)
           return Error::input("the voxelizers differ on " + name);
-        digests_.push_back(
-            {name + (zUp ? ", turned" : "") + (coverage == Coverage::Thin ? ", thin" : ""), *quick});
+        const std::string rule(kCoverageNames[static_cast<std::size_t>(coverage)]);
+        digests_.push_back({name + (zUp ? ", turned, " : ", ") + rule, *quick});
       }
     return addFilled(name, **scene, *scene);
   }
