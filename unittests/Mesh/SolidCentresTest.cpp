@@ -104,6 +104,60 @@ TEST(SolidCentres, OfRandomClosedSurfaces) {
   }
 }
 
+/// Whatever is the matter with a mesh, as long as it can be closed: a cell that no voxel of its surface fills
+/// is filled if and only if its centre is inside. So no rule lets an inside and an outside be one part.
+TEST(SolidCentres, AreWhatIsFilledBesideTheSurface) {
+  std::mt19937 random(5);
+  int closed = 0;
+  for (int round = 0; round < rounds(120); ++round) {
+    std::vector<Corner> points(7);
+    for (Corner &point : points)
+      for (float &coordinate : point)
+        coordinate = round % 3 == 0 ? static_cast<float>(random() % 1000) / 1000
+                                    : static_cast<float>(random() % 33) / 32;
+    Soup soup;
+    for (int i = 0; i < 5; ++i) {
+      std::array<Corner, 4> t;
+      for (Corner &corner : t)
+        corner = points[random() % points.size()];
+      Soup body{t[0], t[1], t[2], t[0], t[3], t[1], t[1], t[3], t[2], t[2], t[3], t[0]};
+      if (random() % 4 == 0)
+        body = joined(body, flipped(body));
+      // A side in two parts, the corner between them on an edge or beside it; a side that is turned, or
+      // missing.
+      if (random() % 3 == 0) {
+        const Corner middle{(t[0][0] + t[1][0]) / 2 + static_cast<float>(random() % 2) / 256,
+                            (t[0][1] + t[1][1]) / 2, (t[0][2] + t[1][2]) / 2};
+        body = joined({body.begin() + 3, body.end()}, {t[0], middle, t[2], middle, t[1], t[2]});
+      }
+      if (random() % 6 == 0)
+        std::swap(body[0], body[1]);
+      if (random() % 6 == 0)
+        body.erase(body.begin(), body.begin() + 3);
+      soup = joined(std::move(soup), body);
+    }
+    const auto scene = soupOf(soup);
+    auto options = optionsAt(16);
+    auto solid = centred(scene, options);
+    if (!solid)
+      continue;
+    ++closed;
+    const Voxels centres = voxelsOf(*solid->source);
+    for (const Coverage coverage : {Coverage::Conservative, Coverage::Thin, Coverage::Inner}) {
+      options.coverage = coverage;
+      const auto memory = WorkingMemory::create(std::uint64_t{1} << 26);
+      auto surface = makeMeshSource(scene, options, memory);
+      Voxels expected = voxelsOf(**surface);
+      for (const auto &[code, word] : centres)
+        expected.emplace(code, kFill);
+      const auto filled = fillMesh(*scene, options, std::move(*surface), kFill, {memory});
+      ASSERT_TRUE(filled);
+      ASSERT_EQ(voxelsOf(*filled->source), expected) << round << " " << static_cast<int>(coverage);
+    }
+  }
+  EXPECT_GT(closed, rounds(120) / 4);
+}
+
 TEST(SolidCentres, HaveTheVolumeOfTheBody) {
   const double radius = 0.4;
   const double ball = 4.0 / 3 * std::numbers::pi * radius * radius * radius;
