@@ -1,8 +1,6 @@
 // Colours and textures by assimp's keys.
 #include "Assimp/AssimpMaterials.h"
 
-#include "Mesh/FileBeside.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -144,7 +142,7 @@ int AssimpMaterials::embedded(const std::string &name, const aiTexture &texture)
 
 int AssimpMaterials::fileOf(const std::string &name) {
   const std::string folder = input_.folder();
-  const auto found = findBeside(name, std::span(&folder, 1));
+  const auto found = files_.find(name, std::span(&folder, 1));
   if (found && found->isElsewhere)
     warnOnce("the texture '" + name + "' is not there; '" + found->path + "' beside the model is taken");
   return checked(textures_.readFile(found ? found->path : pathBelow(folder, name)));

@@ -1,6 +1,7 @@
 // Materials of assimp's scenes.
 #pragma once
 
+#include "Mesh/FileBeside.h"
 #include "Mesh/Image/TextureSet.h"
 #include "Mesh/MeshInput.h"
 #include "Support/Problem.h"
@@ -43,6 +44,7 @@ private:
   Warnings &warnings_;
   Problem &problem_;
   TextureSet textures_;
+  FilesBeside files_;
   std::vector<unsigned> uvSets_;
   std::set<std::string> unused_; ///< Kinds of textures.
   std::set<std::string> said_;   ///< Warnings.

@@ -18,6 +18,9 @@ constexpr std::string_view kBlanks = " \t";
 /// Entries of a folder that are looked at for a name in letters of another case.
 constexpr int kMostEntries = 1 << 16;
 
+/// Ends of a path that are looked for.
+constexpr std::size_t kMostParts = 8;
+
 bool isFile(const std::string &path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
@@ -71,22 +74,51 @@ std::vector<std::string> spellingsOf(std::string_view name) {
   return spellings;
 }
 
-/// The entry of a folder that is called so but for the case of letters; nothing if there is none.
-std::optional<std::string> entryOf(const std::string &folder, const std::string &name) {
-  std::error_code failed;
-  fs::directory_iterator entry(folder.empty() ? "." : folder, failed);
-  const std::string wanted = lowerCase(name);
-  for (int i = 0; i < kMostEntries && !failed && entry != fs::directory_iterator(); ++i) {
-    const std::string found = entry->path().filename().string();
-    if (lowerCase(found) == wanted)
-      return found;
-    entry.increment(failed);
+/// Takes the first folder off all names that have one; false if none has.
+bool shorten(std::vector<std::string> &names) {
+  bool hasFolder = false;
+  for (std::string &name : names) {
+    const std::size_t slash = name.find('/');
+    hasFolder = hasFolder || slash != std::string::npos;
+    name.erase(0, slash == std::string::npos ? 0 : slash + 1);
   }
-  return std::nullopt;
+  return hasFolder;
 }
 
-/// A file below a folder, in letters of any case.
-std::optional<std::string> inAnyCase(const std::string &folder, std::string_view path) {
+/// Leaves of a path the last parts alone.
+void keepLast(std::string &path, std::size_t parts) {
+  std::size_t slash = path.size();
+  for (std::size_t i = 0; i < parts && slash != std::string::npos && slash != 0; ++i)
+    slash = path.rfind('/', slash - 1);
+  if (slash != std::string::npos && slash != 0)
+    path.erase(0, slash + 1);
+}
+
+} // namespace
+
+std::string pathBelow(const std::string &folder, std::string_view name) {
+  const std::string path = withSlashes(name);
+  const bool hasDrive = path.size() > 2 && path[1] == ':' && path[2] == '/';
+  return path.starts_with('/') || hasDrive ? path : folder + path;
+}
+
+/// Nothing if the folder has no such entry.
+std::optional<std::string> FilesBeside::entryOf(const std::string &folder, const std::string &name) {
+  const auto [listing, isNew] = listings_.try_emplace(folder);
+  std::error_code failed;
+  fs::directory_iterator entry;
+  if (isNew)
+    entry = fs::directory_iterator(folder.empty() ? "." : folder, failed);
+  for (int i = 0; i < kMostEntries && !failed && entry != fs::directory_iterator(); ++i) {
+    const std::string found = entry->path().filename().string();
+    listing->second.try_emplace(lowerCase(found), found);
+    entry.increment(failed);
+  }
+  const auto found = listing->second.find(lowerCase(name));
+  return found == listing->second.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::string> FilesBeside::inAnyCase(const std::string &folder, std::string_view path) {
   std::string found = folder;
   while (!path.empty()) {
     const std::size_t slash = std::min(path.find('/'), path.size());
@@ -106,8 +138,8 @@ std::optional<std::string> inAnyCase(const std::string &folder, std::string_view
   return isFile(found) ? std::optional(found) : std::nullopt;
 }
 
-std::optional<std::string> findIn(std::span<const std::string> folders,
-                                  const std::vector<std::string> &names) {
+std::optional<std::string> FilesBeside::findIn(std::span<const std::string> folders,
+                                               const std::vector<std::string> &names) {
   for (const std::string &folder : folders)
     for (const std::string &name : names)
       if (const std::string path = pathBelow(folder, name); isFile(path))
@@ -120,21 +152,21 @@ std::optional<std::string> findIn(std::span<const std::string> folders,
   return std::nullopt;
 }
 
-} // namespace
-
-std::string pathBelow(const std::string &folder, std::string_view name) {
-  const std::string path = withSlashes(name);
-  const bool hasDrive = path.size() > 2 && path[1] == ':' && path[2] == '/';
-  return path.starts_with('/') || hasDrive ? path : folder + path;
-}
-
-std::optional<FileBeside> findBeside(std::string_view name, std::span<const std::string> folders) {
+std::optional<FileBeside> FilesBeside::find(std::string_view name, std::span<const std::string> folders) {
   std::vector<std::string> names = spellingsOf(name);
   if (auto path = findIn(folders, names))
     return FileBeside{std::move(*path), false};
   for (std::string &spelling : names)
-    spelling.erase(0, spelling.find_last_of('/') + 1);
-  if (auto path = findIn(folders, names))
+    keepLast(spelling, kMostParts);
+  while (shorten(names))
+    if (auto path = findIn(folders, names))
+      return FileBeside{std::move(*path), true};
+  // Downloads often have a folder of textures.
+  std::vector<std::string> others;
+  for (const std::string &folder : folders)
+    for (const char *other : {"textures/", "../textures/"})
+      others.push_back(folder + other);
+  if (auto path = findIn(others, names))
     return FileBeside{std::move(*path), true};
   return std::nullopt;
 }

@@ -1,7 +1,6 @@
 // From names to materials of the scene.
 #include "Mesh/Obj/ObjMaterials.h"
 
-#include "Mesh/FileBeside.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ void ObjMaterials::addLibraries(std::string_view names) {
 
 bool ObjMaterials::addLibrary(std::string_view name) {
   const std::string folder = input_.folder();
-  const auto found = findBeside(name, std::span(&folder, 1));
+  const auto found = files_.find(name, std::span(&folder, 1));
   if (!found)
     return false;
   if (libraries_.contains(found->path))
@@ -48,7 +47,7 @@ bool ObjMaterials::addOwnLibrary() {
   const std::string folder = input_.folder();
   const std::string name = input_.path.substr(folder.size());
   const std::string library = name.substr(0, name.find_last_of('.')) + ".mtl";
-  if (!findBeside(library, std::span(&folder, 1)))
+  if (!files_.find(library, std::span(&folder, 1)))
     return false;
   warnings_.add("the model's material library is not there or not named; '" + library +
                 "' beside it is taken");
@@ -110,7 +109,7 @@ std::string ObjMaterials::imagePath(const MtlTexture &texture, const std::string
     return entry->second;
   const std::array<std::string, 2> folders{folder, input_.folder()};
   for (const std::string &name : {texture.image, texture.otherwise})
-    if (const auto found = name.empty() ? std::nullopt : findBeside(name, folders)) {
+    if (const auto found = name.empty() ? std::nullopt : files_.find(name, folders)) {
       if (found->isElsewhere)
         warnings_.add("the texture '" + name + "' is not there; '" + found->path +
                       "' beside the model is taken");

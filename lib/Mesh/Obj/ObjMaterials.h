@@ -1,6 +1,7 @@
 // The materials that an .obj uses, with their textures.
 #pragma once
 
+#include "Mesh/FileBeside.h"
 #include "Mesh/Image/TextureSet.h"
 #include "Mesh/MeshInput.h"
 #include "Mesh/Obj/MaterialLibrary.h"
@@ -39,6 +40,7 @@ private:
   Warnings &warnings_;
   Problem &problem_;
   TextureSet textures_;
+  FilesBeside files_;
   std::set<std::string> libraries_;
   std::map<std::string, std::string> images_; ///< Where the image of a folder and a name is.
   bool askedForOwn_ = false;                  ///< The library that is called as the model was looked for.

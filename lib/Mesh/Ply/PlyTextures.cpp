@@ -131,10 +131,11 @@ bool isTextured(const TriangleScene &scene, std::size_t material) {
 void addTextures(const PlyHeader &header, const MeshInput &input, TriangleScene &scene, Warnings &warnings,
                  Problem &problem) {
   TextureSet textures(input.memory, scene, warnings);
+  FilesBeside files;
   const std::string folder = input.folder();
   scene.materials.emplace_back();
   for (const std::string &name : header.textures) {
-    const auto found = findBeside(name, std::span(&folder, 1));
+    const auto found = files.find(name, std::span(&folder, 1));
     if (found && found->isElsewhere)
       warnings.add("the texture '" + name + "' is not there; '" + found->path +
                    "' beside the model is taken");
