@@ -122,7 +122,15 @@ std::vector<Check> checkBuild() {
   const Check openVdb{"OpenVDB", Check::State::Missing, "not built in: .vdb files are not read or written",
                       "build with -DVOXC_OPENVDB=ON where OpenVDB is installed; .nvdb files do without"};
 #endif
-  return {{"voxc", Check::State::Good, versionText() + ", LLVM " + bench::madeBy("").llvm, ""}, openVdb};
+#ifdef VOXC_HAS_ASSIMP
+  const Check assimp{"assimp", Check::State::Good, "built in: .fbx, .dae, .3ds, .off and .x3d are read", ""};
+#else
+  const Check assimp{"assimp", Check::State::Missing,
+                     "not built in: .fbx, .dae, .3ds, .off and .x3d are not read",
+                     "build with -DVOXC_ASSIMP=ON where assimp is installed, or convert such meshes to .glb"};
+#endif
+  return {
+      {"voxc", Check::State::Good, versionText() + ", LLVM " + bench::madeBy("").llvm, ""}, openVdb, assimp};
 }
 
 std::vector<Check> checkFolders() { return {checkCache(), checkScratch()}; }
