@@ -52,7 +52,8 @@ constexpr MatterRow kMatters[] = {
     {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense},   {".nhdr", kDense},
     {".nii", kDense},       {".nii.gz", kDense}, {".hdr", kDense},  {".hdr.gz", kDense}, {".img", kDense},
     {".img.gz", kDense},    {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},    {".tif", kDense},
-    {".tiff", kDense},      {".vox", kModels},   {".hvx", kOther},  {".binvox", kOther},
+    {".tiff", kDense},      {".vox", kModels},   {".hvx", kOther},  {".binvox", kOther}, {".fbx", kMesh},
+    {".dae", kMesh},        {".3ds", kMesh},     {".off", kMesh},   {".x3d", kMesh},
 };
 
 /// What an input is made of; nothing if its kind is not known here.
