@@ -7,8 +7,11 @@
 #include "Source/GridExtent.h"
 #include "Support/Text.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -30,7 +33,7 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
                             "VOXC_ASSIMP=ON, or convert it to .glb");
 }
 
-constexpr std::array<InputKind, 29> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 31> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -49,6 +52,8 @@ constexpr std::array<InputKind, 29> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".hdr.gz", openNifti, "a dense volume"},
                                             {".img", openNifti, "a dense volume"},
                                             {".img.gz", openNifti, "a dense volume"},
+                                            {".npy", openNumpy, "an array"},
+                                            {".npz", openNumpy, "arrays"},
                                             {".png", openSlices, "slices"},
                                             {".tif", openSlices, "slices"},
                                             {".tiff", openSlices, "slices"},
@@ -99,6 +104,26 @@ Expected<Input> dispatch(const std::string &input, const InputOptions &options) 
   return opened;
 }
 
+/// Warns of voxels that are no cubes, which most of what is made of them shows as if they were.
+void tellSpacing(const std::string &text, const InputOptions &options, Input &input) {
+  constexpr double kAlike = 0.01;
+  const Transform map = input.source->voxelToModel();
+  std::array<double, 3> sides{};
+  for (int axis = 0; axis < 3; ++axis)
+    sides[static_cast<std::size_t>(axis)] = glm::length(glm::dvec3(map[axis]));
+  const auto [least, most] = std::ranges::minmax(sides);
+  if (!options.isAutomatic || withoutFrame(lowerCase(text)).ends_with(".hvx") ||
+      !(most > least * (1 + kAlike)))
+    return;
+  std::array<char, 32> shortest{};
+  std::snprintf(shortest.data(), shortest.size(), "%.6g", least);
+  input.warnings.push_back(
+      "its voxels are " + byThree(sides) +
+      " and no cubes: pictures, pages, .glb, .nvdb and .vdb files keep that, all else shows "
+      "it squashed; --voxel-size " +
+      std::string(shortest.data()) + " makes cubes of them");
+}
+
 } // namespace
 
 Expected<Input> openInput(const std::string &input, const InputOptions &options) {
@@ -108,6 +133,7 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
   Expected<Input> opened = dispatch(input, withMemory);
   if (!opened)
     return opened;
+  tellSpacing(input, options, *opened);
   if (auto changed = applyChanges(*opened, withMemory); !changed)
     return changed.error();
   const Int3 extent = opened->source->extent();

@@ -9,19 +9,21 @@ set(VOXC_INPUT_READERS
   Dense/Histogram.cpp
   Dense/Labels.cpp
   Dense/NiftiHeader.cpp
+  Dense/NpyHeader.cpp
   Dense/NrrdAxes.cpp
   Dense/NrrdData.cpp
   Dense/NrrdFields.cpp
   Dense/NrrdHeader.cpp
   Dense/Orientation.cpp
   Dense/PngSlice.cpp
+  Dense/Resample.cpp
   Dense/SampleChecks.cpp
   Dense/Samples.cpp
   Dense/TextStreams.cpp
   Dense/TiffFile.cpp
   Dense/TiffSlice.cpp
-  Dense/Units.cpp
   Dense/VolumeChoice.cpp
+  Dense/ZipFile.cpp
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp
   MagicaVoxel/VoxScene.cpp
@@ -35,7 +37,9 @@ set(VOXC_INPUT_READERS
   Openers/OpenNanoVdb.cpp
   Openers/OpenNifti.cpp
   Openers/OpenNrrd.cpp
+  Openers/OpenNumpy.cpp
   Openers/OpenSlices.cpp
+  Openers/Units.cpp
   Points/PointColour.cpp
   Points/PointList.cpp
   Points/PointSource.cpp)

@@ -4,7 +4,9 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace voxc {
@@ -13,6 +15,12 @@ namespace {
 
 std::string toText(Int3 extent) {
   return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
+}
+
+std::string numberText(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", number);
+  return text.data();
 }
 
 glm::dvec3 turned(const glm::dvec3 &point, bool zUp) {
@@ -68,6 +76,11 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
     if (!(options.bounds.low[axis] <= options.bounds.high[axis]) || !std::isfinite(size[axis]))
       return Error::input("the bounds are not a box: each low corner must be a number below the high one");
   frame.origin_ = glm::min(a, b);
+  if (options.voxelSize > 0 || options.align) {
+    if (auto placed = frame.place(options, glm::min(a, b), glm::max(a, b)); !placed)
+      return placed.error();
+    return frame;
+  }
   const double longest = std::max({size.x, size.y, size.z});
   const int resolution =
       options.resolution > 0 ? options.resolution : largestResolution(size, longest, options.maxExtent);
@@ -80,6 +93,33 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
   const double scale = resolution / longest;
   frame.scale_ = longest > 0 && std::isfinite(scale) ? scale : 1;
   return frame;
+}
+
+Expected<void> ModelFrame::place(const FrameOptions &options, const glm::dvec3 &low, const glm::dvec3 &high) {
+  constexpr double kRounding = 0x1p-24; // Of a voxel: less than that is none.
+  const glm::dvec3 size = high - low;
+  const double longest = std::max({size.x, size.y, size.z});
+  double side = options.voxelSize;
+  if (side <= 0) {
+    // A voxel more may be needed than the resolution: one less is what surely fits.
+    const int fitting = std::max(1, largestResolution(size, longest, options.maxExtent) - 1);
+    const double wanted = longest / (options.resolution > 0 ? options.resolution : fitting);
+    side = wanted > 0 && std::isfinite(1 / wanted) ? wanted : 1;
+  }
+  if (!std::isfinite(1 / side))
+    return Error::input("a voxel's side of " + numberText(side) + " is too small to be one");
+  scale_ = 1 / side;
+  const glm::dvec3 point = options.align ? turned(*options.align, options.zUp) : low;
+  for (int axis = 0; axis < 3; ++axis) {
+    origin_[axis] = point[axis] + std::floor((low[axis] - point[axis]) / side + kRounding) * side;
+    const double voxels = std::ceil((high[axis] - origin_[axis]) / side - kRounding);
+    extent_[axis] = static_cast<std::int32_t>(std::clamp(voxels, 1.0, 2147483647.0));
+  }
+  if (!fits(extent_, options.maxExtent))
+    return Error::input("with voxels of side " + numberText(side) + " the model takes " + toText(extent_) +
+                        " voxels, but the format holds " + toText(options.maxExtent) +
+                        "; make the voxels larger or the format");
+  return {};
 }
 
 glm::dvec3 ModelFrame::toVoxels(const glm::dvec3 &point) const {

@@ -35,10 +35,15 @@ struct FrameOptions {
   int resolution = 0; ///< Voxels on the longest axis; 0: as many as fit into `maxExtent`.
   Int3 maxExtent;
   bool zUp = false; ///< Turns the model's +z to +y.
+  double voxelSize =
+      0; ///< The side of a voxel in model units, in place of a resolution; 0: by the resolution.
+  /// A point of the model, in its own axes, that planes between voxels go through on each axis.
+  std::optional<glm::dvec3> align;
 };
 
 /// Maps model coordinates to voxels: the low corner of the turned bounds goes to (0, 0, 0), and their longest
-/// axis takes `resolution` voxels. Other axes take as many as they touch, at least one.
+/// axis takes `resolution` voxels. Other axes take as many as they touch, at least one. By `align` the low
+/// corner of the voxels is as far below the bounds as it must be.
 class ModelFrame {
 public:
   /// Errors: bounds that are inverted or not finite; more voxels than `maxExtent` on an axis.
@@ -53,6 +58,8 @@ public:
   Transform voxelToModel() const;
 
 private:
+  Expected<void> place(const FrameOptions &options, const glm::dvec3 &low, const glm::dvec3 &high);
+
   bool zUp_ = false;
   glm::dvec3 origin_{}; ///< In turned model units.
   double scale_ = 1;

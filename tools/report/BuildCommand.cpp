@@ -15,9 +15,10 @@ namespace {
 using Words = std::vector<std::string>;
 
 /// Options that say how an input becomes voxels; all but `--crop` have a value.
-constexpr std::array<std::string_view, 12> kInputOptions = {
-    "--resolution", "--bounds", "--up",     "--coverage", "--colour",   "--threshold",
-    "--colour-map", "--window", "--volume", "--grid",     "--interior", "--fill-colour"};
+constexpr std::array<std::string_view, 15> kInputOptions = {
+    "--resolution", "--voxel-size", "--unit",   "--align",     "--bounds",
+    "--up",         "--coverage",   "--colour", "--threshold", "--colour-map",
+    "--window",     "--volume",     "--grid",   "--interior",  "--fill-colour"};
 constexpr std::string_view kCrop = "--crop";
 
 /// The words of a command, of which some stand in single quotes.

@@ -82,6 +82,12 @@ InputOptions optionsFor(const std::string &input, const VolumeInfo &info) {
   own.colourMap = "labels";
   if (!checkInputArguments(own, input))
     own.colourMap.clear();
+  own.voxelSize = arguments.voxelSize;
+  own.align = arguments.align;
+  if (!checkInputArguments(own, input)) {
+    own.voxelSize.clear();
+    own.align.clear();
+  }
   own.resolution = std::max({info.extent.x, info.extent.y, info.extent.z});
   if (!checkInputArguments(own, input))
     own.resolution = 0;

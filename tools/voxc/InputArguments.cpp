@@ -8,6 +8,8 @@
 #include "voxc/Assimp/Assimp.h"
 #endif
 
+#include "voxc/Input/Units.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -35,6 +37,22 @@ std::string checkColour(const std::string &text) {
   return *word != 0 ? "" : "the colour 00000000 means empty; write another one";
 }
 
+std::string checkVoxelSize(const std::string &text) {
+  if (parseLength(text))
+    return "";
+  if (text.find_first_of(",x") != std::string::npos)
+    return "'" + text +
+           "' is no size of voxels, which are cubes; write one number, such as the least of these, and scans "
+           "of other "
+           "spacings are made anew in cubes of it";
+  return "'" + text + "' is no size of a voxel; write a number above 0, with a unit or without: one of " +
+         unitNames();
+}
+
+std::string checkUnit(const std::string &text) {
+  return metresOf(text) ? "" : "'" + text + "' is no unit that is known; there are " + unitNames();
+}
+
 } // namespace
 
 namespace {
@@ -52,8 +70,9 @@ constexpr MatterRow kMatters[] = {
     {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense},   {".nhdr", kDense},
     {".nii", kDense},       {".nii.gz", kDense}, {".hdr", kDense},  {".hdr.gz", kDense}, {".img", kDense},
     {".img.gz", kDense},    {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},    {".tif", kDense},
-    {".tiff", kDense},      {".vox", kModels},   {".hvx", kOther},  {".binvox", kOther}, {".fbx", kMesh},
-    {".dae", kMesh},        {".3ds", kMesh},     {".off", kMesh},   {".x3d", kMesh},
+    {".npy", kDense},       {".npz", kDense},    {".tiff", kDense}, {".vox", kModels},   {".hvx", kOther},
+    {".binvox", kOther},    {".fbx", kMesh},     {".dae", kMesh},   {".3ds", kMesh},     {".off", kMesh},
+    {".x3d", kMesh},
 };
 
 /// What an input is made of; nothing if its kind is not known here.
@@ -88,6 +107,12 @@ bool endsIn(const std::string &input, std::initializer_list<std::string_view> en
 constexpr OptionRow kOptions[] = {
     {"--resolution", kMesh | kBuiltin, "meshes and built-in scenes; others have voxels of their own",
      [](const InputArguments &arguments) { return arguments.resolution != 0; }},
+    {"--voxel-size", kMesh | kDense, "meshes, points and scans",
+     [](const InputArguments &arguments) { return !arguments.voxelSize.empty(); }},
+    {"--align", kMesh | kDense, "meshes, points and scans",
+     [](const InputArguments &arguments) { return !arguments.align.empty(); }},
+    {"--unit", kMesh | kDense, "meshes, points and scans",
+     [](const InputArguments &arguments) { return !arguments.unit.empty(); }},
     {"--bounds", kMesh, "meshes", [](const InputArguments &arguments) { return !arguments.bounds.empty(); }},
     {"--up", kMesh | kDense, "meshes and dense volumes",
      [](const InputArguments &arguments) { return !arguments.up.empty(); }},
@@ -130,9 +155,31 @@ Expected<void> checkModelsMap(const std::string &colourMap) {
 
 } // namespace
 
+namespace {
+
+/// The options of the grid of voxels. Error: they do not go together, or do nothing.
+Expected<void> checkGrid(const InputArguments &arguments, const std::string &input) {
+  const bool isSized = !arguments.voxelSize.empty();
+  if (isSized && arguments.resolution != 0)
+    return Error::usage("--voxel-size and --resolution both say how large voxels are; leave one of them out");
+  if ((isSized || !arguments.align.empty()) && endsIn(input, {".nvdb", ".vdb"}))
+    return Error::usage(std::string(isSized ? "--voxel-size" : "--align") + " would do nothing for '" +
+                        input + "', whose grid has voxels of its own; leave it out");
+  const auto length = parseLength(arguments.voxelSize);
+  if (!arguments.unit.empty() && !(length && length->metres > 0))
+    return Error::usage(
+        "--unit says what a --voxel-size such as 5mm means, and would do nothing without; leave it "
+        "out");
+  return {};
+}
+
+} // namespace
+
 bool isKnownInput(const std::string &input) { return matterOf(input).has_value(); }
 
 void fillResolution(InputArguments &arguments, const std::string &input) {
+  if (!arguments.voxelSize.empty())
+    return;
   const unsigned matter = matterOf(input).value_or(kMesh);
   const bool isSized = sizeOfBuiltin(input).has_value();
   if (arguments.resolution == 0 && (matter & (kMesh | kBuiltin)) != 0 && !isSized)
@@ -155,8 +202,10 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
       if (row.isGiven(arguments) && !(row.matters & *matter))
         return Error::usage(std::string(row.name) + " is for " + row.text + ", and would do nothing for '" +
                             input + "'; leave it out");
-  if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb"}))
-    return Error::usage("--grid is for .nvdb and .vdb files, and would do nothing for '" + input +
+  if (auto checked = checkGrid(arguments, input); !checked)
+    return checked;
+  if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb", ".npz"}))
+    return Error::usage("--grid is for .nvdb, .vdb and .npz files, and would do nothing for '" + input +
                         "'; leave it out");
   if (!arguments.fillColour.empty() && arguments.interior != "fill" && arguments.coverage != "centre")
     return Error::usage("--fill-colour is for --interior fill; give both, or leave it out");
@@ -172,6 +221,26 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .add("--resolution", arguments.resolution, "Voxels on the longest axis; default: what the format holds")
       .takes("N")
       .between(1, 1 << kMaxLog2Extent);
+  command
+      .add("--voxel-size", arguments.voxelSize,
+           "The side of a voxel in place of a resolution, as 0.5 in units of the model or 0.5mm; a scan is "
+           "made anew "
+           "in such cubes")
+      .takes("SIZE")
+      .check(checkVoxelSize);
+  command
+      .add("--unit", arguments.unit,
+           "What a step of 1 in the model is, for --voxel-size: nm, um, mm, cm, m, km, in or ft; default: "
+           "what the "
+           "file says, metres of glTF")
+      .takes("UNIT")
+      .check(checkUnit);
+  command
+      .add("--align", arguments.align,
+           "A point of the model that the planes between voxels go through on each axis")
+      .takes("X,Y,Z")
+      .list()
+      .values(3);
   command.add("--bounds", arguments.bounds, "Crops a mesh to this box of model space")
       .takes("X0,Y0,Z0,X1,Y1,Z1")
       .list()
@@ -220,7 +289,7 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .between(1, 1 << 30);
   command
       .add("--grid", arguments.grid,
-           "The grid of a .nvdb or .vdb file; default: the first that can be a shape")
+           "The grid of a .nvdb or .vdb file, or the array of a .npz; default: the first that can be a shape")
       .takes("NAME");
   command
       .add("--interior", arguments.interior,
@@ -298,6 +367,12 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
   const std::vector<int> resolution = parseNumbers<int>(valueOf(provenance, "resolution"));
   if (arguments.resolution == 0 && resolution.size() == 1)
     arguments.resolution = resolution.front();
+  if (arguments.voxelSize.empty() && arguments.align.empty()) {
+    arguments.voxelSize = valueOf(provenance, "voxel-size");
+    arguments.align = parseNumbers<double>(valueOf(provenance, "align"));
+  }
+  if (arguments.unit.empty())
+    arguments.unit = valueOf(provenance, "unit");
   const std::vector<double> bounds = parseNumbers<double>(valueOf(provenance, "bounds"));
   if (arguments.bounds.empty() && bounds.size() == 6)
     arguments.bounds = bounds;
@@ -339,6 +414,11 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   InputOptions options;
   options.resolution = arguments.resolution;
   options.formatExtent = formatExtent;
+  // What a volume says of itself was not checked; without a meaning it is left out.
+  options.voxelSize = parseLength(arguments.voxelSize).value_or(Length());
+  options.unit = metresOf(arguments.unit).value_or(0);
+  if (arguments.align.size() == 3)
+    std::ranges::copy(arguments.align, options.align.emplace().begin());
   options.isAutomatic = arguments.isAutomatic;
   options.isUpKnown = !arguments.up.empty();
   options.zUp = arguments.up == "z";

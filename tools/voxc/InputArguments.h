@@ -14,6 +14,9 @@ namespace voxc::tool {
 /// As they were written; what was left out is the library's default.
 struct InputArguments {
   int resolution = 0;         ///< 0: what the format holds.
+  std::string voxelSize;      ///< A length such as "0.05m", or empty.
+  std::string unit;           ///< Of the model, or empty.
+  std::vector<double> align;  ///< Empty, or three numbers.
   std::vector<double> bounds; ///< Empty, or six numbers.
   std::string up;             ///< "y", "z", or empty.
   std::string coverage;       ///< "conservative", "thin", or empty.
@@ -46,8 +49,9 @@ bool isKnownInput(const std::string &input);
 /// "rrggbb" or "rrggbbaa" as a word, R in the low byte; nothing if it is neither.
 std::optional<std::uint32_t> parseColour(std::string_view text);
 
-/// Adds --resolution, --bounds, --up, --coverage, --colour, --threshold, --colour-map, --window, --volume,
-/// --grid,
+/// Adds --resolution, --voxel-size, --unit, --align, --bounds, --up, --coverage, --colour, --threshold,
+/// --colour-map,
+/// --window, --volume, --grid,
 /// --interior, --fill-colour and --crop to a command.
 void addInputArguments(const CommandLine &command, InputArguments &arguments);
 

@@ -256,6 +256,7 @@ TEST_F(DenseVolumes, WhatNobodySaysOfThemIsFound) {
   std::string file = nifti(true, false);
   // Halves are no labels: the samples are 0.5 and 2.5 to 3.
   file.replace(112, 4, bytesOf<float>({0.5}));
+  file.replace(80, 12, bytesOf<float>({1, 1, 1}));
   file += "\1\1\1\5\6\6";
   options_.isAutomatic = true;
   EXPECT_EQ(voxels("a.nii", file).size(), 3u); // From a threshold between 0.5 and 2.5.

@@ -1,6 +1,7 @@
 // Opening an INPUT as it is written on a command line (docs/command-line.md).
 #pragma once
 
+#include "voxc/Input/Units.h"
 #include "voxc/Mesh/MeshSource.h"
 #include "voxc/Source/Interior.h"
 #include "voxc/Source/VoxelSource.h"
@@ -37,7 +38,13 @@ struct InputFact {
 
 /// How an input becomes voxels.
 struct InputOptions {
-  int resolution = 0;                          ///< Voxels on a mesh's longest axis; 0: what the format holds.
+  int resolution = 0; ///< Voxels on a mesh's longest axis; 0: what the format holds.
+  /// The side of a voxel of a mesh, of points or of a scan, which becomes such cubes; 0: by the resolution,
+  /// and scans have the voxels that they are stored with.
+  Length voxelSize;
+  double unit = 0; ///< Metres of a step of 1 in the model; 0: what the file says of it.
+  /// A point of the model that the planes between voxels go through, on each axis.
+  std::optional<std::array<double, 3>> align;
   Int3 formatExtent{1 << 9, 1 << 9, 1 << 9};   ///< What the format holds; an input must fit into it.
   std::optional<std::array<double, 6>> bounds; ///< x0, y0, z0, x1, y1, z1: crops a mesh, in model units.
   bool isUpKnown = false;                      ///< `zUp` was said, and holds whatever the kind of file.

@@ -10,8 +10,8 @@
 namespace voxc {
 
 /// The paths of a pattern such as slice%04d.png, from the lowest number that is there to the highest; of
-/// another path that itself. Errors: `Input`, none is there, or one between others is not, or the lowest is 2,
-/// as of a set of which not all is written, or there are more than `most`.
+/// another path that itself. Errors: `Input`, none is there, or one between others is not, or the lowest is
+/// 2, as of a set of which not all is written, or there are more than `most`.
 Expected<std::vector<std::string>> numberedPaths(const std::string &path, std::size_t most);
 
 /// Whether a path is a pattern of which there are files.

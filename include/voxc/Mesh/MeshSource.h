@@ -51,6 +51,9 @@ struct VoxelizeOptions {
   std::vector<std::array<Int3, 2>> regions;
   Progress progress;
   ColourRule colour = ColourRule::Mean; ///< Changes no shape: the nearest texel says what is cut out.
+  double voxelSize = 0;                 ///< The side of a voxel in model units, in place of a resolution.
+  std::optional<std::array<double, 3>>
+      align; ///< A point that planes between voxels go through; before the turn.
 };
 
 /// Voxelizes a scene as it is asked for, one chunk of voxels at a time. Corners are snapped to a fixed-point

@@ -35,7 +35,8 @@ private:
 
 class GzipStream final : public ByteStream {
 public:
-  explicit GzipStream(std::span<const std::byte> bytes) : bytes_(bytes.size()), reader_(bytes) {}
+  GzipStream(std::span<const std::byte> bytes, GzipReader::Wrapping wrapping)
+      : bytes_(bytes.size()), reader_(bytes, wrapping) {}
 
   Expected<std::size_t> readSome(std::span<std::byte> target) override { return reader_.readSome(target); }
   std::uint64_t mostBytes() const override { return (bytes_ + kMostPerByte) * kMostPerByte; }
@@ -119,7 +120,10 @@ std::unique_ptr<ByteStream> makeRawStream(std::span<const std::byte> bytes) {
   return std::make_unique<RawStream>(bytes);
 }
 std::unique_ptr<ByteStream> makeGzipStream(std::span<const std::byte> bytes) {
-  return std::make_unique<GzipStream>(bytes);
+  return std::make_unique<GzipStream>(bytes, GzipReader::Wrapping::Gzip);
+}
+std::unique_ptr<ByteStream> makeDeflateStream(std::span<const std::byte> bytes) {
+  return std::make_unique<GzipStream>(bytes, GzipReader::Wrapping::None);
 }
 std::unique_ptr<ByteStream> makeBzip2Stream(std::span<const std::byte> bytes) {
   return std::make_unique<Bzip2Stream>(bytes);

@@ -24,11 +24,12 @@ public:
   virtual std::uint64_t mostBytes() const = 0;
 };
 
-/// Each reads `bytes`, which must outlive it: as they are; by gzip, whose members follow each other; by bzip2
-/// likewise; two hexadecimal digits a byte; decimal numbers that become samples of a type in this machine's
-/// order.
+/// Each reads `bytes`, which must outlive it: as they are; by gzip, whose members follow each other;
+/// deflated, with nothing around that; by bzip2, as gzip; two hexadecimal digits a byte; decimal numbers that
+/// become samples of a type in this machine's order.
 std::unique_ptr<ByteStream> makeRawStream(std::span<const std::byte> bytes);
 std::unique_ptr<ByteStream> makeGzipStream(std::span<const std::byte> bytes);
+std::unique_ptr<ByteStream> makeDeflateStream(std::span<const std::byte> bytes);
 std::unique_ptr<ByteStream> makeBzip2Stream(std::span<const std::byte> bytes);
 std::unique_ptr<ByteStream> makeHexStream(std::span<const std::byte> bytes);
 std::unique_ptr<ByteStream> makeTextStream(std::span<const std::byte> bytes, SampleType type);

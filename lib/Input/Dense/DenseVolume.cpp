@@ -6,6 +6,7 @@
 #include "Input/Dense/DenseFacts.h"
 #include "Input/Dense/Histogram.h"
 #include "Input/Dense/Labels.h"
+#include "Input/Dense/Resample.h"
 #include "Input/Dense/SampleChecks.h"
 #include "Input/Openers/InputText.h"
 #include "Source/DenseSource.h"
@@ -180,26 +181,33 @@ Expected<void> checkColours(const InputOptions &options) {
                : Expected<void>();
 }
 
-/// The samples as rows of words, and what they are said to be.
-Expected<std::shared_ptr<const DenseRows>> rowsOf(DenseVolume volume, const InputOptions &options,
-                                                  Input &input) {
-  if (volume.channels > 1) {
-    if (auto checked = checkColours(options); !checked)
-      return checked.error();
-    if (options.describe)
-      input.facts = factsOf(volume);
-    input.provenance = "coverage=cells" + volumeProvenance(options) + upProvenance(options);
-    input.warnings = std::move(volume.warnings);
-    input.notes = std::move(volume.notes);
-    return makeRows(std::move(volume), SampleMap());
+/// What a volume looks like; `input` gets what is said of it.
+Expected<SampleMap> lookOf(DenseVolume &volume, const InputOptions &options, Input &input) {
+  if (volume.channels == 1) {
+    auto map = mapOf(volume, options, input.facts);
+    if (map)
+      input.provenance = provenanceOf(*map, options);
+    return map;
   }
-  const auto map = mapOf(volume, options, input.facts);
-  if (!map)
-    return map.error();
-  input.provenance = provenanceOf(*map, options);
-  input.warnings = std::move(volume.warnings);
-  input.notes = std::move(volume.notes);
-  return makeRows(std::move(volume), *map);
+  if (auto checked = checkColours(options); !checked)
+    return checked.error();
+  if (options.describe)
+    input.facts = factsOf(volume);
+  input.provenance = "coverage=cells" + volumeProvenance(options) + upProvenance(options);
+  return SampleMap();
+}
+
+/// The side of the cubes that are asked for; 0 for the samples as they are. Error: planes shall go through a
+/// point, but nothing says how far apart they are.
+Expected<double> sideOf(const DenseVolume &volume, const InputOptions &options) {
+  const auto side = voxelSide(options, volume.unit);
+  if (!side || *side > 0 || !options.align)
+    return side;
+  const auto [x, y, z] = stepLengths(volume.sampleToModel);
+  if (std::abs(x - y) <= 1e-6 * x && std::abs(x - z) <= 1e-6 * x)
+    return x;
+  return Error::usage("--align needs --voxel-size here, since samples are " + byThree({x, y, z}) +
+                      " apart and voxels are cubes");
 }
 
 } // namespace
@@ -231,18 +239,31 @@ Transform mapOfSteps(const std::array<std::array<double, 3>, 3> &steps, const st
 
 Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
   Input input;
-  Int3 extent = volume.extent;
-  Transform voxelToModel = volume.sampleToModel;
-  auto made = rowsOf(std::move(volume), options, input);
-  if (!made)
-    return made.error();
-  std::shared_ptr<const DenseRows> rows = std::move(*made);
-  if (options.zUp) {
-    rows = turnUpright(std::move(rows), extent.y);
-    voxelToModel = turnUpright(voxelToModel, extent.y);
-    extent = {extent.x, extent.z, extent.y};
+  const auto map = lookOf(volume, options, input);
+  if (!map)
+    return map.error();
+  input.warnings = std::move(volume.warnings);
+  input.notes = std::move(volume.notes);
+  const auto side = sideOf(volume, options);
+  if (!side)
+    return side.error();
+  Resampled cells{volume.extent, nullptr, volume.sampleToModel};
+  if (*side > 0) {
+    auto resampled = resample(std::move(volume), *map, *side, options);
+    if (!resampled)
+      return resampled.error();
+    cells = std::move(*resampled);
+    input.provenance += gridProvenance(*side, options);
+  } else {
+    cells.rows = makeRows(std::move(volume), *map);
   }
-  auto source = makeDenseSource(extent, std::move(rows), voxelToModel, options.memory, options.progress);
+  if (options.zUp) {
+    cells.rows = turnUpright(std::move(cells.rows), cells.extent.y);
+    cells.voxelToModel = turnUpright(cells.voxelToModel, cells.extent.y);
+    cells.extent = {cells.extent.x, cells.extent.z, cells.extent.y};
+  }
+  auto source = makeDenseSource(cells.extent, std::move(cells.rows), cells.voxelToModel, options.memory,
+                                options.progress);
   if (!source)
     return source.error();
   input.source = std::move(*source);

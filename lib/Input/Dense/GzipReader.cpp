@@ -29,7 +29,9 @@ bool isGzip(std::span<const std::byte> bytes) {
 GzipReader::GzipReader(std::span<const std::byte> bytes, Wrapping wrapping)
     : bytes_(bytes), state_(std::make_unique<State>()) {
   // 16: a gzip header is expected. Either way the checksum is held against the data.
-  const int windowBits = wrapping == Wrapping::Gzip ? 16 + MAX_WBITS : MAX_WBITS;
+  const int windowBits = wrapping == Wrapping::Gzip   ? 16 + MAX_WBITS
+                         : wrapping == Wrapping::Zlib ? MAX_WBITS
+                                                      : -MAX_WBITS;
   state_->isOpen = inflateInit2(&state_->stream, windowBits) == Z_OK;
 }
 

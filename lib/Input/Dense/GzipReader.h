@@ -20,8 +20,8 @@ bool isGzip(std::span<const std::byte> bytes);
 /// Inflates the members of gzip data, one after the other.
 class GzipReader {
 public:
-  /// What stands around deflated data. Of zlib's there is but one member.
-  enum class Wrapping { Gzip, Zlib };
+  /// What stands around deflated data. Of zlib's, and without any, there is but one member.
+  enum class Wrapping { Gzip, Zlib, None };
 
   /// `bytes` must outlive the reader.
   explicit GzipReader(std::span<const std::byte> bytes, Wrapping wrapping = Wrapping::Gzip);

@@ -3,6 +3,7 @@
 
 #include "Input/Dense/DenseCells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,7 +40,9 @@ public:
   }
 
   std::optional<std::size_t> count() const {
-    const bool areFew = different_ <= kFew;
+    // Labels leave room for what has none, or are numbered without gaps; what was measured has a background.
+    const bool areNumbered = least_ >= 0 && greatest_ <= 2 * double(different_);
+    const bool areFew = different_ <= kFew && (hasZero_ || areNumbered);
     const bool areCoherent = double(equalPairs_) >= kMostlyEqual * double(pairs_);
     return arePossible_ && (areFew || areCoherent) ? std::optional(different_) : std::nullopt;
   }
@@ -51,6 +54,9 @@ private:
       arePossible_ = false;
       return;
     }
+    hasZero_ = hasZero_ || value == 0;
+    least_ = std::min(least_, value);
+    greatest_ = std::max(greatest_, value);
     auto &&isSeen = seen_[static_cast<std::size_t>(value - kLeast)];
     if (value != 0 && !isSeen) {
       isSeen = true;
@@ -63,6 +69,9 @@ private:
   bool arePossible_ = true;
   std::vector<bool> seen_ = std::vector<bool>(static_cast<std::size_t>(kGreatest - kLeast) + 1);
   std::size_t different_ = 0;
+  bool hasZero_ = false;
+  double least_ = 0;
+  double greatest_ = 0;
   std::uint64_t pairs_ = 0;
   std::uint64_t equalPairs_ = 0;
   std::vector<double> values_;

@@ -3,7 +3,7 @@
 
 #include "Input/Dense/DenseVolume.h"
 #include "Input/Dense/NrrdAxes.h"
-#include "Input/Dense/Units.h"
+#include "voxc/Input/Units.h"
 #include "voxc/Support/NumberedPath.h"
 
 #include <algorithm>

@@ -99,6 +99,27 @@ std::string withProvenance(const std::string &provenance, std::string_view key, 
   return text + start + value;
 }
 
+Expected<double> voxelSide(const InputOptions &options, double unit) {
+  const Length &size = options.voxelSize;
+  if (size.value == 0 || size.metres == 0)
+    return size.value;
+  const double metres = options.unit > 0 ? options.unit : unit;
+  if (!(metres > 0))
+    return Error::usage("the input does not say how long its unit is, and a voxel cannot be " +
+                        toText(size.value) + " " + unitName(size.metres).value_or("units") +
+                        " of it; --unit says it, one of " + unitNames());
+  return size.value * (size.metres / metres);
+}
+
+std::string gridProvenance(double side, const InputOptions &options) {
+  std::string text;
+  if (side > 0)
+    text += " voxel-size=" + toText(side);
+  for (std::size_t i = 0; options.align && i < 3; ++i)
+    text += (i == 0 ? " align=" : ",") + toText((*options.align)[i]);
+  return text;
+}
+
 std::string provenanceWord(std::string_view text) {
   std::string word;
   for (const char c : text)

@@ -46,6 +46,13 @@ std::string upProvenance(const InputOptions &options);
 /// `provenance` with "key=value" in place of what it said of `key`, or at its end.
 std::string withProvenance(const std::string &provenance, std::string_view key, const std::string &value);
 
+/// The side of a voxel in units of the model, 0 where none is asked for; `unit`: metres of the model's, as
+/// its file says, or 0. Error: `Usage`, the size has a unit and the model has none.
+Expected<double> voxelSide(const InputOptions &options, double unit);
+
+/// " voxel-size=S align=X,Y,Z", as far as that is asked for; `side` in units of the model.
+std::string gridProvenance(double side, const InputOptions &options);
+
 /// A text as a word of a provenance: blanks and '%' become %20 and %25.
 std::string provenanceWord(std::string_view text);
 

@@ -5,6 +5,7 @@
 #include "Input/Openers/MeshFacts.h"
 #include "Input/Points/PointSource.h"
 #include "Input/Points/ScenePoints.h"
+#include "Support/Text.h"
 #include "voxc/Mesh/MeshSource.h"
 #include "voxc/Mesh/SolidMesh.h"
 #include "voxc/Support/Stopwatch.h"
@@ -19,8 +20,18 @@ namespace voxc {
 namespace {
 
 VoxelizeOptions voxelizeOptions(const InputOptions &options) {
-  return {options.resolution, modelExtent(options), options.bounds,   options.zUp,
-          options.coverage,   options.regions,      options.progress, options.colour};
+  VoxelizeOptions voxelizing{options.resolution, modelExtent(options), options.bounds,  options.zUp,
+                             options.coverage,   options.regions,      options.progress};
+  voxelizing.voxelSize = options.voxelSize.value;
+  voxelizing.align = options.align;
+  voxelizing.colour = options.colour;
+  return voxelizing;
+}
+
+/// Metres of a step of 1, where the kind of file says so: glTF is in metres.
+double unitOf(const std::string &path) {
+  const std::string name = lowerCase(path);
+  return name.ends_with(".glb") || name.ends_with(".gltf") ? 1 : 0;
 }
 
 Expected<std::unique_ptr<VoxelSource>> voxelize(const std::shared_ptr<const TriangleScene> &scene,
@@ -116,8 +127,13 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
   return openMeshBy(loadScene, path, options);
 }
 
-Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputOptions &options) {
+Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputOptions &given) {
   const Stopwatch loading;
+  InputOptions options = given;
+  const auto side = voxelSide(given, unitOf(path));
+  if (!side)
+    return side.error();
+  options.voxelSize = {*side, 0};
   auto scene = load(path, options.memory, options.progress);
   if (!scene)
     return scene.error();
@@ -140,7 +156,8 @@ Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputO
   input.source = std::move(*source);
   input.binSeconds = binning.seconds();
   input.provenance = modelProvenance(kCoverageNames[static_cast<std::size_t>(options.coverage)],
-                                     longestAxis(input.source->extent()), options);
+                                     longestAxis(input.source->extent()), options) +
+                     gridProvenance(*side, options);
   if (options.colour == ColourRule::Nearest)
     input.provenance += " colour=nearest";
   if (options.interior == Interior::Fill || options.coverage == Coverage::Centre)

@@ -21,6 +21,9 @@ Expected<Input> openPly(const std::string &path, const InputOptions &options) {
       mesh->facts.insert(mesh->facts.begin(), {"kind", "a mesh", {}});
     return mesh;
   }
+  const auto side = voxelSide(options, 0);
+  if (!side)
+    return side.error();
   auto points = readPoints(*reader, options);
   if (!points)
     return points.error();
@@ -29,7 +32,8 @@ Expected<Input> openPly(const std::string &path, const InputOptions &options) {
   input.loadSeconds = loading.seconds();
   input.provenance = points->areIndices
                          ? std::string("coverage=indices")
-                         : modelProvenance("points", longestAxis(input.source->extent()), options);
+                         : modelProvenance("points", longestAxis(input.source->extent()), options) +
+                               gridProvenance(*side, options);
   input.warnings = std::move(points->warnings);
   input.facts = std::move(points->facts);
   if (options.describe)

@@ -120,10 +120,12 @@ Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOpti
 /// Options that mean something for grey pictures alone. Error: one of them is given.
 Expected<void> checkOptions(const InputOptions &options) {
   const bool isMapped = options.colourMap != "grey" && options.colourMap != kLabels;
-  const char *const given = options.threshold ? "--threshold"
-                            : options.window  ? "--window"
-                            : isMapped        ? "--colour-map"
-                                              : nullptr;
+  const char *const given = options.threshold             ? "--threshold"
+                            : options.window              ? "--window"
+                            : isMapped                    ? "--colour-map"
+                            : options.voxelSize.value > 0 ? "--voxel-size"
+                            : options.align               ? "--align"
+                                                          : nullptr;
   return given ? Error::usage(std::string(given) + " would do nothing for slices in colours; leave it out")
                : Expected<void>();
 }

@@ -25,6 +25,8 @@ Expected<Input> openNifti(const std::string &path, const InputOptions &options);
 /// A PNG picture, or a pattern of them.
 Expected<Input> openSlices(const std::string &path, const InputOptions &options);
 Expected<Input> openNanoVdb(const std::string &path, const InputOptions &options);
+/// A NumPy array (.npy), or one of an archive (.npz).
+Expected<Input> openNumpy(const std::string &path, const InputOptions &options);
 Expected<Input> openRaw(const std::string &text, const InputOptions &options);
 
 } // namespace voxc

@@ -99,7 +99,13 @@ public:
     if (problem)
       return *problem;
     const Bounds box = chosen(bounds.bounds().value_or(Bounds{}));
-    const auto frame = ModelFrame::fit({box, options_.resolution, modelExtent(options_), options_.zUp});
+    const auto side = voxelSide(options_, 0);
+    if (!side)
+      return side.error();
+    FrameOptions choice{box, options_.resolution, modelExtent(options_), options_.zUp, *side, {}};
+    if (options_.align)
+      choice.align = glm::dvec3((*options_.align)[0], (*options_.align)[1], (*options_.align)[2]);
+    const auto frame = ModelFrame::fit(choice);
     if (!frame)
       return frame.error();
     return place(frame->extent(), frame->voxelToModel(),
@@ -191,6 +197,10 @@ Expected<PointVoxels> placePoints(const PointList &points, bool areIndices, cons
     return Error::usage("--coverage is for meshes, and would do nothing for points; leave it out");
   if (options.colour != ColourRule::Mean)
     return Error::usage("--colour is for meshes, and would do nothing for points; leave it out");
+  if (areIndices && (options.voxelSize.value > 0 || options.align))
+    return Error::usage(
+        "--voxel-size and --align would do nothing for points whose coordinates are voxels; leave "
+        "them out");
   PointPlacer placer(points, options, broken);
   auto source = areIndices ? placer.placeIndices() : placer.placePositions();
   if (!source)

@@ -20,6 +20,9 @@ Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOp
     const std::array<double, 6> &b = *options.bounds;
     place.bounds = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
   }
+  place.voxelSize = options.voxelSize;
+  if (options.align)
+    place.align = glm::dvec3((*options.align)[0], (*options.align)[1], (*options.align)[2]);
   const auto frame = ModelFrame::fit(place);
   if (!frame)
     return frame.error();

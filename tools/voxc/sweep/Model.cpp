@@ -67,6 +67,9 @@ std::vector<std::string> toWords(const InputArguments &arguments) {
       words.push_back(std::string(option) + "=" + value);
   };
   add("--resolution", arguments.resolution == 0 ? "" : std::to_string(arguments.resolution));
+  add("--voxel-size", arguments.voxelSize);
+  add("--unit", arguments.unit);
+  add("--align", joined(arguments.align));
   add("--bounds", joined(arguments.bounds));
   add("--up", arguments.up);
   add("--coverage", arguments.coverage);

@@ -1,9 +1,12 @@
 // The table of units.
-#include "Input/Dense/Units.h"
+#include "voxc/Input/Units.h"
 
 #include "Support/Text.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 
 namespace voxc {
 
@@ -26,6 +29,20 @@ constexpr std::array<Unit, 29> kUnits{
      {"feet", 0.3048}}};
 
 } // namespace
+
+std::optional<Length> parseLength(std::string_view text) {
+  Length length;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), length.value);
+  std::string_view unit = text.substr(static_cast<std::size_t>(parsed.ptr - text.data()));
+  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  if (parsed.ec != std::errc() || !(length.value > 0) || !std::isfinite(length.value))
+    return std::nullopt;
+  if (unit.empty())
+    return length;
+  const auto metres = metresOf(unit);
+  length.metres = metres.value_or(0);
+  return metres ? std::optional(length) : std::nullopt;
+}
 
 std::optional<double> metresOf(std::string_view unit) {
   const std::string name = lowerCase(unit);
