@@ -28,7 +28,7 @@ inline double touchTriangle(const MeshPart &part, std::uint64_t triangle) {
   for (const std::uint32_t corner : part.corners(triangle)) {
     require(corner < part.positions.count);
     sum += touch(part.positions, corner) + touch(part.uvs, corner) + touch(part.colours, corner) +
-           touch(part.emissionUvs, corner);
+           touch(part.emissionUvs, corner) + touch(part.metalUvs, corner);
   }
   return sum;
 }
@@ -59,6 +59,7 @@ inline void useScene(const TriangleScene &scene) {
     requireTexture(scene, material.texture);
     requireTexture(scene, material.alphaMask);
     requireTexture(scene, material.emissionTexture);
+    requireTexture(scene, material.metalTexture);
   }
   for (const Texture &texture : scene.textures)
     require(texture.width > 0 && texture.height > 0 &&

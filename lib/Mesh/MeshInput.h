@@ -16,6 +16,7 @@ struct MeshInput {
   std::shared_ptr<const WatchedFile> file;
   std::shared_ptr<WorkingMemory> memory;
   Progress progress;
+  bool wantsMetal = false; ///< Textures of metal and roughness are read.
 
   /// The folder of the file, with a slash at its end; or empty.
   std::string folder() const { return folderOf(path); }

@@ -48,7 +48,7 @@ Expected<TriangleScene> readAndCheck(const ReaderRow &reader, const MeshInput &i
 } // namespace
 
 Expected<TriangleScene> loadScene(const std::string &path, const std::shared_ptr<WorkingMemory> &memory,
-                                  const Progress &progress) {
+                                  const Progress &progress, bool withMetal) {
   const std::string ending = pathEnding(path);
   const auto *reader = std::find_if(kReaders.begin(), kReaders.end(),
                                     [&](const ReaderRow &row) { return row.ending == ending; });
@@ -59,7 +59,7 @@ Expected<TriangleScene> loadScene(const std::string &path, const std::shared_ptr
   if (!file)
     return file.error();
   try {
-    return readAndCheck(*reader, {path, *file, memory, progress});
+    return readAndCheck(*reader, {path, *file, memory, progress, withMetal});
   } catch (const std::bad_alloc &) {
     return Error::environment("there is not enough memory to read '" + path + "'");
   }

@@ -31,6 +31,10 @@ public:
           "--words", words_, "NAME=INPUT",
           "What another input has at each voxel, 4 bytes: the samples of a dense volume (int32, or float32 "
           "where they are no whole numbers), the numbers of a palette, or colours; 0 where it has none");
+      several(
+          "--material", material_, "NAME=MODEL",
+          "What the materials of the mesh that the volume was made of say at each voxel, 4 bytes: emission, "
+          "its light in sRGB, or metallic-roughness; 0 where there is none");
       several("--data", data_, "NAME:BYTES=FILE",
               "The elements of a file, so many bytes each, one for each voxel by its number");
       several("--drop", drop_, "NAME", "Leave an attribute out that the volume has");
@@ -55,7 +59,8 @@ public:
     if (!changed)
       return changed.error();
     if (*changed == 0)
-      return Error::usage("there is nothing to attach; give --normals, --words, --data or --drop");
+      return Error::usage(
+          "there is nothing to attach; give --normals, --words, --material, --data or --drop");
     if (Expected<void> saved = volume->save(output_, {.compress = arguments_.compress,
                                                       .memory = makeWorkingMemory(arguments_),
                                                       .progress = bar.progress()});
@@ -83,10 +88,13 @@ private:
     for (const std::string &text : words_)
       if (Expected<void> added = add(wordsOfInput(text, *volume, mostBytes, progress), volume); !added)
         return added.error();
+    for (const std::string &text : material_)
+      if (Expected<void> added = add(materialOfInput(text, *volume, mostBytes, progress), volume); !added)
+        return added.error();
     for (const std::string &text : data_)
       if (Expected<void> added = add(dataOfFile(text, *volume), volume); !added)
         return added.error();
-    return drop_.size() + normals_ + words_.size() + data_.size();
+    return drop_.size() + normals_ + words_.size() + material_.size() + data_.size();
   }
 
   static Expected<void> take(Expected<Volume> changed, std::shared_ptr<const Volume> &volume) {
@@ -102,7 +110,7 @@ private:
 
   VolumeArgument volume_;
   bool normals_ = false;
-  std::vector<std::string> words_, data_, drop_;
+  std::vector<std::string> words_, material_, data_, drop_;
   std::string output_;
   BuildArguments arguments_;
   CommonOptions common_;

@@ -11,7 +11,9 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace voxc::tool {
 
@@ -100,21 +102,15 @@ std::string textOf(Int3 extent) {
   return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
 }
 
-} // namespace
-
-Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
-                                 const Progress &progress) {
-  const auto parts = named(text);
-  if (!parts)
-    return Error::usage("--words is written NAME=INPUT, such as density=scan.nii.gz, not '" + text + "'");
+/// The words of an input at the voxels of a volume.
+Expected<std::vector<std::byte>> wordsAt(const std::string &path, const InputOptions &options,
+                                         const Volume &volume, std::uint64_t mostBytes) {
   const Int3 extent = volume.info().extent;
-  InputOptions options = optionsFor(parts->second, volume.info());
-  options.progress = progress;
-  const Expected<Input> input = openInput(parts->second, options);
+  const Expected<Input> input = openInput(path, options);
   if (!input)
     return input.error();
   if (input->source->extent() != extent)
-    return Error::input("'" + parts->second + "' has " + textOf(input->source->extent()) +
+    return Error::input("'" + path + "' has " + textOf(input->source->extent()) +
                         " voxels, but the volume has " + textOf(extent));
   auto elements = zeroElements(volume, sizeof(std::uint32_t), mostBytes);
   if (!elements)
@@ -124,15 +120,77 @@ Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, 
   const auto visited = visitVoxels(
       volume,
       [&](Int3 voxel, std::uint64_t number) {
-        done = progress.stopped() ? Error::interrupted() : reading.read(voxel, number);
+        done = options.progress.stopped() ? Error::interrupted() : reading.read(voxel, number);
         return bool(done);
       },
-      progress);
+      options.progress);
   if (!visited)
     return visited.error();
   if (!done)
     return done.error();
-  return Attribute{parts->first, sizeof(std::uint32_t), reading.take()};
+  return reading.take();
+}
+
+/// What materials say, and whether a voxel may have none of it.
+struct MaterialRow {
+  std::string_view name;
+  MeshWords words;
+  bool isNoneBlack;
+};
+
+constexpr std::array<MaterialRow, 2> kMaterials{
+    {{"emission", MeshWords::Emission, true}, {"metallic-roughness", MeshWords::MetallicRoughness, false}}};
+
+/// Alpha is the colour's, and says nothing here.
+void dropAlpha(std::vector<std::byte> &elements, bool isNoneBlack) {
+  for (std::size_t at = 0; at < elements.size(); at += sizeof(std::uint32_t)) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, &elements[at], sizeof word);
+    const bool isNone = word == 0 || (isNoneBlack && (word & 0xffffff) == 0);
+    word = isNone ? 0 : word | 0xff000000;
+    std::memcpy(&elements[at], &word, sizeof word);
+  }
+}
+
+} // namespace
+
+Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
+                                 const Progress &progress) {
+  const auto parts = named(text);
+  if (!parts)
+    return Error::usage("--words is written NAME=INPUT, such as density=scan.nii.gz, not '" + text + "'");
+  InputOptions options = optionsFor(parts->second, volume.info());
+  options.progress = progress;
+  auto words = wordsAt(parts->second, options, volume, mostBytes);
+  return words ? Attribute{parts->first, sizeof(std::uint32_t), std::move(*words)}
+               : Expected<Attribute>(words.error());
+}
+
+Expected<Attribute> materialOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
+                                    const Progress &progress) {
+  const auto parts = named(text);
+  const auto row = std::ranges::find(kMaterials, parts ? parts->first : "", &MaterialRow::name);
+  if (row == kMaterials.end())
+    return Error::usage(
+        "--material is written NAME=MODEL, and NAME is emission or metallic-roughness, not '" + text + "'");
+  InputArguments arguments;
+  fillFromProvenance(arguments, volume.info().provenance);
+  // What fills the inside has no material.
+  arguments.interior.clear();
+  arguments.fillColour.clear();
+  const Int3 extent = volume.info().extent;
+  if (arguments.resolution == 0)
+    arguments.resolution = std::max({extent.x, extent.y, extent.z});
+  if (auto checked = checkInputArguments(arguments, parts->second); !checked)
+    return checked.error();
+  InputOptions options = makeInputOptions(arguments, extent);
+  options.meshWords = row->words;
+  options.progress = progress;
+  auto words = wordsAt(parts->second, options, volume, mostBytes);
+  if (!words)
+    return words.error();
+  dropAlpha(*words, row->isNoneBlack);
+  return Attribute{parts->first, sizeof(std::uint32_t), std::move(*words)};
 }
 
 Expected<Attribute> dataOfFile(const std::string &text, const Volume &volume) {

@@ -15,6 +15,13 @@ namespace voxc::tool {
 Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
                                  const Progress &progress);
 
+/// "NAME=MODEL": what the materials of a mesh say at the voxels of a volume that was made of it, by the
+/// options of the volume's provenance; NAME is "emission" (R, G and B in sRGB, then 255; 0 where there is
+/// none) or "metallic-roughness" (0, roughness, metallic, 255). Errors: as above, and a model without such
+/// materials.
+Expected<Attribute> materialOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
+                                    const Progress &progress);
+
 /// "NAME:BYTES=FILE": the bytes of a file. Errors: another spelling, a file that cannot be read, or has other
 /// than BYTES a voxel.
 Expected<Attribute> dataOfFile(const std::string &text, const Volume &volume);

@@ -36,6 +36,14 @@ struct InputFact {
   std::vector<double> numbers; ///< The same to programs; none where it is a text alone.
 };
 
+/// What the words of a mesh's voxels are.
+enum class MeshWords {
+  Colours,           ///< What is seen.
+  Emission,          ///< The light that the surface gives off, in sRGB; black where there is none.
+  MetallicRoughness, ///< How rough the surface is in the second byte and how metallic in the third, of 255,
+                     ///< by the nearest texel.
+};
+
 /// How an input becomes voxels.
 struct InputOptions {
   int resolution = 0; ///< Voxels on a mesh's longest axis; 0: what the format holds.
@@ -66,6 +74,7 @@ struct InputOptions {
   std::string grid; ///< The name of a grid of a .nvdb or .vdb file; empty: the first that can be a shape.
   Coverage coverage = Coverage::Conservative; ///< Which voxels a triangle of a mesh takes.
   ColourRule colour = ColourRule::Mean;       ///< Which colour a texture of a mesh gives to a voxel.
+  MeshWords meshWords = MeshWords::Colours;
   Interior interior = Interior::Keep;  ///< What becomes of the inside: `dropInterior`, `fillInterior`, and of
                                        ///< a mesh `fillMesh`.
   std::uint32_t fillWord = 0xffffffff; ///< Of the voxels that are added to the inside.

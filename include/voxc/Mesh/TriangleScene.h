@@ -51,7 +51,8 @@ enum class PrimitiveMode : std::uint8_t {
 struct MeshPart {
   AttributeView positions;   ///< Three components.
   AttributeView uvs;         ///< Two: those that the material's texture takes; or absent. May not be finite.
-  AttributeView emissionUvs; ///< The same of its `emissionTexture`.
+  AttributeView emissionUvs; ///< The same of its `emissionTexture`,
+  AttributeView metalUvs;    ///< and of its `metalTexture`.
   AttributeView colours;     ///< Three or four, 0 to 1 (not checked); or absent.
   AttributeView indices;     ///< Absent: the vertices in their order.
   PrimitiveMode mode = PrimitiveMode::Triangles;
@@ -107,6 +108,10 @@ struct Material {
   float alphaCutoff = 0.5;         ///< Below this alpha of texture and mask the surface is cut out.
   std::array<float, 3> emission{}; ///< What the surface gives off,
   TextureUse emissionTexture;      ///< which is multiplied by this texture.
+  bool hasMetal = false;           ///< The two below were said; they change no colour.
+  float metallic = 1;              ///< Times the blue of the texture.
+  float roughness = 1;             ///< Times the green.
+  TextureUse metalTexture;         ///< Its texels are no colours.
 };
 
 /// A whole model. Triangles are numbered through, instance after instance.
@@ -125,8 +130,8 @@ std::uint64_t triangleCount(const TriangleScene &scene);
 
 /// Reads .obj (with its .mtl and images), .ply, .glb, .gltf or .stl into `memory`, mapped files watched by
 /// it. Errors: unreadable or broken files, no triangle, a coordinate that is not finite, an index that
-/// points nowhere, 2^32 triangles or more.
+/// points nowhere, 2^32 triangles or more. `withMetal`: textures of metal and roughness are wanted, too.
 Expected<TriangleScene> loadScene(const std::string &path, const std::shared_ptr<WorkingMemory> &memory,
-                                  const Progress &progress = {});
+                                  const Progress &progress = {}, bool withMetal = false);
 
 } // namespace voxc

@@ -3,6 +3,7 @@
 
 #include "Input/Openers/InputText.h"
 #include "Input/Openers/MeshFacts.h"
+#include "Input/Openers/MeshWords.h"
 #include "Input/Points/PointSource.h"
 #include "Input/Points/ScenePoints.h"
 #include "Support/Text.h"
@@ -24,7 +25,9 @@ VoxelizeOptions voxelizeOptions(const InputOptions &options) {
                              options.coverage,   options.regions,      options.progress};
   voxelizing.voxelSize = options.voxelSize.value;
   voxelizing.align = options.align;
-  voxelizing.colour = options.colour;
+  // What is no colour has no mean in linear light.
+  voxelizing.colour =
+      options.meshWords == MeshWords::MetallicRoughness ? ColourRule::Nearest : options.colour;
   return voxelizing;
 }
 
@@ -124,10 +127,15 @@ Expected<void> openPoints(const std::string &path, const TriangleScene &scene, c
 } // namespace
 
 Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
-  return openMeshBy(loadScene, path, options);
+  const bool areMetal = options.meshWords == MeshWords::MetallicRoughness;
+  const auto load = [areMetal](const std::string &file, const std::shared_ptr<WorkingMemory> &memory,
+                               const Progress &progress) {
+    return loadScene(file, memory, progress, areMetal);
+  };
+  return openMeshBy(load, path, options);
 }
 
-Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputOptions &given) {
+Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const InputOptions &given) {
   const Stopwatch loading;
   InputOptions options = given;
   const auto side = voxelSide(given, unitOf(path));
@@ -137,6 +145,8 @@ Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputO
   auto scene = load(path, options.memory, options.progress);
   if (!scene)
     return scene.error();
+  if (auto shown = showWords(*scene, options.meshWords); !shown)
+    return Error::input("'" + path + "': " + shown.error().message);
   Input input;
   input.loadSeconds = loading.seconds();
   input.loaderPeakBytes = scene->loaderPeakBytes;

@@ -3,6 +3,7 @@
 
 #include "voxc/Input/Input.h"
 
+#include <functional>
 #include <string>
 
 namespace voxc {
@@ -12,10 +13,9 @@ Expected<Input> openBuiltin(const std::string &text, const InputOptions &options
 Expected<Input> openGrid(const std::string &text, const InputOptions &options);
 Expected<Input> openMesh(const std::string &path, const InputOptions &options);
 /// The same for a mesh that `load` reads.
-using LoadScene = Expected<TriangleScene> (*)(const std::string &path,
-                                              const std::shared_ptr<WorkingMemory> &memory,
-                                              const Progress &progress);
-Expected<Input> openMeshBy(LoadScene load, const std::string &path, const InputOptions &options);
+using LoadScene = std::function<Expected<TriangleScene>(
+    const std::string &path, const std::shared_ptr<WorkingMemory> &memory, const Progress &progress)>;
+Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const InputOptions &options);
 Expected<Input> openPly(const std::string &path, const InputOptions &options);
 Expected<Input> openVolume(const std::string &path, const InputOptions &options);
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options);

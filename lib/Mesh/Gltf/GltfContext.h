@@ -21,6 +21,7 @@ struct GltfContext {
   TriangleScene &scene;
   Warnings &warnings;
   Problem &problem;
+  bool wantsMetal = false; ///< Textures of metal and roughness are read.
 };
 
 } // namespace voxc

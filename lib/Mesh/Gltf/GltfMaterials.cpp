@@ -69,11 +69,23 @@ GltfMaterials::Use GltfMaterials::read(const GltfObject &json) {
   material.texture = readTexture(base.object(glossiness ? "diffuseTexture" : "baseColorTexture"), use.uvSet);
   readAlpha(json, material);
   // A material without light has a colour and nothing else.
-  if (!json.extension("KHR_materials_unlit"))
+  if (!json.extension("KHR_materials_unlit")) {
+    readMetal(json.object("pbrMetallicRoughness"), material, use);
     readEmission(json, material, use);
+  }
   context_.scene.materials.push_back(material);
   use.material = static_cast<std::uint32_t>(context_.scene.materials.size()) - 1;
   return use;
+}
+
+void GltfMaterials::readMetal(const GltfObject &json, Material &material, Use &use) {
+  material.hasMetal =
+      json.has("metallicFactor") || json.has("roughnessFactor") || json.has("metallicRoughnessTexture");
+  material.metallic = static_cast<float>(json.number("metallicFactor", 1));
+  material.roughness = static_cast<float>(json.number("roughnessFactor", 1));
+  // Most models have such textures and most voxels no use for them.
+  if (context_.wantsMetal)
+    material.metalTexture = readTexture(json.object("metallicRoughnessTexture"), use.metalUvSet);
 }
 
 void GltfMaterials::readEmission(const GltfObject &json, Material &material, Use &use) {

@@ -16,7 +16,8 @@ public:
   struct Use {
     std::uint32_t material = 0;      ///< Index into the scene's materials.
     std::uint64_t uvSet = 0;         ///< The texture coordinates that its texture takes,
-    std::uint64_t emissionUvSet = 0; ///< and that of its emission.
+    std::uint64_t emissionUvSet = 0; ///< that of its emission,
+    std::uint64_t metalUvSet = 0;    ///< and that of metal and roughness.
   };
 
   /// The material of a primitive.
@@ -26,6 +27,7 @@ public:
 
 private:
   Use read(const GltfObject &json);
+  void readMetal(const GltfObject &json, Material &material, Use &use);
   void readEmission(const GltfObject &json, Material &material, Use &use);
   /// A texture as a material uses it, and which coordinates it takes.
   TextureUse readTexture(const GltfObject &info, std::uint64_t &uvSet);

@@ -70,6 +70,7 @@ void GltfMeshes::readPrimitive(const GltfObject &primitive, const GltfPose *pose
   const Material &material = context_.scene.materials[use.material];
   part.uvs = readUvs(attributes, material.texture, use.uvSet, part);
   part.emissionUvs = readUvs(attributes, material.emissionTexture, use.emissionUvSet, part);
+  part.metalUvs = readUvs(attributes, material.metalTexture, use.metalUvSet, part);
   readColours(attributes, part);
   if (pose && !context_.problem)
     applyPose(primitive, *pose, part);

@@ -56,7 +56,8 @@ Expected<TriangleScene> readGltf(const MeshInput &input) {
                       input.memory,
                       scene,
                       warnings,
-                      problem};
+                      problem,
+                      input.wantsMetal};
   readModel(context);
   if (problem)
     return problem.error();

@@ -20,6 +20,7 @@ TriangleScene shapeOf(const TriangleScene &scene) {
   for (MeshPart &part : shape.parts) {
     part.uvs = {};
     part.emissionUvs = {};
+    part.metalUvs = {};
     part.colours = {};
     part.material = 0;
   }

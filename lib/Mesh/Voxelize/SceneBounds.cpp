@@ -41,12 +41,12 @@ Expected<void> checkReferences(const TriangleScene &scene) {
     if (part.material >= scene.materials.size())
       return Error::input("the mesh has a triangle with a material that does not exist");
     if (!isOnePerVertex(part.colours, part) || !isOnePerVertex(part.uvs, part) ||
-        !isOnePerVertex(part.emissionUvs, part))
+        !isOnePerVertex(part.emissionUvs, part) || !isOnePerVertex(part.metalUvs, part))
       return Error::input("the mesh has colours or texture coordinates for some vertices but not for all");
   }
   for (const Material &material : scene.materials)
     if (!isTexture(scene, material.texture) || !isTexture(scene, material.alphaMask) ||
-        !isTexture(scene, material.emissionTexture))
+        !isTexture(scene, material.emissionTexture) || !isTexture(scene, material.metalTexture))
       return Error::input("the mesh has a material with a texture that does not exist");
   if (!std::all_of(scene.textures.begin(), scene.textures.end(), isComplete))
     return Error::input("the mesh has a texture without all its texels");

@@ -1,0 +1,96 @@
+// What else the materials of a mesh say at its voxels: emission, metal and roughness.
+#include "Source/SourceTesting.h"
+
+#include "voxc/Input/Input.h"
+
+namespace voxc {
+namespace {
+
+/// Two texels from the left as an uncompressed TGA, each blue, green, red, alpha.
+std::string image(const std::string &texels) {
+  return std::string("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\40\50", 18) + texels;
+}
+
+class MeshWordsTest : public testing::Test {
+protected:
+  /// A square of 1, whose texture coordinates go from (0, 0) to (1, 1), of one material.
+  std::string model(const std::string &material, const std::string &rest = "") {
+    const std::vector<float> numbers{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1};
+    std::string buffer(reinterpret_cast<const char *>(numbers.data()), numbers.size() * sizeof(float));
+    buffer += std::string("\0\1\2\0\2\3\0\0", 8);
+    folder_.file("b.bin", buffer);
+    return folder_.file("m.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[
+      {"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,"material":0}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+        {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC2"},
+        {"bufferView":1,"componentType":5121,"count":6,"type":"SCALAR"}],
+      "bufferViews":[{"buffer":0,"byteLength":80},{"buffer":0,"byteOffset":80,"byteLength":8}],
+      "buffers":[{"uri":"b.bin","byteLength":88}],"materials":[)" +
+                                      material + "]" + rest + "}");
+  }
+
+  Voxels words(const std::string &path, MeshWords words) {
+    InputOptions options;
+    options.resolution = 4;
+    options.meshWords = words;
+    auto input = openInput(path, options);
+    EXPECT_TRUE(input) << input.error().message;
+    return input ? voxelsOf(*input->source) : Voxels();
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeshWordsTest, EmissionWithoutTheColour) {
+  const std::string path =
+      model(R"({"emissiveFactor":[1,0.5,0],"pbrMetallicRoughness":{"baseColorFactor":[0,0,1,1]}})");
+  const Voxels colours = words(path, MeshWords::Colours);
+  EXPECT_EQ(colours.size(), 16u);
+  for (const auto &[code, word] : colours)
+    EXPECT_EQ(word, rgba(255, 188, 255));
+  for (const auto &[code, word] : words(path, MeshWords::Emission))
+    EXPECT_EQ(word, rgba(255, 188, 0));
+}
+
+TEST_F(MeshWordsTest, MetalAndRoughnessAsTheirTextureHasThem) {
+  folder_.file("t.tga", image(std::string("\200\100\0\377\0\300\0\377", 8)));
+  const std::string path = model(R"({"pbrMetallicRoughness":{"roughnessFactor":0.5,
+    "metallicRoughnessTexture":{"index":0}}})",
+                                 R"(,"textures":[{"source":0}],"images":[{"uri":"t.tga"}])");
+  for (const auto &[code, word] : words(path, MeshWords::MetallicRoughness))
+    EXPECT_EQ(word, mortonCell(code).x < 2 ? rgba(0, 32, 128) : rgba(0, 96, 0));
+  // Colours need no such texture, and do not miss it.
+  for (const auto &[code, word] : words(path, MeshWords::Colours))
+    EXPECT_EQ(word, rgba(255, 255, 255));
+}
+
+TEST_F(MeshWordsTest, AlphaCutsOutAsItDoesInColour) {
+  folder_.file("t.tga", image(std::string("\0\0\377\377\0\0\377\0", 8)));
+  const std::string path = model(R"({"alphaMode":"MASK","emissiveFactor":[0,1,0],
+    "pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0}}})",
+                                 R"(,"textures":[{"source":0}],"images":[{"uri":"t.tga"}])");
+  const Voxels emission = words(path, MeshWords::Emission);
+  const Voxels metal = words(path, MeshWords::MetallicRoughness);
+  ASSERT_EQ(emission.size(), 8u);
+  ASSERT_EQ(metal.size(), 8u);
+  for (const auto &[code, word] : emission) {
+    EXPECT_LT(mortonCell(code).x, 2);
+    EXPECT_EQ(word, rgba(0, 255, 0));
+    EXPECT_EQ(metal.at(code), rgba(0, 255, 0));
+  }
+}
+
+TEST_F(MeshWordsTest, AModelWithoutThemSaysSo) {
+  InputOptions options;
+  options.meshWords = MeshWords::Emission;
+  auto input = openInput(model("{}"), options);
+  ASSERT_FALSE(input);
+  EXPECT_NE(input.error().message.find("gives off light"), std::string::npos);
+  options.meshWords = MeshWords::MetallicRoughness;
+  input = openInput(model("{}"), options);
+  ASSERT_FALSE(input);
+  EXPECT_NE(input.error().message.find("how metallic or rough"), std::string::npos);
+}
+
+} // namespace
+} // namespace voxc
