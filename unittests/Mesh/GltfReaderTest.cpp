@@ -206,6 +206,9 @@ TEST_F(GltfReader, Emission) {
   EXPECT_EQ(materialOf(scene, 0).emission, (std::array<float, 3>{0.5f, 0.25f, 0.125f}));
   scene = loadMaterial(R"({"emissiveTexture":{"index":0}})", textures);
   EXPECT_EQ(scene.textures.size(), 0u);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_EQ(scene.warnings[0],
+            "materials[0] has an emissiveTexture and an emissiveFactor of 0, so that it gives off nothing");
   scene = loadMaterial(R"({"emissiveFactor":[1,1,1],"extensions":{"KHR_materials_unlit":{}}})");
   EXPECT_EQ(materialOf(scene, 0).emission, (std::array<float, 3>{}));
 }

@@ -36,6 +36,7 @@ InputFact boxOf(const TriangleScene &scene) {
 InputFact coloursOf(const TriangleScene &scene) {
   const auto hasColours = [](const MeshPart &part) { return bool(part.colours); };
   const auto isColoured = [](const Material &material) { return material.colour != Material().colour; };
+  const auto isGlowing = [](const Material &material) { return material.emission != Material().emission; };
   std::string text;
   const auto add = [&](std::ptrdiff_t count, const char *one, const char *many) {
     if (count > 0)
@@ -43,6 +44,8 @@ InputFact coloursOf(const TriangleScene &scene) {
   };
   add(std::ssize(scene.textures), " texture", " textures");
   add(std::ranges::count_if(scene.materials, isColoured), " coloured material", " coloured materials");
+  add(std::ranges::count_if(scene.materials, isGlowing), " material that gives off light",
+      " materials that give off light");
   add(std::ranges::count_if(scene.parts, hasColours), " part with vertex colours",
       " parts with vertex colours");
   return {"colours", text.empty() ? "none; it is white" : std::move(text), {}};

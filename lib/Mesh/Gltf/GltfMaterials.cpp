@@ -94,6 +94,9 @@ void GltfMaterials::readEmission(const GltfObject &json, Material &material, Use
   const auto factor = json.numbers<3>("emissiveFactor", {0, 0, 0});
   for (std::size_t i = 0; i < factor.size(); ++i)
     material.emission[i] = static_cast<float>(factor[i] * std::min(strength, 1.0));
+  if (material.emission == Material().emission && json.has("emissiveTexture"))
+    context_.warnings.add(json.name() +
+                          " has an emissiveTexture and an emissiveFactor of 0, so that it gives off nothing");
   if (material.emission != Material().emission)
     material.emissionTexture = readTexture(json.object("emissiveTexture"), use.emissionUvSet);
 }
