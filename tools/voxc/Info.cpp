@@ -6,6 +6,7 @@
 
 #include "common/Interrupt.h"
 #include "common/Statistics.h"
+#include "voxc/Input/FileFeatures.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Volume/CoarseBlocks.h"
 #include "voxc/Volume/VolumeSummary.h"
@@ -134,16 +135,29 @@ Json figuresOf(const VolumeSummary &summary) {
 class InfoCommand final : public Subcommand {
 public:
   void declare(const CommandLine &command) override {
-    command.add("INPUT", path_, "A .hvx file, or another input, of which nothing is built")
-        .required()
-        .takes("");
+    command.add("INPUT", path_, "A .hvx file, or another input, of which nothing is built").takes("");
+    command.addFlag("--files", files_,
+                    "Tell what is read of foreign files, warned of and refused, as a table");
     command.addFlag("--prove", prove_, "Of a .hvx file: read all of it, and follow every pointer in it");
     addCommonOptions(command, common_);
   }
 
-  Expected<void> run() override { return isVolumePath(path_) ? tellVolume() : tellInput(); }
+  Expected<void> run() override {
+    if (files_ != path_.empty())
+      return Error::usage("info takes an INPUT or --files; give one of them");
+    if (files_)
+      return tellFiles();
+    return isVolumePath(path_) ? tellVolume() : tellInput();
+  }
 
 private:
+  Expected<void> tellFiles() const {
+    if (prove_)
+      return Error::usage("--prove is for .hvx files; leave it out");
+    std::printf("%s", fileFeatureTable().c_str());
+    return {};
+  }
+
   Expected<void> tellInput() const {
     if (prove_)
       return Error::usage("--prove is for .hvx files; leave it out");
@@ -184,6 +198,7 @@ private:
   }
 
   std::string path_;
+  bool files_ = false;
   bool prove_ = false;
   CommonOptions common_;
 };
