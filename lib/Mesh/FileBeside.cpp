@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kNameBlanks = " \t";
 
 /// Entries of a folder that are looked at for a name in letters of another case.
 constexpr int kMostEntries = 1 << 16;
@@ -42,7 +42,7 @@ std::string_view withoutQuotes(std::string_view name) {
 std::string withoutEscapes(std::string_view name) {
   std::string plain;
   for (std::size_t i = 0; i < name.size(); ++i)
-    if (name[i] != '\\' || i + 1 == name.size() || kBlanks.find(name[i + 1]) == std::string_view::npos)
+    if (name[i] != '\\' || i + 1 == name.size() || kNameBlanks.find(name[i + 1]) == std::string_view::npos)
       plain += name[i];
   return plain;
 }
@@ -177,7 +177,7 @@ std::string_view takeName(std::string_view &text) {
   if (text.starts_with('"')) {
     end = std::min(text.find('"', 1), text.size() - 1) + 1;
   } else {
-    while (end < text.size() && kBlanks.find(text[end]) == std::string_view::npos)
+    while (end < text.size() && kNameBlanks.find(text[end]) == std::string_view::npos)
       end += text[end] == '\\' && end + 1 < text.size() ? 2 : 1;
     end = std::min(end, text.size());
   }
