@@ -69,8 +69,10 @@ std::vector<std::string> spellingsOf(std::string_view name) {
   const std::string_view whole = withoutQuotes(trimmed(name));
   std::vector<std::string> spellings{withSlashes(whole), withSlashes(withoutEscapes(whole)),
                                      withSlashes(withoutPercents(whole))};
-  if (const std::size_t comment = whole.find(" #"); comment != std::string_view::npos)
-    spellings.push_back(withSlashes(withoutQuotes(trimmed(whole.substr(0, comment)))));
+  // Before a comment, or options that stand behind the name.
+  for (const std::string_view mark : {" #", " -"})
+    if (const std::size_t end = whole.find(mark); end != std::string_view::npos)
+      spellings.push_back(withSlashes(withoutQuotes(trimmed(whole.substr(0, end)))));
   return spellings;
 }
 

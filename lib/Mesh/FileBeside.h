@@ -19,9 +19,9 @@ struct FileBeside {
 class FilesBeside {
 public:
   /// The file that `name` means, looked for in each of the folders (with a slash at their ends, or empty): as
-  /// it is written; without quotes; with slashes for backslashes; with escaped blanks; in letters of another
-  /// case; last of all by the ends of its path, down to its last part alone, as of a path of another machine,
-  /// and that in a folder `textures`. Nothing if there is none.
+  /// it is written; without quotes; with slashes for backslashes; with escaped blanks; without a comment or
+  /// options behind it; in letters of another case; last of all by the ends of its path, down to its last
+  /// part alone, as of a path of another machine, and that in a folder `textures`. Nothing if there is none.
   std::optional<FileBeside> find(std::string_view name, std::span<const std::string> folders);
 
 private:

@@ -123,9 +123,9 @@ TEST_F(ObjSpellings, ImagesBesideTheModel) {
   std::filesystem::create_directory(folder_.path("textures"));
   folder_.file("textures/three.tga", kImage);
   for (const char *name :
-       {"T.TGA", "C:\\Users\\x\\t.tga", "/home/x/t.tga", "\"t.tga\"", "maps\\ONE two.tga",
-        "Maps/one\\ two.tga", "\"Maps/one two.tga\"", "file:///C:/x/T.tga", "textures/t.tga",
-        "\"C:\\my docs\\maps\\one two.tga\"", "three.tga", "/home/x/y/three.tga"}) {
+       {"T.TGA", "t.tga -clamp on", "\"t.tga\" # of mine", "C:\\Users\\x\\t.tga", "/home/x/t.tga",
+        "\"t.tga\"", "maps\\ONE two.tga", "Maps/one\\ two.tga", "\"Maps/one two.tga\"", "file:///C:/x/T.tga",
+        "textures/t.tga", "\"C:\\my docs\\maps\\one two.tga\"", "three.tga", "/home/x/y/three.tga"}) {
     const TriangleScene scene = loadWith("newmtl a\nmap_Kd " + std::string(name) + "\n");
     ASSERT_EQ(scene.textures.size(), 1u) << name;
     EXPECT_EQ(texelsOf(scene.textures[0]), kTexels);
