@@ -230,6 +230,14 @@ TEST_F(GltfPoses, AFileAsksForNoMoreWorkThanItIsWorth) {
     nodes += i % 2 == 0 ? R"(,{"mesh":0,"skin":0})" : R"(,{"mesh":0,"skin":1})";
   }
   const std::string skin = R"({"joints":[)" + joints + "]}";
+  // Or a mesh of many primitives that are nothing.
+  std::string empty = R"({"attributes":{}})";
+  for (int i = 0; i < 2000; ++i)
+    empty += R"(,{"attributes":{}})";
+  EXPECT_NE(wrong(bound(), nodes + R"(],"skins":[{"joints":[0]},{"joints":[0]}],"meshes":[{"primitives":[)" +
+                               empty + "]}]")
+                .find("too many for files"),
+            std::string::npos);
   EXPECT_NE(wrong(bound(), nodes + R"(],"skins":[)" + skin + "," + skin + "]," + kSkinned)
                 .find("too many for files"),
             std::string::npos);

@@ -12,6 +12,9 @@ using Type = AttributeView::Type;
 constexpr std::uint64_t kModes = 7;
 constexpr std::uint64_t kTriangles = 4;
 
+/// To read a primitive again takes about as long as to move so many vertices.
+constexpr std::uint64_t kRowsOfPrimitive = 64;
+
 /// What may stand in an index.
 bool isIndexType(Type type) { return type == Type::Uint8 || type == Type::Uint16 || type == Type::Uint32; }
 
@@ -36,6 +39,8 @@ GltfMeshes::Parts GltfMeshes::parts(std::size_t mesh, const GltfPose &pose) { re
 GltfMeshes::Parts GltfMeshes::readParts(std::size_t mesh, const GltfPose *pose) {
   const GltfList primitives = list_[mesh].list("primitives");
   Parts parts;
+  if (pose && !poses_.spend(list_[mesh], kRowsOfPrimitive * primitives.size()))
+    return parts;
   parts.begin = static_cast<std::uint32_t>(context_.scene.parts.size());
   for (std::size_t i = 0; i < primitives.size() && !context_.problem; ++i)
     readPrimitive(primitives[i], pose);
@@ -125,8 +130,9 @@ std::vector<GltfJointSet> GltfMeshes::jointSetsOf(const GltfObject &attributes, 
       break;
     if (set.joints.type != Type::Uint8 && set.joints.type != Type::Uint16)
       attributes.problem("has joints that are not whole numbers from 0 to 65535");
-    // As of colours, whether the accessor says so or not.
+    // Integers of weights are fractions and those of joints are not, whether their accessors say so or not.
     set.weights.normalized = !isFloat(set.weights.type);
+    set.joints.normalized = false;
     sets.push_back(set);
   }
   return sets;

@@ -46,13 +46,13 @@ public:
   AttributeView positions(const GltfObject &primitive, const AttributeView &positions, const GltfPose &pose,
                           const std::vector<GltfMorph> &morphs, const std::vector<GltfJointSet> &sets);
 
+  /// Counts work that a few bytes of a file may ask for many times; false, with a problem, if it is too much.
+  bool spend(const GltfObject &object, std::uint64_t work);
+
 private:
   std::vector<double> weightsOf(const GltfObject &node, const GltfObject &mesh);
   std::shared_ptr<const std::vector<Transform>> jointsOf(std::size_t skin);
   AttributeView bindMatrices(const GltfObject &skin, std::size_t joints);
-  /// Counts work that a few bytes of a file may ask for many times; false, with a problem, if it is too much.
-  bool spend(const GltfObject &object, std::uint64_t work);
-
   GltfContext &context_;
   GltfBuffers &buffers_;
   GltfAccessors &accessors_;
