@@ -129,7 +129,7 @@ std::unique_ptr<ByteStream> makeBzip2Stream(std::span<const std::byte> bytes) {
   return std::make_unique<Bzip2Stream>(bytes);
 }
 
-Expected<std::uint64_t> countBytes(ByteStream &stream, const Progress &progress) {
+Expected<std::uint64_t> countBytes(ByteStream &stream, std::uint64_t most, const Progress &progress) {
   std::vector<std::byte> some(kStep);
   for (std::uint64_t count = 0;;) {
     if (progress.stopped())
@@ -138,6 +138,9 @@ Expected<std::uint64_t> countBytes(ByteStream &stream, const Progress &progress)
     if (!read)
       return read.error();
     count += *read;
+    if (count > most)
+      return Error::input("its data are more than the " + std::to_string(most) +
+                          " bytes that they should be, with what they may skip");
     if (*read < some.size())
       return count;
   }

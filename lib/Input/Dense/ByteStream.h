@@ -34,8 +34,9 @@ std::unique_ptr<ByteStream> makeBzip2Stream(std::span<const std::byte> bytes);
 std::unique_ptr<ByteStream> makeHexStream(std::span<const std::byte> bytes);
 std::unique_ptr<ByteStream> makeTextStream(std::span<const std::byte> bytes, SampleType type);
 
-/// Reads to the end and returns how many bytes that were. Errors: the stream's, interrupted.
-Expected<std::uint64_t> countBytes(ByteStream &stream, const Progress &progress);
+/// Reads to the end and returns how many bytes that were. Errors: more than `most`, the stream's,
+/// interrupted.
+Expected<std::uint64_t> countBytes(ByteStream &stream, std::uint64_t most, const Progress &progress);
 
 /// Leaves out bytes. Errors: there are fewer; the stream's; interrupted.
 Expected<void> skipBytes(ByteStream &stream, std::uint64_t count, const Progress &progress);

@@ -44,9 +44,14 @@ std::unique_ptr<ByteStream> streamOf(const NrrdHeader &header, std::span<const s
 /// itself, as what they stand for begins nowhere else.
 Expected<std::uint64_t> skipOf(const NrrdHeader &header, std::span<const std::byte> data, std::uint64_t size,
                                const InputOptions &options) {
+  // A few bytes of bzip2 stand for days of work.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+  if (header.byteSkip > static_cast<std::int64_t>(kMost))
+    return Error::input("its byte skip of " + std::to_string(header.byteSkip) +
+                        " is too large; compressed data may skip " + std::to_string(kMost));
   if (header.byteSkip >= 0)
     return static_cast<std::uint64_t>(header.byteSkip);
-  const auto all = countBytes(*streamOf(header, data), options.progress);
+  const auto all = countBytes(*streamOf(header, data), size + kMost, options.progress);
   if (!all)
     return all.error();
   return *all - std::min(size, *all);
