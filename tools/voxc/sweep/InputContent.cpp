@@ -4,6 +4,7 @@
 
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/NumberedPath.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +51,35 @@ std::map<std::string, bool> filesBelow(const fs::path &folder) {
   return files;
 }
 
+/// Whether a text has a pattern, such as slice%03d.raw, that a file's name is one of.
+bool namesByPattern(const std::string &text, const std::string &name) {
+  for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 1)) {
+    const std::size_t begin = text.find_last_of(" \t\n/", at) + 1;
+    const auto pattern = NumberedPath::parse(text.substr(begin, text.find_first_of(" \t\r\n", at) - begin));
+    if (!pattern || !name.starts_with(pattern->before()) || !name.ends_with(pattern->after()) ||
+        name.size() <= pattern->before().size() + pattern->after().size())
+      continue;
+    const std::size_t digits = name.size() - pattern->before().size() - pattern->after().size();
+    if (name.find_first_not_of("0123456789", pattern->before().size()) >= pattern->before().size() + digits)
+      return true;
+  }
+  return false;
+}
+
+/// The other files of a pair, header and samples, that are there.
+std::vector<std::string> partnersOf(const std::string &path) {
+  constexpr std::array<std::string_view, 4> kPair{".hdr", ".img", ".hdr.gz", ".img.gz"};
+  std::vector<std::string> partners;
+  for (const std::string_view own : kPair)
+    for (const std::string_view other : kPair) {
+      const std::string stem = path.ends_with(own) ? path.substr(0, path.size() - own.size()) : "";
+      std::error_code ignored;
+      if (!stem.empty() && own != other && fs::exists(stem + std::string(other), ignored))
+        partners.push_back(stem + std::string(other));
+    }
+  return partners;
+}
+
 /// Lists what `path` names among the files that were not listed yet, and what these name.
 Expected<void> addCompanions(const std::string &path, std::map<std::string, bool> &files,
                              std::vector<ContentFile> &content) {
@@ -58,7 +88,7 @@ Expected<void> addCompanions(const std::string &path, std::map<std::string, bool
     return text.error();
   for (auto &[companion, added] : files) {
     const std::string name = fs::path(companion).filename().string();
-    if (added || text->find(name) == std::string::npos)
+    if (added || (text->find(name) == std::string::npos && !namesByPattern(*text, name)))
       continue;
     added = true;
     content.push_back({name, companion});
@@ -103,6 +133,8 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
     return content;
   }
   content.push_back({kindOf(input), path});
+  for (const std::string &partner : partnersOf(path))
+    content.push_back({fs::path(partner).extension().string(), partner});
   if (refers(path)) {
     const fs::path folder = fs::path(path).parent_path();
     auto files = filesBelow(folder.empty() ? "." : folder);
