@@ -43,4 +43,4 @@ set(VOXC_INPUT_READERS
   Points/PointColour.cpp
   Points/PointList.cpp
   Points/PointSource.cpp)
-set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB BZip2::BZip2 png tiff)
+set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB BZip2::BZip2 png tiff blosc)

@@ -5,6 +5,7 @@
 #include "voxc/Input/Input.h"
 #include "voxc/Source/Export.h"
 
+#include <blosc.h>
 #include <gmock/gmock.h>
 #include <zlib.h>
 
@@ -130,6 +131,27 @@ TEST(NanoVdb, ZipIsInflated) {
   EXPECT_FALSE(openInput(folder.file("cut.nvdb", file.substr(0, file.size() - 9)), {}));
 }
 
+TEST(NanoVdb, BloscIsInflated) {
+  const TemporaryFolder folder;
+  const SmallFile small(folder);
+  const std::string plain = small.bytes.substr(small.grid);
+  std::string packed(plain.size() + BLOSC_MAX_OVERHEAD, '\0');
+  const int size = blosc_compress_ctx(9, 1, sizeof(float), plain.size(), plain.data(), packed.data(),
+                                      packed.size(), BLOSC_LZ4_COMPNAME, 1 << 18, 1);
+  ASSERT_GT(size, 0);
+  const auto bytes = static_cast<std::uint64_t>(size);
+  std::string file = small.with<std::uint16_t>(14, 2).substr(0, small.grid);
+  file.append(reinterpret_cast<const char *>(&bytes), sizeof bytes).append(packed, 0, bytes);
+  const auto input = openInput(folder.file("blosc.nvdb", file), {});
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(voxelsOf(*input->source).size(), 2u);
+  EXPECT_FALSE(openInput(folder.file("cut.nvdb", file.substr(0, file.size() - 9)), {}));
+  // Its head says another size than that of the grid.
+  file[small.grid + 8 + 4] ^= 1;
+  EXPECT_THAT(openInput(folder.file("other.nvdb", file), {}).error().message,
+              HasSubstr("is damaged, or is not as large"));
+}
+
 TEST(NanoVdb, OfSeveralGridsAndSegmentsOneIsTakenByName) {
   const TemporaryFolder folder;
   nanovdb::GridBuilder<nanovdb::Vec3f> arrows(nanovdb::Vec3f(0.0f));
@@ -180,7 +202,7 @@ TEST(NanoVdb, BrokenFilesAreErrors) {
   EXPECT_EQ(message(small.bytes), "fine");
   EXPECT_THAT(message("nonsense and more of it"), HasSubstr("does not begin as NanoVDB files do"));
   EXPECT_THAT(message(small.with<std::uint32_t>(8, 29u << 21)), HasSubstr("version 29"));
-  EXPECT_THAT(message(small.with<std::uint16_t>(14, 2)), HasSubstr("Blosc"));
+  EXPECT_THAT(message(small.with<std::uint16_t>(14, 2)), HasSubstr("cut short"));
   EXPECT_THAT(message(small.with<std::uint16_t>(14, 9)), HasSubstr("number 9"));
   EXPECT_THAT(message(small.with<std::uint16_t>(12, 0)), HasSubstr("has no grid"));
   EXPECT_THAT(message(small.with<std::uint64_t>(16, 1ull << 60)), HasSubstr("cut short"));

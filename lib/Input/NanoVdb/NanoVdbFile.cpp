@@ -6,6 +6,7 @@
 #include "Source/NanoVdbLayout.h"
 
 #include <algorithm>
+#include <blosc.h>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -120,6 +121,35 @@ Expected<StoredGrid> inflate(const ListedGrid &grid, const std::shared_ptr<Worki
   return StoredGrid{bytes, std::move(*inflated), {}, {}};
 }
 
+/// A grid in chunks of at most a gigabyte, each with its size before it.
+Expected<StoredGrid> inflateBlosc(const ListedGrid &grid, const std::shared_ptr<WorkingMemory> &memory,
+                                  const Progress &progress) {
+  constexpr std::uint64_t kChunk = std::uint64_t{1} << 30;
+  constexpr std::uint64_t kMostPerByte = 1 << 15; // More than any of its codecs makes of a byte.
+  auto inflated = std::make_shared<InflatedBytes>(memory);
+  std::span<const std::byte> rest = grid.stored;
+  for (std::uint64_t done = 0; done < grid.bytes;) {
+    if (progress.stopped())
+      return Error::interrupted();
+    const std::uint64_t chunk = std::min(kChunk, grid.bytes - done);
+    std::uint64_t size = 0;
+    if (!take(rest, size) || size > rest.size())
+      return cutShort(rest.size(), size);
+    std::size_t found = 0;
+    if (blosc_cbuffer_validate(rest.data(), size, &found) != 0 || found != chunk ||
+        chunk / kMostPerByte > size)
+      return Error::input("its data that Blosc compressed is damaged, or is not as large as its head says");
+    if (auto sized = inflated->resize(done + chunk); !sized)
+      return sized.error();
+    if (blosc_decompress_ctx(rest.data(), inflated->data() + done, chunk, 1) != static_cast<int>(chunk))
+      return Error::input("its data that Blosc compressed is damaged");
+    rest = rest.subspan(size);
+    done += chunk;
+  }
+  const std::span<const std::byte> bytes = std::as_const(*inflated).span();
+  return StoredGrid{bytes, std::move(inflated), {}, {}};
+}
+
 std::string described(const ListedGrid &grid) {
   return (grid.name.empty() ? "one without a name" : grid.name) + " (" + nameOfType(grid.type) + ")";
 }
@@ -178,8 +208,8 @@ Expected<StoredGrid> findNanoVdbGrid(std::shared_ptr<const WatchedFile> file, co
   Expected<StoredGrid> stored =
       Error::input("it is compressed in a way that is not known, number " + std::to_string(grid.codec));
   if (grid.codec == nanovdb::kBlosc)
-    return Error::input("it is compressed by Blosc; write it without compression or with ZIP");
-  if (grid.codec == nanovdb::kZip)
+    stored = inflateBlosc(grid, memory, progress);
+  else if (grid.codec == nanovdb::kZip)
     stored = inflate(grid, memory, progress);
   else if (grid.codec == nanovdb::kUncompressed && grid.bytes > grid.stored.size())
     stored = cutShort(grid.stored.size(), grid.bytes);
