@@ -134,6 +134,8 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
   if (!opened)
     return opened;
   tellSpacing(input, options, *opened);
+  if (opened->words != options.materialWords)
+    return Error::input("'" + input + "' says nothing of light and metal; meshes and .vox files do");
   if (auto changed = applyChanges(*opened, withMemory); !changed)
     return changed.error();
   const Int3 extent = opened->source->extent();

@@ -134,12 +134,13 @@ Expected<std::vector<std::byte>> wordsAt(const std::string &path, const InputOpt
 /// What materials say, and whether a voxel may have none of it.
 struct MaterialRow {
   std::string_view name;
-  MeshWords words;
+  MaterialWords words;
   bool isNoneBlack;
 };
 
 constexpr std::array<MaterialRow, 2> kMaterials{
-    {{"emission", MeshWords::Emission, true}, {"metallic-roughness", MeshWords::MetallicRoughness, false}}};
+    {{"emission", MaterialWords::Emission, true},
+     {"metallic-roughness", MaterialWords::MetallicRoughness, false}}};
 
 /// Alpha is the colour's, and says nothing here.
 void dropAlpha(std::vector<std::byte> &elements, bool isNoneBlack) {
@@ -178,13 +179,12 @@ Expected<Attribute> materialOfInput(const std::string &text, const Volume &volum
   // What fills the inside has no material.
   arguments.interior.clear();
   arguments.fillColour.clear();
+  arguments.colourMap.clear();
   const Int3 extent = volume.info().extent;
   if (arguments.resolution == 0)
     arguments.resolution = std::max({extent.x, extent.y, extent.z});
-  if (auto checked = checkInputArguments(arguments, parts->second); !checked)
-    return checked.error();
   InputOptions options = makeInputOptions(arguments, extent);
-  options.meshWords = row->words;
+  options.materialWords = row->words;
   options.progress = progress;
   auto words = wordsAt(parts->second, options, volume, mostBytes);
   if (!words)

@@ -15,10 +15,10 @@ namespace voxc::tool {
 Expected<Attribute> wordsOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
                                  const Progress &progress);
 
-/// "NAME=MODEL": what the materials of a mesh say at the voxels of a volume that was made of it, by the
-/// options of the volume's provenance; NAME is "emission" (R, G and B in sRGB, then 255; 0 where there is
-/// none) or "metallic-roughness" (0, roughness, metallic, 255). Errors: as above, and a model without such
-/// materials.
+/// "NAME=MODEL": what the materials of a mesh or of MagicaVoxel models say at the voxels of a volume that was
+/// made of it, by the options of the volume's provenance; NAME is "emission" (R, G and B in sRGB, then 255; 0
+/// where there is none) or "metallic-roughness" (0, roughness, metallic, 255). Errors: as above, and a model
+/// without such materials.
 Expected<Attribute> materialOfInput(const std::string &text, const Volume &volume, std::uint64_t mostBytes,
                                     const Progress &progress);
 

@@ -234,6 +234,33 @@ TEST_F(MagicaVoxel, DroppedMaterialsAreTold) {
   EXPECT_THAT(warnings_, IsEmpty());
 }
 
+TEST_F(MagicaVoxel, MaterialsInPlaceOfColours) {
+  const auto material = [](std::uint32_t number, const char *type, const char *rough, const char *metal) {
+    return chunkBytes("MATL", wordBytes({number}) +
+                                  dictionaryBytes({{"_rough", rough}, {"_metal", metal}, {"_type", type}}));
+  };
+  const std::string path = folder_.file(
+      "m.vox",
+      voxBytes(modelChunks(5, 1, 1, {{0, 0, 0, 1}, {1, 0, 0, 2}, {2, 0, 0, 3}, {3, 0, 0, 4}, {4, 0, 0, 5}}) +
+               material(1, "_metal", "0.2", "0.6") + material(2, "_emit", "0.2", "0.6") +
+               material(3, "_glass", "0.4", "1") + material(4, "_metal", "nan", "-3")));
+  const auto wordsOf = [&](MaterialWords words) {
+    options_.materialWords = words;
+    const auto input = openInput(path, options_);
+    EXPECT_TRUE(input) << input.error().message;
+    std::vector<std::uint32_t> row(5);
+    for (const auto &[code, word] : voxelsOf(*input->source))
+      row[static_cast<std::size_t>(mortonCell(code).x)] = word;
+    return row;
+  };
+  const std::vector<std::uint32_t> colours = wordsOf(MaterialWords::Colours);
+  EXPECT_THAT(wordsOf(MaterialWords::Emission),
+              ElementsAre(rgba(0, 0, 0), colours[1], rgba(0, 0, 0), rgba(0, 0, 0), rgba(0, 0, 0)));
+  EXPECT_THAT(
+      wordsOf(MaterialWords::MetallicRoughness),
+      ElementsAre(rgba(0, 51, 153), rgba(0, 255, 0), rgba(0, 102, 0), rgba(0, 255, 0), rgba(0, 255, 0)));
+}
+
 TEST_F(MagicaVoxel, HiddenNodesAndLayersAreLeftOut) {
   const std::string models = modelChunks(1, 1, 1, {{0, 0, 0, 1}});
   const auto scene = [&](const std::string &second) {

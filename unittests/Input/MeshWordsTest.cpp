@@ -29,10 +29,10 @@ protected:
                                       material + "]" + rest + "}");
   }
 
-  Voxels words(const std::string &path, MeshWords words) {
+  Voxels words(const std::string &path, MaterialWords words) {
     InputOptions options;
     options.resolution = 4;
-    options.meshWords = words;
+    options.materialWords = words;
     auto input = openInput(path, options);
     EXPECT_TRUE(input) << input.error().message;
     return input ? voxelsOf(*input->source) : Voxels();
@@ -44,11 +44,11 @@ protected:
 TEST_F(MeshWordsTest, EmissionWithoutTheColour) {
   const std::string path =
       model(R"({"emissiveFactor":[1,0.5,0],"pbrMetallicRoughness":{"baseColorFactor":[0,0,1,1]}})");
-  const Voxels colours = words(path, MeshWords::Colours);
+  const Voxels colours = words(path, MaterialWords::Colours);
   EXPECT_EQ(colours.size(), 16u);
   for (const auto &[code, word] : colours)
     EXPECT_EQ(word, rgba(255, 188, 255));
-  for (const auto &[code, word] : words(path, MeshWords::Emission))
+  for (const auto &[code, word] : words(path, MaterialWords::Emission))
     EXPECT_EQ(word, rgba(255, 188, 0));
 }
 
@@ -57,10 +57,10 @@ TEST_F(MeshWordsTest, MetalAndRoughnessAsTheirTextureHasThem) {
   const std::string path = model(R"({"pbrMetallicRoughness":{"roughnessFactor":0.5,
     "metallicRoughnessTexture":{"index":0}}})",
                                  R"(,"textures":[{"source":0}],"images":[{"uri":"t.tga"}])");
-  for (const auto &[code, word] : words(path, MeshWords::MetallicRoughness))
+  for (const auto &[code, word] : words(path, MaterialWords::MetallicRoughness))
     EXPECT_EQ(word, mortonCell(code).x < 2 ? rgba(0, 32, 128) : rgba(0, 96, 0));
   // Colours need no such texture, and do not miss it.
-  for (const auto &[code, word] : words(path, MeshWords::Colours))
+  for (const auto &[code, word] : words(path, MaterialWords::Colours))
     EXPECT_EQ(word, rgba(255, 255, 255));
 }
 
@@ -69,8 +69,8 @@ TEST_F(MeshWordsTest, AlphaCutsOutAsItDoesInColour) {
   const std::string path = model(R"({"alphaMode":"MASK","emissiveFactor":[0,1,0],
     "pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0}}})",
                                  R"(,"textures":[{"source":0}],"images":[{"uri":"t.tga"}])");
-  const Voxels emission = words(path, MeshWords::Emission);
-  const Voxels metal = words(path, MeshWords::MetallicRoughness);
+  const Voxels emission = words(path, MaterialWords::Emission);
+  const Voxels metal = words(path, MaterialWords::MetallicRoughness);
   ASSERT_EQ(emission.size(), 8u);
   ASSERT_EQ(metal.size(), 8u);
   for (const auto &[code, word] : emission) {
@@ -82,14 +82,18 @@ TEST_F(MeshWordsTest, AlphaCutsOutAsItDoesInColour) {
 
 TEST_F(MeshWordsTest, AModelWithoutThemSaysSo) {
   InputOptions options;
-  options.meshWords = MeshWords::Emission;
+  options.materialWords = MaterialWords::Emission;
   auto input = openInput(model("{}"), options);
   ASSERT_FALSE(input);
   EXPECT_NE(input.error().message.find("gives off light"), std::string::npos);
-  options.meshWords = MeshWords::MetallicRoughness;
+  options.materialWords = MaterialWords::MetallicRoughness;
   input = openInput(model("{}"), options);
   ASSERT_FALSE(input);
   EXPECT_NE(input.error().message.find("how metallic or rough"), std::string::npos);
+  // Other kinds have no materials at all.
+  input = openInput("builtin:full:4", options);
+  ASSERT_FALSE(input);
+  EXPECT_NE(input.error().message.find("says nothing of light and metal"), std::string::npos);
 }
 
 } // namespace

@@ -36,8 +36,8 @@ struct InputFact {
   std::vector<double> numbers; ///< The same to programs; none where it is a text alone.
 };
 
-/// What the words of a mesh's voxels are.
-enum class MeshWords {
+/// What the words of voxels are, of a mesh or of MagicaVoxel models.
+enum class MaterialWords {
   Colours,           ///< What is seen.
   Emission,          ///< The light that the surface gives off, in sRGB; black where there is none.
   MetallicRoughness, ///< How rough the surface is in the second byte and how metallic in the third, of 255,
@@ -74,7 +74,8 @@ struct InputOptions {
   std::string grid; ///< The name of a grid of a .nvdb or .vdb file; empty: the first that can be a shape.
   Coverage coverage = Coverage::Conservative; ///< Which voxels a triangle of a mesh takes.
   ColourRule colour = ColourRule::Mean;       ///< Which colour a texture of a mesh gives to a voxel.
-  MeshWords meshWords = MeshWords::Colours;
+  MaterialWords materialWords =
+      MaterialWords::Colours;          ///< Error if the input is of a kind without the others.
   Interior interior = Interior::Keep;  ///< What becomes of the inside: `dropInterior`, `fillInterior`, and of
                                        ///< a mesh `fillMesh`.
   std::uint32_t fillWord = 0xffffffff; ///< Of the voxels that are added to the inside.
@@ -100,17 +101,18 @@ struct InputOptions {
 /// An opened input.
 struct Input {
   std::unique_ptr<VoxelSource> source;
-  std::uint64_t triangles = 0;        ///< Of a mesh, after instancing; else 0.
-  double loadSeconds = 0;             ///< Reading the file.
-  double binSeconds = 0;              ///< Sorting triangles or points into chunks.
-  std::uint64_t loaderPeakBytes = 0;  ///< Memory that a library took beside the bound while it read.
-  std::string provenance;             ///< The options that matter, for `VolumeInfo::provenance`.
-  std::vector<std::string> warnings;  ///< One sentence each.
-  std::vector<std::string> notes;     ///< What was done as it was asked for; one sentence each.
-  Interior interior = Interior::Keep; ///< What was done with the inside,
-  std::uint64_t interiorVoxels = 0;   ///< how many voxels were left out or added,
-  double interiorSeconds = 0;         ///< and how long it took to find them.
-  std::vector<InputFact> facts;       ///< What was asked for by `InputOptions::describe`.
+  std::uint64_t triangles = 0;       ///< Of a mesh, after instancing; else 0.
+  double loadSeconds = 0;            ///< Reading the file.
+  double binSeconds = 0;             ///< Sorting triangles or points into chunks.
+  std::uint64_t loaderPeakBytes = 0; ///< Memory that a library took beside the bound while it read.
+  MaterialWords words = MaterialWords::Colours; ///< What the words are.
+  std::string provenance;                       ///< The options that matter, for `VolumeInfo::provenance`.
+  std::vector<std::string> warnings;            ///< One sentence each.
+  std::vector<std::string> notes;               ///< What was done as it was asked for; one sentence each.
+  Interior interior = Interior::Keep;           ///< What was done with the inside,
+  std::uint64_t interiorVoxels = 0;             ///< how many voxels were left out or added,
+  double interiorSeconds = 0;                   ///< and how long it took to find them.
+  std::vector<InputFact> facts;                 ///< What was asked for by `InputOptions::describe`.
   bool isCropped = false;
   Int3 cropLow; ///< The voxel that became (0, 0, 0).
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -240,6 +241,13 @@ constexpr std::array<LookRow, 5> kLooks{{{"_metal", VoxLook::Metal},
                                          {"_emit", VoxLook::Emission},
                                          {"_media", VoxLook::Cloud}}};
 
+/// From 0 to 1; nothing of what is no such number.
+std::optional<float> readShare(std::string_view text) {
+  double share = -1;
+  std::from_chars(text.data(), text.data() + text.size(), share);
+  return share >= 0 && share <= 1 ? std::optional(static_cast<float>(share)) : std::nullopt;
+}
+
 /// A material of the colour of its number, of which 256 stands for 0.
 Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
   const std::uint32_t number = cursor.word() % 256;
@@ -247,6 +255,10 @@ Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
     for (const LookRow &row : kLooks)
       if (key == "_type" && value == row.type)
         reading.file.looks[number] = row.look;
+    if (key == "_rough")
+      reading.file.roughness[number] = readShare(value).value_or(1);
+    if (key == "_metal")
+      reading.file.metallic[number] = readShare(value).value_or(0);
   });
   return {};
 }
@@ -300,6 +312,7 @@ Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes, std::int32_t fra
   Reading reading;
   reading.frame = frame;
   reading.file.colours = defaultVoxPalette();
+  reading.file.roughness.fill(1);
   while (!cursor.failed() && cursor.size() > 0) {
     const std::string_view name = takeName(cursor);
     const std::uint32_t content = cursor.word();

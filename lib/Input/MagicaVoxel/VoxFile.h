@@ -41,7 +41,9 @@ struct VoxFile {
   std::map<std::uint32_t, VoxNode> nodes;
   std::set<std::int32_t> hiddenLayers;
   std::array<std::uint32_t, 256> colours; ///< By the number in a voxel; 0 is not a colour.
-  std::array<VoxLook, 256> looks{};       ///< The same of materials.
+  std::array<VoxLook, 256> looks{};       ///< The same of materials,
+  std::array<float, 256> roughness;       ///< how rough they are, 0 to 1; 1 where nothing is said,
+  std::array<float, 256> metallic{};      ///< and how metallic, if they are metals.
   std::int32_t frames = 1;                ///< Of the scene graph: one more than the time of its last key.
 };
 

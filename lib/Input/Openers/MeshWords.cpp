@@ -35,13 +35,13 @@ Expected<void> showMetal(TriangleScene &scene) {
   return {};
 }
 
-/// In the order of `MeshWords`.
+/// In the order of `MaterialWords`.
 constexpr std::array<Expected<void> (*)(TriangleScene &), 3> kShows{
     [](TriangleScene &) { return Expected<void>(); }, showEmission, showMetal};
 
 } // namespace
 
-Expected<void> showWords(TriangleScene &scene, MeshWords words) {
+Expected<void> showWords(TriangleScene &scene, MaterialWords words) {
   return kShows[static_cast<std::size_t>(words)](scene);
 }
 

@@ -7,6 +7,6 @@
 namespace voxc {
 
 /// Makes a scene's colours what `words` says; what alpha cuts out stays so. Error: no material has it.
-Expected<void> showWords(TriangleScene &scene, MeshWords words);
+Expected<void> showWords(TriangleScene &scene, MaterialWords words);
 
 } // namespace voxc

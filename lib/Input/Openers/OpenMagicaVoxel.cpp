@@ -185,6 +185,29 @@ private:
   std::vector<OfFile> used_;
 };
 
+/// What the words of voxels of a colour are; 0 is not a voxel.
+using WordOfColour = std::uint32_t (*)(unsigned colour, const VoxFile &file);
+
+std::uint32_t emissionOf(unsigned colour, const VoxFile &file) {
+  const bool isGlowing = file.looks[colour] == VoxLook::Emission;
+  return (isGlowing ? file.colours[colour] & 0xffffff : 0) | 0xff000000;
+}
+
+std::uint32_t metalOf(unsigned colour, const VoxFile &file) {
+  const auto byte = [](float share) { return static_cast<std::uint32_t>(share * 255 + 0.5F); };
+  const VoxLook look = file.looks[colour];
+  const bool isMetal = look == VoxLook::Metal;
+  // What neither shines nor mirrors is as rough as can be, whatever else is said of it.
+  const bool isSmooth = isMetal || look == VoxLook::Glass;
+  return byte(isSmooth ? file.roughness[colour] : 1) << 8 | byte(isMetal ? file.metallic[colour] : 0) << 16 |
+         0xff000000;
+}
+
+std::uint32_t colourOf(unsigned colour, const VoxFile &file) { return file.colours[colour]; }
+
+/// In the order of `MaterialWords`.
+constexpr std::array<WordOfColour, 3> kWordsOf{colourOf, emissionOf, metalOf};
+
 Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> bytes,
                        std::optional<std::int32_t> frame) {
   auto file = readVoxFile(bytes->bytes(), frame.value_or(0));
@@ -234,8 +257,11 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   if (!voxels)
     return voxels.error();
   const bool isLabels = options.colourMap == kLabels;
-  const auto wordOf = [&](unsigned colour, const VoxFile &file) {
-    return isLabels ? colour : file.colours[colour];
+  const WordOfColour material = kWordsOf[static_cast<std::size_t>(options.materialWords)];
+  const auto wordOf = [&](unsigned colour, const VoxFile &file) -> std::uint32_t {
+    if (isLabels)
+      return colour;
+    return file.colours[colour] != 0 ? material(colour, file) : 0;
   };
   Dropped dropped;
   UsedColours used;
@@ -260,6 +286,7 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   if (!all)
     return all.error();
   Input input;
+  input.words = isLabels ? MaterialWords::Colours : options.materialWords;
   for (const ScenePart &part : parts)
     input.warnings.insert(input.warnings.end(), part.scene.warnings.begin(), part.scene.warnings.end());
   dropped.warn(input.warnings);

@@ -27,7 +27,7 @@ VoxelizeOptions voxelizeOptions(const InputOptions &options) {
   voxelizing.align = options.align;
   // What is no colour has no mean in linear light.
   voxelizing.colour =
-      options.meshWords == MeshWords::MetallicRoughness ? ColourRule::Nearest : options.colour;
+      options.materialWords == MaterialWords::MetallicRoughness ? ColourRule::Nearest : options.colour;
   return voxelizing;
 }
 
@@ -127,7 +127,7 @@ Expected<void> openPoints(const std::string &path, const TriangleScene &scene, c
 } // namespace
 
 Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
-  const bool areMetal = options.meshWords == MeshWords::MetallicRoughness;
+  const bool areMetal = options.materialWords == MaterialWords::MetallicRoughness;
   const auto load = [areMetal](const std::string &file, const std::shared_ptr<WorkingMemory> &memory,
                                const Progress &progress) {
     return loadScene(file, memory, progress, areMetal);
@@ -145,9 +145,10 @@ Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const
   auto scene = load(path, options.memory, options.progress);
   if (!scene)
     return scene.error();
-  if (auto shown = showWords(*scene, options.meshWords); !shown)
+  if (auto shown = showWords(*scene, options.materialWords); !shown)
     return Error::input("'" + path + "': " + shown.error().message);
   Input input;
+  input.words = options.materialWords;
   input.loadSeconds = loading.seconds();
   input.loaderPeakBytes = scene->loaderPeakBytes;
   input.triangles = triangleCount(*scene);
