@@ -160,8 +160,7 @@ Voxels randomVoxels(Int3 extent, unsigned sparse, std::mt19937 &random) {
     for (cell.y = 0; cell.y < extent.y; ++cell.y)
       for (cell.x = 0; cell.x < extent.x; ++cell.x)
         if (random() % sparse == 0)
-          voxels[mortonCode(cell)] =
-              rgba(random() % 256, random() % 256, random() % 256);
+          voxels[mortonCode(cell)] = rgba(random() % 256, random() % 256, random() % 256);
   return voxels;
 }
 
