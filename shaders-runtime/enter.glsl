@@ -78,11 +78,17 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   range.least[axis] = range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
 %if bounded
   range = approximate_cell(ray, crossing, range);
-  if (!SETTLES && range.least != range.most)
-    return walk; // It stays, which is not wrong: only later cells are skipped to.
-  walk.cell = range.least;
+  ivec3 behind = range.least;
+  bool sure = range.least == range.most;
+%if refines
+  if (!sure)
+    behind = cell_behind(ray, axis, face, sure);
+%end
   if (SETTLES)
-    walk.cell = settle(ray, crossing, range);
+    behind = settle(ray, crossing, range);
+  else if (!sure)
+    return walk; // It stays, which is not wrong: only later cells are skipped to.
+  walk.cell = behind;
 %else
   walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
 %end

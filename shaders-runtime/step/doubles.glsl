@@ -84,6 +84,26 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
 }
 
 %end
+// The cell that the ray is in once a passage has happened, of all of the volume and those beside it.
+ivec3 cell_after(const Passage passage, dvec3 origin, dvec3 speed, inout bool sure) {
+  ivec3 size = VOLUME_SIZE + 2;
+  return ivec3(cell_by_doubles(passage, origin.x, speed.x, -1, size.x, sure), cell_by_doubles(passage, origin.y, speed.y, -1, size.y, sure),
+               cell_by_doubles(passage, origin.z, speed.z, -1, size.z, sure));
+}
+
+// The same, where coordinate `axis` passes a face. Not sure if doubles cannot tell.
+ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
+  dvec3 origin = exactly(ray.given_origin);
+  dvec3 speed = exactly(ray.given_direction);
+  Way way = way_to(double(face), axis == 0 ? origin.x : axis == 1 ? origin.y : origin.z);
+  Passage passage = passage_of(axis, 0.0, way, way, way, speed);
+  passage.t = way.distance / passage.speed;
+  sure = ray.plain;
+  ivec3 cell = cell_after(passage, origin, speed, sure);
+  int behind = passage.rises ? face : face - 1;
+  return ivec3(axis == 0 ? behind : cell.x, axis == 1 ? behind : cell.y, axis == 2 ? behind : cell.z);
+}
+
 // Finds the cell in which an ordinary ray enters the volume: that of its origin, or through the last of the faces that it must pass. A cell
 // outside if there is none. Not sure if doubles cannot tell either.
 Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
@@ -108,9 +128,7 @@ Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
                        is_passed(last, 2, t.z, z, speed.z, sure));
   ivec3 falling = ~ray.ahead & ivec3(passed);
   last.rises = (falling.x | falling.y | falling.z) == 0; // The last of them fall.
-  ivec3 size = VOLUME_SIZE + 2; // With a cell outside on each side.
-  ivec3 cell = ivec3(cell_by_doubles(last, origin.x, speed.x, -1, size.x, sure), cell_by_doubles(last, origin.y, speed.y, -1, size.y, sure),
-                     cell_by_doubles(last, origin.z, speed.z, -1, size.z, sure));
+  ivec3 cell = cell_after(last, origin, speed, sure);
   cell = mix(cell, mix(ivec3(0), VOLUME_SIZE - 1, ray.falls), passed);
   bool misses = is_outside != enters;
   walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;

@@ -1,6 +1,7 @@
 // Points of .obj and glTF files.
 #include "Input/Points/ScenePoints.h"
 
+#include "Mesh/Voxelize/NearestPoint.h"
 #include "Mesh/Voxelize/SurfaceColour.h"
 #include "Mesh/Voxelize/TextureMeans.h"
 #include "Mesh/Voxelize/TriangleCursor.h"
@@ -43,6 +44,7 @@ public:
       }
       cursor.moveTo(i);
       colour.moveTo(cursor);
+      colour.measure(NearestPoints(cursor.corners()));
       colour.at(std::span(&corner, 1), words);
       const glm::dvec3 place = cursor.corners()[0];
       if (auto pushed = points_.push({{place.x, place.y, place.z}, words[0]}); !pushed)
