@@ -46,22 +46,25 @@ OUT_OF_LINE int compare_moment_exactly(const Ray ray, int axis, int face, uint m
 }
 
 %if ieee
-// The same by doubles, of which the product is exact and the distance is rounded once; four roundings of 2^-53 are far more.
+// The same by doubles, of which the product is exact and the distance is rounded once, if at all; four roundings of 2^-53 are far more.
 int compare_moment(const Ray ray, int axis, int face, uint moment) {
-  double distance = double(face) - exactly(ray.given_origin[axis]);
+  Way to_face = way_to(double(face), exactly(ray.given_origin[axis]));
+  bool is_exact = to_face.is_exact;
+  double distance = to_face.distance;
   double way = exactly(moment) * exactly(ray.given_direction[axis]);
-  double doubt = (abs(distance) + abs(way)) * double(1.0f / 1125899906842624.0f); // 2^-50.
+  double doubt = is_exact ? 0.0 : (abs(distance) + abs(way)) * double(1.0f / 1125899906842624.0f); // 2^-50.
 %else
 // The same by float32, whose distance and way are rounded once each.
 int compare_moment(const Ray ray, int axis, int face, uint moment) {
   float distance = float(face) - uintBitsToFloat(ray.given_origin[axis]);
   float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
   float doubt = (abs(distance) + abs(way)) * ROUNDINGS;
+  const bool is_exact = false;
 %end
   bool later = distance - way > doubt;
   bool sooner = distance - way < -doubt;
-  bool told = (later || sooner) && ray.plain && moment - 1u >= 0x7fffffu; // Devices may not keep a denormal moment.
-  return told ? order_by_sign(ray, axis, later ? 1 : -1) : UNTOLD;
+  bool told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu; // Devices may not keep a denormal moment.
+  return told ? order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : UNTOLD;
 }
 
 // Whether the ray enters the walk's cell before a moment, -1, at it, 0, or after it, 1. UNTOLD if only exact arithmetic can
