@@ -27,7 +27,7 @@ end_header
 3 0 1 3
 3 0 2 3
 """
-SMALLER = (("G(5)", "G(2)"), ("G(7)", "G(2)"), ("G(9)", "G(4)"), ("--budget 60s", "--budget 10s"), ("--rays 100000", "--rays 2000"),
+SMALLER = (("G(5)", "G(2)"), ("G(7)", "G(2)"), ("G(9)", "G(4)"), ("--budget 60s", "--budget 25s"), ("--rays 100000", "--rays 2000"),
            ("--parts 64", "--parts 4"), ("--resolution 1024", "--resolution 64"), ("--resolution 256", "--resolution 64"))
 # Orders in which one makes what another takes.
 FIRST = ("build", "plan", "split")
