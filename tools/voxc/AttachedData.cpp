@@ -2,6 +2,7 @@
 #include "AttachedData.h"
 
 #include "InputArguments.h"
+#include "InputChecks.h"
 
 #include "voxc/Support/File.h"
 

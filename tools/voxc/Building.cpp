@@ -2,6 +2,7 @@
 #include "Building.h"
 
 #include "BuildFigures.h"
+#include "InputChecks.h"
 
 #include "Figures.h"
 

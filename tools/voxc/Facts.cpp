@@ -4,6 +4,7 @@
 #include "FactsFigures.h"
 #include "Figures.h"
 #include "InputArguments.h"
+#include "InputChecks.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"

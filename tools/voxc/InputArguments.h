@@ -19,7 +19,7 @@ struct InputArguments {
   std::vector<double> align;  ///< Empty, or three numbers.
   std::vector<double> bounds; ///< Empty, or six numbers.
   std::string up;             ///< "y", "z", or empty.
-  std::string coverage;       ///< "conservative", "thin", or empty.
+  std::string coverage;       ///< A name of `kCoverageNames`, or empty.
   std::string colour;         ///< "mean", "nearest", or empty.
   std::optional<double> threshold;
   std::string colourMap;      ///< Empty: the library's default.
@@ -39,20 +39,10 @@ inline constexpr int kDefaultResolution = 512;
 inline constexpr const char *kInputHelp =
     "A mesh, points, .vox, a dense volume, .hvx, grid:WxHxD:FILE or builtin:NAME[:N]";
 
-/// Whether every option that was given means something for this input, as a command line has it. Error:
-/// `Usage`, naming the first that does not.
-Expected<void> checkInputArguments(const InputArguments &arguments, const std::string &input);
-
-/// Whether the ending or prefix of an input is a known one.
-bool isKnownInput(const std::string &input);
-
 /// "rrggbb" or "rrggbbaa" as a word, R in the low byte; nothing if it is neither.
 std::optional<std::uint32_t> parseColour(std::string_view text);
 
-/// Adds --resolution, --voxel-size, --unit, --align, --bounds, --up, --coverage, --colour, --threshold,
-/// --colour-map,
-/// --window, --volume, --grid,
-/// --interior, --fill-colour and --crop to a command.
+/// Adds the options of the group "Input" to a command, from --resolution to --crop.
 void addInputArguments(const CommandLine &command, InputArguments &arguments);
 
 /// Adds --volume to a command that writes a volume under that name: a path for `path`, or the number of a
@@ -62,9 +52,6 @@ Option addVolumePath(const CommandLine &command, std::string &path, InputArgumen
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance);
-
-/// Sets the resolution, where none was given, to `kDefaultResolution`, if the input has no voxels of its own.
-void fillResolution(InputArguments &arguments, const std::string &input);
 
 /// The options for an input that shall fit into `formatExtent`.
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent);

@@ -3,6 +3,7 @@
 
 #include "BuildArguments.h"
 #include "InputArguments.h"
+#include "InputChecks.h"
 
 #include "common/Terminal.h"
 

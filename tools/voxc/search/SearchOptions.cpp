@@ -1,5 +1,6 @@
 // The options of voxc search.
 #include "search/SearchOptions.h"
+#include "InputChecks.h"
 
 #include "common/ShellWord.h"
 #include "search/ObjectiveOption.h"

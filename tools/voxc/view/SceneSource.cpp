@@ -1,5 +1,6 @@
 // Scenes for the viewer.
 #include "view/SceneSource.h"
+#include "InputChecks.h"
 
 #include "Tracing.h"
 
