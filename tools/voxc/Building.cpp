@@ -2,9 +2,8 @@
 #include "Building.h"
 
 #include "BuildFigures.h"
-#include "InputChecks.h"
-
 #include "Figures.h"
+#include "InputChecks.h"
 
 #include "common/Statistics.h"
 #include "common/UserCache.h"

@@ -1,6 +1,6 @@
 // Dense volumes: NRRD, NIfTI, raw samples and binvox, and how samples become voxels.
+#include "Input/InputTesting.h"
 #include "Mesh/SharedModels.h"
-#include "Source/SourceTesting.h"
 
 #include "voxc/Input/Input.h"
 
@@ -12,7 +12,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <zlib.h>
 
 namespace voxc {
 namespace {
@@ -32,51 +31,19 @@ template <typename Value> std::string bytesOf(std::initializer_list<Value> value
   return bytes;
 }
 
-std::string gzipped(const std::string &bytes) {
-  z_stream stream{};
-  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string out(deflateBound(&stream, bytes.size()) + 64, '\0');
-  stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef *>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  out.resize(out.size() - stream.avail_out);
-  deflateEnd(&stream);
-  return out;
-}
-
-class DenseVolumes : public testing::Test {
+class DenseVolumes : public OpenedInputs {
 protected:
   Expected<Input> open(const std::string &name, const std::string &content) {
     return openInput(folder_.file(name, content), options_);
   }
-  Voxels voxels(const std::string &name, const std::string &content) { return take(open(name, content)); }
   Voxels raw(const std::string &what, const std::string &content) {
     return take(openInput("raw:" + what + ":" + folder_.file("samples.bin", content), options_));
-  }
-  Voxels take(Expected<Input> input) {
-    EXPECT_TRUE(input) << input.error().message;
-    if (!input)
-      return {};
-    warnings_ = input->warnings;
-    provenance_ = input->provenance;
-    extent_ = input->source->extent();
-    map_ = input->source->voxelToModel();
-    return voxelsOf(*input->source);
   }
   /// A point of voxels in the model.
   std::array<double, 3> toModel(double x, double y, double z) const {
     const glm::dvec3 point = map_ * glm::dvec4(x, y, z, 1);
     return {point.x, point.y, point.z};
   }
-
-  TemporaryFolder folder_;
-  InputOptions options_;
-  std::vector<std::string> warnings_;
-  std::string provenance_;
-  Int3 extent_;
-  Transform map_;
 };
 
 constexpr std::uint32_t kBlack = 0xff000000;

@@ -1,12 +1,11 @@
 // NumPy arrays, alone and in archives.
-#include "Source/SourceTesting.h"
+#include "Input/InputTesting.h"
 
 #include "voxc/Input/Input.h"
 
 #include <gmock/gmock.h>
 
 #include <numeric>
-#include <zlib.h>
 
 namespace voxc {
 namespace {
@@ -63,35 +62,9 @@ std::string zip(const std::vector<std::pair<std::string, std::string>> &files, b
          number(files.size(), 2) + number(directory.size(), 4) + number(archive.size(), 4) + number(0, 2);
 }
 
-class Numpy : public testing::Test {
+class Numpy : public OpenedInputs {
 protected:
   Numpy() { options_.colourMap = "labels"; }
-
-  std::vector<std::uint32_t> words(const std::string &name, const std::string &content) {
-    const auto input = openInput(folder_.file(name, content), options_);
-    EXPECT_TRUE(input) << (input ? "" : input.error().message);
-    if (!input)
-      return {};
-    warnings_ = input->warnings;
-    provenance_ = input->provenance;
-    extent_ = input->source->extent();
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(extent_.x * extent_.y * extent_.z));
-    for (const auto &[code, word] : voxelsOf(*input->source)) {
-      const Int3 cell = mortonCell(code);
-      words[static_cast<std::size_t>((cell.z * extent_.y + cell.y) * extent_.x + cell.x)] = word;
-    }
-    return words;
-  }
-  std::string problem(const std::string &name, const std::string &content) {
-    const auto input = openInput(folder_.file(name, content), options_);
-    return input ? "none" : input.error().message;
-  }
-
-  TemporaryFolder folder_;
-  InputOptions options_;
-  std::vector<std::string> warnings_;
-  std::string provenance_;
-  Int3 extent_;
 };
 
 using Words = std::vector<std::uint32_t>;

@@ -1,5 +1,5 @@
 // Scans as programs write them: encodings and axes of NRRD, orders and pairs of NIfTI, labels and colours.
-#include "Source/SourceTesting.h"
+#include "Input/InputTesting.h"
 
 #include "voxc/Input/Input.h"
 
@@ -9,7 +9,6 @@
 #include <bzlib.h>
 #include <cstring>
 #include <numeric>
-#include <zlib.h>
 
 namespace voxc {
 namespace {
@@ -18,20 +17,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-std::string gzipped(const std::string &bytes) {
-  z_stream stream{};
-  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string out(deflateBound(&stream, bytes.size()) + 64, '\0');
-  stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef *>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  out.resize(out.size() - stream.avail_out);
-  deflateEnd(&stream);
-  return out;
-}
 
 std::string bzipped(std::string bytes) {
   auto size = static_cast<unsigned>(bytes.size() + 1000);
@@ -42,36 +27,10 @@ std::string bzipped(std::string bytes) {
   return out.substr(0, size);
 }
 
-class Scans : public testing::Test {
+class Scans : public OpenedInputs {
 protected:
   Scans() { options_.colourMap = "labels"; }
 
-  /// The words of a file, x fastest.
-  std::vector<std::uint32_t> words(const std::string &name) {
-    const auto input = openInput(folder_.path(name), options_);
-    EXPECT_TRUE(input) << (input ? "" : input.error().message);
-    if (!input)
-      return {};
-    warnings_ = input->warnings;
-    notes_ = input->notes;
-    provenance_ = input->provenance;
-    extent_ = input->source->extent();
-    map_ = input->source->voxelToModel();
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(extent_.x * extent_.y * extent_.z));
-    for (const auto &[code, word] : voxelsOf(*input->source)) {
-      const Int3 cell = mortonCell(code);
-      words[static_cast<std::size_t>((cell.z * extent_.y + cell.y) * extent_.x + cell.x)] = word;
-    }
-    return words;
-  }
-  std::vector<std::uint32_t> words(const std::string &name, const std::string &content) {
-    folder_.file(name, content);
-    return words(name);
-  }
-  std::string problem(const std::string &name) {
-    const auto input = openInput(folder_.path(name), options_);
-    return input ? "none" : input.error().message;
-  }
   /// 1, 2, 3 ... in 4 x 3 x 2 bytes.
   static std::string bytes(int count = 24) {
     std::string bytes(static_cast<std::size_t>(count), '\0');
@@ -85,13 +44,6 @@ protected:
       numbers.push_back(i);
     return numbers;
   }
-
-  TemporaryFolder folder_;
-  InputOptions options_;
-  std::vector<std::string> warnings_, notes_;
-  std::string provenance_;
-  Int3 extent_;
-  Transform map_;
 };
 
 std::string nrrd(const std::string &fields, const std::string &data = {}) {

@@ -1,5 +1,5 @@
 // Slices of 16 bits, and pages of TIFF files as libtiff writes them.
-#include "Source/SourceTesting.h"
+#include "Input/InputTesting.h"
 
 #include "voxc/Input/Input.h"
 
@@ -65,24 +65,10 @@ void writePage(TIFF *tiff, std::uint32_t width, std::uint32_t height, const Layo
   TIFFWriteDirectory(tiff);
 }
 
-class TiffSlices : public testing::Test {
+class TiffSlices : public OpenedInputs {
 protected:
   TiffSlices() { options_.colourMap = "labels"; }
 
-  std::vector<std::uint32_t> words(const std::string &name) {
-    const auto input = openInput(folder_.path(name), options_);
-    EXPECT_TRUE(input) << (input ? "" : input.error().message);
-    if (!input)
-      return {};
-    warnings_ = input->warnings;
-    extent_ = input->source->extent();
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(extent_.x * extent_.y * extent_.z));
-    for (const auto &[code, word] : voxelsOf(*input->source)) {
-      const Int3 cell = mortonCell(code);
-      words[static_cast<std::size_t>((cell.z * extent_.y + cell.y) * extent_.x + cell.x)] = word;
-    }
-    return words;
-  }
   /// A file of one page.
   std::vector<std::uint32_t> page(std::uint32_t width, std::uint32_t height, const Layout &layout,
                                   const std::string &bytes) {
@@ -94,11 +80,6 @@ protected:
   template <typename Value> static std::string raw(std::initializer_list<Value> values) {
     return {reinterpret_cast<const char *>(values.begin()), values.size() * sizeof(Value)};
   }
-
-  TemporaryFolder folder_;
-  InputOptions options_;
-  std::vector<std::string> warnings_;
-  Int3 extent_;
 };
 
 using Words = std::vector<std::uint32_t>;

@@ -1,5 +1,5 @@
 // Voxels of a size that is asked for, with planes through a point: meshes, points and scans.
-#include "Source/SourceTesting.h"
+#include "Input/InputTesting.h"
 
 #include "voxc/Input/Input.h"
 
@@ -13,31 +13,9 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-class VoxelSizes : public testing::Test {
+class VoxelSizes : public OpenedInputs {
 protected:
-  Voxels voxels(const std::string &name, const std::string &content) {
-    const auto input = openInput(folder_.file(name, content), options_);
-    EXPECT_TRUE(input) << (input ? "" : input.error().message);
-    if (!input)
-      return {};
-    warnings_ = input->warnings;
-    provenance_ = input->provenance;
-    extent_ = input->source->extent();
-    map_ = input->source->voxelToModel();
-    return voxelsOf(*input->source);
-  }
-  std::string problem(const std::string &name, const std::string &content) {
-    const auto input = openInput(folder_.file(name, content), options_);
-    return input ? "none" : input.error().message;
-  }
   glm::dvec3 toModel(double x, double y, double z) const { return map_ * glm::dvec4(x, y, z, 1); }
-
-  TemporaryFolder folder_;
-  InputOptions options_;
-  std::vector<std::string> warnings_;
-  std::string provenance_;
-  Int3 extent_;
-  Transform map_;
 };
 
 /// A square of 1 x 0.5 from (0.1, 0.2, 0.3) on.
