@@ -25,6 +25,9 @@ public:
   /// Adds a rectangle with its texels, along the width first.
   void add(int width, int height, std::span<const std::uint32_t> texels);
 
+  /// More texels were added than any picture has: to add others would only take memory.
+  bool isOverfull() const { return texels_.size() > std::size_t{kMostSide} * kMostSide; }
+
   /// Places all rectangles. Error: they do not fit.
   Expected<void> pack();
 

@@ -28,6 +28,7 @@ class TexturedSurface {
 public:
   TexturedSurface(OutputFile &file, bool areLabels) : file_(file), areLabels_(areLabels) {}
 
+  /// False if no texture holds more, which `write` will say.
   bool add(const FaceRectangle &face, std::span<const std::uint32_t> words) {
     texels_.assign(words.begin(), words.end());
     for (std::uint32_t &texel : texels_) {
@@ -38,7 +39,7 @@ public:
     atlas_.add(face.width, face.height, texels_);
     addCorners(face, corners_);
     faces_.push_back(face);
-    return true;
+    return !atlas_.isOverfull();
   }
 
   Expected<void> write(const Transform &voxelToModel) {
