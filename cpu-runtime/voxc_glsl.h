@@ -41,6 +41,12 @@ VOXC_INLINE float ceil(float a) { return __builtin_ceilf(a); }
 VOXC_INLINE float trunc(float a) { return __builtin_truncf(a); }
 VOXC_INLINE float roundEven(float a) { return __builtin_roundevenf(a); }
 VOXC_INLINE float sqrt(float a) { return __builtin_sqrtf(a); }
+#ifdef __FMA__
+VOXC_INLINE float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+#else
+// Where the sum is no float32, it may be rounded twice.
+VOXC_INLINE float fma(float a, float b, float c) { return float(double(a) * double(b) + double(c)); }
+#endif
 VOXC_INLINE bool isnan(float a) { return __builtin_isnan(a); }
 VOXC_INLINE bool isinf(float a) { return __builtin_isinf(a); }
 VOXC_INLINE float ldexp(float a, int exponent) { return __builtin_ldexpf(a, exponent); }

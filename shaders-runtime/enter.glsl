@@ -160,14 +160,14 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   Walk start = entered(ray, walk, face, sure);
-%if ieee
 %if refines
-  bool asks_doubles = true;
+  if (!SETTLES && !sure && ordinary && !near.is_far)
+    start = entered_compensated(ray, walk, sure);
 %else
-  bool asks_doubles = SETTLES;
-%end
-  if (asks_doubles && !sure && ordinary && !near.is_far)
+%if ieee
+  if (SETTLES && !sure && ordinary && !near.is_far)
     start = entered_by_doubles(ray, walk, sure);
+%end
 %end
   if (SETTLES && !sure)
     start = entered_exactly(ray, walk, near.is_far);

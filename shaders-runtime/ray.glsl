@@ -12,6 +12,9 @@ struct Ray {
   ${real} certain;         // A coordinate that is at least this far below the next whole number is in its cell.
   bvec3 moves;           // False on an axis whose coordinate never changes.
   bvec3 falls;           // The coordinate falls.
+%if refines
+  bool is_moderate;      // No number as given but 0 is below 2^-40.
+%end
   bool plain;            // As given, it has no numbers but 0 and those whose significand has all its bits.
   ivec3 heading;         // -1 where the coordinate falls, else 1.
   ${real3-wide} beyond;          // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.

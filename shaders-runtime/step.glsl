@@ -10,7 +10,7 @@ void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, co
 %if refines
   walk.cell = sure ? cell : walk.cell;
   if (!sure)
-    sure = step_by_doubles(ray, walk, gap);
+    sure = step_compensated(ray, walk, gap);
   cell = walk.cell;
 %end
   // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes

@@ -33,7 +33,9 @@ private:
   void walkFunctions() {
     for (const char *path : kBeforeStep)
       file(path);
-    if (plan_.arithmetic == Arithmetic::Ieee)
+    if (plan_.steps == Steps::Refined)
+      file("step/compensated.glsl");
+    else if (plan_.arithmetic == Arithmetic::Ieee)
       file("step/doubles.glsl");
     file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
     for (const char *path : kAfterStep)

@@ -139,12 +139,28 @@ Expected<std::optional<Finding>> Finder::findOn(std::size_t machine, const Situa
   for (int again = 0; again < 3 && !options_.countsAlone && finding.ratio() > kSuspect; ++again)
     if (auto measured = measureAgain(**subject, finding.cost); !measured)
       return measured.error();
+  if (!options_.countsAlone && finding.ratio() > kSuspect) {
+    const auto moved = costMovedOff(shelf, situation, rays);
+    if (!moved)
+      return moved.error();
+    finding.movedOff = moved->nanoseconds / static_cast<double>(situation.count);
+  }
   if (situation.instances > 0)
     return std::optional(std::move(finding));
   finding.wrong = wrongOf(*stage_, situation, rays, (*subject)->hits(), finding.compared);
   if (auto counted = count(shelf, situation, some, **subject, finding); !counted)
     return counted.error();
   return std::optional(std::move(finding));
+}
+
+/// What the rays cost once they are moved off a little.
+Expected<Cost> Finder::costMovedOff(KernelShelf &shelf, const Situation &situation,
+                                    const StagedRays &rays) const {
+  const StagedRays moved = movedOff(rays);
+  auto subject = Subject::of(shelf, *stage_, situation, moved);
+  if (!subject)
+    return subject.error();
+  return measure(**subject);
 }
 
 /// Look-ups, and what was left to exact arithmetic.

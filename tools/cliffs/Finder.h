@@ -33,6 +33,7 @@ private:
   Expected<void> enter(const Place &place);
   Expected<std::optional<Finding>> findOn(std::size_t machine, const Situation &situation,
                                           const StagedRays &rays, const Calibration &calibration);
+  Expected<Cost> costMovedOff(KernelShelf &shelf, const Situation &situation, const StagedRays &rays) const;
   Expected<void> count(KernelShelf &shelf, const Situation &situation, const StagedRays &some,
                        Subject &subject, Finding &finding) const;
 

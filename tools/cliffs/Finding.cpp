@@ -28,6 +28,8 @@ tool::Json toJson(const Finding &finding) {
     json["peer_nanoseconds"] = *finding.peer;
     json["peer_ratio"] = finding.rayNanoseconds() / *finding.peer;
   }
+  if (finding.movedOff)
+    json["moved_off_nanoseconds"] = *finding.movedOff;
   return json;
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/Json.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,11 +21,14 @@ struct Finding {
   Expectation expected;
   double lookups = 0; ///< A ray, as counted; of instances 0.
   double settled = 0; ///< Steps, beginnings and arrivals a ray that exact arithmetic had to tell, on the cpu.
-  std::uint64_t compared = 0; ///< Rays that were compared with the oracle,
-  std::uint64_t wrong = 0;    ///< and those of them that were not right.
-  std::optional<double> peer; ///< Nanoseconds of another tracer a ray.
+  std::uint64_t compared = 0;     ///< Rays that were compared with the oracle,
+  std::uint64_t wrong = 0;        ///< and those of them that were not right.
+  std::optional<double> peer;     ///< Nanoseconds of another tracer a ray.
+  std::optional<double> movedOff; ///< Nanoseconds of the same rays moved off a little, a ray.
 
   double ratio() const { return cost.nanoseconds / expected.nanoseconds; }
+  /// How far it is off beside what is nearest to it: what is expected, or the other tracer.
+  double leastRatio() const { return peer ? std::min(ratio(), rayNanoseconds() / *peer) : ratio(); }
   double rayNanoseconds() const { return cost.nanoseconds / static_cast<double>(situation.count); }
   double lookupRatio() const { return lookups / std::max(expected.lookups, 1.0); }
 };

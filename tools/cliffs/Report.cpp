@@ -37,35 +37,44 @@ void printKinds(const std::vector<Finding> &findings) {
   for (const Finding &finding : findings)
     for (const std::string &kind : kindsOf(finding))
       kinds[kind].push_back(&finding);
-  std::printf("\n%-24s %6s %8s %8s %8s  %s\n", "kind", "number", "above 2", "median", "worst", "situation");
+  std::printf("\n%-24s %6s %8s %8s %8s %8s  %s\n", "kind", "number", "above 2", "of both", "median", "worst",
+              "situation");
   for (auto &[kind, members] : kinds) {
     std::ranges::sort(members, {}, &Finding::ratio);
     const auto above = std::ranges::count_if(members, [](const Finding *f) { return f->ratio() > kCliff; });
-    std::printf("%-24s %6zu %8td %8.2f %8.2f  %llu\n", kind.c_str(), members.size(), above,
+    const auto ofBoth =
+        std::ranges::count_if(members, [](const Finding *f) { return f->leastRatio() > kCliff; });
+    std::printf("%-24s %6zu %8td %8td %8.2f %8.2f  %llu\n", kind.c_str(), members.size(), above, ofBoth,
                 members[members.size() / 2]->ratio(), members.back()->ratio(),
                 static_cast<unsigned long long>(members.back()->situation.number));
   }
 }
 
+std::string toString(const std::optional<double> &nanoseconds) {
+  char text[24] = "";
+  if (nanoseconds)
+    std::snprintf(text, sizeof text, "%.1f", *nanoseconds);
+  return text;
+}
+
 } // namespace
 
 void printHead() {
-  std::printf("%10s %6s %9s %9s %7s %8s %8s %7s %6s %6s %6s  %s\n", "situation", "ratio", "ns a ray",
-              "expected", "peer", "lookups", "expected", "settled", "alloc", "faults", "wrong", "what");
+  std::printf("%10s %6s %9s %9s %7s %7s %8s %8s %7s %6s %6s %6s  %s\n", "situation", "ratio", "ns a ray",
+              "expected", "peer", "moved", "lookups", "expected", "settled", "alloc", "faults", "wrong",
+              "what");
 }
 
 void printFinding(const Finding &finding) {
   const auto count = static_cast<double>(finding.situation.count);
-  char peer[16] = "";
-  if (finding.peer)
-    std::snprintf(peer, sizeof peer, "%.1f", *finding.peer);
-  std::printf(
-      "%10llu %6.2f %9.1f %9.1f %7s %8.1f %8.1f %7.2f %6llu %6llu %6llu  %s: %s, %s\n",
-      static_cast<unsigned long long>(finding.situation.number), finding.ratio(), finding.rayNanoseconds(),
-      finding.expected.nanoseconds / count, peer, finding.lookups, finding.expected.lookups, finding.settled,
-      static_cast<unsigned long long>(finding.cost.allocations),
-      static_cast<unsigned long long>(finding.cost.faults), static_cast<unsigned long long>(finding.wrong),
-      finding.machine.c_str(), describe(finding.situation).c_str(), describe(finding.place).c_str());
+  std::printf("%10llu %6.2f %9.1f %9.1f %7s %7s %8.1f %8.1f %7.2f %6llu %6llu %6llu  %s: %s, %s\n",
+              static_cast<unsigned long long>(finding.situation.number), finding.ratio(),
+              finding.rayNanoseconds(), finding.expected.nanoseconds / count, toString(finding.peer).c_str(),
+              toString(finding.movedOff).c_str(), finding.lookups, finding.expected.lookups, finding.settled,
+              static_cast<unsigned long long>(finding.cost.allocations),
+              static_cast<unsigned long long>(finding.cost.faults),
+              static_cast<unsigned long long>(finding.wrong), finding.machine.c_str(),
+              describe(finding.situation).c_str(), describe(finding.place).c_str());
 }
 
 void printReport(const std::vector<Finding> &findings, std::size_t worst) {

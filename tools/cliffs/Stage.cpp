@@ -50,6 +50,16 @@ RayBounds boundsOf(Interval interval, const Ray &ray, const Hit &hit, Int3 exten
   return {static_cast<float>(from), static_cast<float>(to)};
 }
 
+/// Moves an origin by at most a 64th of a voxel, or what is 2^-20 of its distance, and turns a direction by a
+/// thousandth.
+void moveOff(Ray &ray, test::RandomSource &random) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double far = std::ldexp(std::abs(double{ray.origin[axis]}), -20);
+    ray.origin[axis] += static_cast<float>(random.real(0.5, 1) * std::max(1.0 / 64, far));
+    ray.direction[axis] *= static_cast<float>(1 + random.real(-0.001, 0.001));
+  }
+}
+
 } // namespace
 
 Passage passageOf(const Ray &ray, Int3 extent) {
@@ -111,6 +121,17 @@ StagedRays raysOf(const Stage &stage, const Situation &situation) {
     rays.bounded.push_back(bounded(ray, boundsOf(situation.interval, ray, hit, stage.place.extent, random)));
   }
   return rays;
+}
+
+StagedRays movedOff(const StagedRays &rays) {
+  StagedRays moved = rays;
+  test::RandomSource random(moved.plain.size());
+  for (std::size_t i = 0; i < moved.plain.size(); ++i) {
+    moveOff(moved.plain[i], random);
+    if (!moved.bounded.empty())
+      moved.bounded[i] = bounded(moved.plain[i], {rays.bounded[i].tmin, rays.bounded[i].tmax});
+  }
+  return moved;
 }
 
 } // namespace voxc::cliffs

@@ -36,6 +36,10 @@ struct StagedRays {
 /// The rays of a situation. The same for the same arguments.
 StagedRays raysOf(const Stage &stage, const Situation &situation);
 
+/// The same rays moved off a little, so that no number of theirs is special: what they cost beside these is
+/// what the numbers cost.
+StagedRays movedOff(const StagedRays &rays);
+
 /// Where a ray is in the cube [0, edge)^3 of voxels: from one t to the other, never before 0; empty if it
 /// misses it.
 struct Passage {
