@@ -38,7 +38,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME "libvoxc-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Development: headers, archives for C++, documentation and examples.")
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION "libdevel")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libvoxc0 (= ${PROJECT_VERSION}), libglm-dev, libzstd-dev, libvulkan-dev")
-set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "llvm-19-dev, clang-19, libclang-19-dev, libclang-cpp19-dev, glslang-dev, glslang-tools, spirv-tools, libboost-dev, zlib1g-dev, libbz2-dev, libturbojpeg0-dev, libpng-dev, libtiff-dev, libblosc-dev, libwebp-dev, libdraco-dev, libmeshoptimizer-dev, libstb-dev, libspirv-cross-c-shared-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "llvm-19-dev, clang-19, libclang-19-dev, libclang-cpp19-dev, glslang-dev, glslang-tools, spirv-tools, libboost-dev, zlib1g-dev, libbz2-dev, libexpat1-dev, libturbojpeg0-dev, libpng-dev, libtiff-dev, libblosc-dev, libwebp-dev, libdraco-dev, libmeshoptimizer-dev, libstb-dev, libspirv-cross-c-shared-dev")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "python3-voxc")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module: volumes from NumPy arrays, hits and pictures as arrays.")

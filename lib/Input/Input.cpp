@@ -33,7 +33,7 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
                             "VOXC_ASSIMP=ON, or convert it to .glb");
 }
 
-constexpr std::array<InputKind, 31> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 32> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -58,6 +58,7 @@ constexpr std::array<InputKind, 31> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".tif", openSlices, "slices"},
                                             {".tiff", openSlices, "slices"},
                                             {".nvdb", openNanoVdb, "a NanoVDB grid"},
+                                            {".vti", openVtk, "image data of VTK"},
                                             {".vdb", lackOpenVdb, "an OpenVDB grid"},
                                             {".fbx", lackAssimp, "a mesh"},
                                             {".dae", lackAssimp, "a mesh"},

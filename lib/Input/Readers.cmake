@@ -39,8 +39,12 @@ set(VOXC_INPUT_READERS
   Openers/OpenNrrd.cpp
   Openers/OpenNumpy.cpp
   Openers/OpenSlices.cpp
+  Openers/OpenVtk.cpp
   Openers/Units.cpp
   Points/PointColour.cpp
   Points/PointList.cpp
-  Points/PointSource.cpp)
-set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB BZip2::BZip2 png tiff blosc)
+  Points/PointSource.cpp
+  Vtk/VtiFile.cpp
+  Vtk/VtkData.cpp
+  Vtk/VtkImage.cpp)
+set(VOXC_INPUT_READER_LIBRARIES ZLIB::ZLIB BZip2::BZip2 EXPAT::EXPAT png tiff blosc)

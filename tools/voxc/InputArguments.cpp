@@ -127,7 +127,8 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .between(1, 1 << 30);
   command
       .add("--grid", arguments.grid,
-           "The grid of a .nvdb or .vdb file, or the array of a .npz; default: the first that can be a shape")
+           "The grid of a .nvdb or .vdb file, or the array of a .npz or .vti; default: the first that can be "
+           "a shape")
       .takes("NAME");
   command
       .add("--interior", arguments.interior,

@@ -27,7 +27,7 @@ constexpr MatterRow kMatters[] = {
     {".img.gz", kDense},    {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},    {".tif", kDense},
     {".npy", kDense},       {".npz", kDense},    {".tiff", kDense}, {".vox", kModels},   {".hvx", kOther},
     {".binvox", kOther},    {".fbx", kMesh},     {".dae", kMesh},   {".3ds", kMesh},     {".off", kMesh},
-    {".x3d", kMesh},
+    {".x3d", kMesh},        {".vti", kDense},
 };
 
 std::string lowerCase(std::string text) {
@@ -154,8 +154,8 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
                             input + "'; leave it out");
   if (auto checked = checkGrid(arguments, input); !checked)
     return checked;
-  if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb", ".npz"}))
-    return Error::usage("--grid is for .nvdb, .vdb and .npz files, and would do nothing for '" + input +
+  if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb", ".npz", ".vti"}))
+    return Error::usage("--grid is for .nvdb, .vdb, .npz and .vti files, and would do nothing for '" + input +
                         "'; leave it out");
   if (!arguments.fillColour.empty() && arguments.interior != "fill" && arguments.coverage != "centre")
     return Error::usage("--fill-colour is for --interior fill; give both, or leave it out");

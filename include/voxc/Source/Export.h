@@ -69,6 +69,7 @@ std::vector<ExportFormat> exportFormats();
 /// - .ply: binary points, int x y z, uchar red green blue alpha, one a voxel in Morton order;
 /// - .vox: MagicaVoxel, models of up to 256 cells a side in a scene graph, at most 255 colours; of a pattern
 ///   such as scene%d.vox a file for each cube of 1024 cells a side, with colours of its own;
+/// - .vti: VTK image data, a colour for each cell of the input's extent, and where they lie;
 /// - .nvdb: a NanoVDB grid of RGBA8 values, active where there are voxels;
 /// - .glb: the faces between voxels and empty cells as a mesh, merged, with a colour a vertex or a texture;
 /// - .png: a picture for each slice in the plane `options.slices`; `path` is a pattern with %d or %04d in

@@ -27,6 +27,8 @@ Expected<Input> openSlices(const std::string &path, const InputOptions &options)
 Expected<Input> openNanoVdb(const std::string &path, const InputOptions &options);
 /// A NumPy array (.npy), or one of an archive (.npz).
 Expected<Input> openNumpy(const std::string &path, const InputOptions &options);
+/// VTK's image data (.vti).
+Expected<Input> openVtk(const std::string &path, const InputOptions &options);
 Expected<Input> openRaw(const std::string &text, const InputOptions &options);
 
 } // namespace voxc

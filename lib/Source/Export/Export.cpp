@@ -17,6 +17,9 @@ std::uint64_t gridSize(const Volume &volume) {
          static_cast<std::uint64_t>(extent.z);
 }
 
+/// What is compressed takes at least a thousandth.
+std::uint64_t gridThousands(const Volume &volume) { return gridSize(volume) / 1024; }
+
 std::uint64_t voxelCount(const Volume &volume) { return volume.info().voxels; }
 
 /// Of a kind whose size is known when it is written.
@@ -30,7 +33,7 @@ struct ExportKind {
   WriteExport *write; ///< Null: the kind is no single file of voxels.
 };
 
-constexpr std::array<ExportKind, 8> kKinds{
+constexpr std::array<ExportKind, 9> kKinds{
     {{{".hvx", "the volume itself, stored again"}, "", 1, unknownSize, nullptr},
      {{".raw", "a dense grid of uint32 RGBA"}, "cells", 4, gridSize, writeGrid},
      {{".ply", "a point for each voxel"}, "points", 16, voxelCount, writePoints},
@@ -39,6 +42,11 @@ constexpr std::array<ExportKind, 8> kKinds{
       4,
       voxelCount,
       writeMagicaVoxel},
+     {{".vti", "image data of VTK, a colour for each cell"},
+      "thousands of cells",
+      4,
+      gridThousands,
+      writeVtkImage},
      {{".nvdb", "a NanoVDB grid of RGBA8 values"}, "", 1, unknownSize, writeNanoVdb},
      {{".vdb", "OpenVDB grids of density and colour, where voxc was built with it"},
       "",

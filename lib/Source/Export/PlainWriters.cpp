@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace voxc {
 
@@ -30,27 +29,9 @@ std::uint64_t cellsWithin(const Cube &cube, Int3 extent) {
 } // namespace
 
 Expected<void> writeGrid(const Volume &volume, OutputFile &file, const ExportOptions &options, Exported &) {
-  const Int3 extent = volume.info().extent;
-  // Layers are read eight at a time, or as many as take 64 MiB.
-  constexpr std::int64_t kCellsAtOnce = std::int64_t{1} << 24;
-  const std::int64_t layer = std::max<std::int64_t>(std::int64_t{extent.x} * extent.y, 1);
-  const auto layers = static_cast<std::int32_t>(std::clamp<std::int64_t>(kCellsAtOnce / layer, 1, 8));
-  const auto rows = static_cast<std::int32_t>(
-      std::clamp<std::int64_t>(kCellsAtOnce / std::max(extent.x, 1), 1, std::max(extent.y, 1)));
-  std::vector<std::uint32_t> words(static_cast<std::size_t>(layers * std::int64_t{extent.x} * rows));
-  for (Int3 low; low.z < extent.z; low.z += layers)
-    for (low.y = 0; low.y < extent.y; low.y += rows) {
-      if (options.save.progress.stopped())
-        return Error::interrupted();
-      const Int3 high{extent.x, std::min(low.y + rows, extent.y), std::min(low.z + layers, extent.z)};
-      const Int3 size = high - low;
-      const auto box =
-          std::span(words).first(static_cast<std::size_t>(std::int64_t{size.x} * size.y * size.z));
-      readBox(volume, low, high, box);
-      if (auto written = file.write(box.data(), box.size_bytes()); !written)
-        return written;
-    }
-  return {};
+  return forEachRun(volume, options.save.progress, [&](std::span<const std::uint32_t> words) {
+    return file.write(words.data(), words.size_bytes());
+  });
 }
 
 Expected<void> writePoints(const Volume &volume, OutputFile &file, const ExportOptions &options, Exported &) {

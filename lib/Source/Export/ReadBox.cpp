@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace voxc {
 
@@ -72,6 +73,31 @@ private:
 
 void readBox(const Volume &volume, Int3 low, Int3 high, std::span<std::uint32_t> words) {
   BoxReader(volume, low, high, words).run();
+}
+
+Expected<void> forEachRun(const Volume &volume, const Progress &progress,
+                          FunctionRef<Expected<void>(std::span<const std::uint32_t>)> visit) {
+  const Int3 extent = volume.info().extent;
+  // Layers are read eight at a time, or as many as take 64 MiB.
+  constexpr std::int64_t kCellsAtOnce = std::int64_t{1} << 24;
+  const std::int64_t layer = std::max<std::int64_t>(std::int64_t{extent.x} * extent.y, 1);
+  const auto layers = static_cast<std::int32_t>(std::clamp<std::int64_t>(kCellsAtOnce / layer, 1, 8));
+  const auto rows = static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(kCellsAtOnce / std::max(extent.x, 1), 1, std::max(extent.y, 1)));
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(layers * std::int64_t{extent.x} * rows));
+  for (Int3 low; low.z < extent.z; low.z += layers)
+    for (low.y = 0; low.y < extent.y; low.y += rows) {
+      if (progress.stopped())
+        return Error::interrupted();
+      const Int3 high{extent.x, std::min(low.y + rows, extent.y), std::min(low.z + layers, extent.z)};
+      const Int3 size = high - low;
+      const auto box =
+          std::span(words).first(static_cast<std::size_t>(std::int64_t{size.x} * size.y * size.z));
+      readBox(volume, low, high, box);
+      if (auto visited = visit(box); !visited)
+        return visited;
+    }
+  return {};
 }
 
 } // namespace voxc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Source/CubeTools.h"
+#include "voxc/Support/FunctionRef.h"
 #include "voxc/Volume/Volume.h"
 
 #include <span>
@@ -37,5 +38,10 @@ Expected<void> forEachVoxel(const Volume &volume, const Progress &progress, Visi
 /// Writes the words of the cells in [low, high), x fastest, then y, then z. Fastest where it begins and ends
 /// at multiples of eight cells: each cube of 8^3 is read as a whole.
 void readBox(const Volume &volume, Int3 low, Int3 high, std::span<std::uint32_t> words);
+
+/// Calls `visit` with the words of all cells, x fastest, then y, then z, many at once. Errors: those of
+/// `visit`; interrupted.
+Expected<void> forEachRun(const Volume &volume, const Progress &progress,
+                          FunctionRef<Expected<void>(std::span<const std::uint32_t>)> visit);
 
 } // namespace voxc

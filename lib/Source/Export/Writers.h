@@ -35,6 +35,9 @@ WriteExport writeTexturedSurface;
 /// A NanoVDB file of one RGBA8 grid. Errors: more than 2^31 leaves.
 WriteExport writeNanoVdb;
 
+/// VTK image data (.vti): a colour of 4 bytes for each cell, by zlib. Error: a pipe.
+WriteExport writeVtkImage;
+
 /// A picture for each z, of rows along x with y downwards, to the files that the pattern `path` names. Error:
 /// more than 2^26 cells a picture; no pattern for several.
 Expected<void> writeSlices(const Volume &volume, const std::string &path, const ExportOptions &options,
