@@ -33,7 +33,7 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
                             "VOXC_ASSIMP=ON, or convert it to .glb");
 }
 
-constexpr std::array<InputKind, 32> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 35> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -43,6 +43,9 @@ constexpr std::array<InputKind, 32> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".ply", openPly, "a mesh or points"},
                                             {".hvx", openVolume, "a volume"},
                                             {".vox", openMagicaVoxel, "MagicaVoxel models"},
+                                            {".schem", openMinecraft, "blocks of Minecraft"},
+                                            {".schematic", openMinecraft, "blocks of Minecraft"},
+                                            {".litematic", openMinecraft, "blocks of Minecraft"},
                                             {".binvox", openBinvox, "voxels without colours"},
                                             {".nrrd", openNrrd, "a dense volume"},
                                             {".nhdr", openNrrd, "a dense volume"},

@@ -27,6 +27,13 @@ set(VOXC_INPUT_READERS
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp
   MagicaVoxel/VoxScene.cpp
+  Minecraft/BlockColours.cpp
+  Minecraft/BlockGroups.cpp
+  Minecraft/BlockNumbers.cpp
+  Minecraft/BlockRegion.cpp
+  Minecraft/BlockScene.cpp
+  Minecraft/BlockTables.cpp
+  Minecraft/Nbt.cpp
   NanoVdb/NanoVdbFile.cpp
   NanoVdb/NanoVdbGrid.cpp
   NanoVdb/ValueKind.cpp
@@ -34,6 +41,7 @@ set(VOXC_INPUT_READERS
   Openers/NumberedPaths.cpp
   Openers/OpenBinvox.cpp
   Openers/OpenMagicaVoxel.cpp
+  Openers/OpenMinecraft.cpp
   Openers/OpenNanoVdb.cpp
   Openers/OpenNifti.cpp
   Openers/OpenNrrd.cpp

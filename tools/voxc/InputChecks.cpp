@@ -21,13 +21,15 @@ struct MatterRow {
 };
 
 constexpr MatterRow kMatters[] = {
-    {"builtin:", kBuiltin}, {"raw:", kDense},    {"grid:", kOther}, {".obj", kMesh},     {".ply", kMesh},
-    {".glb", kMesh},        {".gltf", kMesh},    {".stl", kMesh},   {".nrrd", kDense},   {".nhdr", kDense},
-    {".nii", kDense},       {".nii.gz", kDense}, {".hdr", kDense},  {".hdr.gz", kDense}, {".img", kDense},
-    {".img.gz", kDense},    {".vdb", kDense},    {".nvdb", kDense}, {".png", kDense},    {".tif", kDense},
-    {".npy", kDense},       {".npz", kDense},    {".tiff", kDense}, {".vox", kModels},   {".hvx", kOther},
-    {".binvox", kOther},    {".fbx", kMesh},     {".dae", kMesh},   {".3ds", kMesh},     {".off", kMesh},
-    {".x3d", kMesh},        {".vti", kDense},
+    {"builtin:", kBuiltin}, {"raw:", kDense},       {"grid:", kOther},      {".obj", kMesh},
+    {".ply", kMesh},        {".glb", kMesh},        {".gltf", kMesh},       {".stl", kMesh},
+    {".nrrd", kDense},      {".nhdr", kDense},      {".nii", kDense},       {".nii.gz", kDense},
+    {".hdr", kDense},       {".hdr.gz", kDense},    {".img", kDense},       {".img.gz", kDense},
+    {".vdb", kDense},       {".nvdb", kDense},      {".png", kDense},       {".tif", kDense},
+    {".npy", kDense},       {".npz", kDense},       {".tiff", kDense},      {".vox", kModels},
+    {".hvx", kOther},       {".binvox", kOther},    {".fbx", kMesh},        {".dae", kMesh},
+    {".3ds", kMesh},        {".off", kMesh},        {".x3d", kMesh},        {".vti", kDense},
+    {".schem", kOther},     {".schematic", kOther}, {".litematic", kOther},
 };
 
 std::string lowerCase(std::string text) {

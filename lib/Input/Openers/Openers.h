@@ -19,6 +19,8 @@ Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const
 Expected<Input> openPly(const std::string &path, const InputOptions &options);
 Expected<Input> openVolume(const std::string &path, const InputOptions &options);
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options);
+/// Schematics of Minecraft (.schem, .litematic, .schematic).
+Expected<Input> openMinecraft(const std::string &path, const InputOptions &options);
 Expected<Input> openBinvox(const std::string &path, const InputOptions &options);
 Expected<Input> openNrrd(const std::string &path, const InputOptions &options);
 Expected<Input> openNifti(const std::string &path, const InputOptions &options);

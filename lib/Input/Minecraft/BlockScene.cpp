@@ -1,0 +1,255 @@
+// The tags of schematics, and the numbers of their blocks.
+#include "Input/Minecraft/BlockScene.h"
+
+#include "Input/Minecraft/BlockColours.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+namespace voxc {
+
+namespace {
+
+using Box = std::array<std::int64_t, 3>;
+
+std::string textOf(const Box &size) {
+  return std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
+}
+
+/// What is said of all palettes together.
+class Palette {
+public:
+  /// The word of a block with this name.
+  std::uint32_t wordOf(std::string_view name) {
+    const BlockLook look = blockLook(name);
+    name = name.substr(0, name.find('['));
+    if (!look.isKnown)
+      ++unknown_[std::string(name)];
+    if (!look.fillsCell)
+      ++partial_[std::string(name)];
+    return look.word;
+  }
+
+  void warn(std::vector<std::string> &warnings) const {
+    if (!unknown_.empty())
+      warnings.push_back(
+          std::to_string(unknown_.size()) +
+          " kinds of blocks are not known, and have colours made of their names: " + named(unknown_));
+    if (!partial_.empty())
+      warnings.push_back(
+          std::to_string(partial_.size()) +
+          " kinds of blocks do not fill their cells, and are taken as if they did: " + named(partial_));
+  }
+
+private:
+  using Names = std::map<std::string, int>;
+
+  static std::string named(const Names &names) {
+    constexpr std::size_t kMostNamed = 6;
+    std::string text;
+    std::size_t count = 0;
+    for (const auto &[name, times] : names)
+      if (++count <= kMostNamed)
+        text += (count == 1 ? "" : ", ") + name.substr(0, 80);
+    return count > kMostNamed ? text + " and others" : text;
+  }
+
+  Names unknown_, partial_;
+};
+
+/// What else a file has, all regions together.
+struct Beside {
+  std::uint64_t entities = 0, blockEntities = 0, biomes = 0;
+
+  void warn(std::vector<std::string> &warnings) const {
+    if (blockEntities > 0)
+      warnings.push_back("what " + std::to_string(blockEntities) +
+                         " blocks hold or say, such as chests and signs, is left out");
+    if (entities > 0)
+      warnings.push_back(std::to_string(entities) + " entities, such as animals and paintings, are left out");
+    if (biomes > 0)
+      warnings.push_back("biomes are left out: grass, leaves and water have the colours of plains");
+  }
+};
+
+/// Error: no blocks, or more than any file has.
+Expected<void> checkSize(const Box &size) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 40;
+  if (size[0] < 1 || size[1] < 1 || size[2] < 1)
+    return Error::input("its box of " + textOf(size) + " blocks has none");
+  if (size[0] > kMost || size[1] > kMost / size[0] || size[2] > kMost / size[0] / size[1])
+    return Error::input("its box of " + textOf(size) + " blocks is larger than any file");
+  return {};
+}
+
+Error lacks(std::string_view what) { return Error::input("it has no " + std::string(what)); }
+
+/// Width, height and length, of 16 bits without a sign.
+Expected<Box> sizeOf(const NbtTag &schematic) {
+  Box size{};
+  constexpr std::array<std::string_view, 3> kNames{"Width", "Height", "Length"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto number = schematic[kNames[axis]].number();
+    if (!number)
+      return lacks("tag " + std::string(kNames[axis]) + " with a number");
+    size[axis] = *number & 0xffff;
+  }
+  if (auto checked = checkSize(size); !checked)
+    return checked.error();
+  return size;
+}
+
+/// Three numbers as an array, else 0.
+Box offsetOf(const NbtTag &tag) {
+  Box low{};
+  const auto bytes = tag.array(NbtKind::IntArray);
+  for (std::size_t i = 0; i < 12 && bytes.size() >= 12; ++i)
+    low[i / 4] =
+        i % 4 == 0 ? static_cast<std::int8_t>(bytes[i]) : low[i / 4] * 256 + std::to_integer<int>(bytes[i]);
+  return low;
+}
+
+/// The words of a compound that says the number of each name.
+Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, Palette &names) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 20;
+  std::vector<std::uint32_t> words;
+  bool isRight = palette.kind() == NbtKind::Compound;
+  palette.forEach([&](const NbtTag &tag) {
+    const std::int64_t number = tag.number().value_or(-1);
+    isRight = isRight && number >= 0 && number < kMost;
+    if (!isRight)
+      return false;
+    if (words.size() <= static_cast<std::size_t>(number))
+      words.resize(static_cast<std::size_t>(number) + 1);
+    words[static_cast<std::size_t>(number)] = names.wordOf(tag.name());
+    return true;
+  });
+  if (!isRight)
+    return Error::input("its palette is none: each name should have a number from 0 to " +
+                        std::to_string(kMost - 1));
+  return words;
+}
+
+/// A schematic of Sponge. Version 3 has blocks in a compound of their own.
+Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, Palette &names, Beside &beside) {
+  const std::int64_t version = schematic["Version"].number().value_or(0);
+  if (version < 1 || version > 3)
+    return Error::input("it is a schematic of version " + std::to_string(version) + "; voxc reads 1 to 3");
+  const NbtTag blocks = version == 3 ? schematic["Blocks"] : schematic;
+  const auto size = sizeOf(schematic);
+  if (!size)
+    return size.error();
+  auto words = wordsOf(blocks["Palette"], names);
+  if (!words)
+    return words.error();
+  BlockRegion region{.low = offsetOf(schematic["Offset"]), .size = *size, .words = std::move(*words)};
+  region.data = blocks[version == 3 ? "Data" : "BlockData"].array(NbtKind::ByteArray);
+  beside.blockEntities += blocks["BlockEntities"].size() + blocks["TileEntities"].size();
+  beside.entities += schematic["Entities"].size();
+  beside.biomes += schematic["BiomeData"].size() + schematic["Biomes"].size();
+  scene.regions.push_back(std::move(region));
+  return {};
+}
+
+Expected<Box> vectorOf(const NbtTag &tag, std::string_view what) {
+  const auto x = tag["x"].number(), y = tag["y"].number(), z = tag["z"].number();
+  if (!x || !y || !z)
+    return lacks(std::string(what) + " of a region");
+  return Box{*x, *y, *z};
+}
+
+/// A region of Litematica. A negative size goes from its position down.
+Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, Palette &names, Beside &beside) {
+  const auto low = vectorOf(tag["Position"], "Position"), size = vectorOf(tag["Size"], "Size");
+  if (!low || !size)
+    return low ? size.error() : low.error();
+  BlockRegion region{.low = *low, .size = *size};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    constexpr std::int64_t kFar = std::int64_t{1} << 31;
+    if (std::abs((*low)[axis]) > kFar || std::abs((*size)[axis]) > kFar)
+      return Error::input("a region of it lies beyond 2^31 blocks");
+    if ((*size)[axis] < 0) {
+      region.size[axis] = -(*size)[axis];
+      region.low[axis] += (*size)[axis] + 1;
+    }
+  }
+  if (auto checked = checkSize(region.size); !checked)
+    return checked;
+  const NbtTag palette = tag["BlockStatePalette"];
+  if (palette.kind() != NbtKind::List || palette.size() == 0)
+    return lacks("BlockStatePalette of a region");
+  palette.forEach([&](const NbtTag &block) {
+    region.words.push_back(names.wordOf(block["Name"].text().value_or("")));
+    return true;
+  });
+  region.coding = BlockCoding::Packed;
+  region.bits = std::max(2u, static_cast<unsigned>(std::bit_width(region.words.size() - 1)));
+  region.data = tag["BlockStates"].array(NbtKind::LongArray);
+  beside.blockEntities += tag["TileEntities"].size();
+  beside.entities += tag["Entities"].size();
+  scene.regions.push_back(std::move(region));
+  return {};
+}
+
+/// A schematic from before blocks had names.
+Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, Palette &names, Beside &beside) {
+  const auto size = sizeOf(schematic);
+  if (!size)
+    return size.error();
+  BlockRegion region{.size = *size, .coding = BlockCoding::Bytes};
+  region.data = schematic["Blocks"].array(NbtKind::ByteArray);
+  region.kinds = schematic["Data"].array(NbtKind::ByteArray);
+  region.more = schematic["AddBlocks"].array(NbtKind::ByteArray);
+  const auto count = static_cast<std::size_t>(region.count());
+  if (region.data.size() != count || (!region.kinds.empty() && region.kinds.size() != count) ||
+      (!region.more.empty() && region.more.size() < (count + 1) / 2))
+    return Error::input("its box of " + textOf(*size) + " blocks needs as many numbers, but there are " +
+                        std::to_string(region.data.size()));
+  constexpr std::size_t kNumbers = 4096 * 16;
+  std::vector<bool> isUsed(kNumbers);
+  for (std::size_t i = 0; i < count; ++i)
+    isUsed[region.numberAt(i)] = true;
+  region.words.resize(kNumbers);
+  for (unsigned i = 0; i < kNumbers; ++i)
+    if (isUsed[i])
+      region.words[i] =
+          names.wordOf(oldBlockName(i >> 4, i & 15).value_or("number:" + std::to_string(i >> 4)));
+  beside.blockEntities += schematic["TileEntities"].size();
+  beside.entities += schematic["Entities"].size();
+  scene.regions.push_back(std::move(region));
+  return {};
+}
+
+Expected<void> readRegions(const NbtTag &regions, BlockScene &scene, Palette &names, Beside &beside) {
+  Expected<void> read;
+  regions.forEach([&](const NbtTag &region) {
+    read = readRegion(region, scene, names, beside);
+    return bool(read);
+  });
+  if (read && scene.regions.empty())
+    return lacks("regions");
+  return read;
+}
+
+} // namespace
+
+Expected<BlockScene> readBlockScene(const NbtTag &file) {
+  BlockScene scene;
+  Palette names;
+  Beside beside;
+  const NbtTag schematic = file["Schematic"] ? file["Schematic"] : file;
+  const auto read = file["Regions"]        ? readRegions(file["Regions"], scene, names, beside)
+                    : schematic["Version"] ? readSponge(schematic, scene, names, beside)
+                    : schematic["Blocks"]
+                        ? readOld(schematic, scene, names, beside)
+                        : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or "
+                                "regions of Litematica");
+  if (!read)
+    return read.error();
+  names.warn(scene.warnings);
+  beside.warn(scene.warnings);
+  return scene;
+}
+
+} // namespace voxc

@@ -1,0 +1,58 @@
+// Minecraft's schematics as boxes of blocks.
+#pragma once
+
+#include "Input/Minecraft/Nbt.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// How the numbers of blocks are stored, x fastest, then z, then y.
+enum class BlockCoding : std::uint8_t {
+  Varint, ///< Seven bits a byte, the low ones first.
+  Packed, ///< So many bits each, across big-endian longs.
+  Bytes,  ///< A byte each, and perhaps four more bits in an array of their own.
+};
+
+/// A box of blocks.
+struct BlockRegion {
+  std::array<std::int64_t, 3> low{};
+  std::array<std::int64_t, 3> size{};
+  std::vector<std::uint32_t> words; ///< By the number of a block; 0 for air.
+  BlockCoding coding = BlockCoding::Varint;
+  unsigned bits = 0; ///< Of `Packed`.
+  std::span<const std::byte> data;
+  std::span<const std::byte>
+      more; ///< Of `Bytes`: the bits above, two blocks a byte, the first in the low ones.
+  std::span<const std::byte>
+      kinds; ///< Of `Bytes`: which of 16 kinds of a number a block is, in the low bits.
+
+  /// Blocks in all. At most 2^40, which was proven.
+  std::uint64_t count() const {
+    return static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]) *
+           static_cast<std::uint64_t>(size[2]);
+  }
+
+  /// Of `Bytes`, whose arrays are long enough: a number of 12 bits, and behind it a kind of 4.
+  std::uint32_t numberAt(std::size_t block) const;
+
+  /// Calls `visit(cell, word)` for each block that is no air, `cell` from (0, 0, 0) on, until it returns
+  /// false. Errors: fewer numbers than blocks; a number that is none of the palette's.
+  Expected<void>
+  forEachBlock(FunctionRef<bool(const std::array<std::int64_t, 3> &cell, std::uint32_t word)> visit) const;
+};
+
+struct BlockScene {
+  std::vector<BlockRegion> regions;
+  std::vector<std::string> warnings;
+};
+
+/// The boxes of a Sponge schematic (.schem, versions 1 to 3), a Litematica file (.litematic) or a schematic
+/// of old (.schematic), whichever the tags are. They point into `file`'s bytes. Errors: none of these; what a
+/// box needs is missing, or is larger than its data.
+Expected<BlockScene> readBlockScene(const NbtTag &file);
+
+} // namespace voxc

@@ -1,0 +1,161 @@
+// Opening Minecraft's schematics: blocks as voxels, each of one colour. Their up is +y, as that of voxels.
+#include "Input/Openers/Openers.h"
+
+#include "Input/Dense/GzipReader.h"
+#include "Input/Minecraft/BlockScene.h"
+#include "Input/Openers/InputText.h"
+#include "Source/BinnedVoxels.h"
+#include "Source/GridExtent.h"
+#include "Support/WatchedFile.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxc {
+
+namespace {
+
+using Bytes = ScratchArray<std::byte>;
+using Box = std::array<std::int64_t, 3>;
+
+/// The bytes that gzip packed. How many there are nobody says before.
+Expected<Bytes> inflate(std::span<const std::byte> packed, const InputOptions &options) {
+  constexpr std::uint64_t kStep = std::uint64_t{1} << 20;
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
+  GzipReader reader(packed);
+  Bytes bytes(options.memory);
+  for (std::uint64_t done = 0;;) {
+    if (options.progress.stopped())
+      return Error::interrupted();
+    if (done >= kMost)
+      return Error::input("it has more than 4 GiB when it is inflated");
+    if (auto sized = bytes.resize(done + kStep); !sized)
+      return sized.error();
+    const auto read = reader.readSome(bytes.span().subspan(done, kStep));
+    if (!read)
+      return read.error();
+    done += *read;
+    options.memory->relieve(kStep);
+    if (*read == kStep)
+      continue;
+    if (auto sized = bytes.resize(done); !sized)
+      return sized.error();
+    return bytes;
+  }
+}
+
+/// The box around all regions.
+struct Around {
+  Box low, high;
+
+  explicit Around(const std::vector<BlockRegion> &regions) : low(regions.front().low), high(low) {
+    for (const BlockRegion &region : regions)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], region.low[axis]);
+        high[axis] = std::max(high[axis], region.low[axis] + region.size[axis]);
+      }
+  }
+};
+
+/// Calls `visit(voxel, word)` for each block of each region. Later regions do not cover earlier ones.
+template <typename Visit>
+Expected<void> forEachBlock(const BlockScene &scene, const Box &low, const InputOptions &options,
+                            Visit visit) {
+  constexpr std::uint64_t kBetweenLooks = 1 << 16;
+  std::uint64_t blocks = 0;
+  bool isStopped = false;
+  for (const BlockRegion &region : scene.regions) {
+    auto visited = region.forEachBlock([&](const Box &cell, std::uint32_t word) {
+      const auto along = [&](std::size_t axis) {
+        return static_cast<std::int32_t>(region.low[axis] - low[axis] + cell[axis]);
+      };
+      isStopped = ++blocks % kBetweenLooks == 0 && options.progress.stopped();
+      visit(Int3{along(0), along(1), along(2)}, word);
+      return !isStopped;
+    });
+    if (isStopped)
+      return Error::interrupted();
+    if (!visited)
+      return visited;
+  }
+  return {};
+}
+
+Expected<Input> openScene(BlockScene scene, const InputOptions &options) {
+  const Around box(scene.regions);
+  const Int3 holds = options.mostExtent();
+  Box size{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    size[axis] = box.high[axis] - box.low[axis];
+  if (size[0] > holds.x || size[1] > holds.y || size[2] > holds.z)
+    return Error::usage("takes " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
+                        std::to_string(size[2]) + " voxels, but the format holds " + toText(holds) +
+                        "; enlarge the format");
+  const Int3 extent{static_cast<std::int32_t>(size[0]), static_cast<std::int32_t>(size[1]),
+                    static_cast<std::int32_t>(size[2])};
+  auto voxels = BinnedVoxels::create(extent, options.memory);
+  if (!voxels)
+    return voxels.error();
+  std::uint64_t blocks = 0;
+  auto counted = forEachBlock(scene, box.low, options, [&](Int3 voxel, std::uint32_t) {
+    voxels->count(voxel);
+    ++blocks;
+  });
+  if (!counted)
+    return counted.error();
+  if (auto allocated = voxels->allocate(); !allocated)
+    return allocated.error();
+  auto placed = forEachBlock(scene, box.low, options,
+                             [&](Int3 voxel, std::uint32_t word) { voxels->place(voxel, word); });
+  if (!placed)
+    return placed.error();
+  Input input;
+  Transform map;
+  for (int axis = 0; axis < 3; ++axis)
+    map[3][axis] = static_cast<double>(box.low[static_cast<std::size_t>(axis)]);
+  input.source = std::move(*voxels).finish(map);
+  input.provenance = "coverage=blocks";
+  input.warnings = std::move(scene.warnings);
+  if (options.describe)
+    input.facts = {countFact("regions", scene.regions.size()), sizeFact("size", extent),
+                   countFact("blocks", blocks)};
+  return input;
+}
+
+Expected<Input> openBytes(std::span<const std::byte> bytes, const InputOptions &options) {
+  Bytes inflated(options.memory);
+  if (isGzip(bytes)) {
+    auto all = inflate(bytes, options);
+    if (!all)
+      return all.error();
+    inflated = std::move(*all);
+    bytes = std::as_const(inflated).span();
+  }
+  const auto tags = readNbt(bytes);
+  if (!tags)
+    return tags.error();
+  auto scene = readBlockScene(*tags);
+  if (!scene)
+    return scene.error();
+  return openScene(std::move(*scene), options);
+}
+
+} // namespace
+
+Expected<Input> openMinecraft(const std::string &path, const InputOptions &options) {
+  const Stopwatch loading;
+  const auto file = WatchedFile::open(path, options.memory);
+  if (!file)
+    return file.error();
+  auto input = openBytes((*file)->bytes(), options);
+  if (!input && input.error().kind == ErrorKind::Usage)
+    return Error::usage("'" + path + "' " + input.error().message);
+  if (!input && input.error().kind == ErrorKind::Input)
+    return Error::input("'" + path + "' is not a usable Minecraft schematic: " + input.error().message);
+  if (input)
+    input->loadSeconds = loading.seconds();
+  return input;
+}
+
+} // namespace voxc
