@@ -78,7 +78,18 @@ typedef struct voxc_source {
 VOXC_API voxc_error *voxc_build_source(const voxc_format *format, const voxc_source *source,
                                        const voxc_build_options *options, voxc_volume **volume);
 
-/* How a file becomes voxels; a member that is 0 or null has the usual value of the command line. */
+/* What an input tells of itself: sentences that the tools would print, by the thread that called. A function
+ * may be null. */
+typedef struct voxc_input_report {
+  /* What of a file was left out, or taken otherwise than it may be meant. */
+  void (*warning)(void *user, const char *sentence);
+  /* What was done as it was asked for, or as it is usual. */
+  void (*note)(void *user, const char *sentence);
+  void *user;
+} voxc_input_report;
+
+/* How a file becomes voxels: the options of `voxc build`. A member that is 0 or null has the usual value of
+ * the command line, and one that means nothing for the input at hand is an error, as there. */
 typedef struct voxc_input_options {
   size_t struct_size;
   int32_t resolution; /* Voxels on the longest axis of a mesh; 0: what the format holds. */
@@ -90,10 +101,26 @@ typedef struct voxc_input_options {
   const double *threshold;
   /* Of a dense volume: "grey" (null), "heat", "dusk", "polar"; or "labels", also of MagicaVoxel models. */
   const char *colour_map;
+  /* Of a mesh's texture: "mean" (null) of a voxel's texels, where they are finer than it, or "nearest". */
+  const char *colour;
+  /* In place of a resolution: the side of a voxel, a number in units of the model, or with a unit behind it.
+   * A scan is made anew in such cubes. */
+  const char *voxel_size;
+  const char *unit; /* What a step of 1 in the model is, for a voxel_size with a unit; null: by the file. */
+  const double *align;  /* Three numbers: a point of the model through which planes between voxels go. */
+  const double *bounds; /* Crops a mesh to a box of model space: six numbers, the low corner first. */
+  const double *window; /* Samples with the first and the last colour: two numbers; null: by the samples. */
+  int32_t volume;       /* Which of several volumes or components of a scan, from 1 on; 0: the first. */
+  const char *grid;     /* The grid of a NanoVDB file, or the array of a .npz; null: the first of a shape. */
+  const char *interior; /* The inside of things: "keep" (null), "drop" or "fill". */
+  const char *fill_colour;         /* Of voxels that fill the inside, as rrggbb or rrggbbaa; null: white. */
+  int crop;                        /* 1: moves the smallest box around all voxels to the origin. */
+  const voxc_input_report *report; /* Null: nobody is told. */
 } voxc_input_options;
 #define VOXC_INPUT_OPTIONS {.struct_size = sizeof(voxc_input_options)}
 
-/* Builds a mesh, points, MagicaVoxel models or a dense volume: all that `voxc build` takes as INPUT. */
+/* Builds a mesh, points, MagicaVoxel models or a dense volume: all that `voxc build` takes as INPUT. Errors:
+ * those of `voxc build`, in its words, which name options as "--voxel-size". */
 VOXC_API voxc_error *voxc_build_input(const voxc_format *format, const char *input,
                                       const voxc_input_options *input_options,
                                       const voxc_build_options *options, voxc_volume **volume);

@@ -3,7 +3,8 @@
 #include "Source/GridExtent.h"
 #include "Support/ParallelFor.h"
 #include "voxc/Construct/Constructor.h"
-#include "voxc/Input/Input.h"
+#include "voxc/IR/Attribute.h"
+#include "voxc/Input/Arguments.h"
 #include "voxc/Source/Sources.h"
 
 #include <algorithm>
@@ -77,6 +78,46 @@ Expected<std::vector<CodedVoxel>> sorted(const std::int32_t *places, const std::
   return voxels;
 }
 
+/// So many numbers; none of null.
+std::vector<double> numbersOf(const double *numbers, std::size_t count) {
+  return numbers ? std::vector<double>(numbers, numbers + count) : std::vector<double>();
+}
+
+/// As a command line would have them.
+InputArguments argumentsOf(const voxc_input_options &read) {
+  InputArguments arguments;
+  arguments.resolution = read.resolution;
+  arguments.voxelSize = textOr(read.voxel_size, "");
+  arguments.unit = textOr(read.unit, "");
+  arguments.align = numbersOf(read.align, 3);
+  arguments.bounds = numbersOf(read.bounds, 6);
+  arguments.up = read.z_up > 0 ? "z" : read.z_up < 0 ? "y" : "";
+  arguments.coverage = textOr(read.coverage, "");
+  arguments.colour = textOr(read.colour, "");
+  if (read.threshold)
+    arguments.threshold = *read.threshold;
+  arguments.colourMap = textOr(read.colour_map, "");
+  arguments.window = numbersOf(read.window, 2);
+  arguments.volume = read.volume;
+  arguments.grid = textOr(read.grid, "");
+  arguments.interior = textOr(read.interior, "");
+  arguments.fillColour = textOr(read.fill_colour, "");
+  arguments.crop = read.crop != 0;
+  return arguments;
+}
+
+/// Words of such a format are labels, as of the colour map of that name.
+bool isOfLabels(const Format &format) {
+  return format.attributes.value(kPayloadAttribute).starts_with("material");
+}
+
+void tell(const std::vector<std::string> &sentences, void (*function)(void *user, const char *sentence),
+          void *user) {
+  if (function)
+    for (const std::string &sentence : sentences)
+      function(user, sentence.c_str());
+}
+
 } // namespace
 
 voxc_error *voxc_build_grid(const voxc_format *format, const uint32_t *words, const int32_t extent[3],
@@ -128,24 +169,29 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
     const voxc_build_options given = optionsOf(options);
     const voxc_input_options read = optionsOf(input_options);
     const CallersProgress progress(given.progress);
-    InputOptions choices{.resolution = read.resolution, .formatExtent = format->format.extent()};
-    choices.isUpKnown = read.z_up != 0;
-    choices.zUp = read.z_up > 0;
-    choices.isAutomatic = true;
-    if (read.threshold)
-      choices.threshold = *read.threshold;
-    choices.colourMap = textOr(read.colour_map, choices.colourMap.c_str());
-    const std::string name = textOr(read.coverage, "conservative");
-    const std::optional<Coverage> coverage = coverageOf(name);
-    if (!coverage)
-      return wrap(Error::usage("'" + name + "' is no coverage; there are conservative, thin, inner, centre"));
-    choices.coverage = *coverage;
+    InputArguments arguments = argumentsOf(read);
+    if (auto checked = checkInputValues(arguments); !checked)
+      return wrap(checked);
+    if (auto checked = checkInputArguments(arguments, input); !checked)
+      return wrap(checked);
+    if (isOfLabels(format->format) && arguments.colourMap.empty())
+      arguments.colourMap = "labels";
+    InputOptions choices = inputOptionsOf(arguments, format->format.extent());
     choices.threads = given.threads;
     choices.memory = memoryOf(given);
     choices.progress = progress.get();
     Expected<Input> opened = openInput(input, choices);
     if (!opened)
       return wrap(opened.error());
-    return build(format, *opened->source, given, choices.memory, progress.get(), opened->provenance, volume);
+    const voxc_input_report report = read.report ? *read.report : voxc_input_report();
+    tell(opened->warnings, report.warning, report.user);
+    tell(opened->notes, report.note, report.user);
+    voxc_error *const error =
+        build(format, *opened->source, given, choices.memory, progress.get(), opened->provenance, volume);
+    if (!error && (*volume)->volume->info().voxels == 0)
+      tell({"the volume is empty: the input has no voxel" +
+            std::string(read.bounds ? " within --bounds" : "")},
+           report.warning, report.user);
+    return error;
   });
 }

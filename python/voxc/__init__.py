@@ -13,9 +13,10 @@ from .building import build
 from .format import Format
 from .picture import save_picture
 from .search import search
+from .told import InputWarning
 from .tracer import BOUNDED_RAY, HIT, RAY, Tracer, devices, normals
 from .volume import Volume
 
 __version__ = _lib.voxc_version().decode()
-__all__ = ["BOUNDED_RAY", "Error", "Format", "HIT", "RAY", "Tracer", "Volume", "build", "devices", "normals",
+__all__ = ["BOUNDED_RAY", "Error", "Format", "HIT", "InputWarning", "RAY", "Tracer", "Volume", "build", "devices", "normals",
            "save_picture", "search"]

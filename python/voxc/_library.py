@@ -23,6 +23,7 @@ class Error(Exception):
 
 REPORT = ctypes.CFUNCTYPE(c_int, c_void_p, c_char_p, c_double, c_uint64)
 VOXEL = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_int32, c_int32, c_int32)
+SENTENCE = ctypes.CFUNCTYPE(None, c_void_p, c_char_p)
 IS_EMPTY = ctypes.CFUNCTYPE(c_int, c_void_p, c_int32, c_int32, c_int32, c_int32)
 
 
@@ -54,9 +55,16 @@ class Source(ctypes.Structure):
     _fields_ = [("extent", c_int32 * 3), ("voxel", VOXEL), ("is_empty", IS_EMPTY), ("user", c_void_p)]
 
 
+class InputReport(ctypes.Structure):
+    _fields_ = [("warning", SENTENCE), ("note", SENTENCE), ("user", c_void_p)]
+
+
 class InputOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("resolution", c_int32), ("coverage", c_char_p), ("z_up", c_int),
-                ("threshold", POINTER(c_double)), ("colour_map", c_char_p)]
+                ("threshold", POINTER(c_double)), ("colour_map", c_char_p), ("colour", c_char_p), ("voxel_size", c_char_p),
+                ("unit", c_char_p), ("align", POINTER(c_double)), ("bounds", POINTER(c_double)), ("window", POINTER(c_double)),
+                ("volume", c_int32), ("grid", c_char_p), ("interior", c_char_p), ("fill_colour", c_char_p), ("crop", c_int),
+                ("report", POINTER(InputReport))]
 
 
 class PictureOptions(ctypes.Structure):

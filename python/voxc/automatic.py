@@ -3,7 +3,10 @@ import os
 import pathlib
 import tempfile
 
+import numpy as np
+
 from ._program import run
+from .told import Told
 from .volume import Volume
 
 
@@ -14,14 +17,26 @@ def build_automatic(build, input, words, threshold, path, compress, options):
         if input is None:
             input, threshold = _plain(build, words, threshold, scratch / "plain.hvx"), None
         output = pathlib.Path(path) if path is not None else scratch / "volume.hvx"
-        command = ["build", "auto", os.fspath(input), "-o", os.fspath(output), "--quiet"]
+        command = ["build", "auto", os.fspath(input), "-o", os.fspath(output)]
         given = dict(options, threshold=threshold)
         z_up = given.pop("z_up", None)
         if z_up is not None:
             command.append("--up=" + ("z" if z_up else "y"))
-        command += [f"--{name.replace('_', '-')}={value}" for name, value in given.items() if value is not None]
-        run(command + (["--compress"] if compress else []))
-        return Volume.load(output, trusted=True)  # A mapped file stays when its name is gone.
+        flags = {"--crop": given.pop("crop", None), "--compress": compress}
+        command += [f"--{name.replace('_', '-')}={_word(value)}" for name, value in given.items() if value is not None]
+        told = Told()
+        try:
+            run(command + [name for name, is_set in flags.items() if is_set], said=told.read)
+        finally:
+            told.warn(3)
+        volume = Volume.load(output, trusted=True)  # A mapped file stays when its name is gone.
+        volume._told = told
+        return volume
+
+
+def _word(value):
+    """A value as the program takes it: several numbers with commas between."""
+    return ",".join(map(str, value)) if isinstance(value, (tuple, list, np.ndarray)) else str(value)
 
 
 def _plain(build, words, threshold, path):

@@ -7,10 +7,12 @@ from . import arrays
 from ._names import refuse_unknown
 from .automatic import build_automatic
 from .format import Format
+from .told import Told
 from .volume import Volume
 
 
-INPUT_OPTIONS = ("resolution", "coverage", "z_up", "colour_map")
+INPUT_OPTIONS = ("resolution", "voxel_size", "unit", "align", "bounds", "z_up", "coverage", "colour", "colour_map", "volume", "grid",
+                 "interior", "fill_colour", "crop")
 
 
 def build(format, input=None, *, voxels=None, labels=None, greys=None, densities=None, threshold=None, window=None, places=None,
@@ -18,8 +20,10 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
           compress=False, progress=None, **input_options):
     """Builds a volume in a format (a Format, or a text and `passes`). Its voxels come from one of
 
-    input    a file: a mesh, points, .vox, a dense volume, "builtin:terrain"; options are resolution, coverage, z_up,
-             threshold and colour_map, as of the tools
+    input    a file: a mesh, points, .vox, a dense volume, "builtin:terrain"; options are those of `voxc build`: resolution,
+             voxel_size (0.5 or "0.5mm"), unit, align (x, y, z), bounds (x0, y0, z0, x1, y1, z1), z_up, coverage, colour,
+             threshold, colour_map, window (low, high), volume, grid, interior, fill_colour and crop. What is left out of
+             the file is an InputWarning each, and among the `warnings` of the volume, beside its `notes`
     voxels   an array [z, y, x]: uint32 words, bool, or uint8 of shape (z, y, x, 4) or (z, y, x, 3) for RGBA and RGB, where
              an alpha of 0 is empty; of RGB, black is
     labels   whole numbers [z, y, x] from 0, which is empty, to 65535: the words of the volume, as of the colour map "labels"
@@ -39,7 +43,8 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
         raise TypeError("build takes one of input, voxels, labels, greys, densities, places and voxel")
     refuse_unknown("build", input_options, OPTIONS)
     meant = {"threshold": (threshold, input is not None or densities is not None, "files and densities"),
-             "window": (window, densities is not None, "densities"), "colours": (colours, places is not None, "places"),
+             "window": (window, input is not None or densities is not None, "files and densities"),
+             "colours": (colours, places is not None, "places"),
              "extent": (extent, places is not None or voxel is not None, "places and functions"),
              "is_empty": (is_empty, voxel is not None, "functions"),
              "passes": (passes, not isinstance(format, Format), "formats that are texts"),
@@ -53,7 +58,8 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
             raise TypeError("passes and progress are for a format that is named")
         words = dict(voxels=voxels, labels=labels, greys=greys, densities=densities, window=window, places=places, colours=colours,
                      voxel=voxel, is_empty=is_empty, extent=extent)
-        return build_automatic(build, input, words, threshold, path, compress, dict(input_options, threads=threads, memory=memory_bytes))
+        input_options.update(window=window if input is not None else None, threads=threads, memory=memory_bytes)
+        return build_automatic(build, input, words, threshold, path, compress, input_options)
     made = format if isinstance(format, Format) else Format(format, passes)
     reporter = c.Reporter(progress)
     if voxel is not None and threads is None:
@@ -61,10 +67,15 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
     options = c.options(c.BuildOptions, threads=threads, memory_bytes=memory_bytes, path=c.text(path),
                         compress=int(compress), progress=reporter.pointer)
     volume = ctypes.c_void_p()
+    told = Told()
+    result = Volume(volume, told)
     last = ctypes.byref(options), ctypes.byref(volume)
     if input is not None:
-        read = _input(threshold=threshold, **input_options)
-        reporter.call(c.lib.voxc_build_input, made._handle, c.text(input), ctypes.byref(read), *last)
+        read = _input(told, threshold=threshold, window=window, **input_options)
+        try:
+            reporter.call(c.lib.voxc_build_input, made._handle, c.text(input), ctypes.byref(read), *last)
+        finally:
+            told.warn(2)
     elif places is not None:
         _build_places(reporter, made, places, colours, extent, last)
     elif voxel is None:
@@ -76,7 +87,7 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
         source = c.Source(_three(extent, "extent"), asked,
                           c.IS_EMPTY(reporter.guard(lambda _, *cube: bool(is_empty and is_empty(*cube)))), None)
         reporter.call(c.lib.voxc_build_source, made._handle, ctypes.byref(source), *last)
-    return Volume(volume)
+    return result
 
 
 OPTIONS = tuple(name for name in inspect.signature(build).parameters if name not in ("format", "input_options")) + INPUT_OPTIONS
@@ -97,11 +108,23 @@ def _grid(voxels, labels, greys, densities, threshold, window):
     return arrays.greys_of(greys) if greys is not None else arrays.densities_of(densities, threshold, window)
 
 
-def _input(resolution=None, coverage=None, z_up=None, threshold=None, colour_map=None):
+def _input(told, resolution=None, volume=None, z_up=None, threshold=None, crop=None, align=None, bounds=None, window=None,
+           voxel_size=None, **texts):
     least = None if threshold is None else ctypes.pointer(ctypes.c_double(threshold))
     up = None if z_up is None else 1 if z_up else -1
-    return c.options(c.InputOptions, resolution=resolution, coverage=c.text(coverage), z_up=up, threshold=least,
-                     colour_map=c.text(colour_map))
+    size = None if voxel_size is None else str(voxel_size)
+    return c.options(c.InputOptions, resolution=resolution, volume=volume, z_up=up, threshold=least, crop=None if crop is None else int(crop),
+                     align=_numbers(align, 3, "align"), bounds=_numbers(bounds, 6, "bounds"), window=_numbers(window, 2, "window"),
+                     voxel_size=c.text(size), report=ctypes.pointer(told.report), **{name: c.text(text) for name, text in texts.items()})
+
+
+def _numbers(values, count, what):
+    """So many numbers as an array of C; None stays None."""
+    if values is None:
+        return None
+    if len(values) != count:
+        raise ValueError(f"{what} is {count} numbers, not {values}")
+    return (ctypes.c_double * count)(*values)
 
 
 def _build_places(reporter, made, places, colours, extent, last):

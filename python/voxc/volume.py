@@ -12,8 +12,9 @@ from .tracer import RENDER_OPTIONS, TRACER_OPTIONS, Tracer
 class Volume:
     """A volume, which never changes. `voxc.build` makes one, `Volume.load` opens a .hvx file."""
 
-    def __init__(self, handle):
+    def __init__(self, handle, told=None):
         self._handle = handle
+        self._told = told
 
     def __del__(self):
         if getattr(self, "_handle", None):
@@ -44,6 +45,16 @@ class Volume:
         """The digest of its format's storage, a number of 64 bits: emitted functions are for this volume if theirs,
         VOXC_..._STORAGE_DIGEST, is the same."""
         return c.lib.voxc_volume_digest(self._handle)
+
+    @property
+    def warnings(self):
+        """What of the file that it was built from was left out, or taken otherwise than it may be meant: sentences."""
+        return tuple(self._told.warnings) if self._told else ()
+
+    @property
+    def notes(self):
+        """What was done with that file as it was asked for, or as it is usual: sentences."""
+        return tuple(self._told.notes) if self._told else ()
 
     @property
     def provenance(self):

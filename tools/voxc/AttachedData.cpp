@@ -2,7 +2,6 @@
 #include "AttachedData.h"
 
 #include "InputArguments.h"
-#include "InputChecks.h"
 
 #include "voxc/Support/File.h"
 

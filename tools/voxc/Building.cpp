@@ -3,7 +3,6 @@
 
 #include "BuildFigures.h"
 #include "Figures.h"
-#include "InputChecks.h"
 
 #include "common/Statistics.h"
 #include "common/UserCache.h"

@@ -4,7 +4,6 @@
 #include "FactsFigures.h"
 #include "Figures.h"
 #include "InputArguments.h"
-#include "InputChecks.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"

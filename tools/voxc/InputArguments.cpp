@@ -8,50 +8,11 @@
 #include "voxc/Assimp/Assimp.h"
 #endif
 
-#include "voxc/Input/Units.h"
-
 #include <algorithm>
 #include <charconv>
 #include <system_error>
 
 namespace voxc::tool {
-
-std::optional<std::uint32_t> parseColour(std::string_view text) {
-  std::uint32_t digits = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), digits, 16);
-  if (failure != std::errc() || end != text.data() + text.size() || (text.size() != 6 && text.size() != 8))
-    return std::nullopt;
-  if (text.size() == 6)
-    digits = digits << 8 | 255;
-  return digits >> 24 | (digits >> 8 & 0xff00) | (digits << 8 & 0xff0000) | digits << 24;
-}
-
-namespace {
-
-std::string checkColour(const std::string &text) {
-  const std::optional<std::uint32_t> word = parseColour(text);
-  if (!word)
-    return "'" + text + "' is no colour; write rrggbb or rrggbbaa in hexadecimal digits";
-  return *word != 0 ? "" : "the colour 00000000 means empty; write another one";
-}
-
-std::string checkVoxelSize(const std::string &text) {
-  if (parseLength(text))
-    return "";
-  if (text.find_first_of(",x") != std::string::npos)
-    return "'" + text +
-           "' is no size of voxels, which are cubes; write one number, such as the least of these, and scans "
-           "of other "
-           "spacings are made anew in cubes of it";
-  return "'" + text + "' is no size of a voxel; write a number above 0, with a unit or without: one of " +
-         unitNames();
-}
-
-std::string checkUnit(const std::string &text) {
-  return metresOf(text) ? "" : "'" + text + "' is no unit that is known; there are " + unitNames();
-}
-
-} // namespace
 
 void addInputArguments(const CommandLine &command, InputArguments &arguments) {
   const OptionGroup group(command, "Input");
@@ -65,14 +26,14 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
            "made anew "
            "in such cubes")
       .takes("SIZE")
-      .check(checkVoxelSize);
+      .check(problemOfVoxelSize);
   command
       .add("--unit", arguments.unit,
            "What a step of 1 in the model is, for --voxel-size: nm, um, mm, cm, m, km, in or ft; default: "
            "what the "
            "file says, metres of glTF")
       .takes("UNIT")
-      .check(checkUnit);
+      .check(problemOfUnit);
   command
       .add("--align", arguments.align,
            "A point of the model that the planes between voxels go through on each axis")
@@ -87,20 +48,20 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .add("--up", arguments.up,
            "The axis of a mesh or dense volume that points up: y (default) or z, the default of NIfTI files")
       .takes("AXIS")
-      .oneOf({"y", "z"});
+      .oneOf(inputValues("--up"));
   command
       .add("--coverage", arguments.coverage,
            "Voxels of a mesh: conservative (default), all that a triangle touches; thin, fewer; inner, thin "
            "with "
            "one where a face lies between two; or centre, all whose centre is inside")
       .takes("RULE")
-      .oneOf({"conservative", "thin", "inner", "centre"});
+      .oneOf(inputValues("--coverage"));
   command
       .add("--colour", arguments.colour,
            "Colour from a mesh's texture: mean (default) of a voxel's texels, where they are finer than "
            "voxels, or nearest")
       .takes("RULE")
-      .oneOf({"mean", "nearest"});
+      .oneOf(inputValues("--colour"));
   command
       .add("--threshold", arguments.threshold,
            "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are "
@@ -124,7 +85,7 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .add("--volume", arguments.volume,
            "Which of several volumes or components of a scan, from 1 on; default: the first, with a warning")
       .takes("N")
-      .between(1, 1 << 30);
+      .between(1, kMostVolumes);
   command
       .add("--grid", arguments.grid,
            "The grid of a .nvdb or .vdb file, or the array of a .npz or .vti; default: the first that can be "
@@ -134,12 +95,12 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .add("--interior", arguments.interior,
            "The inside of things: keep (default), drop what no ray from outside reaches, or fill")
       .takes("WHAT")
-      .oneOf({"keep", "drop", "fill"});
+      .oneOf(inputValues("--interior"));
   command
       .add("--fill-colour", arguments.fillColour,
            "Colour of voxels that fill the inside; default: ffffff, white")
       .takes("RRGGBB")
-      .check(checkColour);
+      .check(problemOfFillColour);
   command.addFlag("--crop", arguments.crop, "Moves the smallest box around all voxels to the origin");
 }
 
@@ -237,32 +198,8 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
   arguments.crop = arguments.crop || !valueOf(provenance, "crop").empty();
 }
 
-namespace {
-
-Interior interiorOf(std::string_view name) {
-  return name == "drop" ? Interior::Drop : name == "fill" ? Interior::Fill : Interior::Keep;
-}
-
-} // namespace
-
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
-  InputOptions options;
-  options.resolution = arguments.resolution;
-  options.formatExtent = formatExtent;
-  // What a volume says of itself was not checked; without a meaning it is left out.
-  options.voxelSize = parseLength(arguments.voxelSize).value_or(Length());
-  options.unit = metresOf(arguments.unit).value_or(0);
-  if (arguments.align.size() == 3)
-    std::ranges::copy(arguments.align, options.align.emplace().begin());
-  options.isAutomatic = arguments.isAutomatic;
-  options.isUpKnown = !arguments.up.empty();
-  options.zUp = arguments.up == "z";
-  // One that is not known was said by a volume, not by who calls.
-  options.coverage = coverageOf(arguments.coverage).value_or(options.coverage);
-  options.colour = arguments.colour == "nearest" ? ColourRule::Nearest : ColourRule::Mean;
-  if (!arguments.bounds.empty())
-    std::ranges::copy(arguments.bounds, options.bounds.emplace().begin());
-  options.threshold = arguments.threshold;
+  InputOptions options = inputOptionsOf(arguments, formatExtent);
 #ifdef VOXC_HAS_OPENVDB
   options.otherKinds.push_back(openVdbKind());
 #endif
@@ -270,16 +207,6 @@ InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent
   for (const InputKind &kind : assimpKinds())
     options.otherKinds.push_back(kind);
 #endif
-  if (!arguments.colourMap.empty())
-    options.colourMap = arguments.colourMap;
-  if (!arguments.window.empty())
-    std::ranges::copy(arguments.window, options.window.emplace().begin());
-  options.volume = arguments.volume;
-  options.grid = arguments.grid;
-  options.interior = interiorOf(arguments.interior);
-  // What a volume says of itself was not checked; its voxels are compared anyhow.
-  options.fillWord = parseColour(arguments.fillColour).value_or(options.fillWord);
-  options.crop = arguments.crop;
   return options;
 }
 

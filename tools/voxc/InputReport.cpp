@@ -3,7 +3,6 @@
 
 #include "BuildArguments.h"
 #include "InputArguments.h"
-#include "InputChecks.h"
 
 #include "common/Terminal.h"
 

@@ -29,6 +29,8 @@ def main():
     takes = {
         "coverage": lambda value: voxc.build("G(3)", mesh, coverage=value),
         "colour_map": lambda value: voxc.build("G(3)", f"raw:2x2x2:uint8:{scan}", colour_map=value),
+        "colour": lambda value: voxc.build("G(3)", mesh, colour=value),
+        "interior": lambda value: voxc.build("G(3)", mesh, interior=value),
         "style": lambda value: pictures.render(8, 8, style=value),
         "view": lambda value: pictures.render(8, 8, view=value),
         "query": lambda value: solid.tracer("cpu", query=value),

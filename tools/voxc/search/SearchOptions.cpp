@@ -1,6 +1,5 @@
 // The options of voxc search.
 #include "search/SearchOptions.h"
-#include "InputChecks.h"
 
 #include "common/ShellWord.h"
 #include "search/ObjectiveOption.h"

@@ -1,6 +1,5 @@
 // Suggesting a format.
 #include "search/Suggestion.h"
-#include "InputChecks.h"
 
 #include "common/Files.h"
 #include "search/KeptWeights.h"

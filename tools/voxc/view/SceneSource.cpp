@@ -1,6 +1,5 @@
 // Scenes for the viewer.
 #include "view/SceneSource.h"
-#include "InputChecks.h"
 
 #include "Tracing.h"
 

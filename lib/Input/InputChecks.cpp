@@ -1,14 +1,13 @@
 // What an option means for an input, by what that is made of.
-#include "InputChecks.h"
-
+#include "Support/Text.h"
+#include "voxc/Input/Arguments.h"
 #include "voxc/Input/Units.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
 
-namespace voxc::tool {
+namespace voxc {
 
 namespace {
 
@@ -32,11 +31,6 @@ constexpr MatterRow kMatters[] = {
     {".schem", kOther},     {".schematic", kOther}, {".litematic", kOther},
 };
 
-std::string lowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
-
 /// What an input is made of; nothing if its kind is not known here.
 std::optional<InputMatter> matterOf(const std::string &input) {
   std::string lower = lowerCase(input);
@@ -51,7 +45,7 @@ std::optional<InputMatter> matterOf(const std::string &input) {
 }
 
 /// An option, and for what it means something.
-struct OptionRow {
+struct MeaningRow {
   const char *name;
   unsigned matters;
   const char *text;
@@ -64,7 +58,7 @@ bool endsIn(const std::string &input, std::initializer_list<std::string_view> en
   return std::ranges::any_of(endings, [&](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-constexpr OptionRow kOptions[] = {
+constexpr MeaningRow kMeanings[] = {
     {"--resolution", kMesh | kBuiltin, "meshes and built-in scenes; others have voxels of their own",
      [](const InputArguments &arguments) { return arguments.resolution != 0; }},
     {"--voxel-size", kMesh | kDense, "meshes, points and scans",
@@ -150,7 +144,7 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
     if (auto checked = checkModelsMap(arguments.colourMap); !checked)
       return checked;
   if (matter)
-    for (const OptionRow &row : kOptions)
+    for (const MeaningRow &row : kMeanings)
       if (row.isGiven(arguments) && !(row.matters & *matter))
         return Error::usage(std::string(row.name) + " is for " + row.text + ", and would do nothing for '" +
                             input + "'; leave it out");
@@ -167,4 +161,4 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
   return {};
 }
 
-} // namespace voxc::tool
+} // namespace voxc
