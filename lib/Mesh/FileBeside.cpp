@@ -144,7 +144,7 @@ std::optional<std::string> FilesBeside::findIn(std::span<const std::string> fold
                                                const std::vector<std::string> &names) {
   for (const std::string &folder : folders)
     for (const std::string &name : names)
-      if (const std::string path = pathBelow(folder, name); isFile(path))
+      if (std::string path = pathBelow(folder, name); isFile(path))
         return path;
   for (const std::string &folder : folders)
     for (const std::string &name : names)

@@ -124,6 +124,37 @@ TEST(OpenVdb, WhatIsWrittenComesBackAsFog) {
             (std::array<double, 12>{0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7}));
 }
 
+TEST(OpenVdb, GridsAreTakenByName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("v.vdb");
+  ExportOptions exported;
+  exported.otherKinds = {openVdbExport()};
+  ASSERT_TRUE(exportVoxels(denseVolume({{mortonCode({1, 2, 0}), rgba(9, 8, 7)}}, {2, 3, 1}, Transform()),
+                           path, exported));
+  // It has a grid of density, and one of colours, which is no shape.
+  InputOptions options = withOpenVdb();
+  const auto first = openInput(path, options);
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_THAT(first->warnings,
+              ::testing::ElementsAre("the grid 'density' is taken, and left out are Cd (vec3s) (--grid NAME "
+                                     "takes one of them)"));
+  options.grid = "density";
+  const auto named = openInput(path, options);
+  ASSERT_TRUE(named) << named.error().message;
+  EXPECT_THAT(named->warnings, ::testing::IsEmpty());
+  EXPECT_THAT(named->provenance, HasSubstr(" grid=density"));
+  EXPECT_EQ(voxelsOf(*named->source), voxelsOf(*first->source));
+  for (const char *other : {"Cd", "heat"}) {
+    options.grid = other;
+    const auto refused = openInput(path, options);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("it has no grid of 32-bit floats of the name '" +
+                                                   std::string(other) + "'; there are "));
+    EXPECT_THAT(refused.error().message, HasSubstr("Cd (vec3s)"));
+    EXPECT_THAT(refused.error().message, HasSubstr("density (float)"));
+  }
+}
+
 TEST(OpenVdb, BrokenFilesAreErrors) {
   const TemporaryFolder folder;
   for (const std::string &content : {std::string(), std::string("nonsense"), std::string(5000, 'x')}) {

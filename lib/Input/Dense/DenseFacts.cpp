@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -57,7 +58,7 @@ InputFact histogramFact(const Histogram &histogram) {
     std::array<char, 64> row;
     std::snprintf(row.data(), row.size(), "from %-12.6g %5.1f %%", range.low + double(i) * width,
                   100 * share);
-    const std::string bar(static_cast<std::size_t>(40 * share + 0.5), '#');
+    const std::string bar(static_cast<std::size_t>(std::lround(40 * share)), '#');
     fact.text += (i == 0 ? "" : "\n") + std::string(row.data()) + (bar.empty() ? "" : " " + bar);
     fact.numbers.push_back(double(counts[i]));
   }

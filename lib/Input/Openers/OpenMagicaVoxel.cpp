@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <utility>
@@ -194,7 +195,7 @@ std::uint32_t emissionOf(unsigned colour, const VoxFile &file) {
 }
 
 std::uint32_t metalOf(unsigned colour, const VoxFile &file) {
-  const auto byte = [](float share) { return static_cast<std::uint32_t>(share * 255 + 0.5F); };
+  const auto byte = [](float share) { return static_cast<std::uint32_t>(std::lround(share * 255)); };
   const VoxLook look = file.looks[colour];
   const bool isMetal = look == VoxLook::Metal;
   // What neither shines nor mirrors is as rough as can be, whatever else is said of it.

@@ -118,7 +118,7 @@ private:
       return mesh_->bins.at(cube);
     List &list = lists_[static_cast<std::size_t>(log2Side - mesh_->log2Chunk)];
     if (list.cube != cube) {
-      const auto around = trianglesOf(cube >> 1, log2Side + 1);
+      auto around = trianglesOf(cube >> 1, log2Side + 1);
       if (!around)
         return around;
       const ThreadTimer timer(mesh_->nanoseconds);

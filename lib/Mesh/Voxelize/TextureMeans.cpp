@@ -84,8 +84,10 @@ TextureMeans::Cell TextureMeans::meanOf(int level, int x, int y) const {
         sum[i] += part[i] * weight;
     }
   Cell mean;
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    mean[i] = static_cast<std::uint16_t>(sum[i] / texels + 0.5);
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    const double raised = sum[i] / texels + 0.5; // std::lround is a call.
+    mean[i] = static_cast<std::uint16_t>(raised);
+  }
   return mean;
 }
 
