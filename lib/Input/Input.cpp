@@ -33,7 +33,7 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
                             "VOXC_ASSIMP=ON, or convert it to .glb");
 }
 
-constexpr std::array<InputKind, 35> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 45> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -61,13 +61,23 @@ constexpr std::array<InputKind, 35> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".tif", openSlices, "slices"},
                                             {".tiff", openSlices, "slices"},
                                             {".nvdb", openNanoVdb, "a NanoVDB grid"},
+                                            {".las", openLas, "points"},
                                             {".vti", openVtk, "image data of VTK"},
                                             {".vdb", lackOpenVdb, "an OpenVDB grid"},
                                             {".fbx", lackAssimp, "a mesh"},
                                             {".dae", lackAssimp, "a mesh"},
                                             {".3ds", lackAssimp, "a mesh"},
                                             {".off", lackAssimp, "a mesh"},
-                                            {".x3d", lackAssimp, "a mesh"}}};
+                                            {".x3d", lackAssimp, "a mesh"},
+                                            {".laz", refuseInput},
+                                            {".e57", refuseInput},
+                                            {".vtk", refuseInput},
+                                            {".pvti", refuseInput},
+                                            {".vtu", refuseInput},
+                                            {".vts", refuseInput},
+                                            {".vtr", refuseInput},
+                                            {".vtp", refuseInput},
+                                            {".mcstructure", refuseInput}}};
 
 /// Whether an input is of this kind; `name` is its last part in lower case, without the number of a frame.
 bool isOfKind(const InputKind &kind, const std::string &input, std::string_view name) {
@@ -78,7 +88,7 @@ bool isOfKind(const InputKind &kind, const std::string &input, std::string_view 
 Error unknownKind(const std::string &input, std::span<const InputKind> others) {
   std::string kinds;
   for (const InputKind &kind : kKinds)
-    if (kind.open != lackOpenVdb && kind.open != lackAssimp)
+    if (kind.open != lackOpenVdb && kind.open != lackAssimp && kind.open != refuseInput)
       kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
   for (const InputKind &kind : others)
     kinds += " " + std::string(kind.mark);

@@ -28,7 +28,8 @@ constexpr MatterRow kMatters[] = {
     {".npy", kDense},       {".npz", kDense},       {".tiff", kDense},      {".vox", kModels},
     {".hvx", kOther},       {".binvox", kOther},    {".fbx", kMesh},        {".dae", kMesh},
     {".3ds", kMesh},        {".off", kMesh},        {".x3d", kMesh},        {".vti", kDense},
-    {".schem", kOther},     {".schematic", kOther}, {".litematic", kOther},
+    {".schem", kOther},     {".schematic", kOther}, {".litematic", kOther}, {".las", kMesh},
+    {".laz", kOther},       {".e57", kOther},       {".vtk", kOther},
 };
 
 /// What an input is made of; nothing if its kind is not known here.

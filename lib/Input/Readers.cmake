@@ -24,6 +24,8 @@ set(VOXC_INPUT_READERS
   Dense/TiffSlice.cpp
   Dense/VolumeChoice.cpp
   Dense/ZipFile.cpp
+  Las/LasHeader.cpp
+  Las/LasPoints.cpp
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp
   MagicaVoxel/VoxScene.cpp
@@ -40,6 +42,7 @@ set(VOXC_INPUT_READERS
   Openers/InputText.cpp
   Openers/NumberedPaths.cpp
   Openers/OpenBinvox.cpp
+  Openers/OpenLas.cpp
   Openers/OpenMagicaVoxel.cpp
   Openers/OpenMinecraft.cpp
   Openers/OpenNanoVdb.cpp
@@ -48,6 +51,7 @@ set(VOXC_INPUT_READERS
   Openers/OpenNumpy.cpp
   Openers/OpenSlices.cpp
   Openers/OpenVtk.cpp
+  Openers/RefusedKinds.cpp
   Openers/Units.cpp
   Points/PointColour.cpp
   Points/PointList.cpp

@@ -178,7 +178,8 @@ TEST_F(Minecraft, NamesHaveColours) {
     EXPECT_EQ(wordOf(air), 0u);
   for (const char *known :
        {"deepslate_diamond_ore", "polished_blackstone_brick_stairs", "lime_stained_glass_pane",
-        "cherry_leaves", "dark_oak_wall_hanging_sign", "mossy_stone_brick_slab", "warped_hyphae",
+        "potted_dark_oak_sapling", "petrified_oak_slab", "potted_flowering_azalea_bush", "cherry_leaves",
+        "dark_oak_wall_hanging_sign", "mossy_stone_brick_slab", "warped_hyphae",
         "light_gray_glazed_terracotta", "dead_tube_coral_block", "bamboo_mosaic", "end_stone_brick_wall"})
     EXPECT_TRUE(blockLook(known).isKnown) << known;
   EXPECT_FALSE(blockLook("mod:stone").isKnown);
@@ -190,6 +191,12 @@ TEST_F(Minecraft, NamesHaveColours) {
   for (const char *part :
        {"oak_stairs", "torch", "wall_torch", "snow", "lantern", "red_bed", "potted_cactus", "chest"})
     EXPECT_FALSE(blockLook(part).fillsCell) << part;
+}
+
+TEST_F(Minecraft, ASpongeSchematicWithoutAVersionIsOfTheFirst) {
+  const std::string file = compound("Schematic", sizeTags(2, 1, 1) + paletteOf({"air", "stone"}) +
+                                                     bytesTag("BlockData", std::string("\0\1", 2)));
+  EXPECT_EQ(words("a.schem", file), (Words{0, wordOf("stone")}));
 }
 
 TEST_F(Minecraft, WhatIsLeftOutIsSaid) {

@@ -117,11 +117,12 @@ struct Input {
   Int3 cropLow; ///< The voxel that became (0, 0, 0).
 };
 
-/// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces), a volume (.hvx), MagicaVoxel models
-/// (.vox), dense volumes (.nrrd .nhdr .nii .nii.gz .binvox, "raw:WxHxD:TYPE:FILE"), "grid:WxHxD:FILE", or
-/// "builtin:NAME[:N]" (N: `resolution`, else the format's longest axis). "F.vox#N" is frame N of an
-/// animation, from 1 on. Errors: unknown kind (naming those there are), unreadable, broken, or larger than
-/// the format.
+/// Opens a mesh (.obj .glb .gltf .ply .stl), points (.ply without faces, .las), a volume (.hvx), MagicaVoxel
+/// models
+/// (.vox), blocks of Minecraft (.schem .litematic .schematic), dense volumes (.vti .nrrd .nhdr .nii .nii.gz
+/// .binvox, "raw:WxHxD:TYPE:FILE"), "grid:WxHxD:FILE", or "builtin:NAME[:N]" (N: `resolution`, else the
+/// format's longest axis). "F.vox#N" is frame N of an animation, from 1 on. Errors: unknown kind (naming
+/// those there are), unreadable, broken, or larger than the format.
 Expected<Input> openInput(const std::string &input, const InputOptions &options);
 
 } // namespace voxc

@@ -70,7 +70,7 @@ std::optional<std::uint32_t> woodColour(std::string_view name) {
     if (thing == "log" || thing == "wood" || thing == "stem" || thing == "hyphae" || thing == "block")
       return isStripped ? wood.planks : wood.bark;
     if (thing == "leaves" || thing == "sapling" || thing == "propagule" || thing == "fungus" ||
-        thing == "roots")
+        thing == "roots" || thing == "bush")
       return wood.leaves;
     constexpr std::array<std::string_view, 17> kThings{"planks",
                                                        "stairs",
@@ -98,7 +98,7 @@ std::optional<std::uint32_t> woodColour(std::string_view name) {
 /// A name of the table, or what is left of it when a shape is taken off: "stone_brick_stairs" is of
 /// "stone_bricks", "quartz_slab" of "quartz_block".
 std::optional<std::uint32_t> plainColour(std::string_view name) {
-  for (const std::string_view front : {"infested_", "waxed_", "potted_"})
+  for (const std::string_view front : {"cracked_", "chiseled_"})
     if (name.starts_with(front) && !find(plainBlocks(), name))
       name.remove_prefix(front.size());
   if (const PlainBlock *const row = find(plainBlocks(), name))
@@ -143,6 +143,10 @@ BlockLook blockLook(std::string_view name) {
     if (name == air)
       return {0, true, true};
   const bool fills = fillsCell(name);
+  // What a block looks like is not changed by these.
+  for (const std::string_view front : {"infested_", "waxed_", "potted_", "petrified_"})
+    if (name.starts_with(front))
+      name.remove_prefix(front.size());
   if (!isForeign)
     for (const auto colourOf : {dyedColour, woodColour, plainColour, partColour})
       if (const auto colour = colourOf(name))

@@ -133,7 +133,7 @@ Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, Palette &nam
 
 /// A schematic of Sponge. Version 3 has blocks in a compound of their own.
 Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, Palette &names, Beside &beside) {
-  const std::int64_t version = schematic["Version"].number().value_or(0);
+  const std::int64_t version = schematic["Version"].number().value_or(1);
   if (version < 1 || version > 3)
     return Error::input("it is a schematic of version " + std::to_string(version) + "; voxc reads 1 to 3");
   const NbtTag blocks = version == 3 ? schematic["Blocks"] : schematic;
@@ -239,12 +239,12 @@ Expected<BlockScene> readBlockScene(const NbtTag &file) {
   Palette names;
   Beside beside;
   const NbtTag schematic = file["Schematic"] ? file["Schematic"] : file;
-  const auto read = file["Regions"]        ? readRegions(file["Regions"], scene, names, beside)
-                    : schematic["Version"] ? readSponge(schematic, scene, names, beside)
-                    : schematic["Blocks"]
-                        ? readOld(schematic, scene, names, beside)
-                        : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or "
-                                "regions of Litematica");
+  const auto read =
+      file["Regions"]                                  ? readRegions(file["Regions"], scene, names, beside)
+      : schematic["Version"] || schematic["BlockData"] ? readSponge(schematic, scene, names, beside)
+      : schematic["Blocks"]                            ? readOld(schematic, scene, names, beside)
+                            : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or "
+                                    "regions of Litematica");
   if (!read)
     return read.error();
   names.warn(scene.warnings);

@@ -31,6 +31,10 @@ Expected<Input> openNanoVdb(const std::string &path, const InputOptions &options
 Expected<Input> openNumpy(const std::string &path, const InputOptions &options);
 /// VTK's image data (.vti).
 Expected<Input> openVtk(const std::string &path, const InputOptions &options);
+/// Points of laser scans (.las).
+Expected<Input> openLas(const std::string &path, const InputOptions &options);
+/// Refuses a kind that is known and not read, with what would be right.
+Expected<Input> refuseInput(const std::string &path, const InputOptions &options);
 Expected<Input> openRaw(const std::string &text, const InputOptions &options);
 
 } // namespace voxc
