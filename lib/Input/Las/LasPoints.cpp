@@ -10,7 +10,7 @@ namespace voxc {
 
 namespace {
 
-constexpr std::uint64_t kPointsBetweenLooks = 1 << 12;
+constexpr std::uint64_t kLasPointsBetweenLooks = 1 << 12;
 constexpr std::size_t kIntensity = 12, kOldFlags = 15, kNewFlags = 15;
 constexpr unsigned kOldWithheld = 0x80, kNewWithheld = 0x04;
 
@@ -43,10 +43,10 @@ public:
   Expected<void> look(WorkingMemory &memory, const Progress &progress) {
     std::vector<std::uint64_t> intensities(1 << 16);
     for (std::uint64_t i = 0; i < header_.count; ++i) {
-      if (i % kPointsBetweenLooks == 0) {
+      if (i % kLasPointsBetweenLooks == 0) {
         if (progress.stopped())
           return Error::interrupted();
-        memory.relieve(kPointsBetweenLooks * header_.stride);
+        memory.relieve(kLasPointsBetweenLooks * header_.stride);
       }
       const auto row = rowOf(i);
       ++intensities[lasNumber<std::uint16_t>(row, kIntensity)];

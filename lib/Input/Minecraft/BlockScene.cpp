@@ -11,14 +11,14 @@ namespace voxc {
 
 namespace {
 
-using Box = std::array<std::int64_t, 3>;
+using BlockBox = std::array<std::int64_t, 3>;
 
-std::string textOf(const Box &size) {
+std::string textOf(const BlockBox &size) {
   return std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
 }
 
 /// What is said of all palettes together.
-class Palette {
+class BlockPalette {
 public:
   /// The word of a block with this name.
   std::uint32_t wordOf(std::string_view name) {
@@ -74,7 +74,7 @@ struct Beside {
 };
 
 /// Error: no blocks, or more than any file has.
-Expected<void> checkSize(const Box &size) {
+Expected<void> checkSize(const BlockBox &size) {
   constexpr std::int64_t kMost = std::int64_t{1} << 40;
   if (size[0] < 1 || size[1] < 1 || size[2] < 1)
     return Error::input("its box of " + textOf(size) + " blocks has none");
@@ -86,8 +86,8 @@ Expected<void> checkSize(const Box &size) {
 Error lacks(std::string_view what) { return Error::input("it has no " + std::string(what)); }
 
 /// Width, height and length, of 16 bits without a sign.
-Expected<Box> sizeOf(const NbtTag &schematic) {
-  Box size{};
+Expected<BlockBox> sizeOf(const NbtTag &schematic) {
+  BlockBox size{};
   constexpr std::array<std::string_view, 3> kNames{"Width", "Height", "Length"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto number = schematic[kNames[axis]].number();
@@ -101,8 +101,8 @@ Expected<Box> sizeOf(const NbtTag &schematic) {
 }
 
 /// Three numbers as an array, else 0.
-Box offsetOf(const NbtTag &tag) {
-  Box low{};
+BlockBox offsetOf(const NbtTag &tag) {
+  BlockBox low{};
   const auto bytes = tag.array(NbtKind::IntArray);
   for (std::size_t i = 0; i < 12 && bytes.size() >= 12; ++i)
     low[i / 4] =
@@ -111,7 +111,7 @@ Box offsetOf(const NbtTag &tag) {
 }
 
 /// The words of a compound that says the number of each name.
-Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, Palette &names) {
+Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, BlockPalette &names) {
   constexpr std::int64_t kMost = std::int64_t{1} << 20;
   std::vector<std::uint32_t> words;
   bool isRight = palette.kind() == NbtKind::Compound;
@@ -132,7 +132,7 @@ Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, Palette &nam
 }
 
 /// A schematic of Sponge. Version 3 has blocks in a compound of their own.
-Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, Palette &names, Beside &beside) {
+Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, BlockPalette &names, Beside &beside) {
   const std::int64_t version = schematic["Version"].number().value_or(1);
   if (version < 1 || version > 3)
     return Error::input("it is a schematic of version " + std::to_string(version) + "; voxc reads 1 to 3");
@@ -152,15 +152,15 @@ Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, Palette &n
   return {};
 }
 
-Expected<Box> vectorOf(const NbtTag &tag, std::string_view what) {
+Expected<BlockBox> vectorOf(const NbtTag &tag, std::string_view what) {
   const auto x = tag["x"].number(), y = tag["y"].number(), z = tag["z"].number();
   if (!x || !y || !z)
     return lacks(std::string(what) + " of a region");
-  return Box{*x, *y, *z};
+  return BlockBox{*x, *y, *z};
 }
 
 /// A region of Litematica. A negative size goes from its position down.
-Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, Palette &names, Beside &beside) {
+Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, BlockPalette &names, Beside &beside) {
   const auto low = vectorOf(tag["Position"], "Position"), size = vectorOf(tag["Size"], "Size");
   if (!low || !size)
     return low ? size.error() : low.error();
@@ -193,7 +193,7 @@ Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, Palette &names, 
 }
 
 /// A schematic from before blocks had names.
-Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, Palette &names, Beside &beside) {
+Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, BlockPalette &names, Beside &beside) {
   const auto size = sizeOf(schematic);
   if (!size)
     return size.error();
@@ -221,7 +221,7 @@ Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, Palette &name
   return {};
 }
 
-Expected<void> readRegions(const NbtTag &regions, BlockScene &scene, Palette &names, Beside &beside) {
+Expected<void> readRegions(const NbtTag &regions, BlockScene &scene, BlockPalette &names, Beside &beside) {
   Expected<void> read;
   regions.forEach([&](const NbtTag &region) {
     read = readRegion(region, scene, names, beside);
@@ -236,7 +236,7 @@ Expected<void> readRegions(const NbtTag &regions, BlockScene &scene, Palette &na
 
 Expected<BlockScene> readBlockScene(const NbtTag &file) {
   BlockScene scene;
-  Palette names;
+  BlockPalette names;
   Beside beside;
   const NbtTag schematic = file["Schematic"] ? file["Schematic"] : file;
   const auto read =

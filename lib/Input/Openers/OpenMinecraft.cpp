@@ -16,15 +16,14 @@ namespace voxc {
 
 namespace {
 
-using Bytes = ScratchArray<std::byte>;
-using Box = std::array<std::int64_t, 3>;
+using BlockBox = std::array<std::int64_t, 3>;
 
 /// The bytes that gzip packed. How many there are nobody says before.
-Expected<Bytes> inflate(std::span<const std::byte> packed, const InputOptions &options) {
+Expected<InflatedBytes> inflate(std::span<const std::byte> packed, const InputOptions &options) {
   constexpr std::uint64_t kStep = std::uint64_t{1} << 20;
   constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
   GzipReader reader(packed);
-  Bytes bytes(options.memory);
+  InflatedBytes bytes(options.memory);
   for (std::uint64_t done = 0;;) {
     if (options.progress.stopped())
       return Error::interrupted();
@@ -47,7 +46,7 @@ Expected<Bytes> inflate(std::span<const std::byte> packed, const InputOptions &o
 
 /// The box around all regions.
 struct Around {
-  Box low, high;
+  BlockBox low, high;
 
   explicit Around(const std::vector<BlockRegion> &regions) : low(regions.front().low), high(low) {
     for (const BlockRegion &region : regions)
@@ -60,13 +59,13 @@ struct Around {
 
 /// Calls `visit(voxel, word)` for each block of each region. Later regions do not cover earlier ones.
 template <typename Visit>
-Expected<void> forEachBlock(const BlockScene &scene, const Box &low, const InputOptions &options,
+Expected<void> forEachBlock(const BlockScene &scene, const BlockBox &low, const InputOptions &options,
                             Visit visit) {
   constexpr std::uint64_t kBetweenLooks = 1 << 16;
   std::uint64_t blocks = 0;
   bool isStopped = false;
   for (const BlockRegion &region : scene.regions) {
-    auto visited = region.forEachBlock([&](const Box &cell, std::uint32_t word) {
+    auto visited = region.forEachBlock([&](const BlockBox &cell, std::uint32_t word) {
       const auto along = [&](std::size_t axis) {
         return static_cast<std::int32_t>(region.low[axis] - low[axis] + cell[axis]);
       };
@@ -85,7 +84,7 @@ Expected<void> forEachBlock(const BlockScene &scene, const Box &low, const Input
 Expected<Input> openScene(BlockScene scene, const InputOptions &options) {
   const Around box(scene.regions);
   const Int3 holds = options.mostExtent();
-  Box size{};
+  BlockBox size{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     size[axis] = box.high[axis] - box.low[axis];
   if (size[0] > holds.x || size[1] > holds.y || size[2] > holds.z)
@@ -124,7 +123,7 @@ Expected<Input> openScene(BlockScene scene, const InputOptions &options) {
 }
 
 Expected<Input> openBytes(std::span<const std::byte> bytes, const InputOptions &options) {
-  Bytes inflated(options.memory);
+  InflatedBytes inflated(options.memory);
   if (isGzip(bytes)) {
     auto all = inflate(bytes, options);
     if (!all)

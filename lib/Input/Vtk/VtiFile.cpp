@@ -18,18 +18,19 @@ namespace {
 
 constexpr std::size_t kMostPieces = 4096;
 constexpr std::size_t kMostArrays = 1 << 16;
-constexpr int kMostDepth = 64;
+constexpr int kMostXmlDepth = 64;
 
-constexpr std::array<std::pair<std::string_view, SampleType>, 10> kTypes{{{"Int8", SampleType::Int8},
-                                                                          {"UInt8", SampleType::Uint8},
-                                                                          {"Int16", SampleType::Int16},
-                                                                          {"UInt16", SampleType::Uint16},
-                                                                          {"Int32", SampleType::Int32},
-                                                                          {"UInt32", SampleType::Uint32},
-                                                                          {"Int64", SampleType::Int64},
-                                                                          {"UInt64", SampleType::Uint64},
-                                                                          {"Float32", SampleType::Float32},
-                                                                          {"Float64", SampleType::Float64}}};
+constexpr std::array<std::pair<std::string_view, SampleType>, 10> kVtkTypes{
+    {{"Int8", SampleType::Int8},
+     {"UInt8", SampleType::Uint8},
+     {"Int16", SampleType::Int16},
+     {"UInt16", SampleType::Uint16},
+     {"Int32", SampleType::Int32},
+     {"UInt32", SampleType::Uint32},
+     {"Int64", SampleType::Int64},
+     {"UInt64", SampleType::Uint64},
+     {"Float32", SampleType::Float32},
+     {"Float64", SampleType::Float64}}};
 
 class VtiParser {
 public:
@@ -137,8 +138,8 @@ private:
   }
 
   void begin(std::string_view name, Attributes attributes) {
-    if (++depth_ > kMostDepth)
-      return fail("its elements lie more than " + std::to_string(kMostDepth) + " deep in each other");
+    if (++depth_ > kMostXmlDepth)
+      return fail("its elements lie more than " + std::to_string(kMostXmlDepth) + " deep in each other");
     if (name == "VTKFile")
       beginFile(attributes);
     else if (!isImage_)
@@ -207,7 +208,7 @@ private:
     array.name = name;
     array.typeName = valueOf(attributes, "type");
     array.isOfCells = place_ == Place::Cells;
-    for (const auto &[typeName, type] : kTypes)
+    for (const auto &[typeName, type] : kVtkTypes)
       if (typeName == array.typeName)
         array.type = type;
     require(attributes, "NumberOfComponents", std::span<std::int64_t, 1>(&array.components, 1));

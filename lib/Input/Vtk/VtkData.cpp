@@ -15,9 +15,7 @@ namespace voxc {
 
 namespace {
 
-using Cells = ScratchArray<std::byte>;
-
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kBase64Blanks = " \t\r\n";
 
 /// 0 to 63, or -1.
 int valueOf(char letter) {
@@ -55,7 +53,7 @@ private:
     unsigned bits = 0;
     std::size_t letters = 0, pads = 0;
     while (letters + pads < 4) {
-      text_.remove_prefix(std::min(text_.find_first_not_of(kBlanks), text_.size()));
+      text_.remove_prefix(std::min(text_.find_first_not_of(kBase64Blanks), text_.size()));
       // What stands behind the last data of a file is the end of its element.
       if (letters + pads == 0 && (text_.empty() || text_.front() == '<'))
         return {};
@@ -100,13 +98,13 @@ Error otherSize(std::uint64_t found, std::uint64_t wanted) {
 }
 
 /// What stands before compressed blocks.
-struct Blocks {
+struct PackedBlocks {
   std::uint64_t bytes = 0; ///< Of each block but the last,
   std::uint64_t last = 0;  ///< and of that one.
   std::vector<std::uint64_t> packed;
 };
 
-Expected<Blocks> readBlocks(ByteStream &stream, const VtiFile &file, std::uint64_t bytes) {
+Expected<PackedBlocks> readBlocks(ByteStream &stream, const VtiFile &file, std::uint64_t bytes) {
   std::array<std::uint64_t, 3> head{};
   for (std::uint64_t &number : head) {
     const auto read = readHeaderNumber(stream, file);
@@ -120,7 +118,7 @@ Expected<Blocks> readBlocks(ByteStream &stream, const VtiFile &file, std::uint64
     return Error::input("its compressed data speak of " + std::to_string(count) + " blocks of " +
                         std::to_string(size) + " bytes, which are not the " + std::to_string(bytes) +
                         " of its extent");
-  Blocks blocks{size, last == 0 ? size : last, {}};
+  PackedBlocks blocks{size, last == 0 ? size : last, {}};
   const std::uint64_t all = count == 0 ? 0 : (count - 1) * size + blocks.last;
   if (all != bytes)
     return otherSize(all, bytes);
@@ -133,9 +131,9 @@ Expected<Blocks> readBlocks(ByteStream &stream, const VtiFile &file, std::uint64
   return blocks;
 }
 
-Expected<VtkNumbers> stored(Cells cells, bool isBigEndian) {
+Expected<VtkNumbers> stored(VtkBytes cells, bool isBigEndian) {
   const std::byte *const first = cells.data();
-  return VtkNumbers{first, std::make_shared<const Cells>(std::move(cells)), isBigEndian};
+  return VtkNumbers{first, std::make_shared<const VtkBytes>(std::move(cells)), isBigEndian};
 }
 
 Expected<VtkNumbers> inflateBlocks(ByteStream &stream, const VtiFile &file, std::uint64_t bytes,
@@ -144,7 +142,7 @@ Expected<VtkNumbers> inflateBlocks(ByteStream &stream, const VtiFile &file, std:
   const auto blocks = readBlocks(stream, file, bytes);
   if (!blocks)
     return blocks.error();
-  Cells cells(options.memory), packed(options.memory);
+  VtkBytes cells(options.memory), packed(options.memory);
   for (std::size_t i = 0; i < blocks->packed.size(); ++i) {
     const std::uint64_t size = i + 1 == blocks->packed.size() ? blocks->last : blocks->bytes;
     if (auto emptied = packed.resize(0); !emptied)
@@ -167,7 +165,7 @@ Expected<VtkNumbers> inflateBlocks(ByteStream &stream, const VtiFile &file, std:
 
 Expected<VtkNumbers> readText(const VtkArray &array, std::uint64_t bytes, const InputOptions &options) {
   const auto stream = makeTextStream(std::as_bytes(std::span(array.text)), *array.type);
-  Cells cells(options.memory);
+  VtkBytes cells(options.memory);
   if (auto read = appendBytes(*stream, bytes, cells, *options.memory, options.progress); !read)
     return read.error();
   std::byte more{};
@@ -208,7 +206,7 @@ Expected<VtkNumbers> readVtkNumbers(const VtiFile &file, const VtkArray &array, 
     return Error::input("its data end within an array of " + std::to_string(bytes) + " bytes");
   if (isRaw)
     return VtkNumbers{reinterpret_cast<const std::byte *>(text.data()) + head, nullptr, file.isBigEndian};
-  Cells cells(options.memory);
+  VtkBytes cells(options.memory);
   if (auto read = appendBytes(*stream, bytes, cells, *options.memory, options.progress); !read)
     return read.error();
   return stored(std::move(cells), file.isBigEndian);

@@ -10,6 +10,8 @@
 
 namespace voxc {
 
+using VtkBytes = ScratchArray<std::byte>;
+
 struct VtkNumbers {
   const std::byte *first = nullptr;
   std::shared_ptr<const void> storage; ///< What `first` points into; null if that is the file itself.

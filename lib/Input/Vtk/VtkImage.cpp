@@ -13,8 +13,6 @@ namespace voxc {
 
 namespace {
 
-using Cells = ScratchArray<std::byte>;
-
 std::string toText(const VtkExtent &extent) {
   std::string text;
   for (const std::int64_t number : extent)
@@ -173,7 +171,7 @@ Expected<VtkNumbers> readPieces(const VtiFile &file, const VtkArray &wanted, con
   }
   if (parts.size() == 1)
     return std::move(parts.front().second);
-  Cells cells(options.memory);
+  VtkBytes cells(options.memory);
   if (auto sized = cells.resize(whole.count() * bytes); !sized)
     return sized.error();
   for (auto &[box, numbers] : parts) {
@@ -184,7 +182,8 @@ Expected<VtkNumbers> readPieces(const VtiFile &file, const VtkArray &wanted, con
     options.memory->relieve(box.count() * bytes);
   }
   const std::byte *const first = cells.data();
-  return VtkNumbers{first, std::make_shared<const Cells>(std::move(cells)), parts.front().second.isBigEndian};
+  return VtkNumbers{first, std::make_shared<const VtkBytes>(std::move(cells)),
+                    parts.front().second.isBigEndian};
 }
 
 /// From samples to the model: point (0, 0, 0) lies at the origin, wherever the extent begins.
