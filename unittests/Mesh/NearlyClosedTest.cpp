@@ -218,6 +218,40 @@ TEST(NearlyClosed, DoubleSidedMeshesAreSolid) {
     }
 }
 
+/// Two triangles each are a quad, which is there again from behind, cut along the other diagonal.
+Soup doubledOtherwise(const Soup &soup, std::mt19937 &random) {
+  std::vector<std::array<Corner, 3>> triangles;
+  for (std::size_t i = 0; i < soup.size(); i += 6) {
+    const Corner a = soup[i], b = soup[i + 1], c = soup[i + 2], d = soup[i + 5];
+    for (std::array<Corner, 3> triangle : {std::array{a, b, c}, {a, c, d}, {d, b, a}, {d, c, b}}) {
+      std::rotate(triangle.begin(), triangle.begin() + random() % 3, triangle.end());
+      triangles.push_back(triangle);
+    }
+  }
+  std::shuffle(triangles.begin(), triangles.end(), random);
+  Soup both;
+  for (const auto &triangle : triangles)
+    both.insert(both.end(), triangle.begin(), triangle.end());
+  return both;
+}
+
+TEST(NearlyClosed, DoubleSidedMeshesMayBeCutInTwoWays) {
+  std::mt19937 random(4);
+  const Soup shell = joined(sphere(0.45), sphere(0.25));
+  for (const auto &[sides, whole] :
+       {std::pair(sphere(0.4), sphere(0.4)), std::pair(torus(0.3, 0.12), torus(0.3, 0.12)),
+        std::pair(shell, joined(sphere(0.45), flipped(sphere(0.25))))}) {
+    const Solid solid = solidOf(doubledOtherwise(sides, random), optionsAt(24));
+    EXPECT_TRUE(solid.told.isDoubleSided);
+    EXPECT_EQ(solid.told.open.count, 0u);
+    EXPECT_EQ(solid.cells, expectedOf(solid.surface, whole, 24));
+  }
+  // A pane of one quad closes nothing.
+  const Soup pane{{0.2f, 0.2f, 0.5f}, {0.8f, 0.2f, 0.5f}, {0.8f, 0.8f, 0.5f},
+                  {0.2f, 0.2f, 0.5f}, {0.8f, 0.8f, 0.5f}, {0.2f, 0.8f, 0.5f}};
+  EXPECT_FALSE(solidOf(doubledOtherwise(pane, random), optionsAt(24)).told.isDoubleSided);
+}
+
 TEST(NearlyClosed, DoubleSidedMeshesMayHaveHoles) {
   std::mt19937 random(2);
   const Soup whole = sphere(0.4);

@@ -4,6 +4,7 @@
 #include "Mesh/KeptArray.h"
 #include "Mesh/Solid/Facing.h"
 #include "Mesh/Solid/HoleCaps.h"
+#include "Mesh/Solid/TwinQuads.h"
 #include "Mesh/Solid/TwinTriangles.h"
 
 #include <utility>
@@ -67,12 +68,26 @@ private:
     return {};
   }
 
-  /// Of triangles that lie on others, which wind around nothing.
+  /// Of triangles that lie on others, which wind around nothing, or, if these are not closed, of such quads.
   Expected<void> closeTwins() {
     auto twins = findTwins(scene_, mesh_.model, memory_, progress_);
     if (!twins)
       return twins.error();
     mesh_.twins = std::move(*twins);
+    if (auto closed = closeSetOfTwins(); !closed || mesh_.hasTwins)
+      return closed;
+    const auto isLittle = hasLittleVolume(scene_, mesh_.model, *memory_, progress_);
+    if (!isLittle)
+      return isLittle.error();
+    if (!*isLittle)
+      return {};
+    const auto hasMore = addTwinQuads(mesh_.twins, scene_, mesh_.model, memory_, progress_);
+    if (!hasMore)
+      return hasMore.error();
+    return *hasMore ? closeSetOfTwins() : Expected<void>();
+  }
+
+  Expected<void> closeSetOfTwins() {
     if (mesh_.twins.empty())
       return {};
     const auto balance = EdgeBalance::ofEither(mesh_.twins, scene_, mesh_.model, memory_, progress_);
