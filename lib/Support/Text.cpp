@@ -2,6 +2,7 @@
 #include "Support/Text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
 
@@ -59,6 +60,45 @@ std::optional<std::int64_t> parseInteger(std::string_view word) {
   if (parsed.ptr != word.data() + word.size() || parsed.ec != std::errc())
     return std::nullopt;
   return value;
+}
+
+namespace {
+
+/// True if the first characters of `text`, `width` bytes each, are ASCII, whose byte is the one at `place`.
+bool isAsciiOf(std::string_view text, std::size_t width, std::size_t place) {
+  constexpr std::size_t kCharacters = 8;
+  std::size_t count = 0;
+  for (; count < kCharacters && (count + 1) * width <= text.size(); ++count)
+    for (std::size_t i = 0; i < width; ++i) {
+      const char c = text[count * width + i];
+      if (i == place ? !isBlank(c) && (c < ' ' || c > '~') : c != 0)
+        return false;
+    }
+  return count >= 2;
+}
+
+struct WideRow {
+  std::string_view name;
+  std::string_view mark;
+  std::size_t place; ///< Of the byte of ASCII; there are as many bytes as in the mark.
+};
+
+} // namespace
+
+std::string_view wideEncoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  static constexpr std::array<WideRow, 4> kRows{{{"UTF-32", "\xff\xfe\0\0"sv, 0},
+                                                 {"UTF-32", "\0\0\xfe\xff"sv, 3},
+                                                 {"UTF-16", "\xff\xfe"sv, 0},
+                                                 {"UTF-16", "\xfe\xff"sv, 1}}};
+  for (const WideRow &row : kRows)
+    if (isAsciiOf(text.substr(text.starts_with(row.mark) ? row.mark.size() : 0), row.mark.size(), row.place))
+      return row.name;
+  return {};
+}
+
+std::string isWideText(std::string_view encoding) {
+  return "it is " + std::string(encoding) + " text, which is not read; save it as UTF-8";
 }
 
 std::string_view TextLines::takeLine() {

@@ -24,6 +24,13 @@ std::optional<double> parseNumber(std::string_view word);
 /// A whole number.
 std::optional<std::int64_t> parseInteger(std::string_view word);
 
+/// "UTF-16" or "UTF-32" if the first characters of `text` are ASCII in that encoding, with a mark of the byte
+/// order or without; else empty. Two characters are needed.
+std::string_view wideEncoding(std::string_view text);
+
+/// The sentence that says so of a file.
+std::string isWideText(std::string_view encoding);
+
 /// Lines of a text. A backslash at the end of a line joins it with the next.
 class TextLines {
 public:

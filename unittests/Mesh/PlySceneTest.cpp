@@ -90,5 +90,29 @@ TEST_F(PlyScene, FacesBeforeVertices) {
   EXPECT_EQ(countTriangles(scene), 2u);
 }
 
+TEST_F(PlyScene, FreeTextInTheHeader) {
+  const std::string rest = kVertices + kFaces + kEnd + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  const std::string made = "Created by Blender3D 2.47 - www.blender.org, source file: a.blend\n";
+  const TriangleScene scene = load("m.ply", kAscii + made + rest);
+  EXPECT_EQ(countTriangles(scene), 2u);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(
+      scene.warnings[0].find("'Created by Blender3D 2.47 - www.blender.org, source file: a.blend', which "
+                             "is taken for a comment"),
+      std::string::npos);
+  // What could be meant as a statement is none.
+  for (const std::string line :
+       {"Element vertex 4\n", "elements vertex 4\n", "elephant\n", "property float q\n"})
+    EXPECT_NE(
+        problem("m.ply", kAscii + line + rest).find("which is not a format, element, property or comment"),
+        std::string::npos);
+  EXPECT_NE(problem("m.ply", kAscii + kVertices + made + kFaces + kEnd).find("which is not a format"),
+            std::string::npos);
+  std::string wide;
+  for (const char c : kAscii + rest)
+    wide += std::string(1, c) + '\0';
+  EXPECT_NE(problem("m.ply", wide).find("it is UTF-16 text"), std::string::npos);
+}
+
 } // namespace
 } // namespace voxc

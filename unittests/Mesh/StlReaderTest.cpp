@@ -105,5 +105,15 @@ TEST_F(StlReader, BytesThatAreNoColoursAreSaid) {
   EXPECT_NE(scene.warnings[0].find("no colours"), std::string::npos);
 }
 
+TEST_F(StlReader, TextOfUtf16IsCalledThat) {
+  std::string text = "\xff\xfe";
+  for (const char c : "solid x\n" + kFacet + "endsolid\n")
+    text += std::string(1, c) + '\0';
+  EXPECT_NE(problem("m.stl", text).find("it is UTF-16 text, which is not read; save it as UTF-8"),
+            std::string::npos);
+  // The title of a binary file may be anything.
+  EXPECT_EQ(countTriangles(load("m.stl", binary(std::string("s\0o\0l\0i\0d\0", 10), 2))), 2u);
+}
+
 } // namespace
 } // namespace voxc

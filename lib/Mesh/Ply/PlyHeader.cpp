@@ -159,7 +159,31 @@ bool hasFaces(const PlyHeader &header) {
   return (faces && faces->count != 0) || (strips && strips->count != 0);
 }
 
+namespace {
+
+constexpr std::size_t kMostQuoted = 80;
+
+/// A line of words, before the first element, whose first word cannot be meant as one of the format: a
+/// comment without its keyword, as Blender 2.47 writes it.
+bool isFreeLine(const std::string &line, const PlyHeader &header) {
+  constexpr std::array<std::string_view, 6> kBegins{"form", "elem", "prop", "end", "obj_", "ply"};
+  std::string_view rest = line;
+  const std::string word = lowerCase(takeWord(rest));
+  const bool isMeant =
+      std::ranges::any_of(kBegins, [&](std::string_view begin) { return word.starts_with(begin); });
+  return header.elements.empty() && !isMeant && !trimmed(rest).empty();
+}
+
+std::string quoted(const std::string &line) {
+  const bool isLong = line.size() > kMostQuoted;
+  return "'" + line.substr(0, kMostQuoted) + (isLong ? "...'" : "'");
+}
+
+} // namespace
+
 Expected<PlyHeader> readPlyHeader(std::string_view &text) {
+  if (const auto encoding = wideEncoding(text); !encoding.empty())
+    return Error::input(isWideText(encoding));
   if (readLine(text) != "ply")
     return Error::input("it does not start with the line 'ply'");
   PlyHeader header;
@@ -170,9 +194,13 @@ Expected<PlyHeader> readPlyHeader(std::string_view &text) {
       return Error::input("its header has no line 'end_header'");
     if (*line == "end_header")
       break;
-    if (!parseLine(*line, header))
-      return Error::input("its header has the line '" + *line +
-                          "', which is not a format, element, property or comment of PLY 1.0");
+    const bool isRead = parseLine(*line, header);
+    if (!isRead && !isFreeLine(*line, header))
+      return Error::input("its header has the line " + quoted(*line) +
+                          ", which is not a format, element, property or comment of PLY 1.0");
+    if (!isRead && header.warnings.empty())
+      header.warnings.push_back("its header has the line " + quoted(*line) +
+                                ", which is taken for a comment; it should begin with the word 'comment'");
     sawFormat = sawFormat || line->starts_with("format");
   }
   if (!sawFormat)

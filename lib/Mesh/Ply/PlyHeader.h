@@ -39,6 +39,7 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> textures; ///< Images that comments "TextureFile NAME" name, in their order.
+  std::vector<std::string> warnings; ///< One sentence each.
 
   /// The element with this name, or null.
   const PlyElement *find(std::string_view element) const;

@@ -52,7 +52,7 @@ std::string PlyUse::unusedOf(const PlyElement &element, const std::set<std::size
 }
 
 std::vector<std::string> PlyUse::warnings() const {
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = header_.warnings;
   std::string others;
   std::size_t count = 0;
   for (const PlyElement &element : header_.elements) {

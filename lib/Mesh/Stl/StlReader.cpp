@@ -37,14 +37,19 @@ StlCorner cornerAt(const std::byte *at) {
           std::bit_cast<float>(littleWord(at + 8))};
 }
 
+bool isOfBinarySize(std::span<const std::byte> bytes) {
+  return bytes.size() >= kHeaderBytes &&
+         kHeaderBytes + std::uint64_t{littleWord(bytes.data() + kCountOffset)} * kTriangleBytes ==
+             bytes.size();
+}
+
 /// Many binary files begin with "solid" as the text does, so what follows decides.
 bool isText(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos || lowerCase(text.substr(begin, 5)) != "solid")
     return false;
-  if (bytes.size() >= kHeaderBytes &&
-      kHeaderBytes + std::uint64_t{littleWord(bytes.data() + kCountOffset)} * kTriangleBytes == bytes.size())
+  if (isOfBinarySize(bytes))
     return false;
   return text.substr(0, 512).find('\0') == std::string_view::npos;
 }
@@ -70,6 +75,9 @@ void readColours(const MeshInput &input, const StlColours &colours, ScratchArray
 void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, StlColours &colours,
                 Problem &problem) {
   const std::span<const std::byte> bytes = input.file->bytes();
+  const std::string_view encoding = wideEncoding(input.file->text());
+  if (!encoding.empty() && !isOfBinarySize(bytes))
+    return problem.set(isWideText(encoding));
   if (bytes.size() < kHeaderBytes)
     return problem.set("it is neither the text 'solid' nor has it the 84 bytes of a binary header");
   const std::uint64_t count = littleWord(bytes.data() + kCountOffset);
