@@ -7,6 +7,7 @@ set(VOXC_INPUT_READERS
   Dense/DenseVolume.cpp
   Dense/GzipReader.cpp
   Dense/Histogram.cpp
+  Dense/ImageJ.cpp
   Dense/Labels.cpp
   Dense/NiftiHeader.cpp
   Dense/NpyHeader.cpp
@@ -28,6 +29,7 @@ set(VOXC_INPUT_READERS
   Las/LasPoints.cpp
   MagicaVoxel/Placement.cpp
   MagicaVoxel/VoxFile.cpp
+  MagicaVoxel/VoxMaterial.cpp
   MagicaVoxel/VoxScene.cpp
   Minecraft/BlockColours.cpp
   Minecraft/BlockGroups.cpp

@@ -29,6 +29,7 @@ set(VOXC_MESH_READERS
   Obj/ObjMaterials.cpp
   Obj/ObjReader.cpp
   Obj/TextureOptions.cpp
+  Obj/VertexNumbers.cpp
   Ply/PlyColour.cpp
   Ply/PlyFaceLooks.cpp
   Ply/PlyHeader.cpp

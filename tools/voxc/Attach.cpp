@@ -33,7 +33,8 @@ public:
           "where they are no whole numbers), the numbers of a palette, or colours; 0 where it has none");
       several("--material", material_, "NAME=MODEL",
               "What the materials of the mesh or .vox file that the volume was made of say at each voxel, 4 "
-              "bytes: emission, its light in sRGB, or metallic-roughness; 0 where there is none");
+              "bytes: emission, its light in sRGB, emission-strength, or metallic-roughness; 0 where there "
+              "is none");
       several("--data", data_, "NAME:BYTES=FILE",
               "The elements of a file, so many bytes each, one for each voxel by its number");
       several("--drop", drop_, "NAME", "Leave an attribute out that the volume has");

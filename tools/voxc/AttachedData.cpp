@@ -3,10 +3,12 @@
 
 #include "InputArguments.h"
 
+#include "voxc/Input/EmissionStrength.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cstring>
 #include <limits>
@@ -131,25 +133,37 @@ Expected<std::vector<std::byte>> wordsAt(const std::string &path, const InputOpt
   return reading.take();
 }
 
-/// What materials say, and whether a voxel may have none of it.
+/// What materials say, and the element of a word, whose alpha is the colour's and says nothing.
 struct MaterialRow {
   std::string_view name;
   MaterialWords words;
-  bool isNoneBlack;
+  std::uint32_t (*element)(std::uint32_t word);
 };
 
-constexpr std::array<MaterialRow, 2> kMaterials{
-    {{"emission", MaterialWords::Emission, true},
-     {"metallic-roughness", MaterialWords::MetallicRoughness, false}}};
+constexpr std::array<MaterialRow, 3> kMaterials{
+    {{"emission", MaterialWords::Emission,
+      [](std::uint32_t word) { return (word & 0xffffff) == 0 ? 0 : word | 0xff000000; }},
+     {"emission-strength", MaterialWords::EmissionStrength,
+      [](std::uint32_t word) { return std::bit_cast<std::uint32_t>(strengthOfWord(word)); }},
+     {"metallic-roughness", MaterialWords::MetallicRoughness,
+      [](std::uint32_t word) { return word == 0 ? 0 : word | 0xff000000; }}}};
 
-/// Alpha is the colour's, and says nothing here.
-void dropAlpha(std::vector<std::byte> &elements, bool isNoneBlack) {
-  for (std::size_t at = 0; at < elements.size(); at += sizeof(std::uint32_t)) {
+std::string knownMaterials() {
+  std::string names;
+  for (const MaterialRow &row : kMaterials)
+    names += (&row == &kMaterials.front()  ? ""
+              : &row == &kMaterials.back() ? " or "
+                                           : ", ") +
+             std::string(row.name);
+  return names;
+}
+
+void makeElements(std::vector<std::byte> &words, const MaterialRow &row) {
+  for (std::size_t at = 0; at < words.size(); at += sizeof(std::uint32_t)) {
     std::uint32_t word = 0;
-    std::memcpy(&word, &elements[at], sizeof word);
-    const bool isNone = word == 0 || (isNoneBlack && (word & 0xffffff) == 0);
-    word = isNone ? 0 : word | 0xff000000;
-    std::memcpy(&elements[at], &word, sizeof word);
+    std::memcpy(&word, &words[at], sizeof word);
+    word = row.element(word);
+    std::memcpy(&words[at], &word, sizeof word);
   }
 }
 
@@ -172,8 +186,8 @@ Expected<Attribute> materialOfInput(const std::string &text, const Volume &volum
   const auto parts = named(text);
   const auto row = std::ranges::find(kMaterials, parts ? parts->first : "", &MaterialRow::name);
   if (row == kMaterials.end())
-    return Error::usage(
-        "--material is written NAME=MODEL, and NAME is emission or metallic-roughness, not '" + text + "'");
+    return Error::usage("--material is written NAME=MODEL, and NAME is " + knownMaterials() + ", not '" +
+                        text + "'");
   InputArguments arguments;
   fillFromProvenance(arguments, volume.info().provenance);
   // What fills the inside has no material.
@@ -189,7 +203,7 @@ Expected<Attribute> materialOfInput(const std::string &text, const Volume &volum
   auto words = wordsAt(parts->second, options, volume, mostBytes);
   if (!words)
     return words.error();
-  dropAlpha(*words, row->isNoneBlack);
+  makeElements(*words, *row);
   return Attribute{parts->first, sizeof(std::uint32_t), std::move(*words)};
 }
 

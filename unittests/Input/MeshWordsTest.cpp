@@ -1,7 +1,10 @@
 // What else the materials of a mesh say at its voxels: emission, metal and roughness.
 #include "Source/SourceTesting.h"
 
+#include "voxc/Input/EmissionStrength.h"
 #include "voxc/Input/Input.h"
+
+#include <gmock/gmock.h>
 
 namespace voxc {
 namespace {
@@ -94,6 +97,58 @@ TEST_F(MeshWordsTest, AModelWithoutThemSaysSo) {
   input = openInput("builtin:full:4", options);
   ASSERT_FALSE(input);
   EXPECT_NE(input.error().message.find("says nothing of light and metal"), std::string::npos);
+}
+
+TEST_F(MeshWordsTest, LightAndMetalOfAnObj) {
+  folder_.file("t.tga", image(std::string("\377\377\0\377\0\0\0\377", 8)));
+  folder_.file("m.mtl", "newmtl lamp\nKd 0.2 0 0\nKe 8 4 0\nnewmtl pane\nKd 0 0 0\nKe 0 0 0\nmap_Ke t.tga\n"
+                        "newmtl steel\nPm 0.6\nPr 0.2\nnewmtl plain\nKe 0 0 0\n");
+  const auto model = [&](const std::string &material) {
+    return folder_.file("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                 "vt 0 1\nusemtl " +
+                                     material + "\nf 1/1 2/2 3/3 4/4\n");
+  };
+  const std::string lamp = model("lamp");
+  for (const auto &[code, word] : words(lamp, MaterialWords::Colours))
+    EXPECT_EQ(word, rgba(255, 128, 0));
+  for (const auto &[code, word] : words(lamp, MaterialWords::Emission))
+    EXPECT_EQ(word, rgba(255, 128, 0));
+  for (const auto &[code, word] : words(lamp, MaterialWords::EmissionStrength))
+    EXPECT_EQ(strengthOfWord(word), 8);
+  const std::string pane = model("pane");
+  for (const auto what : {MaterialWords::Colours, MaterialWords::Emission})
+    for (const auto &[code, word] : words(pane, what))
+      EXPECT_EQ(word, mortonCell(code).x < 2 ? rgba(0, 255, 255) : rgba(0, 0, 0));
+  const std::string steel = model("steel");
+  for (const auto &[code, word] : words(steel, MaterialWords::MetallicRoughness))
+    EXPECT_EQ(word, rgba(0, 51, 153));
+  for (const auto &[code, word] : words(steel, MaterialWords::Colours))
+    EXPECT_EQ(word, rgba(255, 255, 255));
+  InputOptions options;
+  options.resolution = 4;
+  EXPECT_THAT(
+      openInput(model("pane"), options)->warnings,
+      testing::ElementsAre("the material 'pane' has the Ke 0 beside a texture of what it gives off, which "
+                           "is taken as it is"));
+  options.materialWords = MaterialWords::Emission;
+  EXPECT_FALSE(openInput(model("plain"), options));
+}
+
+TEST_F(MeshWordsTest, StrengthsOfLight) {
+  const std::string path = model(R"({"emissiveFactor":[1,0.5,0],"emissiveTexture":{"index":0},
+    "extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":12.5}}})",
+                                 R"(,"textures":[{"source":0}],"images":[{"uri":"t.tga"}])");
+  folder_.file("t.tga", image(std::string("\377\377\377\377\0\0\0\377", 8)));
+  for (const auto &[code, word] : words(path, MaterialWords::EmissionStrength))
+    EXPECT_EQ(strengthOfWord(word), 12.5F);
+  for (const auto &[code, word] : words(path, MaterialWords::Emission))
+    EXPECT_EQ(word, mortonCell(code).x < 2 ? rgba(255, 188, 0) : rgba(0, 0, 0));
+  // Numbers that take all bits come back as they went.
+  for (const float strength : {0.F, 0.1F, 1.F, 3.3333333F, 1e9F}) {
+    const float kept = strengthOfWord(strengthWord(strength));
+    EXPECT_NEAR(kept, strength, strength / 65536);
+    EXPECT_EQ(strengthOfWord(strengthWord(kept)), kept);
+  }
 }
 
 } // namespace

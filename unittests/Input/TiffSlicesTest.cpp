@@ -1,4 +1,5 @@
 // Slices of 16 bits, and pages of TIFF files as libtiff writes them.
+#include "Input/Dense/ImageJ.h"
 #include "Input/InputTesting.h"
 
 #include "voxc/Input/Input.h"
@@ -176,6 +177,52 @@ TEST_F(TiffSlices, PngOf16Bits) {
     std::fclose(file);
   }
   EXPECT_EQ(words("a%02d.png"), (Words{1, 300, 60000, 1, 300, 60000}));
+}
+
+TEST_F(TiffSlices, SpacingOfImageJ) {
+  const auto open = [&](const std::string &description, float resolution, const Layout &layout,
+                        const std::string &bytes) {
+    TIFF *const tiff = TIFFOpen(folder_.path("j.tif").c_str(), "w");
+    for (int page = 0; page < 2; ++page) {
+      if (page == 0)
+        TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+      TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution);
+      TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 2 * resolution);
+      writePage(tiff, 2, 1, layout, bytes);
+    }
+    TIFFClose(tiff);
+    words("j.tif");
+    return std::array<double, 3>{map_[0][0], map_[1][1], map_[2][2]};
+  };
+  const Layout rgb{.samples = 3, .photometric = PHOTOMETRIC_RGB};
+  options_.isAutomatic = true; // Which warns of voxels that are no cubes.
+  const std::string stack = "ImageJ=1.53t\nimages=2\nslices=2\n";
+  EXPECT_EQ(open(stack + "unit=micron\nspacing=0.75\nloop=false\n", 4, {}, "\1\2"),
+            (std::array<double, 3>{0.25, 0.125, 0.75}));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("its voxels are 0.25 x 0.125 x 0.75 and no cubes")));
+  EXPECT_EQ(open(stack + "unit=mm\n", 4, rgb, "\1\2\3\4\5\6"), (std::array<double, 3>{0.25, 0.125, 1}));
+  EXPECT_EQ(open(stack + "spacing=-2\n", 1, {}, "\1\2"), (std::array<double, 3>{1, 0.5, 2}));
+  // Nothing is said of lengths, or by another program.
+  EXPECT_EQ(open(stack, 4, {}, "\1\2"), (std::array<double, 3>{1, 1, 1}));
+  EXPECT_EQ(open(stack + "unit=pixel\nspacing=x\n", 4, {}, "\1\2"), (std::array<double, 3>{1, 1, 1}));
+  EXPECT_EQ(open("spacing=3\nunit=mm\n", 4, {}, "\1\2"), (std::array<double, 3>{1, 1, 1}));
+  EXPECT_TRUE(warnings_.empty());
+  // Cubes of a length, of colours too.
+  options_.voxelSize = {0.125, 1e-3};
+  open(stack + "unit=mm\nspacing=0.25\n", 4, rgb, "\1\2\3\4\5\6");
+  EXPECT_EQ(extent_, (Int3{4, 1, 4}));
+  options_.colourMap = "grey";
+  options_.voxelSize = {250, 1e-9};
+  open(stack + "unit=\\u00B5m\nspacing=0.25\n", 2, {}, "\1\2");
+  EXPECT_EQ(extent_, (Int3{4, 1, 2}));
+}
+
+TEST(ImageJ, Units) {
+  for (const char *const unit : {"micron", "um", "\xc2\xb5m", "\xce\xbcm", "\xb5m", "\\u00B5m"})
+    EXPECT_EQ(imageJSpacing("ImageJ=1\nunit=" + std::string(unit) + "\r\n", {1, 0})->metres, 1e-6) << unit;
+  EXPECT_EQ(imageJSpacing("ImageJ=1\nunit=inch\nspacing=inf\n", {0, -1}), (StackSpacing{{1, 1, 1}, 0.0254}));
+  EXPECT_EQ(imageJSpacing("ImageJ=1\nunit=cubit\nspacing=0\n", {1e300, 5})->metres, 0);
+  EXPECT_FALSE(imageJSpacing("", {1, 1}));
 }
 
 } // namespace

@@ -40,8 +40,9 @@ struct InputFact {
 enum class MaterialWords {
   Colours,           ///< What is seen.
   Emission,          ///< The light that the surface gives off, in sRGB; black where there is none.
-  MetallicRoughness, ///< How rough the surface is in the second byte and how metallic in the third, of 255,
-                     ///< by the nearest texel.
+  EmissionStrength,  ///< How many times as bright it is: `strengthOfWord` tells it.
+  MetallicRoughness, ///< How clear it is in the first byte, how rough in the second and how metallic in the
+                     ///< third, of 255, by the nearest texel.
 };
 
 /// How an input becomes voxels.

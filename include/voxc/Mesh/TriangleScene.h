@@ -108,7 +108,9 @@ struct Material {
   float alphaCutoff = 0.5;         ///< Below this alpha of texture and mask the surface is cut out.
   std::array<float, 3> emission{}; ///< What the surface gives off,
   TextureUse emissionTexture;      ///< which is multiplied by this texture.
-  bool hasMetal = false;           ///< The two below were said; they change no colour.
+  float emissionStrength = 1;      ///< So many times as bright it is, which no colour shows.
+  bool hasMetal = false;           ///< One of the three below was said; they change no colour.
+  float clear = 0;                 ///< How much light goes through, times the red of the texture.
   float metallic = 1;              ///< Times the blue of the texture.
   float roughness = 1;             ///< Times the green.
   TextureUse metalTexture;         ///< Its texels are no colours.

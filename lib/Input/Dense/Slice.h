@@ -1,12 +1,14 @@
 // Pictures that are slices of a volume: grey samples, or the words of cells.
 #pragma once
 
+#include "Input/Dense/ImageJ.h"
 #include "Input/Dense/Samples.h"
 #include "voxc/Support/Error.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +50,9 @@ public:
 
   /// What of the file is left out, or means something else; one sentence each. Once all pictures are read.
   std::vector<std::string> warnings;
+
+  /// How far apart samples are, where the file says so. Known with the first picture.
+  std::optional<StackSpacing> spacing;
 };
 
 /// Readers of a PNG picture, of 8 or 16 bits a channel, and of the pages of a TIFF file, of 1 to 64 bits.

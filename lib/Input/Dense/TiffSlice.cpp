@@ -199,8 +199,8 @@ private:
     const auto has = [&](std::string_view word) { return description.find(word) != std::string_view::npos; };
     if (has("<OME") || (description.starts_with("ImageJ") && (has("channels=") || has("frames="))))
       warnings.emplace_back("it may have channels or times beside slices; every page is taken as a slice");
-    if (description.starts_with("ImageJ") && has("spacing="))
-      warnings.emplace_back("the spacing that ImageJ wrote into it is left out; voxels are cubes");
+    spacing = imageJSpacing(description, {tiffTag<float>(tiff_, TIFFTAG_XRESOLUTION, 0),
+                                          tiffTag<float>(tiff_, TIFFTAG_YRESOLUTION, 0)});
   }
 
   void tellLeftOut() {

@@ -1,6 +1,7 @@
 // The chunks of MagicaVoxel files, each with a reader of its own in a table.
 #include "Input/MagicaVoxel/VoxFile.h"
 
+#include "Input/MagicaVoxel/VoxMaterial.h"
 #include "Input/MagicaVoxel/VoxPalette.h"
 
 #include <algorithm>
@@ -230,36 +231,12 @@ Expected<void> readLayer(Cursor &cursor, Reading &reading) {
   return {};
 }
 
-struct LookRow {
-  std::string_view type; ///< As it stands in the file.
-  VoxLook look;
-};
-
-constexpr std::array<LookRow, 5> kLooks{{{"_metal", VoxLook::Metal},
-                                         {"_glass", VoxLook::Glass},
-                                         {"_blend", VoxLook::Glass},
-                                         {"_emit", VoxLook::Emission},
-                                         {"_media", VoxLook::Cloud}}};
-
-/// From 0 to 1; nothing of what is no such number.
-std::optional<float> readShare(std::string_view text) {
-  double share = -1;
-  std::from_chars(text.data(), text.data() + text.size(), share);
-  return share >= 0 && share <= 1 ? std::optional(static_cast<float>(share)) : std::nullopt;
-}
-
 /// A material of the colour of its number, of which 256 stands for 0.
 Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
   const std::uint32_t number = cursor.word() % 256;
-  readDictionary(cursor, [&](std::string_view key, std::string_view value) {
-    for (const LookRow &row : kLooks)
-      if (key == "_type" && value == row.type)
-        reading.file.looks[number] = row.look;
-    if (key == "_rough")
-      reading.file.roughness[number] = readShare(value).value_or(1);
-    if (key == "_metal")
-      reading.file.metallic[number] = readShare(value).value_or(0);
-  });
+  VoxMaterial material;
+  readDictionary(cursor, [&](std::string_view key, std::string_view value) { material.read(key, value); });
+  material.keep(reading.file, number);
   return {};
 }
 

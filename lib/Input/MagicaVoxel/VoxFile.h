@@ -43,8 +43,10 @@ struct VoxFile {
   std::array<std::uint32_t, 256> colours; ///< By the number in a voxel; 0 is not a colour.
   std::array<VoxLook, 256> looks{};       ///< The same of materials,
   std::array<float, 256> roughness;       ///< how rough they are, 0 to 1; 1 where nothing is said,
-  std::array<float, 256> metallic{};      ///< and how metallic, if they are metals.
-  std::int32_t frames = 1;                ///< Of the scene graph: one more than the time of its last key.
+  std::array<float, 256> metallic{};      ///< how metallic, if they are metals,
+  std::array<float, 256> clear{};         ///< how clear, if they are glass,
+  std::array<float, 256> light{}; ///< and how many times as bright as their colour, if they give off light.
+  std::int32_t frames = 1;        ///< Of the scene graph: one more than the time of its last key.
 };
 
 /// Reads a whole file in place. Of a node's or shape's keys the last up to the time `frame` is taken, from 0

@@ -1,6 +1,8 @@
 // Emission is added to the colour: with a black one it is what is left.
 #include "Input/Openers/MeshWords.h"
 
+#include "voxc/Input/EmissionStrength.h"
+
 #include <algorithm>
 #include <array>
 
@@ -21,13 +23,28 @@ Expected<void> showEmission(TriangleScene &scene) {
   return {};
 }
 
+/// The light that is given off in place of what is there: the float's bits, as bytes of a word.
+Expected<void> showStrength(TriangleScene &scene) {
+  if (auto shown = showEmission(scene); !shown)
+    return shown;
+  for (Material &material : scene.materials) {
+    const bool gives = material.emission != Material().emission;
+    const std::uint32_t word = gives ? strengthWord(material.emissionStrength) : 0;
+    material.isLinear = false; // Numbers as they are.
+    material.emissionTexture = {};
+    for (std::size_t i = 0; i < material.emission.size(); ++i)
+      material.emission[i] = static_cast<float>(word >> 8 * i & 255) / 255;
+  }
+  return {};
+}
+
 Expected<void> showMetal(TriangleScene &scene) {
   if (!std::ranges::any_of(scene.materials, &Material::hasMetal))
     return Error::input("no material of the model says how metallic or rough it is");
   makeBlack(scene);
   for (Material &material : scene.materials) {
     material.isLinear = false; // Numbers as they are.
-    material.emission = {0, material.roughness, material.metallic};
+    material.emission = {material.clear, material.roughness, material.metallic};
     material.emissionTexture = material.metalTexture;
   }
   for (MeshPart &part : scene.parts)
@@ -36,8 +53,8 @@ Expected<void> showMetal(TriangleScene &scene) {
 }
 
 /// In the order of `MaterialWords`.
-constexpr std::array<Expected<void> (*)(TriangleScene &), 3> kShows{
-    [](TriangleScene &) { return Expected<void>(); }, showEmission, showMetal};
+constexpr std::array<Expected<void> (*)(TriangleScene &), 4> kShows{
+    [](TriangleScene &) { return Expected<void>(); }, showEmission, showStrength, showMetal};
 
 } // namespace
 

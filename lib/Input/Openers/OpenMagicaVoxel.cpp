@@ -8,6 +8,7 @@
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
 #include "Support/WatchedFile.h"
+#include "voxc/Input/EmissionStrength.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/Stopwatch.h"
 
@@ -194,20 +195,25 @@ std::uint32_t emissionOf(unsigned colour, const VoxFile &file) {
   return (isGlowing ? file.colours[colour] & 0xffffff : 0) | 0xff000000;
 }
 
+std::uint32_t strengthOf(unsigned colour, const VoxFile &file) {
+  return strengthWord(file.looks[colour] == VoxLook::Emission ? file.light[colour] : 0);
+}
+
 std::uint32_t metalOf(unsigned colour, const VoxFile &file) {
   const auto byte = [](float share) { return static_cast<std::uint32_t>(std::lround(share * 255)); };
   const VoxLook look = file.looks[colour];
   const bool isMetal = look == VoxLook::Metal;
   // What neither shines nor mirrors is as rough as can be, whatever else is said of it.
   const bool isSmooth = isMetal || look == VoxLook::Glass;
-  return byte(isSmooth ? file.roughness[colour] : 1) << 8 | byte(isMetal ? file.metallic[colour] : 0) << 16 |
+  return byte(look == VoxLook::Glass ? file.clear[colour] : 0) |
+         byte(isSmooth ? file.roughness[colour] : 1) << 8 | byte(isMetal ? file.metallic[colour] : 0) << 16 |
          0xff000000;
 }
 
 std::uint32_t colourOf(unsigned colour, const VoxFile &file) { return file.colours[colour]; }
 
 /// In the order of `MaterialWords`.
-constexpr std::array<WordOfColour, 3> kWordsOf{colourOf, emissionOf, metalOf};
+constexpr std::array<WordOfColour, 4> kWordsOf{colourOf, emissionOf, strengthOf, metalOf};
 
 Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> bytes,
                        std::optional<std::int32_t> frame) {

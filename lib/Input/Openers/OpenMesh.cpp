@@ -26,8 +26,9 @@ VoxelizeOptions voxelizeOptions(const InputOptions &options) {
   voxelizing.voxelSize = options.voxelSize.value;
   voxelizing.align = options.align;
   // What is no colour has no mean in linear light.
-  voxelizing.colour =
-      options.materialWords == MaterialWords::MetallicRoughness ? ColourRule::Nearest : options.colour;
+  const bool areNumbers = options.materialWords == MaterialWords::MetallicRoughness ||
+                          options.materialWords == MaterialWords::EmissionStrength;
+  voxelizing.colour = areNumbers ? ColourRule::Nearest : options.colour;
   return voxelizing;
 }
 

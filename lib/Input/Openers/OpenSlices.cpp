@@ -39,7 +39,16 @@ struct Stack {
   Int3 extent;
   std::shared_ptr<const ScratchCells> cells;
   std::vector<std::string> warnings;
+  std::optional<StackSpacing> spacing; ///< Of the first file that says one.
 };
+
+/// Where the samples are in the units of the file.
+Transform mapOf(const Stack &stack) {
+  Transform map;
+  for (int axis = 0; stack.spacing && axis < 3; ++axis)
+    map[axis][axis] = stack.spacing->steps[static_cast<std::size_t>(axis)];
+  return map;
+}
 
 Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
   if (auto possible = checkGridExtent(extent); !possible)
@@ -99,6 +108,8 @@ Expected<void> appendFile(const std::string &path, const InputOptions &options, 
   for (std::string &warning : (*reader)->warnings)
     if (std::ranges::find(stack.warnings, warning) == stack.warnings.end())
       stack.warnings.push_back(std::move(warning));
+  if (!stack.spacing)
+    stack.spacing = (*reader)->spacing;
   return {};
 }
 
@@ -156,8 +167,16 @@ Expected<Input> openSamples(const Stack &stack, const InputOptions &options) {
   DenseVolume volume;
   volume.extent = stack.extent;
   volume.layout = {stack.slice.type, std::endian::native == std::endian::big};
+  if (!stack.slice.isGrey) {
+    volume.channels = 4;
+    volume.channelStep = 1;
+    volume.steps = {4, 4 * std::int64_t{volume.extent.x},
+                    4 * std::int64_t{volume.extent.x} * volume.extent.y};
+  }
   volume.samples = stack.cells->data();
   volume.storage = stack.cells;
+  volume.sampleToModel = mapOf(stack);
+  volume.unit = stack.spacing ? stack.spacing->metres : 0;
   return makeInput(std::move(volume), options);
 }
 
@@ -171,7 +190,9 @@ Expected<Input> openSlices(const std::string &path, const InputOptions &options)
   const auto stack = readStack(*paths, options);
   if (!stack)
     return stack.error();
-  auto input = stack->slice.isGrey ? openSamples(*stack, options) : openWords(*stack, options);
+  // Words as they lie in memory are fastest; cubes can be made of others, too.
+  const bool areSamples = stack->slice.isGrey || stack->spacing;
+  auto input = areSamples ? openSamples(*stack, options) : openWords(*stack, options);
   if (!input)
     return input;
   input->warnings.insert(input->warnings.begin(), stack->warnings.begin(), stack->warnings.end());

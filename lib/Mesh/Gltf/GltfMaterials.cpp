@@ -71,6 +71,7 @@ GltfMaterials::Use GltfMaterials::read(const GltfObject &json) {
   // A material without light has a colour and nothing else.
   if (!json.extension("KHR_materials_unlit")) {
     readMetal(json.object("pbrMetallicRoughness"), material, use);
+    readTransmission(json, material);
     readEmission(json, material, use);
   }
   context_.scene.materials.push_back(material);
@@ -88,12 +89,30 @@ void GltfMaterials::readMetal(const GltfObject &json, Material &material, Use &u
     material.metalTexture = readTexture(json.object("metallicRoughnessTexture"), use.metalUvSet);
 }
 
+/// Its texture has it in red, that of metal and roughness in the other channels: they may be one.
+void GltfMaterials::readTransmission(const GltfObject &json, Material &material) {
+  const GltfObject transmission = json.extension("KHR_materials_transmission");
+  const double factor = transmission.number("transmissionFactor", 0);
+  if (!(factor > 0))
+    return;
+  const auto index = transmission.object("transmissionTexture").index("index", textureList_);
+  const auto metal =
+      json.object("pbrMetallicRoughness").object("metallicRoughnessTexture").index("index", textureList_);
+  if (index != metal)
+    return context_.warnings.add(json.name() +
+                                 " lets light through by another texture than that of metal and roughness, "
+                                 "which is left out");
+  material.hasMetal = true;
+  material.clear = static_cast<float>(factor);
+}
+
 void GltfMaterials::readEmission(const GltfObject &json, Material &material, Use &use) {
   // A colour cannot be brighter than white: strengths above 1 would only change its hue.
   const double strength = json.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1);
   const auto factor = json.numbers<3>("emissiveFactor", {0, 0, 0});
   for (std::size_t i = 0; i < factor.size(); ++i)
     material.emission[i] = static_cast<float>(factor[i] * std::min(strength, 1.0));
+  material.emissionStrength = static_cast<float>(std::max(strength, 1.0));
   if (material.emission == Material().emission && json.has("emissiveTexture"))
     context_.warnings.add(json.name() +
                           " has an emissiveTexture and an emissiveFactor of 0, so that it gives off nothing");

@@ -28,6 +28,7 @@ public:
 private:
   Use read(const GltfObject &json);
   void readMetal(const GltfObject &json, Material &material, Use &use);
+  void readTransmission(const GltfObject &json, Material &material);
   void readEmission(const GltfObject &json, Material &material, Use &use);
   /// A texture as a material uses it, and which coordinates it takes.
   TextureUse readTexture(const GltfObject &info, std::uint64_t &uvSet);

@@ -55,13 +55,17 @@ private:
 
   /// Programs write the words in letters of any case.
   void readStatement(std::string_view word) {
-    static constexpr std::array<Statement, 7> kStatements{{{"newmtl", &MtlReader::beginMaterial},
-                                                           {"kd", &MtlReader::readColour},
-                                                           {"d", &MtlReader::readOpacity},
-                                                           {"tr", &MtlReader::readTransparency},
-                                                           {"map_kd", &MtlReader::readColourMap},
-                                                           {"map_d", &MtlReader::readMask},
-                                                           {"map_ka", &MtlReader::readAmbientMap}}};
+    static constexpr std::array<Statement, 11> kStatements{{{"newmtl", &MtlReader::beginMaterial},
+                                                            {"kd", &MtlReader::readColour},
+                                                            {"d", &MtlReader::readOpacity},
+                                                            {"tr", &MtlReader::readTransparency},
+                                                            {"map_kd", &MtlReader::readColourMap},
+                                                            {"map_d", &MtlReader::readMask},
+                                                            {"map_ka", &MtlReader::readAmbientMap},
+                                                            {"ke", &MtlReader::readEmission},
+                                                            {"map_ke", &MtlReader::readEmissionMap},
+                                                            {"pm", &MtlReader::readMetallic},
+                                                            {"pr", &MtlReader::readRoughness}}};
     if (word.empty() || word.starts_with('#'))
       return;
     const std::string lower = lowerCase(word.substr(0, kLongestWord));
@@ -92,23 +96,52 @@ private:
   }
 
   /// One number is grey.
-  void readColour() {
+  std::optional<std::array<double, 3>> takeColour() {
     const auto red = parseNumber(takeWord(rest_));
     const auto green = parseNumber(takeWord(rest_));
     const auto blue = parseNumber(takeWord(rest_));
-    if (!red)
-      return warn("has no colour in numbers");
-    const std::array<double, 3> colour{*red, green.value_or(*red), blue.value_or(*red)};
+    if (red)
+      return std::array{*red, green.value_or(*red), blue.value_or(*red)};
+    warn("has no colour in numbers");
+    return std::nullopt;
+  }
+
+  void readColour() {
+    const auto colour = takeColour();
+    if (!colour)
+      return;
     ColourScale scale;
-    for (const double channel : colour)
+    for (const double channel : *colour)
       scale.add(channel);
     // Of so few numbers 2 may well be a light.
     const double whole = scale.largest() > 2 ? scale.whole() : 1;
     if (whole != 1)
       warn("has a colour above 1, which is taken as one that counts to " +
            std::to_string(static_cast<std::uint64_t>(whole)));
-    for (std::size_t i = 0; i < colour.size(); ++i)
-      material_->colour[i] = static_cast<float>(colour[i] / whole);
+    for (std::size_t i = 0; i < colour->size(); ++i)
+      material_->colour[i] = static_cast<float>((*colour)[i] / whole);
+  }
+
+  void readEmission() {
+    constexpr double kMostLight = 1e9;
+    const auto colour = takeColour();
+    if (!colour)
+      return;
+    std::array<float, 3> &emission = material_->emission.emplace();
+    for (std::size_t i = 0; i < emission.size(); ++i)
+      emission[i] = (*colour)[i] > 0 ? static_cast<float>(std::min((*colour)[i], kMostLight)) : 0;
+  }
+
+  void readMetallic() { readShare(material_->metallic); }
+  void readRoughness() { readShare(material_->roughness); }
+
+  void readShare(std::optional<float> &share) {
+    const auto number = parseNumber(takeWord(rest_));
+    if (!number)
+      return warn("has no number");
+    if (!(*number >= 0 && *number <= 1))
+      warn("has a share that is not from 0 to 1, and is cut there");
+    share = *number > 0 ? static_cast<float>(std::min(*number, 1.0)) : 0;
   }
 
   void readOpacity() {
@@ -132,6 +165,7 @@ private:
 
   void readColourMap() { material_->texture = readImage(); }
   void readMask() { material_->alphaMask = readImage(); }
+  void readEmissionMap() { material_->emissionTexture = readImage(); }
   void readAmbientMap() { material_->ambientImage = readImage().image; }
 
   MtlTexture readImage() {
@@ -160,6 +194,8 @@ private:
 
 void readMtl(std::string_view text, const std::string &library, const std::string &folder,
              std::map<std::string, MtlMaterial> &materials, Warnings &warnings) {
+  if (const auto encoding = wideEncoding(text); !encoding.empty())
+    return warnings.add("the material library '" + library + "' is not used: " + isWideText(encoding));
   MtlReader(library, folder, materials, warnings).read(text);
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,12 @@ struct MtlMaterial {
   bool hasOpacity = false; ///< It has a `d`, which says more than a `Tr`.
   MtlTexture texture;
   MtlTexture alphaMask;
-  std::string ambientImage; ///< Of `map_Ka`; most often that of `map_Kd`.
-  std::string folder;       ///< The library's, where images are looked for first.
+  std::string ambientImage;                     ///< Of `map_Ka`; most often that of `map_Kd`.
+  std::optional<std::array<float, 3>> emission; ///< `Ke`, which may be above 1.
+  MtlTexture emissionTexture;
+  std::optional<float> metallic;  ///< `Pm`,
+  std::optional<float> roughness; ///< and `Pr`.
+  std::string folder;             ///< The library's, where images are looked for first.
 };
 
 /// Adds the materials of a library's text, which lies in `folder`. What is malformed becomes a warning that

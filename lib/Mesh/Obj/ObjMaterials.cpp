@@ -98,7 +98,27 @@ Material ObjMaterials::makeMaterial(const std::string &name, const MtlMaterial &
     material.colour[3] = 1;
     warnings_.add("the material '" + name + "' would be wholly invisible, and is taken for opaque");
   }
+  makeEmission(name, found, material);
+  material.hasMetal = found.metallic || found.roughness;
+  material.metallic = found.metallic.value_or(0);
+  material.roughness = found.roughness.value_or(1);
   return material;
+}
+
+/// Light above 1 keeps its hue; a texture alone is what the surface gives off.
+void ObjMaterials::makeEmission(const std::string &name, const MtlMaterial &found, Material &material) {
+  material.emission = found.emission.value_or(Material().emission);
+  material.emissionTexture = makeTexture(found.emissionTexture, found.folder);
+  if (material.emission == Material().emission && material.emissionTexture.texture >= 0) {
+    material.emission.fill(1);
+    if (found.emission)
+      warnings_.add("the material '" + name +
+                    "' has the Ke 0 beside a texture of what it gives off, which is "
+                    "taken as it is");
+  }
+  material.emissionStrength = std::max(std::ranges::max(material.emission), 1.0f);
+  for (float &channel : material.emission)
+    channel /= material.emissionStrength;
 }
 
 /// Where the image of a texture is; if nowhere, where it should be.

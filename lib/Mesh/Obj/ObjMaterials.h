@@ -32,6 +32,7 @@ private:
   bool addOwnLibrary();
   const MtlMaterial *find(const std::string &name);
   Material makeMaterial(const std::string &name, const MtlMaterial &found);
+  void makeEmission(const std::string &name, const MtlMaterial &found, Material &material);
   TextureUse makeTexture(const MtlTexture &texture, const std::string &folder);
   std::string imagePath(const MtlTexture &texture, const std::string &folder);
 

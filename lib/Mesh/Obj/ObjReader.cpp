@@ -3,6 +3,7 @@
 
 #include "Mesh/Obj/ObjGeometry.h"
 #include "Mesh/Obj/ObjMaterials.h"
+#include "Mesh/Obj/VertexNumbers.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -33,6 +34,8 @@ public:
       : input_(input), geometry_(input.memory, problem_), materials_(input, scene_, warnings_, problem_) {}
 
   Expected<TriangleScene> read() {
+    if (const auto encoding = wideEncoding(input_.file->text()); !encoding.empty())
+      return Error::input(isWideText(encoding));
     TextLines lines(input_.file->text());
     while (const auto line = lines.next()) {
       if (lines.number() % kLinesBetweenLooks == 0 && !input_.at(lines.done(), input_.file->text().size()))
@@ -48,6 +51,9 @@ public:
     geometry_.finish(scene_);
     if (problem_)
       return problem_.error();
+    for (MeshPart &part : scene_.parts)
+      if (scene_.materials[part.material].emissionTexture.texture >= 0)
+        part.emissionUvs = part.uvs;
     warnAboutFaces();
     warnAboutColours();
     warnAboutPaint();
@@ -116,16 +122,19 @@ private:
     return count;
   }
 
-  /// x y z, then w, a colour, or both.
+  /// x y z, then w, a colour, a colour with alpha, or w and a colour.
   void readPosition() {
     std::array<double, 7> numbers{};
     const std::size_t count = readNumbers(numbers);
     if (count < 3)
       return problem_.set("a vertex has " + std::to_string(count) + " numbers, fewer than three");
+    if (count == 7 && !haveWeights_)
+      haveWeights_ = haveWeights(input_.file->text());
+    const std::size_t first = count == 7 && *haveWeights_ ? 4 : 3;
     std::optional<ObjGeometry::Colour> colour;
     if (count >= 6)
-      colour = {static_cast<float>(numbers[count - 3]), static_cast<float>(numbers[count - 2]),
-                static_cast<float>(numbers[count - 1])};
+      colour = {static_cast<float>(numbers[first]), static_cast<float>(numbers[first + 1]),
+                static_cast<float>(numbers[first + 2])};
     geometry_.addPosition({numbers[0], numbers[1], numbers[2]}, colour);
   }
 
@@ -199,6 +208,10 @@ private:
   }
 
   void warnAboutColours() {
+    if (haveWeights_ == false)
+      warnings_.add(
+          "vertices have seven numbers, which are taken as x, y, z, red, green, blue and alpha; the "
+          "alpha is left out");
     const ColourScale &scale = geometry_.colourScale();
     if (scale.whole() != 1)
       warnings_.add("the colours of vertices are not below 1, and are taken as numbers that count to " +
@@ -238,6 +251,7 @@ private:
   std::vector<ObjCorner> corners_;
   std::set<std::string> unknown_; ///< Statements.
   bool sawFreeForm_ = false;
+  std::optional<bool> haveWeights_; ///< Known where a vertex has seven numbers.
 };
 
 } // namespace
