@@ -151,6 +151,9 @@ private:
 
   void tell(const Exported &exported, Json &figures) {
     files_ = exported.files;
+    for (const std::string &warning : exported.warnings)
+      if (!common_.quiet)
+        printNote("warning: " + warning);
     if (exported.files != 1)
       figures["files_written"] = exported.files;
     if (exported.rectangles != 0)

@@ -1,6 +1,7 @@
 // Exporting volumes: the table of kinds.
 #include "voxc/Source/Export.h"
 
+#include "Source/Export/VoxelLooks.h"
 #include "Source/Export/Writers.h"
 #include "Support/PathEnding.h"
 
@@ -115,6 +116,19 @@ std::vector<ExportFormat> exportFormats() {
   return formats;
 }
 
+namespace {
+
+/// A .hvx file has all attributes, and .vox and .glb those that are materials.
+void tellAttributes(const Volume &volume, const std::string &ending, Exported &exported) {
+  const bool holdsLooks = ending == ".vox" || ending == ".glb";
+  if (ending == ".hvx")
+    return;
+  if (std::string left = attributesLeftOut(volume, holdsLooks, ending); !left.empty())
+    exported.warnings.push_back(std::move(left));
+}
+
+} // namespace
+
 Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, const ExportOptions &options) {
   const std::string ending = pathEnding(path);
   if (options.save.compress && ending != ".hvx")
@@ -126,8 +140,11 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
     return Error::interrupted();
   for (const OtherExport &other : options.otherKinds)
     if (other.ending == ending) {
-      auto written = other.write(volume, path, options);
-      return written ? Expected<Exported>(Exported()) : written.error();
+      if (auto written = other.write(volume, path, options); !written)
+        return written.error();
+      Exported exported;
+      tellAttributes(volume, ending, exported);
+      return exported;
     }
   for (const ExportKind &kind : kKinds) {
     if (kind.format.ending != ending)
@@ -135,6 +152,7 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
     Exported exported;
     if (auto written = write(kind, volume, path, options, exported); !written)
       return written.error();
+    tellAttributes(volume, ending, exported);
     return exported;
   }
   return Error::input("'" + path + "' is no kind of export that is known; it ends in " + knownEndings() +

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace voxc {
@@ -35,6 +36,8 @@ public:
   int height() const { return height_; }
   /// Of the rectangle that was added so many before.
   AtlasPlace place(std::size_t rectangle) const { return rectangles_[rectangle].place; }
+  /// Other texels for all rectangles, one behind another.
+  void setTexels(std::vector<std::uint32_t> texels) { texels_ = std::move(texels); }
   /// All texels, row by row; those of none are 0. The rectangles have none after that.
   std::vector<std::uint32_t> takePicture();
 

@@ -27,8 +27,9 @@ static_assert(kBlock == 64);
 /// axis: a plane of faces is then 64 operations, and words are looked at only where a face is.
 class FaceBlock {
 public:
-  explicit FaceBlock(const Volume &volume)
-      : source_(makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume))),
+  FaceBlock(const Volume &volume, std::unique_ptr<VoxelSource> words)
+      : source_(words ? std::move(words)
+                      : makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume))),
         words_(std::size_t{kBlock} * kBlock * kBlock) {}
 
   /// False if the block itself holds nothing. Errors: the source's.
@@ -142,8 +143,10 @@ enum class Merge { OneColour, AnyColour };
 class FaceWalk {
 public:
   /// `visit` is given words where rectangles have several colours.
-  FaceWalk(const Volume &volume, Merge merge, const VisitFaces &visit, const Progress &progress)
-      : volume_(volume), merge_(merge), visit_(visit), progress_(progress), block_(volume) {}
+  FaceWalk(const Volume &volume, Merge merge, const VisitFaces &visit, const Progress &progress,
+           std::unique_ptr<VoxelSource> words)
+      : volume_(volume), merge_(merge), visit_(visit), progress_(progress), block_(volume, std::move(words)) {
+  }
 
   Expected<void> run() {
     const Int3 extent = volume_.info().extent;
@@ -281,16 +284,16 @@ private:
 } // namespace
 
 Expected<void> forEachFace(const Volume &volume, const std::function<bool(const FaceRectangle &)> &visit,
-                           const Progress &progress) {
+                           const Progress &progress, std::unique_ptr<VoxelSource> words) {
   const auto visitOne = [&](const FaceRectangle &face, std::span<const std::uint32_t>) {
     return visit(face);
   };
-  return FaceWalk(volume, Merge::OneColour, visitOne, progress).run();
+  return FaceWalk(volume, Merge::OneColour, visitOne, progress, std::move(words)).run();
 }
 
-Expected<void> forEachFaceOfAnyColour(const Volume &volume, const VisitFaces &visit,
-                                      const Progress &progress) {
-  return FaceWalk(volume, Merge::AnyColour, visit, progress).run();
+Expected<void> forEachFaceOfAnyColour(const Volume &volume, const VisitFaces &visit, const Progress &progress,
+                                      std::unique_ptr<VoxelSource> words) {
+  return FaceWalk(volume, Merge::AnyColour, visit, progress, std::move(words)).run();
 }
 
 } // namespace voxc

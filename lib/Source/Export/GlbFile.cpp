@@ -8,9 +8,8 @@ namespace voxc {
 
 namespace {
 
-constexpr std::uint32_t kJsonBytes = 2044; ///< Padded with blanks to this, so that it can be written last.
-constexpr std::uint32_t kBinaryOffset = 12 + 8 + kJsonBytes + 8;
-constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max() - kBinaryOffset - 3;
+constexpr std::uint32_t kOneMaterial = 2044; ///< Of the head's text,
+constexpr std::uint32_t kEachMore = 768;     ///< and for each material more.
 
 std::string numberText(double number) {
   std::array<char, 32> text;
@@ -32,7 +31,9 @@ std::string matrixText(const Transform &transform) {
   return text;
 }
 
-std::string jsonOf(const std::string &mesh, std::uint64_t bytes, const Transform &voxelToModel) {
+/// Padded with blanks to a size, so that it can be written last.
+std::string jsonOf(const std::string &mesh, std::uint64_t bytes, const Transform &voxelToModel,
+                   std::uint32_t size) {
   std::string node = mesh.empty() ? "" : R"("mesh":0)";
   if (isFinite(voxelToModel) && rowsOf(voxelToModel) != rowsOf(Transform()))
     node += std::string(mesh.empty() ? "" : ",") + R"("matrix":[)" + matrixText(voxelToModel) + "]";
@@ -42,7 +43,7 @@ std::string jsonOf(const std::string &mesh, std::uint64_t bytes, const Transform
   if (!mesh.empty())
     json += "," + mesh + R"(,"buffers":[{"byteLength":)" + std::to_string(bytes) + "}]";
   json += "}";
-  json.resize(kJsonBytes, ' ');
+  json.resize(size, ' ');
   return json;
 }
 
@@ -59,15 +60,22 @@ std::string PositionBounds::text() const {
   return R"("min":)" + boundText(low_) + R"(,"max":)" + boundText(high_);
 }
 
-Expected<void> GlbFile::begin() {
+std::string jsonNumber(double number) {
+  std::array<char, 32> text;
+  return {text.data(), static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.9g", number))};
+}
+
+Expected<void> GlbFile::begin(std::size_t materials) {
+  jsonBytes_ = kOneMaterial + kEachMore * static_cast<std::uint32_t>(std::max<std::size_t>(materials, 1) - 1);
   if (!file_.isRegular())
     return Error::input("a .glb file begins with what is known last; write it to a file, not to a pipe");
-  const std::string room(kBinaryOffset, ' ');
+  const std::string room(binaryOffset(), ' ');
   return file_.write(room.data(), room.size());
 }
 
 Expected<void> GlbFile::write(const void *bytes, std::uint64_t size) {
-  if (size > kMostBytes - bytes_)
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (size > kMost - binaryOffset() - 3 - bytes_)
     return Error::input(
         "the surface takes more than the 4 GiB that a .glb file can hold; export a part of it, or points");
   bytes_ += size;
@@ -84,9 +92,9 @@ Expected<void> GlbFile::finish(const std::string &mesh, const Transform &voxelTo
     head.append(reinterpret_cast<const char *>(&narrow), sizeof narrow);
   };
   word(2);
-  word(kBinaryOffset + bytes_);
-  word(kJsonBytes);
-  head += "JSON" + jsonOf(mesh, bytes_, voxelToModel);
+  word(binaryOffset() + bytes_);
+  word(jsonBytes_);
+  head += "JSON" + jsonOf(mesh, bytes_, voxelToModel, jsonBytes_);
   word(bytes_);
   head += std::string("BIN\0", 4);
   return file_.rewrite(0, head.data(), head.size());

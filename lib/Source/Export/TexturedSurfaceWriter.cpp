@@ -3,6 +3,9 @@
 #include "Source/Export/FaceAtlas.h"
 #include "Source/Export/FaceOutline.h"
 #include "Source/Export/GlbFile.h"
+#include "Source/Export/LookPaint.h"
+#include "Source/Export/LookTexels.h"
+#include "Source/Export/LookedVoxels.h"
 #include "Source/Export/PngEncoder.h"
 #include "Source/Export/Writers.h"
 #include "voxc/Volume/LabelColour.h"
@@ -26,15 +29,23 @@ constexpr float kInset = 1.0f / 32;
 
 class TexturedSurface {
 public:
-  TexturedSurface(OutputFile &file, bool areLabels) : file_(file), areLabels_(areLabels) {}
+  TexturedSurface(OutputFile &file, const LookedVoxels &voxels, const LookTexels &looks, bool areLabels)
+      : file_(file), voxels_(voxels), looks_(looks), areLabels_(areLabels) {}
 
   /// False if no texture holds more, which `write` will say.
   bool add(const FaceRectangle &face, std::span<const std::uint32_t> words) {
-    texels_.assign(words.begin(), words.end());
-    for (std::uint32_t &texel : texels_) {
+    texels_.clear();
+    for (const std::uint32_t word : words) {
+      const LookedVoxels::Pair pair = voxels_.pair(word);
       // A voxel is never so clear that it is none.
-      texel = areLabels_ ? labelColour(texel) : texel >> 24 == 0 ? texel | 1u << 24 : texel;
-      isTranslucent_ = isTranslucent_ || texel >> 24 != 255;
+      const std::uint32_t shown = areLabels_             ? labelColour(pair.word)
+                                  : pair.word >> 24 == 0 ? pair.word | 1u << 24
+                                                         : pair.word;
+      isTranslucent_ = isTranslucent_ || shown >> 24 != 255;
+      isBrighter_ = isBrighter_ || isBrighter(looks_.light(pair.look), shown);
+      texels_.push_back(wordBelow(shown, looks_.light(pair.look)));
+      if (looks_.areAny())
+        lookOf_.push_back(pair.look);
     }
     atlas_.add(face.width, face.height, texels_);
     addCorners(face, corners_);
@@ -43,20 +54,22 @@ public:
   }
 
   Expected<void> write(const Transform &voxelToModel) {
-    if (auto begun = file_.begin(); !begun)
+    if (auto begun = file_.begin(looks_.areAny() ? 2 : 1); !begun)
       return begun;
     if (faces_.empty())
       return file_.finish("", voxelToModel);
     if (auto packed = atlas_.pack(); !packed)
       return packed;
     for (auto part :
-         {&TexturedSurface::writeVertices, &TexturedSurface::writeIndices, &TexturedSurface::writePicture})
+         {&TexturedSurface::writeVertices, &TexturedSurface::writeIndices, &TexturedSurface::writePictures})
       if (auto written = (this->*part)(); !written)
         return written;
     return file_.finish(meshText(), voxelToModel);
   }
 
   std::uint64_t rectangles() const { return faces_.size(); }
+  /// Whether some voxel gives off more light than its colour has.
+  bool hasBrighter() const { return isBrighter_; }
 
 private:
   /// What indices are made from.
@@ -128,8 +141,24 @@ private:
     return {};
   }
 
+  /// Colours, then light, then metal, as far as there are some.
+  Expected<void> writePictures() {
+    if (auto written = writePicture(); !written)
+      return written;
+    for (const LookTexels::Kind kind : looks_.kinds()) {
+      std::vector<std::uint32_t> texels;
+      texels.reserve(lookOf_.size());
+      for (const std::uint32_t look : lookOf_)
+        texels.push_back(looks_.texel(kind, look));
+      atlas_.setTexels(std::move(texels));
+      if (auto written = writePicture(); !written)
+        return written;
+    }
+    return {};
+  }
+
   Expected<void> writePicture() {
-    pictureAt_ = file_.bytes();
+    picturesAt_.push_back(file_.bytes());
     const Expected<std::string> picture = encodePng(atlas_.takePicture(), atlas_.width(), atlas_.height());
     return picture ? file_.write(picture->data(), picture->size()) : Expected<void>(picture.error());
   }
@@ -140,25 +169,36 @@ private:
              std::to_string(to - from) + more + "}";
     };
     const std::string vertices = std::to_string(vertices_);
+    std::string textures, images, views;
+    for (std::size_t i = 0; i < picturesAt_.size(); ++i) {
+      const std::string comma = i == 0 ? "" : ",";
+      const std::uint64_t end = i + 1 < picturesAt_.size() ? picturesAt_[i + 1] : file_.bytes();
+      textures += comma + R"({"sampler":0,"source":)" + std::to_string(i) + "}";
+      images += comma + R"({"bufferView":)" + std::to_string(i + 2) + R"(,"mimeType":"image/png"})";
+      views += "," + view(picturesAt_[i], end, "");
+    }
+    const std::string material = materialOf(looks_.textures(), isTranslucent_);
     return R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,"material":0}]}],)"
-           R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0,"roughnessFactor":1})" +
-           std::string(isTranslucent_ ? R"(,"alphaMode":"BLEND")" : "") +
-           R"(}],"textures":[{"sampler":0,"source":0}],)"
-           R"("samplers":[{"magFilter":9728,"minFilter":9728,"wrapS":33071,"wrapT":33071}],)"
-           R"("images":[{"bufferView":2,"mimeType":"image/png"}],)"
-           R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" +
+           R"("materials":[)" +
+           material + "]" + extensionsOf(material) + R"(,"textures":[)" + textures +
+           R"(],"samplers":[{"magFilter":9728,"minFilter":9728,"wrapS":33071,"wrapT":33071}],)"
+           R"("images":[)" +
+           images + R"(],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" +
            vertices + "," + bounds_.text() +
            R"(},{"bufferView":0,"byteOffset":12,"componentType":5126,"type":"VEC2","count":)" + vertices +
            R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" +
            std::to_string(3 * triangles_) + R"(}],"bufferViews":[)" +
            view(0, indicesAt_, R"(,"byteStride":20,"target":34962)") + "," +
-           view(indicesAt_, pictureAt_, R"(,"target":34963)") + "," + view(pictureAt_, file_.bytes(), "") +
-           "]";
+           view(indicesAt_, picturesAt_.front(), R"(,"target":34963)") + views + "]";
   }
 
   GlbFile file_;
+  const LookedVoxels &voxels_;
+  const LookTexels &looks_;
   bool areLabels_;
   bool isTranslucent_ = false; ///< Some voxel is.
+  bool isBrighter_ = false;
+  std::vector<std::uint32_t> lookOf_; ///< Of each texel, where something is said of some.
   std::vector<FaceRectangle> faces_;
   std::vector<std::uint32_t> texels_; ///< Of the rectangle in work.
   FaceAtlas atlas_;
@@ -168,21 +208,30 @@ private:
   std::uint64_t vertices_ = 0;
   std::uint64_t triangles_ = 0;
   std::uint64_t indicesAt_ = 0; ///< In the buffer.
-  std::uint64_t pictureAt_ = 0;
+  std::vector<std::uint64_t> picturesAt_;
 };
 
 } // namespace
 
 Expected<void> writeTexturedSurface(const Volume &volume, OutputFile &file, const ExportOptions &options,
                                     Exported &exported) {
+  const auto kinds = VoxelLooks::of(volume, options.save.progress);
+  if (!kinds)
+    return kinds.error();
+  LookedVoxels voxels(volume, *kinds);
+  const LookTexels looks(kinds->all());
   // Labels are seen in colours of their own; what else they are has no place in a mesh.
-  TexturedSurface surface(file, volume.layout().payload == Payload::Material);
+  TexturedSurface surface(file, voxels, looks, volume.layout().payload == Payload::Material);
   const auto add = [&](const FaceRectangle &face, std::span<const std::uint32_t> words) {
     return surface.add(face, words);
   };
-  if (auto visited = forEachFaceOfAnyColour(volume, add, options.save.progress); !visited)
+  if (auto visited = forEachFaceOfAnyColour(volume, add, options.save.progress, voxels.source()); !visited)
     return visited;
   exported.rectangles = surface.rectangles();
+  if (surface.hasBrighter())
+    exported.warnings.emplace_back(kBrighterLight);
+  if (std::string warning = looks.warning(); !warning.empty())
+    exported.warnings.push_back(std::move(warning));
   return surface.write(volume.info().voxelToModel);
 }
 

@@ -1,5 +1,6 @@
-// MagicaVoxel files: chunks of four letters, the size of their content, and that of their children.
+// MagicaVoxel files: models of a scene graph and their palette.
 #include "Source/Export/NumberedFiles.h"
+#include "Source/Export/VoxEntries.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 #include "voxc/Source/Sources.h"
@@ -18,65 +19,11 @@ namespace voxc {
 namespace {
 
 constexpr int kModelSide = 256;
-constexpr std::size_t kMaxColours = 255;
-
-/// The content of a chunk: little-endian words and strings.
-class Bytes {
-public:
-  Bytes &word(std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8)
-      text_.push_back(static_cast<char>(value >> shift & 255));
-    return *this;
-  }
-  Bytes &text(std::string_view value) {
-    text_ += value;
-    return *this;
-  }
-  Bytes &string(std::string_view value) { return word(static_cast<std::uint32_t>(value.size())).text(value); }
-  Bytes &chunk(std::string_view name, const Bytes &content) {
-    return text(name).word(static_cast<std::uint32_t>(content.text_.size())).word(0).text(content.text_);
-  }
-  const std::string &text() const { return text_; }
-
-private:
-  std::string text_;
-};
 
 /// The voxels of one model, each a word of x, y, z and colour index from the low byte.
 struct Model {
   Int3 low;
   std::vector<std::uint32_t> voxels;
-};
-
-/// The numbers of colours: given out as colours come, or, of labels, those themselves.
-class Palette {
-public:
-  explicit Palette(bool areLabels) : areLabels_(areLabels) {
-    for (std::uint32_t label = 1; areLabels && label <= kMaxColours; ++label)
-      colours_.push_back(labelColour(label));
-  }
-
-  /// From 1 to 255, or more if there is none.
-  std::uint32_t numberOf(std::uint32_t word) {
-    if (areLabels_)
-      return word;
-    const auto [entry, isNew] = numbers_.try_emplace(word, static_cast<std::uint32_t>(colours_.size() + 1));
-    if (isNew)
-      colours_.push_back(word);
-    return entry->second;
-  }
-
-  Bytes chunk() const {
-    Bytes palette;
-    for (std::size_t i = 0; i < 256; ++i)
-      palette.word(i < colours_.size() ? colours_[i] : 0);
-    return palette;
-  }
-
-private:
-  bool areLabels_;
-  std::vector<std::uint32_t> colours_;
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
 };
 
 bool hasLabels(const Volume &volume) { return volume.layout().payload == Payload::Material; }
@@ -85,7 +32,7 @@ class Scene {
 public:
   /// With corners, the models in the first and the last corner are always there, so that the scene keeps its
   /// extent.
-  Scene(Int3 extent, bool areLabels, bool hasCorners = true) : extent_(extent), palette_(areLabels) {
+  Scene(Int3 extent, const VoxLooksOf &looks, bool hasCorners = true) : extent_(extent), entries_(looks) {
     if (!hasCorners)
       return;
     modelAt({});
@@ -93,9 +40,9 @@ public:
   }
 
   /// False if there is no number for the word.
-  bool add(Int3 voxel, std::uint32_t word) {
-    const std::uint32_t number = palette_.numberOf(word);
-    if (number > kMaxColours) {
+  bool add(Int3 voxel, std::uint32_t word, std::uint32_t look) {
+    const std::uint32_t number = entries_.numberOf(word, look);
+    if (number > kMostVoxEntries) {
       refused_ = word;
       return false;
     }
@@ -108,13 +55,15 @@ public:
 
   /// The word for which there was no number.
   std::optional<std::uint32_t> refused() const { return refused_; }
+  /// Whether all looks are held as they are.
+  bool areLooksWhole() const { return entries_.areWhole(); }
 
   std::string file() const {
-    Bytes children;
+    VoxBytes children;
     addModels(children);
     addGraph(children);
-    children.chunk("RGBA", palette_.chunk());
-    Bytes whole;
+    entries_.addChunks(children);
+    VoxBytes whole;
     whole.text("VOX ").word(150).text("MAIN").word(0);
     whole.word(static_cast<std::uint32_t>(children.text().size())).text(children.text());
     return whole.text();
@@ -132,14 +81,14 @@ private:
     return {std::min(rest.x, kModelSide), std::min(rest.y, kModelSide), std::min(rest.z, kModelSide)};
   }
 
-  void addModels(Bytes &children) const {
+  void addModels(VoxBytes &children) const {
     for (const auto &[code, model] : models_) {
       const Int3 size = sizeOf(model);
-      Bytes content;
+      VoxBytes content;
       content.word(static_cast<std::uint32_t>(model.voxels.size()));
       for (const std::uint32_t voxel : model.voxels)
         content.word(voxel);
-      children.chunk("SIZE", Bytes()
+      children.chunk("SIZE", VoxBytes()
                                  .word(static_cast<std::uint32_t>(size.x))
                                  .word(static_cast<std::uint32_t>(size.y))
                                  .word(static_cast<std::uint32_t>(size.z)));
@@ -148,18 +97,26 @@ private:
   }
 
   /// A transform of node `id`: its child, and where the child's middle lies.
-  static Bytes transform(std::uint32_t id, std::uint32_t child, Int3 middle) {
+  static VoxBytes transform(std::uint32_t id, std::uint32_t child, Int3 middle) {
     const std::string place =
         std::to_string(middle.x) + " " + std::to_string(middle.y) + " " + std::to_string(middle.z);
     constexpr std::uint32_t kNone = 0xffffffff; // No reserved id, no layer.
-    return Bytes().word(id).word(0).word(child).word(kNone).word(kNone).word(1).word(1).string("_t").string(
-        place);
+    return VoxBytes()
+        .word(id)
+        .word(0)
+        .word(child)
+        .word(kNone)
+        .word(kNone)
+        .word(1)
+        .word(1)
+        .string("_t")
+        .string(place);
   }
 
   /// Nodes: 0 is the root, 1 a group, then a transform and a shape for each model.
-  void addGraph(Bytes &children) const {
+  void addGraph(VoxBytes &children) const {
     const auto count = static_cast<std::uint32_t>(models_.size());
-    Bytes group;
+    VoxBytes group;
     group.word(1).word(0).word(count);
     for (std::uint32_t i = 0; i < count; ++i)
       group.word(2 + 2 * i);
@@ -168,21 +125,21 @@ private:
     for (const auto &[code, model] : models_) {
       const Int3 half = sizeOf(model) >> 1;
       children.chunk("nTRN", transform(2 + 2 * i, 3 + 2 * i, model.low + half));
-      children.chunk("nSHP", Bytes().word(3 + 2 * i).word(0).word(1).word(i).word(0));
+      children.chunk("nSHP", VoxBytes().word(3 + 2 * i).word(0).word(1).word(i).word(0));
       ++i;
     }
   }
 
   Int3 extent_;
   std::map<std::uint64_t, Model> models_; ///< By the Morton code of their block.
-  Palette palette_;
+  VoxEntries entries_;
   std::optional<std::uint32_t> refused_;
 };
 
 /// Null if the volume has no more colours than a palette holds.
 Expected<Rounding> reduceToPalette(const Volume &volume, const Progress &progress) {
   const auto source = makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume));
-  return reduceColours(*source, kMaxColours, progress);
+  return reduceColours(*source, kMostVoxEntries, progress);
 }
 
 // Sizes of chunks are 32-bit; a voxel takes a word.
@@ -231,21 +188,30 @@ private:
   ColourErrorSum loss_;
 };
 
+/// What of the looks a file does not hold.
+constexpr const char *kLooksInPart = "a material of a .vox file is light of the voxel's own colour, metal or "
+                                     "glass; what else the attributes say "
+                                     "of light and metal is left out";
+constexpr const char *kTooManyLooks = "its voxels have more than 255 pairs of colour and material, which a "
+                                      ".vox file cannot hold; light and metal "
+                                      "are left out";
+
 /// Writes a part after the other.
 class SceneFiles {
 public:
-  SceneFiles(Int3 extent, bool areLabels, const NumberedPath &path)
-      : extent_(extent), areLabels_(areLabels), files_(path), scene_(extent, areLabels) {}
+  SceneFiles(Int3 extent, const VoxLooksOf &looks, const NumberedPath &path)
+      : extent_(extent), looks_(looks), files_(path), scene_(extent, looks) {}
 
   /// False if it goes no further: see `finish`.
-  bool add(Int3 voxel, std::uint32_t word) {
+  bool add(Int3 voxel, std::uint32_t word, std::uint32_t look) {
     const std::uint64_t cube = mortonCode(voxel >> kLog2Part);
     if (voxels_ != 0 && cube != cube_ && !finishPart())
       return false;
     cube_ = cube;
     ++voxels_;
-    if (!scene_.add(voxel, word))
-      result_ = tooManyColours(word, areLabels_);
+    hasNoNumber_ = !scene_.add(voxel, word, look);
+    if (hasNoNumber_)
+      result_ = tooManyColours(word, looks_.areLabels);
     else if (voxels_ > kMaxVoxels)
       result_ = Error::input("a .vox file cannot hold more than 536870912 voxels");
     return bool(result_);
@@ -259,6 +225,8 @@ public:
   }
 
   std::uint64_t files() const { return files_.count(); }
+  bool hasNoNumber() const { return hasNoNumber_; }
+  bool areLooksWhole() const { return areLooksWhole_; }
 
 private:
   static constexpr int kLog2Part = 10;
@@ -266,19 +234,74 @@ private:
   /// Writes what has been added. False: see `result_`.
   bool finishPart() {
     result_ = files_.add(scene_.file());
-    scene_ = Scene(extent_, areLabels_, false);
+    areLooksWhole_ = areLooksWhole_ && scene_.areLooksWhole();
+    scene_ = Scene(extent_, looks_, false);
     voxels_ = 0;
     return bool(result_);
   }
 
   Int3 extent_;
-  bool areLabels_;
+  VoxLooksOf looks_;
   NumberedFiles files_;
   Scene scene_;
   std::uint64_t cube_ = 0;
   std::uint64_t voxels_ = 0; ///< Of the part.
+  bool hasNoNumber_ = false; ///< A voxel had a pair of colour and look too many.
+  bool areLooksWhole_ = true;
   Expected<void> result_;
 };
+
+Expected<void> writeOne(const Volume &volume, OutputFile &file, const ExportOptions &options,
+                        const VoxelLooks &looks, Exported &exported) {
+  auto colours = Colours::of(volume, options);
+  if (!colours)
+    return colours.error();
+  Scene scene(volume.info().extent, {hasLabels(volume), looks.all()});
+  const auto add = [&](Int3 voxel, std::uint32_t word) {
+    return scene.add(voxel, (*colours)(word), looks.at(mortonCode(voxel)));
+  };
+  if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
+    return visited;
+  if (scene.refused() && looks.areAny()) {
+    exported.warnings.emplace_back(kTooManyLooks);
+    return writeOne(volume, file, options, VoxelLooks(), exported);
+  }
+  if (scene.refused())
+    return tooManyColours(*scene.refused(), hasLabels(volume));
+  if (!scene.areLooksWhole())
+    exported.warnings.emplace_back(kLooksInPart);
+  colours->tell(exported);
+  const std::string bytes = scene.file();
+  return file.write(bytes.data(), bytes.size());
+}
+
+Expected<void> writeParts(const Volume &volume, const NumberedPath &path, const ExportOptions &options,
+                          const VoxelLooks &looks, Exported &exported) {
+  auto colours = Colours::of(volume, options);
+  if (!colours)
+    return colours.error();
+  bool hasNoNumber = false;
+  {
+    SceneFiles files(volume.info().extent, {hasLabels(volume), looks.all()}, path);
+    const auto add = [&](Int3 voxel, std::uint32_t word) {
+      return files.add(voxel, (*colours)(word), looks.at(mortonCode(voxel)));
+    };
+    if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
+      return visited;
+    hasNoNumber = files.hasNoNumber() && looks.areAny();
+    if (!hasNoNumber) {
+      if (auto finished = files.finish(); !finished)
+        return finished;
+      if (!files.areLooksWhole())
+        exported.warnings.emplace_back(kLooksInPart);
+      colours->tell(exported);
+      exported.files = files.files();
+      return {};
+    }
+  }
+  exported.warnings.emplace_back(kTooManyLooks);
+  return writeParts(volume, path, options, VoxelLooks(), exported);
+}
 
 } // namespace
 
@@ -287,34 +310,14 @@ Expected<void> writeMagicaVoxel(const Volume &volume, OutputFile &file, const Ex
   if (volume.info().voxels > kMaxVoxels)
     return Error::input("a .vox file cannot hold " + std::to_string(volume.info().voxels) +
                         " voxels; at most 536870912 fit");
-  auto colours = Colours::of(volume, options);
-  if (!colours)
-    return colours.error();
-  Scene scene(volume.info().extent, hasLabels(volume));
-  const auto add = [&](Int3 voxel, std::uint32_t word) { return scene.add(voxel, (*colours)(word)); };
-  if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
-    return visited;
-  if (scene.refused())
-    return tooManyColours(*scene.refused(), hasLabels(volume));
-  colours->tell(exported);
-  const std::string bytes = scene.file();
-  return file.write(bytes.data(), bytes.size());
+  const auto looks = VoxelLooks::of(volume, options.save.progress);
+  return looks ? writeOne(volume, file, options, *looks, exported) : Expected<void>(looks.error());
 }
 
 Expected<void> writeMagicaVoxelParts(const Volume &volume, const NumberedPath &path,
                                      const ExportOptions &options, Exported &exported) {
-  auto colours = Colours::of(volume, options);
-  if (!colours)
-    return colours.error();
-  SceneFiles files(volume.info().extent, hasLabels(volume), path);
-  const auto add = [&](Int3 voxel, std::uint32_t word) { return files.add(voxel, (*colours)(word)); };
-  if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
-    return visited;
-  if (auto finished = files.finish(); !finished)
-    return finished;
-  colours->tell(exported);
-  exported.files = files.files();
-  return {};
+  const auto looks = VoxelLooks::of(volume, options.save.progress);
+  return looks ? writeParts(volume, path, options, *looks, exported) : Expected<void>(looks.error());
 }
 
 } // namespace voxc
