@@ -12,7 +12,7 @@ namespace voxc {
 namespace {
 
 /// Of the line that begins with `name` and "="; empty if there is none.
-std::string_view valueOf(std::string_view description, std::string_view name) {
+std::string_view lineValue(std::string_view description, std::string_view name) {
   while (!description.empty()) {
     const std::string_view line = description.substr(0, description.find('\n'));
     description.remove_prefix(std::min(line.size() + 1, description.size()));
@@ -39,8 +39,8 @@ std::optional<StackSpacing> imageJSpacing(std::string_view description,
                                           const std::array<double, 2> &pixelsAUnit) {
   if (!description.starts_with("ImageJ"))
     return std::nullopt;
-  const std::string_view unit = valueOf(description, "unit");
-  const auto depth = parseNumber(valueOf(description, "spacing"));
+  const std::string_view unit = lineValue(description, "unit");
+  const auto depth = parseNumber(lineValue(description, "spacing"));
   const bool hasUnit = !unit.empty() && !unit.starts_with("pixel");
   if (!depth && !hasUnit)
     return std::nullopt;

@@ -11,8 +11,8 @@ namespace voxc {
 
 namespace {
 
-constexpr std::string_view kStrength = "KHR_materials_emissive_strength";
-constexpr std::string_view kTransmission = "KHR_materials_transmission";
+constexpr std::string_view kStrengthExtension = "KHR_materials_emissive_strength";
+constexpr std::string_view kTransmissionExtension = "KHR_materials_transmission";
 
 std::uint32_t byteOf(std::uint32_t word, std::size_t channel) { return word >> 8 * channel & 255; }
 
@@ -21,7 +21,7 @@ std::string member(std::string_view extension, const std::string &content) {
 }
 
 std::string strengthText(float strength) {
-  return strength > 1 ? member(kStrength, "\"emissiveStrength\":" + jsonNumber(strength)) : "";
+  return strength > 1 ? member(kStrengthExtension, "\"emissiveStrength\":" + jsonNumber(strength)) : "";
 }
 
 /// What stands behind the metal and roughness of a material.
@@ -85,7 +85,8 @@ std::string materialOf(const VoxelLook &look, bool isTranslucent) {
   return R"({"pbrMetallicRoughness":{"metallicFactor":)" + (isSaid ? share(2) : "0") +
          R"(,"roughnessFactor":)" + (isSaid ? share(1) : "1") + "}" +
          rest(emission, strengthText(look.strength),
-              isClear ? member(kTransmission, "\"transmissionFactor\":" + share(0)) : "", isTranslucent) +
+              isClear ? member(kTransmissionExtension, "\"transmissionFactor\":" + share(0)) : "",
+              isTranslucent) +
          "}";
 }
 
@@ -98,7 +99,7 @@ std::string materialOf(const LookTextures &textures, bool isTranslucent) {
       textures.emission < 0 ? ""
                             : ",\"emissiveFactor\":[1,1,1]," + texture("emissiveTexture", textures.emission);
   const std::string transmission =
-      textures.isClear ? member(kTransmission,
+      textures.isClear ? member(kTransmissionExtension,
                                 "\"transmissionFactor\":1," + texture("transmissionTexture", textures.metal))
                        : "";
   return "{\"pbrMetallicRoughness\":{" + texture("baseColorTexture", 0) +
@@ -110,7 +111,7 @@ std::string materialOf(const LookTextures &textures, bool isTranslucent) {
 
 std::string extensionsOf(const std::string &materials) {
   std::string names;
-  for (const std::string_view name : {kStrength, kTransmission})
+  for (const std::string_view name : {kStrengthExtension, kTransmissionExtension})
     if (materials.find(name) != std::string::npos)
       names += (names.empty() ? "\"" : ",\"") + std::string(name) + "\"";
   return names.empty() ? "" : ",\"extensionsUsed\":[" + names + "]";

@@ -27,7 +27,7 @@ VoxMaterial lightOf(const VoxelLook &look, std::uint32_t colour) {
 }
 
 /// Nothing of what is neither clear, smooth, metallic nor gives off light.
-VoxMaterial materialOf(const VoxelLook &look, std::uint32_t colour) {
+VoxMaterial voxMaterialOf(const VoxelLook &look, std::uint32_t colour) {
   const auto share = [&](unsigned channel) { return jsonNumber((look.metal >> 8 * channel & 255) / 255.0); };
   if (look.emission != 0)
     return lightOf(look, colour);
@@ -70,7 +70,7 @@ void VoxEntries::addChunks(VoxBytes &children) const {
     palette.word(i < entries_.size() ? entries_[i].colour : 0);
   children.chunk("RGBA", palette);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const auto texts = materialOf(of_.looks[entries_[i].look], entries_[i].colour).texts;
+    const auto texts = voxMaterialOf(of_.looks[entries_[i].look], entries_[i].colour).texts;
     if (texts.empty())
       continue;
     VoxBytes material;
@@ -83,7 +83,7 @@ void VoxEntries::addChunks(VoxBytes &children) const {
 
 bool VoxEntries::areWhole() const {
   return haveLabelsOneLook_ && std::ranges::all_of(entries_, [&](const Entry &entry) {
-           return materialOf(of_.looks[entry.look], entry.colour).isWhole;
+           return voxMaterialOf(of_.looks[entry.look], entry.colour).isWhole;
          });
 }
 
