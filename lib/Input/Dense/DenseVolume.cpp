@@ -200,7 +200,7 @@ Expected<SampleMap> lookOf(DenseVolume &volume, const InputOptions &options, Inp
 /// The side of the cubes that are asked for; 0 for the samples as they are. Error: planes shall go through a
 /// point, but nothing says how far apart they are.
 Expected<double> sideOf(const DenseVolume &volume, const InputOptions &options) {
-  const auto side = voxelSide(options, volume.unit);
+  auto side = voxelSide(options, volume.unit);
   if (!side || *side > 0 || !options.align)
     return side;
   const auto [x, y, z] = stepLengths(volume.sampleToModel);

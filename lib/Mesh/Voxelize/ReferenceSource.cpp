@@ -28,36 +28,44 @@ Wide3 cross(const Wide3 &a, const Wide3 &b) {
 
 Wide3 difference(const Point64 &a, const Point64 &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// All directions along which a triangle and a box with the axes of space may be apart.
-std::vector<Wide3> separatingAxes(const SnappedTriangle &triangle) {
+/// A direction along which a triangle and a box with the axes of space may be apart, and from where to where
+/// the triangle reaches along it.
+struct Axis {
+  Wide3 direction;
+  Wide low;
+  Wide high;
+};
+
+/// All such directions.
+std::vector<Axis> separatingAxes(const SnappedTriangle &triangle) {
   const std::array<Wide3, 3> units{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const auto &[a, b, c] = triangle.corners;
-  std::vector<Wide3> axes(units.begin(), units.end());
-  axes.push_back(cross(difference(b, a), difference(c, a)));
+  std::vector<Axis> axes;
+  const auto add = [&](const Wide3 &direction) {
+    const std::array<Wide, 3> shadows{dot(direction, difference(a, {})), dot(direction, difference(b, {})),
+                                      dot(direction, difference(c, {}))};
+    const auto [low, high] = std::minmax_element(shadows.begin(), shadows.end());
+    axes.push_back({direction, *low, *high});
+  };
+  for (const Wide3 &unit : units)
+    add(unit);
+  add(cross(difference(b, a), difference(c, a)));
   for (const Wide3 &edge : {difference(b, a), difference(c, b), difference(a, c)})
     for (const Wide3 &unit : units)
-      axes.push_back(cross(edge, unit));
+      add(cross(edge, unit));
   return axes;
 }
 
-/// Have the triangle and the closed box a point in common?
-bool touches(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, const Point64 &centre,
-             const Point64 &half) {
-  for (const Wide3 &axis : axes) {
+/// Have the triangle of these axes and the closed box a point in common?
+bool touches(const std::vector<Axis> &axes, const Point64 &centre, const Point64 &half) {
+  return std::ranges::all_of(axes, [&](const Axis &axis) {
+    const Wide3 &direction = axis.direction;
     Wide reach = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      reach += (axis[i] < 0 ? -axis[i] : axis[i]) * half[i];
-    bool isAbove = true;
-    bool isBelow = true;
-    for (const Point64 &corner : triangle.corners) {
-      const Wide shadow = dot(axis, difference(corner, centre));
-      isAbove = isAbove && shadow > reach;
-      isBelow = isBelow && shadow < -reach;
-    }
-    if (isAbove || isBelow)
-      return false;
-  }
-  return true;
+      reach += (direction[i] < 0 ? -direction[i] : direction[i]) * half[i];
+    const Wide shadow = dot(direction, difference(centre, {}));
+    return axis.low - shadow <= reach && shadow - axis.high <= reach;
+  });
 }
 
 class Reference {
@@ -77,7 +85,7 @@ public:
     cursor_.moveTo(number);
     colour_.moveTo(cursor_);
     const SnappedTriangle triangle = model_.snapped(cursor_);
-    const std::vector<Wide3> axes = separatingAxes(triangle);
+    const std::vector<Axis> axes = separatingAxes(triangle);
     corners_ = model_.inVoxels(triangle);
     const NearestPoints nearest(corners_);
     isFiner_ = colour_.measure(nearest);
@@ -92,6 +100,7 @@ public:
   /// The voxels in Morton order; none remains.
   std::vector<CodedVoxel> take() {
     std::vector<CodedVoxel> voxels;
+    voxels.reserve(voxels_.size());
     for (const auto &[code, voxel] : voxels_)
       voxels.push_back({code, voxel.word});
     voxels_.clear();
@@ -116,22 +125,21 @@ private:
     return {low, high};
   }
 
-  bool isTaken(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, Int3 voxel) const {
+  bool isTaken(const SnappedTriangle &triangle, const std::vector<Axis> &axes, Int3 voxel) const {
     Point64 centre;
     for (int axis = 0; axis < 3; ++axis)
       centre[static_cast<std::size_t>(axis)] = voxel[axis] * side_ + side_ / 2;
     for (std::size_t box = 0; box < boxes_.size(); ++box)
-      if (touches(triangle, axes, centre, boxes_[box]) &&
-          (!isInner_ || !isLeftOut(triangle, axes, box, voxel, centre)))
+      if (touches(axes, centre, boxes_[box]) && (!isInner_ || !isLeftOut(triangle, axes, box, voxel, centre)))
         return true;
     return false;
   }
 
   /// By the rule `Inner`: is the segment along an axis, which the triangle meets, met in an end that belongs
   /// to the next voxel, or not to be looked at?
-  bool isLeftOut(const SnappedTriangle &triangle, const std::vector<Wide3> &axes, std::size_t axis,
-                 Int3 voxel, const Point64 &centre) const {
-    const Wide3 &normal = axes[3];
+  bool isLeftOut(const SnappedTriangle &triangle, const std::vector<Axis> &axes, std::size_t axis, Int3 voxel,
+                 const Point64 &centre) const {
+    const Wide3 &normal = axes[3].direction;
     const bool isThin = normal == Wide3{};
     const Point64 low{triangle.low(0), triangle.low(1), triangle.low(2)};
     Point64 beyond{triangle.high(0), triangle.high(1), triangle.high(2)};
@@ -147,7 +155,7 @@ private:
       return false;
     Point64 end = centre;
     end[axis] += isAtHigh ? side_ / 2 : -side_ / 2;
-    return touches(triangle, axes, end, Point64{});
+    return touches(axes, end, Point64{});
   }
 
   void propose(Int3 voxel, const NearestPoints &nearest) {

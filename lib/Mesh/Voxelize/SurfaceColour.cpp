@@ -24,7 +24,8 @@ constexpr std::array<double, 256> kFractions = [] {
 /// The byte of a value as it is; 0 of what is not a number.
 std::uint32_t plainByte(double value) {
   const double share = value > 0 ? std::min(value, 1.0) : 0;
-  return static_cast<std::uint32_t>(share * 255 + 0.5); // std::lround is a call.
+  const double raised = share * 255 + 0.5; // std::lround is a call.
+  return static_cast<std::uint32_t>(raised);
 }
 
 /// How the numbers of a material stand for bytes in sRGB.

@@ -88,7 +88,7 @@ std::optional<fs::path> findModule(bool &isOnPath) {
   for (const fs::path &place : {own / ".." / "lib" / "python3" / "dist-packages", // As installed.
                                 own / ".." / ".." / ".." / "python"})             // As built.
     if (fs::exists(place / "voxc" / "__init__.py", failure)) {
-      const fs::path folder = fs::weakly_canonical(place, failure);
+      fs::path folder = fs::weakly_canonical(place, failure);
       isOnPath = folder == "/usr/lib/python3/dist-packages";
       return folder;
     }
