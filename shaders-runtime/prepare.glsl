@@ -3,9 +3,9 @@
 const float LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
 // Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their direction is scaled
-// without a rounding, all numbers of theirs are then 0 or at least 2^-80, none of their coordinates is that of the volume's last faces,
-// and they begin within 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
-// longest component, and `component` is the direction once it is scaled.
+// without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within 2^45 voxels, or near the volume if
+// rays from far away are not moved. `longest` has the bits of the direction's longest component, and `component` is the direction
+// once it is scaled.
 bool is_ordinary(uvec3 origin, uint longest, vec3 component) {
   const uint SHORTEST = 0x00800000u; // The bits of 2^-126, below which devices may keep no number.
   const uint RANGE = 0x7e800000u;    // From there to 2^127, where no number is left to scale by.
@@ -16,8 +16,7 @@ bool is_ordinary(uvec3 origin, uint longest, vec3 component) {
   bool is_scaled = longest - SHORTEST < RANGE;
   bool is_large = min(min(least.x, least.y), least.z) >= floatBitsToUint(LEAST_COMPONENT);
   bool is_near = farthest < (COMES_NEAR ? FAR_BITS : floatBitsToUint(far_away()));
-  bool is_on_face = any(equal(origin, floatBitsToUint(vec3(VOLUME_SIZE))));
-  return is_scaled && is_large && is_near && !is_on_face;
+  return is_scaled && is_large && is_near;
 }
 
 %if refines

@@ -41,9 +41,8 @@ std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
 /// What these state of the voxels, or leave out of them, is for a scene to say; or they ask much of the
 /// levels.
 bool isOfScene(const Pass &pass) {
-  constexpr std::array kPasses = {visibleVoxels, occupancy, constantColour, palette,
-                                  rgb565,        material,  valuesApart};
-  return std::ranges::find(kPasses, pass.run) != kPasses.end();
+  constexpr std::array kOfScene = {&kPayloadAttribute, &kAlphaAttribute, &kValuesAttribute};
+  return std::ranges::find(kOfScene, pass.choice.kind) != kOfScene.end();
 }
 
 /// A pass that chooses a walk, or null for the walk that formats have without one: each as likely. strip-walk
@@ -51,7 +50,7 @@ bool isOfScene(const Pass &pass) {
 const Pass *randomWalk(std::mt19937 &random) {
   std::vector<const Pass *> walks{nullptr};
   for (const Pass &pass : passes())
-    if (pass.effect == AttributeEffect::Walk && pass.run != stripWalk && pass.run != sharedStack)
+    if (pass.effect == AttributeEffect::Walk && pass.choice.kind)
       walks.push_back(&pass);
   return walks[static_cast<std::size_t>(pick(random, 0, static_cast<int>(walks.size()) - 1))];
 }
@@ -78,9 +77,8 @@ std::string randomFormatText(std::mt19937 &random, int log2Side) {
 Format withValuesApart(const Format &format) {
   Format apart = format;
   Diagnostics diagnostics;
-  valuesApart(apart, diagnostics);
-  verify(apart, diagnostics);
-  return diagnostics.hasErrors() ? format : apart;
+  findPass("values-apart")->run(apart, diagnostics);
+  return apart;
 }
 
 Format withRandomPasses(std::mt19937 &random, Format format) {
@@ -98,7 +96,7 @@ Format withRandomPasses(std::mt19937 &random, Format format) {
   if (format.attributes.value(kValuesAttribute) == "apart" && log2Side <= kLog2FewCells &&
       random() % 2 != 0) {
     Diagnostics diagnostics;
-    paletteOf(format, 3 * kLog2FewCells, diagnostics);
+    findPass("palette")->run(format, diagnostics, 3 * kLog2FewCells);
   }
   run(*findPass("short-pointers"));
   if (random() % 2 != 0)

@@ -63,4 +63,12 @@ Format storageFormat(Format format) {
   return format;
 }
 
+Format canonicalFormat(Format format) {
+  format = storageFormat(std::move(format));
+  // The first level has one sub-volume, and nothing to share it with.
+  for (const AttributeKind *kind : {&kShareAttribute, &kDedupAttribute})
+    format.levels.front().setAttribute(*kind, kind->values.front());
+  return format;
+}
+
 } // namespace voxc

@@ -38,7 +38,7 @@ std::string toString(const Format &format) {
 }
 
 std::uint64_t storageDigest(const Format &format) {
-  const std::string text = printIr(storageFormat(format));
+  const std::string text = printIr(canonicalFormat(format));
   return XXH3_64bits(text.data(), text.size());
 }
 

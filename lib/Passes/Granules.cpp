@@ -9,8 +9,10 @@ namespace voxc {
 PassResult granules(Format &format, Diagnostics &diagnostics) {
   const auto values = kGranuleAttribute.values;
   const auto next = static_cast<std::size_t>(format.log2Granule()) + 1;
-  if (next == values.size())
+  if (next == values.size()) {
+    diagnostics.note({}, "granule=" + std::string(values.back()) + " is the largest");
     return PassResult::Unchanged;
+  }
   Format wider = format;
   wider.setAttribute(kGranuleAttribute, values[next]);
   Diagnostics problems;

@@ -3,10 +3,18 @@
 
 #include "voxc/Support/Stopwatch.h"
 
+#include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace voxc {
 namespace {
+
+/// A pass as it was written: alone, or with its number behind a '='.
+struct Call {
+  const Pass *pass;
+  std::optional<int> number;
+};
 
 Error unknownPass(const std::string &name) {
   std::string known;
@@ -15,23 +23,39 @@ Error unknownPass(const std::string &name) {
   return Error::usage("'" + name + "' is no pass; the passes are " + known);
 }
 
-/// Runs a pass as it was written: alone, or with its number behind a '='.
-Expected<PassResult> run(const Pass &pass, std::string_view written, Format &format,
-                         Diagnostics &diagnostics) {
-  if (written.size() == pass.name.size())
-    return pass.run(format, diagnostics);
-  const std::string_view text = written.substr(pass.name.size() + 1);
-  if (!pass.number)
-    return Error::usage("pass '" + std::string(pass.name) + "' takes no number, found '" + std::string(text) +
-                        "'");
+Expected<Call> readCall(const std::string &written) {
+  const Pass *const pass = findPass(written);
+  if (!pass)
+    return unknownPass(written);
+  Call call{pass, {}};
+  if (written.size() == pass->name.size())
+    return call;
+  const std::string text = written.substr(pass->name.size() + 1);
+  if (!pass->number)
+    return Error::usage("pass '" + std::string(pass->name) + "' takes no number, found '" + text + "'");
   int number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || end != text.data() + text.size() || number < pass.number->least ||
-      number > pass.number->most)
-    return Error::usage("pass '" + std::string(pass.name) + "' takes a number from " +
-                        std::to_string(pass.number->least) + " to " + std::to_string(pass.number->most) +
-                        ", not '" + std::string(text) + "'");
-  return pass.number->run(format, number, diagnostics);
+  if (problem != std::errc() || end != text.data() + text.size() || number < pass->number->least ||
+      number > pass->number->most)
+    return Error::usage("pass '" + std::string(pass->name) + "' takes a number from " +
+                        std::to_string(pass->number->least) + " to " + std::to_string(pass->number->most) +
+                        ", not '" + text + "'");
+  call.number = number;
+  return call;
+}
+
+/// Rewrites as they are written, then choices as the table has them, and their numbers.
+void resolveOrder(std::vector<Call> &calls) {
+  const auto rankOf = [](const Call &call) {
+    return call.pass->rewrites ? std::pair<std::ptrdiff_t, int>(-1, 0)
+                               : std::pair(call.pass - passes().data(), call.number.value_or(0));
+  };
+  std::ranges::stable_sort(calls, {}, rankOf);
+  // A choice that is made twice is one; granules count how often they are asked for.
+  const auto repeated = std::ranges::unique(calls, [](const Call &a, const Call &b) {
+    return a.pass == b.pass && a.number == b.number && a.pass->choice.kind;
+  });
+  calls.erase(repeated.begin(), repeated.end());
 }
 
 Expected<void> verifyAfter(const Pass &pass, const Format &format) {
@@ -50,27 +74,35 @@ Error errorAt(const Format &format, const Diagnostics &diagnostics) {
   return toError(diagnostics, toString(format), "format");
 }
 
+Expected<void> runCall(const Call &call, Format &format, const PipelineOptions &options) {
+  Diagnostics diagnostics;
+  const Stopwatch watch;
+  const PassResult result = call.pass->run(format, diagnostics, call.number);
+  const double seconds = watch.seconds();
+  if (diagnostics.hasErrors())
+    return errorAt(format, diagnostics);
+  if (options.afterEach)
+    options.afterEach(*call.pass, format, result, seconds);
+  if (options.missed && result == PassResult::Unchanged)
+    options.missed(*call.pass, diagnostics.all().empty() ? "" : diagnostics.all().front().message);
+  return options.verifyEach ? verifyAfter(*call.pass, format) : Expected<void>();
+}
+
 } // namespace
 
 Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options) {
+  std::vector<Call> calls;
   for (const std::string &name : names) {
-    const Pass *pass = findPass(name);
-    if (!pass)
-      return unknownPass(name);
-    Diagnostics diagnostics;
-    const Stopwatch watch;
-    const Expected<PassResult> result = run(*pass, name, format, diagnostics);
-    const double seconds = watch.seconds();
-    if (!result)
-      return result.error();
-    if (diagnostics.hasErrors())
-      return errorAt(format, diagnostics);
-    if (options.afterEach)
-      options.afterEach(*pass, format, *result, seconds);
-    if (options.verifyEach)
-      if (auto verified = verifyAfter(*pass, format); !verified)
-        return verified.error();
+    auto call = readCall(name);
+    if (!call)
+      return call.error();
+    calls.push_back(*call);
   }
+  if (options.order == PassOrder::Resolved)
+    resolveOrder(calls);
+  for (const Call &call : calls)
+    if (auto done = runCall(call, format, options); !done)
+      return done;
   return {};
 }
 

@@ -27,16 +27,19 @@ bool isValid(const Format &format) {
   return !diagnostics.hasErrors();
 }
 
-PassResult replaceIfChanged(Format &format, Format &&result) {
-  if (result.levels == format.levels)
+PassResult replaceIfChanged(Format &format, Format &&result, const char *otherwise,
+                            Diagnostics &diagnostics) {
+  if (result.levels == format.levels) {
+    diagnostics.note({}, otherwise);
     return PassResult::Unchanged;
+  }
   format = std::move(result);
   return PassResult::Changed;
 }
 
 } // namespace
 
-PassResult mergeGrids(Format &format, Diagnostics &) {
+PassResult mergeGrids(Format &format, Diagnostics &diagnostics) {
   Format merged = format;
   for (std::size_t i = 0; i + 1 < merged.levels.size();) {
     Format next = merged;
@@ -50,10 +53,11 @@ PassResult mergeGrids(Format &format, Diagnostics &) {
     else
       ++i;
   }
-  return replaceIfChanged(format, std::move(merged));
+  return replaceIfChanged(format, std::move(merged), "no two R levels are neighbours that fit as one",
+                          diagnostics);
 }
 
-PassResult splitGrids(Format &format, Diagnostics &) {
+PassResult splitGrids(Format &format, Diagnostics &diagnostics) {
   Format split = format;
   split.levels.clear();
   for (const Level &level : format.levels) {
@@ -66,7 +70,7 @@ PassResult splitGrids(Format &format, Diagnostics &) {
       split.levels.push_back(level);
     }
   }
-  return replaceIfChanged(format, std::move(split));
+  return replaceIfChanged(format, std::move(split), "no R level has four cells on each axis", diagnostics);
 }
 
 } // namespace voxc

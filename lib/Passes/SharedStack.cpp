@@ -9,13 +9,15 @@
 
 namespace voxc {
 
-PassResult sharedStack(Format &format, Diagnostics &) {
+PassResult sharedStack(Format &format, Diagnostics &diagnostics) {
   const auto keepsNodes = [](const Level &level) {
     return level.kind->isTree() && level.log2Size() != Int3{} && level.attribute(kWalkAttribute) == "stack";
   };
   const std::string_view levels = format.attributes.value(kLevelsAttribute);
   const bool keeps =
       levels == "flat" || (levels != "direct" && std::ranges::any_of(format.levels, keepsNodes));
+  if (!keeps)
+    diagnostics.note({}, "no walk of the format keeps the nodes above a cell");
   return keeps && format.setAttribute(kStackAttribute, toString(Stack::Shared)) ? PassResult::Changed
                                                                                 : PassResult::Unchanged;
 }

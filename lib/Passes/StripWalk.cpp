@@ -5,10 +5,12 @@
 
 namespace voxc {
 
-PassResult stripWalk(Format &format, Diagnostics &) {
+PassResult stripWalk(Format &format, Diagnostics &diagnostics) {
   Format stripped = storageFormat(format);
-  if (stripped == format)
+  if (stripped == format) {
+    diagnostics.note({}, "no attribute concerns the kernel alone");
     return PassResult::Unchanged;
+  }
   format = std::move(stripped);
   return PassResult::Changed;
 }

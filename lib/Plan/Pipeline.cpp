@@ -10,14 +10,15 @@ constexpr std::array<PlanPass, 5> kPasses = {{
     {"choose-descents", "what layers leave no choice of: a tree without any is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
     {"choose-walk",
-     "nested loops, one flat loop or a direct one: as asked; else flat from 8 levels on, and direct where "
+     "nested loops, one flat loop or a direct one: as asked; else direct from 8 levels on, and where "
      "the first level tells octants above at most 8 layers of nodes, or all others, two at least, are "
      "masked grids of 4 cells a side; but nested where restart-sv, "
      "unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseWalk},
     {"choose-steps",
-     "of exact walks, where the device has doubles: in packets doubles for steps that float32 cannot tell, "
-     "else for all steps through 2^11 voxels a side and more; float32 everywhere else",
+     "of exact walks, where the device has doubles: in packets sums of two float32 for steps that one cannot "
+     "tell, "
+     "else doubles for all steps through 2^11 voxels a side and more; float32 everywhere else",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"place-stack", "where the nodes above a cell are kept: as asked, if the walk keeps any",
      "After the walk, which may keep none.", placeStack},

@@ -1,10 +1,12 @@
 // The tables of what plan text says.
 #include "PlanFields.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cstdio>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -42,6 +44,36 @@ template <typename Owner, auto Member> bool parseMember(Owner &owner, std::strin
   }
 }
 
+/// The names of an enum, with commas between them.
+template <typename Enum> struct ListedNames {
+  static constexpr std::size_t kLength = [] {
+    std::size_t length = 2 * (kEnumNames<Enum>.size() - 1);
+    for (const std::string_view name : kEnumNames<Enum>)
+      length += name.size();
+    return length;
+  }();
+  static constexpr std::array<char, kLength> kText = [] {
+    std::array<char, kLength> text{};
+    auto at = text.begin();
+    for (const std::string_view name : kEnumNames<Enum>) {
+      if (at != text.begin())
+        at = std::ranges::copy(std::string_view(", "), at).out;
+      at = std::ranges::copy(name, at).out;
+    }
+    return text;
+  }();
+};
+
+/// A member that is an enum or says yes or no, and so says itself what it takes.
+template <typename Owner, auto Member> constexpr Field<Owner> field(std::string_view name) {
+  using Value = std::remove_cvref_t<decltype(std::declval<Owner>().*Member)>;
+  std::string_view values = "yes, no";
+  if constexpr (std::is_enum_v<Value>)
+    values = {ListedNames<Value>::kText.data(), ListedNames<Value>::kLength};
+  return {name, printMember<Owner, Member>, parseMember<Owner, Member>, values};
+}
+
+/// A member that is a number.
 template <typename Owner, auto Member>
 constexpr Field<Owner> field(std::string_view name, std::string_view values) {
   return {name, printMember<Owner, Member>, parseMember<Owner, Member>, values};
@@ -115,43 +147,43 @@ constexpr std::array<Field<Plan>, 21> kPlanFields = {{
     {"alpha", printAlpha, parseAlpha, "any, positive"},
     {"values", printValues, parseValues, "in-place, apart"},
     {"granule", printGranule, parseGranule, "a number of words, a power of two"},
-    field<Plan, &Plan::addressing>("addressing", "buffer, segments, paged"),
-    field<Plan, &Plan::walk>("walk", "auto, nested, flat, direct"),
-    field<Plan, &Plan::stack>("stack", "private, shared"),
-    field<Plan, &Plan::predicate>("predicate", "exact, float32"),
-    field<Plan, &Plan::steps>("steps", "float32, refined, float64"),
-    field<Plan, &Plan::detail>("detail", "full, cone"),
-    field<Plan, &Plan::query>("query", "closest, any, occupancy, distance"),
+    field<Plan, &Plan::addressing>("addressing"),
+    field<Plan, &Plan::walk>("walk"),
+    field<Plan, &Plan::stack>("stack"),
+    field<Plan, &Plan::predicate>("predicate"),
+    field<Plan, &Plan::steps>("steps"),
+    field<Plan, &Plan::detail>("detail"),
+    field<Plan, &Plan::query>("query"),
     output<&Outputs::voxel>("voxel"),
     output<&Outputs::t>("t"),
     output<&Outputs::face>("face"),
     output<&Outputs::colour>("colour"),
     output<&Outputs::index>("index"),
-    field<Plan, &Plan::loops>("loops", "whole, cut"),
-    field<Plan, &Plan::arithmetic>("arithmetic", "any, ieee"),
-    field<Plan, &Plan::packing>("packing", "device, packets"),
-    field<Plan, &Plan::bounded>("bounds", "yes, no"),
+    field<Plan, &Plan::loops>("loops"),
+    field<Plan, &Plan::arithmetic>("arithmetic"),
+    field<Plan, &Plan::packing>("packing"),
+    field<Plan, &Plan::bounded>("bounds"),
 }};
 
 using S = PlannedStratum;
 constexpr std::array<Field<S>, 17> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
-    field<S, &S::leaves>("leaves", "yes, no"),
-    field<S, &S::cells>("cells", "inline, word, slot, record"),
-    field<S, &S::skip>("skip", "none, l1, octant"),
+    field<S, &S::leaves>("leaves"),
+    field<S, &S::cells>("cells"),
+    field<S, &S::skip>("skip"),
     field<S, &S::reach>("reach", "a number of cells"),
-    field<S, &S::empty>("empty", "zero, tagged, transparent"),
-    field<S, &S::implied>("implied", "yes, no"),
-    field<S, &S::ranked>("ranked", "yes, no"),
+    field<S, &S::empty>("empty"),
+    field<S, &S::implied>("implied"),
+    field<S, &S::ranked>("ranked"),
     field<S, &S::indexBits>("index", "a number of bits"),
     field<S, &S::arrayHead>("array", "the number of a word of the volume's head"),
-    field<S, &S::counts>("counts", "each, octant"),
-    field<S, &S::grids>("grids", "masks, octants"),
-    field<S, &S::sharing>("sharing", "none, sub-volume, stratum"),
-    field<S, &S::descent>("descent", "index, single, stack, restart, unrolled"),
-    field<S, &S::stops>("stops", "yes, no"),
-    field<S, &S::sampled>("sampled", "yes, no"),
+    field<S, &S::counts>("counts"),
+    field<S, &S::grids>("grids"),
+    field<S, &S::sharing>("sharing"),
+    field<S, &S::descent>("descent"),
+    field<S, &S::stops>("stops"),
+    field<S, &S::sampled>("sampled"),
 }};
 
 } // namespace

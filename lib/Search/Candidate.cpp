@@ -60,12 +60,9 @@ void applyPass(Candidate &candidate, const std::string &pass) {
   Diagnostics diagnostics;
   const Pass &found = *findPass(pass);
   const std::size_t number = pass.find('=');
-  const PassResult result = number == std::string::npos
-                                ? found.run(changed, diagnostics)
-                                : found.number->run(changed, std::stoi(pass.substr(number + 1)), diagnostics);
-  if (result == PassResult::Changed)
-    verify(changed, diagnostics);
-  if (result != PassResult::Changed || diagnostics.hasErrors())
+  const auto with =
+      number == std::string::npos ? std::nullopt : std::optional(std::stoi(pass.substr(number + 1)));
+  if (found.run(changed, diagnostics, with) != PassResult::Changed)
     return;
   candidate.format = std::move(changed);
   candidate.passes.push_back(pass);

@@ -79,7 +79,7 @@ Format drawFormat(RandomSource &random, int side) {
   std::mt19937 engine(static_cast<unsigned>(random.integer(0, 1 << 30)));
   Format format = *parseFormat(test::randomFormatText(engine, side));
   Diagnostics diagnostics;
-  wholeLevelDedup(format, diagnostics);
+  findPass("whole-level-dedup")->run(format, diagnostics);
   return format;
 }
 

@@ -1,6 +1,8 @@
 // Pass flags, generated from the registry.
 #include "frontend/PassOptions.h"
 
+#include "common/Command.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -8,9 +10,12 @@ namespace voxc::tool {
 
 namespace {
 
-constexpr const char *kGroup = "Passes, in the order written";
 constexpr const char *kPipelineOption = "--passes";
 constexpr const char *kPointersOfInput = "short-pointers=auto";
+
+const char *groupOf(PassChoice choice) {
+  return choice == PassChoice::Pipeline ? "Passes, in the order written" : "Passes, in any order";
+}
 
 bool offered(const Pass &pass, PassChoice choice) {
   return choice != PassChoice::WalkOnly || pass.effect == AttributeEffect::Walk;
@@ -25,7 +30,7 @@ std::string helpOf(const Pass &pass, PassChoice choice) {
   if (!pass.number)
     return summary;
   return summary + "; =N is " + std::to_string(pass.number->least) + " to " +
-         std::to_string(pass.number->most) + ", or " + std::to_string(pass.number->usual) +
+         std::to_string(pass.number->most) + ", or " + std::to_string(pass.number->byDefault) +
          (choice == PassChoice::OfInput && isOfInput(pass) ? "; =auto, the fewest that do for the input"
                                                            : "");
 }
@@ -43,12 +48,17 @@ std::string writtenName(const Option &flag) {
 
 void PassOptions::declare(const CommandLine &command, PassChoice choice) {
   command_ = command;
-  const OptionGroup group(command, kGroup);
+  const OptionGroup group(command, groupOf(choice));
   choice_ = choice;
   for (const Pass &pass : passes())
     if (offered(pass, choice))
       command.addFlag(flagOf(pass), helpOf(pass, choice));
-  command.add(kPipelineOption, "The same as their flags, in this order").list().takes("A,B").repeated();
+  command
+      .add(kPipelineOption, choice == PassChoice::Pipeline ? "The same as their flags, in this order"
+                                                           : "The same as their flags")
+      .list()
+      .takes("A,B")
+      .repeated();
 }
 
 std::vector<std::string> PassOptions::names() const {
@@ -57,7 +67,7 @@ std::vector<std::string> PassOptions::names() const {
     const std::vector<std::string> written = option.written();
     if (option.name() == kPipelineOption)
       names.insert(names.end(), written.begin(), written.end());
-    else if (option.group() == kGroup)
+    else if (option.group() == groupOf(choice_))
       names.push_back(writtenName(option));
   }
   return names;
@@ -80,12 +90,21 @@ std::vector<std::string> PassOptions::namesWith(std::optional<int> pointerBits) 
 }
 
 Expected<void> PassOptions::apply(Format &format, const PipelineOptions &options) const {
-  const std::vector<std::string> chosen = namesWith(findPass("short-pointers")->number->usual);
+  const std::vector<std::string> chosen = namesWith(findPass("short-pointers")->number->byDefault);
   for (const std::string &name : chosen)
     if (const Pass *pass = findPass(name); pass && !offered(*pass, choice_))
       return Error::usage("pass '" + name +
                           "' changes what a volume stores; give it to 'voxc build' instead");
   return runPasses(format, chosen, options);
+}
+
+PipelineOptions tellingMissed(bool quiet) {
+  PipelineOptions options;
+  if (!quiet)
+    options.missed = [](const Pass &pass, const std::string &why) {
+      printNote("note: " + flagOf(pass) + " changes nothing: " + why);
+    };
+  return options;
 }
 
 } // namespace voxc::tool

@@ -1,5 +1,4 @@
-// Options that choose passes: a flag for each registered pass, and --passes=a,b; they run as they are
-// written.
+// Options that choose passes: a flag for each registered pass, and --passes=a,b.
 #pragma once
 
 #include "common/CommandLine.h"
@@ -12,8 +11,8 @@
 namespace voxc::tool {
 
 /// Which passes a command offers: walk passes alone where the volume is finished already; `OfInput`, all, of
-/// which the input may tell the number (`--short-pointers=auto`).
-enum class PassChoice { All, OfInput, WalkOnly };
+/// which the input may tell the number (`--short-pointers=auto`); `Pipeline`, all, in the order written.
+enum class PassChoice { All, OfInput, WalkOnly, Pipeline };
 
 /// The passes named on a command line, in the order of the command line.
 class PassOptions {
@@ -38,5 +37,8 @@ private:
   std::optional<CommandLine> command_;
   PassChoice choice_ = PassChoice::All;
 };
+
+/// Options with which each pass that changes nothing is a note on standard error that says why, unless quiet.
+PipelineOptions tellingMissed(bool quiet);
 
 } // namespace voxc::tool

@@ -28,6 +28,7 @@ struct Options {
   PlanPipelineOptions plan;
   bool lower = false;
   bool timePasses = false;
+  bool remarks = false;
   std::string (*description)() = nullptr; ///< To be printed instead.
 };
 
@@ -55,6 +56,8 @@ void declare(const CommandLine &command, Options &options) {
       .showsDefault();
   command.addFlag("--print-after-all", options.plan.printAfterAll,
                   "Print the IR to standard error after each pass");
+  command.addFlag("--remarks", options.remarks,
+                  "Tell of each pass that changes nothing why, on standard error");
   command.addFlag("--time-passes", options.timePasses, "Print each pass's time to standard error");
   command.addFlag("--verify-each,!--no-verify-each", options.plan.verifyEach,
                   "Verify the IR after each pass (the default)");
@@ -63,7 +66,7 @@ void declare(const CommandLine &command, Options &options) {
       .takes("PASS");
   for (const DescriptionRow &row : kDescriptions)
     command.addFlag(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
-  options.passes.declare(command, PassChoice::All);
+  options.passes.declare(command, PassChoice::Pipeline);
 }
 
 void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
@@ -74,6 +77,10 @@ void tellPass(const Options &options, const Pass &pass, const Format &format, Pa
                  changed ? printIr(format).c_str() : "");
   if (options.timePasses)
     std::fprintf(stderr, "%10.6f s  %s\n", seconds, std::string(pass.name).c_str());
+}
+
+void tellMissed(const Pass &pass, const std::string &why) {
+  std::fprintf(stderr, "remark: %s changes nothing: %s\n", std::string(pass.name).c_str(), why.c_str());
 }
 
 /// A format string has brackets, and no file has its name.
@@ -132,10 +139,12 @@ Expected<void> optimise(const Options &options) {
   Expected<Format> format = parseFormat(*text, name);
   if (!format)
     return format.error();
-  PipelineOptions pipeline{.verifyEach = options.plan.verifyEach, .afterEach = {}};
+  PipelineOptions pipeline{.order = PassOrder::AsWritten, .verifyEach = options.plan.verifyEach};
   pipeline.afterEach = [&](const Pass &pass, const Format &changed, PassResult result, double seconds) {
     tellPass(options, pass, changed, result, seconds);
   };
+  if (options.remarks)
+    pipeline.missed = tellMissed;
   if (Expected<void> passed = runPasses(*format, passesUntil(options), pipeline); !passed)
     return passed;
   const Expected<bool> lowers = goesOn(options);

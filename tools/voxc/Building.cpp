@@ -104,7 +104,7 @@ Expected<Format> Building::readFormat(const std::string &device, const CommonOpt
   if (!format)
     return format;
   written_ = *format;
-  if (Expected<void> passed = passes_.apply(*format); !passed)
+  if (Expected<void> passed = passes_.apply(*format, tellingMissed(common.quiet)); !passed)
     return passed.error();
   return format;
 }

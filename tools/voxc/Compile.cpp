@@ -119,7 +119,7 @@ Expected<void> CompileCommand::run() {
   Expected<Format> format = readFormat(format_);
   if (!format)
     return format.error();
-  if (Expected<void> passed = passes_.apply(*format); !passed)
+  if (Expected<void> passed = passes_.apply(*format, tellingMissed(common_.quiet)); !passed)
     return passed;
   if (Expected<void> applied = attributes_.apply(*format); !applied)
     return applied;

@@ -43,7 +43,7 @@ constexpr CommandKind kCommands[] = {
     {kUse, "run", "Compile, build and render in one go", makeRunCommand},
     {kUse, "trace", "Trace the rays of a file through a volume", makeTraceCommand},
     {kUse, "export",
-     "Write a volume as a dense grid, points, MagicaVoxel, another .hvx, or a page for browsers",
+     "Write a volume as another kind of file: points, a mesh, slices, MagicaVoxel, NanoVDB, VTK or a page",
      makeExportCommand},
     {kUse, "info", "Describe a volume or another input", makeInfoCommand},
     {kUse, "devices", "List the devices that can trace", makeDevicesCommand},

@@ -87,7 +87,10 @@ Format storageFormat(Format format);
 /// How the words of its volumes lie. The format must be verified.
 Layout layoutOf(const Format &format);
 
-/// 64-bit digest of the canonical text of the format's storage; a kernel carries that of the volumes it fits.
+/// The format as it is stored, without choices that change no word: sharing on the first level.
+Format canonicalFormat(Format format);
+
+/// 64-bit digest of the text of the canonical format; a kernel carries that of the volumes it fits.
 std::uint64_t storageDigest(const Format &format);
 
 } // namespace voxc

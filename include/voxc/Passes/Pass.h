@@ -1,10 +1,12 @@
-// Passes over the level IR: free functions, registered by name in one table (lib/Passes/PassRegistry.cpp).
+// Passes over the level IR, registered by name in one table (lib/Passes/PassRegistry.cpp): choices, which set
+// an attribute, and rewrites, which make other levels.
 #pragma once
 
 #include "voxc/IR/Format.h"
 #include "voxc/Support/Diagnostic.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,8 +20,34 @@ enum class PassResult { Changed, Unchanged };
 struct PassNumber {
   int least;
   int most;
-  int usual; ///< What a pass without one takes.
-  PassResult (*run)(Format &format, int number, Diagnostics &diagnostics);
+  int byDefault; ///< What a pass without one takes.
+};
+
+/// What a choice is set on: the format, or those of these levels that take it.
+enum class ChoiceScope {
+  Format,
+  Levels,
+  LowerLevels, ///< All but the first.
+  LastLevel,
+  Trees ///< Trees of more than one cell.
+};
+
+/// What becomes of a choice that its format cannot have.
+enum class Unfit {
+  LeftOut, ///< The format stays as it is, and a note says why.
+  Error
+};
+
+/// The attribute that a pass sets.
+struct Choice {
+  const AttributeKind *kind = nullptr;
+  std::string_view value; ///< `#` in it stands for the pass's number.
+  ChoiceScope scope = ChoiceScope::Format;
+  Unfit unfit = Unfit::Error;
+  const AttributeKind *implied = nullptr; ///< Set on the format too, to its second value; or null.
+
+  /// The value with a number in its place.
+  std::string valueWith(int number) const;
 };
 
 /// A pass: its name is also its flag (`--whole-level-dedup`).
@@ -28,53 +56,46 @@ struct Pass {
   AttributeEffect effect; ///< Walk passes may be applied to any volume.
   std::string_view summary;
   std::string_view details; ///< A paragraph for `voxc-opt --help-passes` and docs/passes.md.
-  PassResult (*run)(Format &format, Diagnostics &diagnostics);
-  const PassNumber *number = nullptr; ///< Null: it takes none.
+  Choice choice;            ///< Without a kind where `function` does the work.
+  PassResult (*function)(Format &format, Diagnostics &diagnostics) = nullptr;
+  std::optional<PassNumber> number; ///< Nothing: it takes none.
+  bool rewrites = false;            ///< It makes other levels, or removes attributes; else it is a choice.
+
+  /// Runs it, with its default number or another in its range. Notes say why a format stays as it is; errors
+  /// what would be wrong, and the format then stays as it is.
+  PassResult run(Format &format, Diagnostics &diagnostics, std::optional<int> with = std::nullopt) const;
 };
 
-/// All passes, in the order of the documentation.
+/// All passes, in the order in which choices are resolved, which is that of the documentation.
 std::span<const Pass> passes();
 
 /// The pass of this name, which may have a number ("palette=4"), or null.
 const Pass *findPass(std::string_view name);
 
+enum class PassOrder {
+  Resolved, ///< Rewrites as they are written, then choices as the table has them: their order means nothing.
+  AsWritten
+};
+
 struct PipelineOptions {
+  PassOrder order = PassOrder::Resolved;
   bool verifyEach = true;
   /// Called after each pass with the format as it then is, the result, and the seconds it took.
   std::function<void(const Pass &, const Format &, PassResult, double seconds)> afterEach;
+  /// Called with each pass that changed nothing, and why.
+  std::function<void(const Pass &, const std::string &why)> missed;
 };
 
-/// Runs passes by name, in order. Errors: an unknown pass (naming those there are), a wrong number; a pass
-/// that does not apply without being wrong leaves the format unchanged; one that would be wrong is an error.
+/// Runs passes by name. Errors: an unknown pass (naming those there are), a wrong number, two values of one
+/// attribute. A pass that does not apply without being wrong leaves the format unchanged; one that would be
+/// wrong is an error.
 Expected<void> runPasses(Format &format, std::span<const std::string> names,
                          const PipelineOptions &options = {});
 
-// What each pass promises stands in its own file of lib/Passes.
-PassResult wholeLevelDedup(Format &format, Diagnostics &diagnostics);
-PassResult shareGrids(Format &format, Diagnostics &diagnostics);
-PassResult visibleVoxels(Format &format, Diagnostics &diagnostics);
-PassResult occupancy(Format &format, Diagnostics &diagnostics);
-PassResult constantColour(Format &format, Diagnostics &diagnostics);
-PassResult palette(Format &format, Diagnostics &diagnostics);
-PassResult paletteOf(Format &format, int log2Colours, Diagnostics &diagnostics);
-PassResult rgb565(Format &format, Diagnostics &diagnostics);
-PassResult material(Format &format, Diagnostics &diagnostics);
-PassResult materialOf(Format &format, int bits, Diagnostics &diagnostics);
-PassResult valuesApart(Format &format, Diagnostics &diagnostics);
-PassResult shortPointers(Format &format, Diagnostics &diagnostics);
+// What passes that are more than a choice promise stands in their own files of lib/Passes.
 PassResult granules(Format &format, Diagnostics &diagnostics);
-PassResult shortPointersOf(Format &format, int bits, Diagnostics &diagnostics);
-PassResult octantCounts(Format &format, Diagnostics &diagnostics);
-PassResult octantMasks(Format &format, Diagnostics &diagnostics);
-PassResult inlineLeaves(Format &format, Diagnostics &diagnostics);
-PassResult octantDistances(Format &format, Diagnostics &diagnostics);
-PassResult dfPacking(Format &format, Diagnostics &diagnostics);
 PassResult mergeGrids(Format &format, Diagnostics &diagnostics);
 PassResult splitGrids(Format &format, Diagnostics &diagnostics);
-PassResult restartSv(Format &format, Diagnostics &diagnostics);
-PassResult unrollSv(Format &format, Diagnostics &diagnostics);
-PassResult flatWalk(Format &format, Diagnostics &diagnostics);
-PassResult directWalk(Format &format, Diagnostics &diagnostics);
 PassResult sharedStack(Format &format, Diagnostics &diagnostics);
 PassResult stripWalk(Format &format, Diagnostics &diagnostics);
 
