@@ -24,7 +24,7 @@ Format formatOf(std::string_view text, bool dedup = false) {
   EXPECT_TRUE(format) << format.error().message;
   Diagnostics diagnostics;
   if (dedup)
-    wholeLevelDedup(*format, diagnostics);
+    findPass("whole-level-dedup")->run(*format, diagnostics);
   return *format;
 }
 

@@ -93,10 +93,10 @@ protected:
     ASSERT_TRUE(volume) << volume.error().message;
     const auto rays = test::verifyRays(scene.extent, count, 3);
     const auto stack = cpuHits(*volume, format, rays);
-    for (const auto pass : {restartSv, unrollSv}) {
+    for (const char *pass : {"restart-sv", "unroll-sv"}) {
       Format walked = format;
       Diagnostics diagnostics;
-      ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
+      ASSERT_EQ(findPass(pass)->run(walked, diagnostics), PassResult::Changed);
       const auto hits = cpuHits(*volume, walked, rays);
       EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0) << scene.name;
     }

@@ -134,10 +134,10 @@ TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   const auto stack = hitsOf(built->volume, format, Addressing::Buffer, rays);
   const auto segments = hitsOf(built->volume, format, Addressing::Segments, rays);
   const auto bytes = stack.size() * sizeof(Hit);
-  for (const auto pass : {restartSv, unrollSv}) {
+  for (const char *pass : {"restart-sv", "unroll-sv"}) {
     Format walked = format;
     Diagnostics diagnostics;
-    ASSERT_EQ(pass(walked, diagnostics), PassResult::Changed);
+    ASSERT_EQ(findPass(pass)->run(walked, diagnostics), PassResult::Changed);
     const auto hits = hitsOf(built->volume, walked, Addressing::Buffer, rays);
     EXPECT_EQ(std::memcmp(stack.data(), hits.data(), bytes), 0);
   }

@@ -129,7 +129,7 @@ protected:
     Format format = test::randomFormat(random_, log2Side);
     Diagnostics diagnostics;
     if (layoutOf(format).values == Values::Apart && random_() % 4 != 0)
-      paletteOf(format, 16, diagnostics);
+      findPass("palette")->run(format, diagnostics, 16);
     return format;
   }
 
