@@ -18,13 +18,16 @@ Json levelFigures(const std::vector<LevelReport> &levels) {
 
 } // namespace
 
-void tellWarnings(const Input &input, const CommonOptions &common) {
+void tellWarnings(const Input &input, const CommonOptions &common, ToldSentences &told) {
   if (common.quiet)
     return;
-  for (const std::string &warning : input.warnings)
-    printNote("warning: " + warning);
-  for (const std::string &note : input.notes)
-    printNote("note: " + note);
+  const auto tell = [&](const char *kind, const std::vector<std::string> &sentences) {
+    for (const std::string &sentence : sentences)
+      if (told.insert(kind + sentence).second)
+        printNote(kind + sentence);
+  };
+  tell("warning: ", input.warnings);
+  tell("note: ", input.notes);
 }
 
 void addInputFigures(Json &figures, const Input &input) {

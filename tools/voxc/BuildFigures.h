@@ -6,12 +6,17 @@
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Input/Input.h"
 
+#include <set>
 #include <string>
 
 namespace voxc::tool {
 
-/// Tells the warnings and notes about an input, unless told to be quiet.
-void tellWarnings(const Input &input, const CommonOptions &common);
+/// Sentences about an input that were told already: a command may open it twice.
+using ToldSentences = std::set<std::string>;
+
+/// Tells the warnings and notes about an input that are not among those told, and adds them, unless asked to
+/// be quiet.
+void tellWarnings(const Input &input, const CommonOptions &common, ToldSentences &told);
 
 /// Adds the figures of opening an input.
 void addInputFigures(Json &figures, const Input &input);

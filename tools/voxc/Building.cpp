@@ -1,7 +1,6 @@
 // Building volumes for the driver.
 #include "Building.h"
 
-#include "BuildFigures.h"
 #include "Figures.h"
 
 #include "common/Statistics.h"
@@ -84,6 +83,7 @@ Expected<Format> Building::suggestFormat(const std::string &device, const Common
   figures["choose_seconds"] = watch.seconds();
   const Candidate &candidate = suggestion->rated[*suggestion->choice].candidate;
   inputArguments_ = suggestion->arguments;
+  told_ = std::move(suggestion->told);
   format_ = candidate.text;
   suggestedPasses_ = candidate.passes;
   figures["format"] = candidate.text;
@@ -206,7 +206,8 @@ Expected<Building::Opened> Building::open(Format &format, const CommonOptions &c
   if (!input)
     return input.error();
   figures["input_seconds"] = opening.seconds();
-  tellWarnings(*input, common);
+  ToldSentences told = told_;
+  tellWarnings(*input, common, told);
   if (Expected<void> chosen = chooseByFacts(format, *input->source, memory, common, progress, figures);
       !chosen)
     return chosen.error();

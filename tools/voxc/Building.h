@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BuildArguments.h"
+#include "BuildFigures.h"
 #include "ColourLoss.h"
 #include "InputArguments.h"
 #include "PayloadOption.h"
@@ -99,6 +100,7 @@ private:
   std::string input_;
   PassOptions passes_;
   std::vector<std::string> suggestedPasses_; ///< In their place, of a format that was suggested.
+  ToldSentences told_;                       ///< Of the input, while a format was suggested.
   PayloadOption payload_;
   bool lossy_ = false;
   InputArguments inputArguments_;

@@ -51,7 +51,8 @@ private:
     Expected<Input> input = openInput(input_, options);
     if (!input)
       return input.error();
-    tellWarnings(*input, common_);
+    ToldSentences told;
+    tellWarnings(*input, common_, told);
     const Stopwatch watch;
     Expected<Facts> facts = measureFacts(*input->source, {.memory = options.memory}, progress);
     if (!facts)

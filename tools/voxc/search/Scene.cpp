@@ -1,7 +1,6 @@
 // Reading an input into a graph.
 #include "search/Scene.h"
 
-#include "BuildFigures.h"
 #include "bench/FormatList.h"
 
 #include "voxc/Search/SceneValues.h"
@@ -48,7 +47,7 @@ private:
     Expected<Input> input = openInput(input_, options_);
     if (!input)
       return input.error();
-    tellWarnings(*input, common_);
+    tellWarnings(*input, common_, told_);
     Expected<SceneValues> values = SceneValues::create(options_.memory);
     if (!values)
       return values.error();
@@ -65,7 +64,8 @@ private:
                    .extent = input->source->extent(),
                    .voxelToModel = input->source->voxelToModel(),
                    .provenance = input->provenance,
-                   .traits = {}},
+                   .traits = {},
+                   .told = told_},
                   *values);
   }
 
@@ -87,6 +87,7 @@ private:
   const std::string &input_;
   InputOptions options_;
   const CommonOptions &common_;
+  ToldSentences told_;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // What suggest and search know of an input: it is read once, into a graph.
 #pragma once
 
+#include "BuildFigures.h"
 #include "InputArguments.h"
 
 #include "common/Command.h"
@@ -29,6 +30,7 @@ struct Scene {
   std::uint64_t voxels = 0;
   std::uint64_t valueWords = 0; ///< Of values apart; 0 if all have one.
   CandidateTraits traits;
+  ToldSentences told; ///< Of the input.
 
   PricedScene priced() const { return {shape, colours ? &*colours : nullptr, valueWords}; }
 };

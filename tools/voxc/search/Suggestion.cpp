@@ -63,6 +63,7 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
   const Stopwatch watch;
   for (const RaySet &set : *rays)
     suggestion.rays.push_back(set.name);
+  suggestion.told = scene->told;
   suggestion.voxels = scene->voxels;
   suggestion.valueWords = scene->valueWords;
   const KnownSpeeds speeds = knownSpeedsOf(request.device);

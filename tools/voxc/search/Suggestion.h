@@ -27,6 +27,7 @@ struct Suggestion {
   InputArguments arguments; ///< As they are looked at.
   std::string device;
   Wish wish;
+  ToldSentences told; ///< Of the input.
   std::uint64_t voxels = 0;
   std::uint64_t valueWords = 0;  ///< Of values apart.
   std::vector<std::string> rays; ///< Names of the sets.
