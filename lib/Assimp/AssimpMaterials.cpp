@@ -2,7 +2,9 @@
 #include "Assimp/AssimpMaterials.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace voxc {
@@ -11,26 +13,46 @@ namespace {
 
 /// Textures that are a surface's colour, the likeliest first.
 constexpr std::array<aiTextureType, 2> kColourTypes{aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+/// Those of what it gives off.
+constexpr std::array<aiTextureType, 2> kEmissionTypes{aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE};
+constexpr float kMostEmission = 1e9f;
 
 struct TypeName {
   aiTextureType type;
   const char *name;
 };
 
-constexpr std::array<TypeName, 9> kOtherTypes{{{aiTextureType_SPECULAR, "specular"},
-                                               {aiTextureType_EMISSIVE, "emissive"},
-                                               {aiTextureType_HEIGHT, "height"},
-                                               {aiTextureType_NORMALS, "normals"},
-                                               {aiTextureType_OPACITY, "opacity"},
-                                               {aiTextureType_DISPLACEMENT, "displacement"},
-                                               {aiTextureType_LIGHTMAP, "light"},
-                                               {aiTextureType_REFLECTION, "reflection"},
-                                               {aiTextureType_METALNESS, "metalness"}}};
+constexpr std::array kOtherTypes =
+    std::to_array<TypeName>({{aiTextureType_SPECULAR, "specular"},
+                             {aiTextureType_AMBIENT, "ambient"},
+                             {aiTextureType_HEIGHT, "height"},
+                             {aiTextureType_NORMALS, "normals"},
+                             {aiTextureType_NORMAL_CAMERA, "normals"},
+                             {aiTextureType_SHININESS, "shininess"},
+                             {aiTextureType_OPACITY, "opacity"},
+                             {aiTextureType_DISPLACEMENT, "displacement"},
+                             {aiTextureType_LIGHTMAP, "light"},
+                             {aiTextureType_AMBIENT_OCCLUSION, "occlusion"},
+                             {aiTextureType_REFLECTION, "reflection"},
+                             {aiTextureType_METALNESS, "metalness"},
+                             {aiTextureType_DIFFUSE_ROUGHNESS, "roughness"},
+                             {aiTextureType_SHEEN, "sheen"},
+                             {aiTextureType_CLEARCOAT, "clearcoat"},
+                             {aiTextureType_TRANSMISSION, "transmission"},
+                             {aiTextureType_UNKNOWN, "of no kind that is known"}});
 
 TextureWrap wrapOf(int mode) {
   if (mode == aiTextureMapMode_Mirror)
     return TextureWrap::MirroredRepeat;
   return mode == aiTextureMapMode_Wrap ? TextureWrap::Repeat : TextureWrap::ClampToEdge;
+}
+
+/// A share of a material, if it has one.
+std::optional<float> shareOf(const aiMaterial &from, const char *key, unsigned type, unsigned index) {
+  float share = 0;
+  if (from.Get(key, type, index, share) != aiReturn_SUCCESS || std::isnan(share))
+    return std::nullopt;
+  return std::clamp(share, 0.0f, 1.0f);
 }
 
 bool isBlack(const aiColor4D &colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
@@ -44,9 +66,9 @@ AssimpMaterials::AssimpMaterials(const aiScene &from, const MeshInput &input, Tr
 
 void AssimpMaterials::readAll() {
   for (unsigned i = 0; i < from_.mNumMaterials; ++i) {
-    unsigned uvSet = 0;
-    scene_.materials.push_back(read(*from_.mMaterials[i], uvSet));
-    uvSets_.push_back(uvSet);
+    AssimpUvSets uvSets;
+    scene_.materials.push_back(read(*from_.mMaterials[i], uvSets));
+    uvSets_.push_back(uvSets);
   }
   if (scene_.materials.empty())
     scene_.materials.emplace_back();
@@ -57,12 +79,13 @@ void AssimpMaterials::readAll() {
     warnings_.add("these kinds of textures are not used: " + names);
 }
 
-Material AssimpMaterials::read(const aiMaterial &from, unsigned &uvSet) {
+Material AssimpMaterials::read(const aiMaterial &from, AssimpUvSets &uvSets) {
   Material material;
-  material.texture = readTexture(from, uvSet);
+  material.texture = readTexture(from, kColourTypes, uvSets.colour);
   noteOthers(from);
   aiColor4D colour(1, 1, 1, 1);
-  const bool hasColour = from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
+  const bool hasColour = from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS ||
+                         from.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS;
   const bool isTextured = material.texture.texture >= 0;
   // Some programs write black beside a texture, and show the texture.
   if (hasColour && !(isTextured && isBlack(colour)))
@@ -74,7 +97,32 @@ Material AssimpMaterials::read(const aiMaterial &from, unsigned &uvSet) {
     material.colour[3] = opacity;
   else if (opacity <= 0)
     warnOnce("a material would be wholly invisible, and is taken for opaque");
+  readEmission(from, material, uvSets.emission);
+  const auto metallic = shareOf(from, AI_MATKEY_METALLIC_FACTOR);
+  const auto roughness = shareOf(from, AI_MATKEY_ROUGHNESS_FACTOR);
+  material.hasMetal = metallic || roughness;
+  material.metallic = metallic.value_or(0);
+  material.roughness = roughness.value_or(1);
   return material;
+}
+
+/// Light above 1 keeps its hue; a texture beside black is what the surface gives off, as most formats have
+/// either.
+void AssimpMaterials::readEmission(const aiMaterial &from, Material &material, unsigned &uvSet) {
+  material.emissionTexture = readTexture(from, kEmissionTypes, uvSet);
+  aiColor4D colour(0, 0, 0, 1);
+  float intensity = 1;
+  from.Get(AI_MATKEY_COLOR_EMISSIVE, colour);
+  if (from.Get(AI_MATKEY_EMISSIVE_INTENSITY, intensity) != aiReturn_SUCCESS)
+    intensity = 1;
+  material.emission = {colour.r, colour.g, colour.b};
+  for (float &channel : material.emission)
+    channel = channel * intensity > 0 ? std::min(channel * intensity, kMostEmission) : 0;
+  if (material.emission == Material().emission && material.emissionTexture.texture >= 0)
+    material.emission.fill(1);
+  material.emissionStrength = std::max(std::ranges::max(material.emission), 1.0f);
+  for (float &channel : material.emission)
+    channel /= material.emissionStrength;
 }
 
 void AssimpMaterials::noteOthers(const aiMaterial &from) {
@@ -83,14 +131,15 @@ void AssimpMaterials::noteOthers(const aiMaterial &from) {
       unused_.insert(other.name);
 }
 
-TextureUse AssimpMaterials::readTexture(const aiMaterial &from, unsigned &uvSet) {
+TextureUse AssimpMaterials::readTexture(const aiMaterial &from, std::span<const aiTextureType> types,
+                                        unsigned &uvSet) {
   TextureUse use;
-  for (const aiTextureType type : kColourTypes) {
+  for (const aiTextureType type : types) {
     aiString name;
     if (from.GetTexture(type, 0, &name) != aiReturn_SUCCESS)
       continue;
     if (from.GetTextureCount(type) > 1)
-      warnOnce("a material has several textures of its colour; the first is used");
+      warnOnce("a material has several textures of its colour or of what it gives off; the first is used");
     use.texture = imageOf(name.C_Str());
     int value = aiTextureMapping_UV;
     if (from.Get(AI_MATKEY_MAPPING(type, 0), value) == aiReturn_SUCCESS && value != aiTextureMapping_UV)

@@ -11,12 +11,19 @@
 #include <assimp/scene.h>
 
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace voxc {
 
-/// Makes the materials of a scene, with their diffuse textures.
+/// Which of a mesh's sets of texture coordinates the textures of a material use.
+struct AssimpUvSets {
+  unsigned colour = 0;
+  unsigned emission = 0;
+};
+
+/// Makes the materials of a scene, with the textures of their colours and of what they give off.
 class AssimpMaterials {
 public:
   AssimpMaterials(const aiScene &from, const MeshInput &input, TriangleScene &scene, Warnings &warnings,
@@ -24,13 +31,16 @@ public:
 
   /// Adds all of them, at least one, in their order.
   void readAll();
-  /// Which of a mesh's sets of texture coordinates a material uses.
-  unsigned uvSet(unsigned material) const { return material < uvSets_.size() ? uvSets_[material] : 0; }
+  /// Those of a material; the first for one that does not exist.
+  AssimpUvSets uvSets(unsigned material) const {
+    return material < uvSets_.size() ? uvSets_[material] : AssimpUvSets();
+  }
   std::uint64_t libraryPeakBytes() const { return textures_.libraryPeakBytes(); }
 
 private:
-  Material read(const aiMaterial &from, unsigned &uvSet);
-  TextureUse readTexture(const aiMaterial &from, unsigned &uvSet);
+  Material read(const aiMaterial &from, AssimpUvSets &uvSets);
+  void readEmission(const aiMaterial &from, Material &material, unsigned &uvSet);
+  TextureUse readTexture(const aiMaterial &from, std::span<const aiTextureType> types, unsigned &uvSet);
   void warnOnce(const std::string &sentence);
   int imageOf(const std::string &names);
   int embedded(const std::string &name, const aiTexture &texture);
@@ -45,7 +55,7 @@ private:
   Problem &problem_;
   TextureSet textures_;
   FilesBeside files_;
-  std::vector<unsigned> uvSets_;
+  std::vector<AssimpUvSets> uvSets_;
   std::set<std::string> unused_; ///< Kinds of textures.
   std::set<std::string> said_;   ///< Warnings.
 };

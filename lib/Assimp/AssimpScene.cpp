@@ -59,22 +59,32 @@ private:
     part.positions = rows<std::array<float, 3>>(mesh, kFloatRows3, [&](unsigned i) {
       return std::array{mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z};
     });
-    const unsigned uvSet = materials_.uvSet(mesh.mMaterialIndex);
-    if (mesh.HasTextureCoords(uvSet))
-      part.uvs = rows<std::array<float, 2>>(mesh, kFloatRows2, [&](unsigned i) {
-        return std::array{mesh.mTextureCoords[uvSet][i].x, mesh.mTextureCoords[uvSet][i].y};
-      });
+    const AssimpUvSets sets = materials_.uvSets(mesh.mMaterialIndex);
+    const Material &material = scene_.materials[part.material];
+    part.uvs = uvsOf(mesh, sets.colour);
+    if (material.emissionTexture.texture >= 0)
+      part.emissionUvs = sets.emission == sets.colour ? part.uvs : uvsOf(mesh, sets.emission);
     if (mesh.HasVertexColors(0))
       part.colours = rows<std::array<float, 4>>(mesh, {AttributeView::Type::Float32, 4}, [&](unsigned i) {
         const aiColor4D &colour = mesh.mColors[0][i];
         return std::array{colour.r, colour.g, colour.b, colour.a};
       });
-    lacksUvs_ = lacksUvs_ || (!part.uvs && scene_.materials[part.material].texture.texture >= 0);
+    lacksUvs_ = lacksUvs_ || (!part.uvs && material.texture.texture >= 0) ||
+                (!part.emissionUvs && material.emissionTexture.texture >= 0);
     addIndices(mesh, part);
     parts.end = static_cast<std::uint32_t>(scene_.parts.size());
     parts_.push_back(parts);
     hasBones_ = hasBones_ || mesh.HasBones();
     hasMorphs_ = hasMorphs_ || mesh.mNumAnimMeshes != 0;
+  }
+
+  /// None if the mesh has no such set.
+  AttributeView uvsOf(const aiMesh &mesh, unsigned set) {
+    if (!mesh.HasTextureCoords(set))
+      return {};
+    return rows<std::array<float, 2>>(mesh, kFloatRows2, [&](unsigned i) {
+      return std::array{mesh.mTextureCoords[set][i].x, mesh.mTextureCoords[set][i].y};
+    });
   }
 
   template <typename Row, typename Of> AttributeView rows(const aiMesh &mesh, RowKind kind, const Of &rowOf) {

@@ -1,6 +1,7 @@
 // Meshes through assimp, where the component was built; a clear message where it was not.
 #include "Mesh/LoadTesting.h"
 
+#include "voxc/Input/EmissionStrength.h"
 #include "voxc/Input/Input.h"
 
 #include <gmock/gmock.h>
@@ -112,6 +113,87 @@ TEST_F(AssimpMeshes, ColladaTextures) {
               (Voxels{{mortonCode({0, 0, 0}), rgba(255, 0, 0)}, {mortonCode({1, 0, 0}), rgba(0, 255, 0)}}));
     EXPECT_EQ(input.warnings.size(), path[0] == 't' ? 0u : 1u);
   }
+}
+
+TEST_F(AssimpMeshes, WhatMaterialsGiveOffIsAddedAndKept) {
+  const auto effect = [](const std::string &emission) {
+    return "<technique sid=\"c\"><phong><emission><color>" + emission +
+           "</color></emission><diffuse><color>0.2 0.2 0 1</color></diffuse></phong></technique>";
+  };
+  const auto words = [&](MaterialWords what, const std::string &emission) {
+    options_.materialWords = what;
+    const Input input = open("m.dae", collada(effect(emission)));
+    EXPECT_THAT(input.warnings, IsEmpty());
+    const Voxels voxels = voxelsOf(*input.source);
+    return voxels.empty() ? 0 : voxels.begin()->second;
+  };
+  EXPECT_EQ(words(MaterialWords::Colours, "0.4 0 1 1"), rgba(153, 51, 255));
+  EXPECT_EQ(words(MaterialWords::Emission, "0.4 0 1 1"), rgba(102, 0, 255));
+  EXPECT_EQ(words(MaterialWords::Colours, "0 0 0 1"), rgba(51, 51, 0));
+  // Light above 1 keeps its hue, and numbers below 0 are none.
+  EXPECT_EQ(words(MaterialWords::Emission, "2 -3 4 1"), rgba(128, 0, 255));
+}
+
+TEST_F(AssimpMeshes, TexturesOfEmissionAreTakenByThemselves) {
+  folder_.file("t.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\30\40\0\0\377\0\377\0", 24));
+  const Input input =
+      open("m.dae", collada("<newparam sid=\"su\"><surface type=\"2D\"><init_from>i</init_from></surface>"
+                            "</newparam><newparam sid=\"sa\"><sampler2D><source>su</source></sampler2D>"
+                            "</newparam><technique sid=\"c\"><phong><emission><texture texture=\"sa\" "
+                            "texcoord=\"UV0\"/></emission><diffuse><color>0 0 0.2 1</color></diffuse>"
+                            "</phong></technique>",
+                            "<library_images><image id=\"i\"><init_from>t.tga</init_from></image>"
+                            "</library_images>"));
+  EXPECT_EQ(voxelsOf(*input.source),
+            (Voxels{{mortonCode({0, 0, 0}), rgba(255, 0, 51)}, {mortonCode({1, 0, 0}), rgba(0, 255, 51)}}));
+  EXPECT_THAT(input.warnings, IsEmpty());
+}
+
+/// A triangle whose material has these properties.
+std::string fbx(const std::string &properties) {
+  return "; FBX 7.4.0 project file\n"
+         "FBXHeaderExtension: {\n FBXHeaderVersion: 1003\n FBXVersion: 7400\n}\n"
+         "GlobalSettings: {\n Version: 1000\n}\n"
+         "Objects: {\n"
+         " Geometry: 1, \"Geometry::g\", \"Mesh\" {\n"
+         "  Vertices: *9 {\n   a: 0,0,0,2,0,0,2,2,0\n  }\n"
+         "  PolygonVertexIndex: *3 {\n   a: 0,1,-3\n  }\n"
+         "  LayerElementMaterial: 0 {\n   MappingInformationType: \"AllSame\"\n"
+         "   ReferenceInformationType: \"IndexToDirect\"\n   Materials: *1 {\n    a: 0\n   }\n  }\n"
+         "  Layer: 0 {\n   LayerElement: {\n    Type: \"LayerElementMaterial\"\n    TypedIndex: 0\n   }\n  "
+         "}\n"
+         " }\n"
+         " Model: 2, \"Model::m\", \"Mesh\" {\n  Version: 232\n }\n"
+         " Material: 3, \"Material::x\", \"\" {\n  Version: 102\n  ShadingModel: \"unknown\"\n"
+         "  Properties70: {\n" +
+         properties +
+         "  }\n }\n}\n"
+         "Connections: {\n C: \"OO\",2,0\n C: \"OO\",1,2\n C: \"OO\",3,2\n}\n";
+}
+
+TEST_F(AssimpMeshes, MetalAndRoughnessAreKept) {
+  const auto words = [&](MaterialWords what, const std::string &properties) {
+    options_.materialWords = what;
+    const Input input = open("m.fbx", fbx(properties));
+    const Voxels voxels = voxelsOf(*input.source);
+    return voxels.empty() ? 0 : voxels.begin()->second;
+  };
+  const std::string metal = "   P: \"Maya|metallic\", \"float\", \"\", \"A\",0.4\n";
+  const std::string rough = "   P: \"Maya|roughness\", \"float\", \"\", \"A\",0.2\n";
+  const std::string light = "   P: \"EmissiveColor\", \"Color\", \"\", \"A\",1,0.5,0\n";
+  const std::string half = "   P: \"EmissiveFactor\", \"Number\", \"\", \"A\",0.4\n";
+  const std::string maya = "   P: \"Maya|emissive\", \"Vector3D\", \"Vector\", \"A\",1,0,1\n";
+  const std::string base = "   P: \"Maya|base_color\", \"Vector3D\", \"Vector\", \"A\",0,0.2,1\n";
+  EXPECT_EQ(words(MaterialWords::MetallicRoughness, metal + rough), rgba(0, 51, 102));
+  EXPECT_EQ(words(MaterialWords::MetallicRoughness, metal), rgba(0, 255, 102));
+  EXPECT_EQ(words(MaterialWords::Emission, light + half), rgba(102, 51, 0));
+  EXPECT_EQ(words(MaterialWords::Emission,
+                  maya + "   P: \"Maya|emissive_intensity\", \"float\", \"\", \"A\",0.2\n"),
+            rgba(51, 0, 51));
+  EXPECT_EQ(strengthOfWord(words(MaterialWords::EmissionStrength,
+                                 maya + "   P: \"Maya|emissive_intensity\", \"float\", \"\", \"A\",8\n")),
+            8);
+  EXPECT_EQ(words(MaterialWords::Colours, base), rgba(0, 51, 255));
 }
 
 TEST_F(AssimpMeshes, OffFiles) {
