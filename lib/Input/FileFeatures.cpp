@@ -66,6 +66,7 @@ constexpr std::array kFeatures = std::to_array<FileFeature>({
     {"schem, litematic", "names that are not known; stairs, torches and all that does not fill its cell",
      Warned, "a colour of the name; a whole voxel"},
     {"schem, litematic", "entities, what chests hold, biomes", Warned, "left out"},
+    {"mca, mcstructure", "all", Refused, "save it as .schem"},
     {"nvdb", "float, double, whole numbers, bool, mask, RGBA8, Fp4 to Fp16; ZIP, Blosc", Read, ""},
     {"nvdb", "several grids and segments", Warned, "one is taken, `--grid NAME` another"},
     {"nvdb", "vectors, FpN", Refused, "write it as float"},

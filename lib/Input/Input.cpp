@@ -33,7 +33,7 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
                             "VOXC_ASSIMP=ON, or convert it to .glb");
 }
 
-constexpr std::array<InputKind, 45> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 46> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -77,7 +77,8 @@ constexpr std::array<InputKind, 45> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".vts", refuseInput},
                                             {".vtr", refuseInput},
                                             {".vtp", refuseInput},
-                                            {".mcstructure", refuseInput}}};
+                                            {".mcstructure", refuseInput},
+                                            {".mca", refuseInput}}};
 
 /// Whether an input is of this kind; `name` is its last part in lower case, without the number of a frame.
 bool isOfKind(const InputKind &kind, const std::string &input, std::string_view name) {

@@ -237,5 +237,56 @@ TEST_F(Minecraft, WhatIsBrokenIsAnError) {
               HasSubstr("its NBT is damaged"));
 }
 
+TEST_F(Minecraft, OtherFilesOfItAreRefusedWithAdvice) {
+  EXPECT_THAT(problem("r.0.0.mca", "x"),
+              HasSubstr("is a region of a Minecraft world, which voxc does not read"));
+  EXPECT_THAT(problem("a.mcstructure", "x"), HasSubstr("save it as .schem"));
+}
+
+TEST_F(Minecraft, FewBytesMakeNoEndlessWork) {
+  const std::string air(1 << 20, '\0');
+  const std::string size = shortTag("Width", 1024) + shortTag("Height", 1024) + shortTag("Length", 1);
+  int asked = 0;
+  options_.formatExtent = {1024, 1024, 1024};
+  options_.progress.ask = [&] { return ++asked < 0; };
+  // Of air there is nothing to place; it is gone through twice.
+  EXPECT_TRUE(take(openInput(folder_.file("a.schem", compound("Schematic", intTag("Version", 2) + size +
+                                                                               paletteOf({"air"}) +
+                                                                               bytesTag("BlockData", air))),
+                             options_))
+                  .empty());
+  EXPECT_GE(asked, 32);
+  asked = 0;
+  EXPECT_TRUE(
+      take(openInput(folder_.file("a.schematic", compound("Schematic", size + bytesTag("Blocks", air))),
+                     options_))
+          .empty());
+  EXPECT_GE(asked, 48);
+  const auto strings = [](std::uint64_t count) {
+    return tag(9, "x", big(8, 1) + big(count, 4) + std::string(2 * count, '\0'));
+  };
+  EXPECT_THAT(problem("a.schem", compound("", strings(1 << 20))), HasSubstr("it has no blocks"));
+  EXPECT_THAT(problem("a.schem", compound("", strings((1 << 24) + 1))), HasSubstr("more than 16777216 tags"));
+  // Numbers of a list are passed over at once.
+  EXPECT_THAT(problem("a.schem", compound("", tag(9, "x",
+                                                  big(1, 1) + big((1 << 24) + 1, 4) +
+                                                      std::string((1 << 24) + 1, '\0')))),
+              HasSubstr("it has no blocks"));
+}
+
+TEST_F(Minecraft, RegionsOfAnyNumbersAreErrors) {
+  const auto region = [](std::uint64_t x, const std::string &palette) {
+    const std::string place = tag(4, "x", big(x, 8)) + intTag("y", 0) + intTag("z", 0);
+    return litematic(compound("r", compound("Position", place) +
+                                       compound("Size", intTag("x", 1) + intTag("y", 1) + intTag("z", 1)) +
+                                       tag(9, "BlockStatePalette", palette)));
+  };
+  const std::string one = big(10, 1) + big(1, 4) + std::string(1, '\0');
+  EXPECT_THAT(problem("a.litematic", region(std::uint64_t{1} << 63, one)), HasSubstr("beyond 2^31"));
+  EXPECT_THAT(problem("a.litematic", region(std::uint64_t{1} << 32, one)), HasSubstr("beyond 2^31"));
+  const std::string many = big(1, 1) + big((1 << 20) + 1, 4) + std::string((1 << 20) + 1, '\0');
+  EXPECT_THAT(problem("a.litematic", region(0, many)), HasSubstr("has 1048577 kinds of blocks"));
+}
+
 } // namespace
 } // namespace voxc

@@ -171,6 +171,9 @@ TEST_F(Vtk, SamplesLieWhereTheFileSays) {
   options_.isAutomatic = true;
   words("a.vti", imageOf({}, "0 2 0 1 0 0", {1, 2, 3, 4, 5, 6}, R"(Spacing="1 1 3")"));
   EXPECT_THAT(warnings_, testing::Contains(HasSubstr("its voxels are 1 x 1 x 3 and no cubes")));
+  EXPECT_THAT(problem("a.vti", imageOf({}, "0 2 0 1 0 0", {1, 2, 3, 4, 5, 6},
+                                       R"(Spacing="1e200 1 1" Direction="1e200 0 0 0 1 0 0 0 1")")),
+              HasSubstr("together lead beyond all numbers"));
   EXPECT_THAT(problem("a.vti", imageOf({}, "0 2 0 1 0 0", {1, 2, 3, 4, 5, 6}, R"(Spacing="1 nan 3")")),
               HasSubstr("its attribute Spacing is '1 nan 3'; it should have 3 finite numbers"));
 }

@@ -51,7 +51,8 @@ std::uint32_t BlockRegion::numberAt(std::size_t block) const {
 }
 
 Expected<void> BlockRegion::forEachBlock(
-    FunctionRef<bool(const std::array<std::int64_t, 3> &cell, std::uint32_t word)> visit) const {
+    const Progress &progress,
+    FunctionRef<void(const std::array<std::int64_t, 3> &cell, std::uint32_t word)> visit) const {
   // At most 20 bits times 2^40 blocks.
   if (coding == BlockCoding::Packed && data.size() / 8 < (count() * bits + 63) / 64)
     return tooFew(*this);
@@ -61,6 +62,8 @@ Expected<void> BlockRegion::forEachBlock(
   for (cell[1] = 0; cell[1] < size[1]; ++cell[1])
     for (cell[2] = 0; cell[2] < size[2]; ++cell[2])
       for (cell[0] = 0; cell[0] < size[0]; ++cell[0], ++index) {
+        if (index % kBlocksBetweenLooks == 0 && progress.stopped())
+          return Error::interrupted();
         std::uint64_t number = 0;
         if (coding == BlockCoding::Varint && !takeVarint(rest, number))
           return tooFew(*this);
@@ -71,9 +74,8 @@ Expected<void> BlockRegion::forEachBlock(
         if (number >= words.size())
           return Error::input("a block has the number " + std::to_string(number) + ", but the palette has " +
                               std::to_string(words.size()) + " kinds");
-        if (const std::uint32_t word = words[static_cast<std::size_t>(number)];
-            word != 0 && !visit(cell, word))
-          return {};
+        if (const std::uint32_t word = words[static_cast<std::size_t>(number)])
+          visit(cell, word);
       }
   return {};
 }

@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
+#include <set>
 
 namespace voxc {
 
 namespace {
 
 using BlockBox = std::array<std::int64_t, 3>;
+
+constexpr std::int64_t kMostKinds = std::int64_t{1} << 20; ///< Of blocks, in a palette.
 
 std::string textOf(const BlockBox &size) {
   return std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
@@ -20,42 +22,62 @@ std::string textOf(const BlockBox &size) {
 /// What is said of all palettes together.
 class BlockPalette {
 public:
+  explicit BlockPalette(const Progress &progress) : progress_(progress) {}
+
+  /// Names are looked for in long tables, and a file may have many.
+  bool isStopped() const { return isStopped_; }
+
   /// The word of a block with this name.
   std::uint32_t wordOf(std::string_view name) {
+    isStopped_ = isStopped_ || (++looks_ % kLooksBetween == 0 && progress_.stopped());
     const BlockLook look = blockLook(name);
     name = name.substr(0, name.find('['));
     if (!look.isKnown)
-      ++unknown_[std::string(name)];
+      note(name, unknown_);
     if (!look.fillsCell)
-      ++partial_[std::string(name)];
+      note(name, partial_);
     return look.word;
   }
 
   void warn(std::vector<std::string> &warnings) const {
     if (!unknown_.empty())
       warnings.push_back(
-          std::to_string(unknown_.size()) +
+          countOf(unknown_) +
           " kinds of blocks are not known, and have colours made of their names: " + named(unknown_));
     if (!partial_.empty())
       warnings.push_back(
-          std::to_string(partial_.size()) +
+          countOf(partial_) +
           " kinds of blocks do not fill their cells, and are taken as if they did: " + named(partial_));
   }
 
 private:
-  using Names = std::map<std::string, int>;
+  using Names = std::set<std::string>;
+
+  /// Of names there may be as many as bytes; those that are told are few.
+  static constexpr std::size_t kMostKept = 1 << 16;
+  static void note(std::string_view name, Names &names) {
+    if (names.size() < kMostKept)
+      names.emplace(name.substr(0, 80));
+  }
+  static std::string countOf(const Names &names) {
+    return std::to_string(names.size()) + (names.size() == kMostKept ? " or more" : "");
+  }
 
   static std::string named(const Names &names) {
     constexpr std::size_t kMostNamed = 6;
     std::string text;
     std::size_t count = 0;
-    for (const auto &[name, times] : names)
+    for (const std::string &name : names)
       if (++count <= kMostNamed)
-        text += (count == 1 ? "" : ", ") + name.substr(0, 80);
+        text += (count == 1 ? "" : ", ") + name;
     return count > kMostNamed ? text + " and others" : text;
   }
 
+  static constexpr std::uint64_t kLooksBetween = 1 << 12;
+  const Progress &progress_;
   Names unknown_, partial_;
+  std::uint64_t looks_ = 0;
+  bool isStopped_ = false;
 };
 
 /// What else a file has, all regions together.
@@ -112,22 +134,21 @@ BlockBox offsetOf(const NbtTag &tag) {
 
 /// The words of a compound that says the number of each name.
 Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, BlockPalette &names) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 20;
   std::vector<std::uint32_t> words;
   bool isRight = palette.kind() == NbtKind::Compound;
   palette.forEach([&](const NbtTag &tag) {
     const std::int64_t number = tag.number().value_or(-1);
-    isRight = isRight && number >= 0 && number < kMost;
+    isRight = isRight && number >= 0 && number < kMostKinds;
     if (!isRight)
       return false;
     if (words.size() <= static_cast<std::size_t>(number))
       words.resize(static_cast<std::size_t>(number) + 1);
     words[static_cast<std::size_t>(number)] = names.wordOf(tag.name());
-    return true;
+    return !names.isStopped();
   });
   if (!isRight)
     return Error::input("its palette is none: each name should have a number from 0 to " +
-                        std::to_string(kMost - 1));
+                        std::to_string(kMostKinds - 1));
   return words;
 }
 
@@ -167,7 +188,8 @@ Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, BlockPalette &na
   BlockRegion region{.low = *low, .size = *size};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     constexpr std::int64_t kFar = std::int64_t{1} << 31;
-    if (std::abs((*low)[axis]) > kFar || std::abs((*size)[axis]) > kFar)
+    const auto isFar = [](std::int64_t number) { return number < -kFar || number > kFar; };
+    if (isFar((*low)[axis]) || isFar((*size)[axis]))
       return Error::input("a region of it lies beyond 2^31 blocks");
     if ((*size)[axis] < 0) {
       region.size[axis] = -(*size)[axis];
@@ -179,9 +201,12 @@ Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, BlockPalette &na
   const NbtTag palette = tag["BlockStatePalette"];
   if (palette.kind() != NbtKind::List || palette.size() == 0)
     return lacks("BlockStatePalette of a region");
+  if (palette.size() > kMostKinds)
+    return Error::input("a palette of it has " + std::to_string(palette.size()) +
+                        " kinds of blocks; there may be " + std::to_string(kMostKinds));
   palette.forEach([&](const NbtTag &block) {
     region.words.push_back(names.wordOf(block["Name"].text().value_or("")));
-    return true;
+    return !names.isStopped();
   });
   region.coding = BlockCoding::Packed;
   region.bits = std::max(2u, static_cast<unsigned>(std::bit_width(region.words.size() - 1)));
@@ -193,7 +218,8 @@ Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, BlockPalette &na
 }
 
 /// A schematic from before blocks had names.
-Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, BlockPalette &names, Beside &beside) {
+Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, BlockPalette &names, Beside &beside,
+                       const Progress &progress) {
   const auto size = sizeOf(schematic);
   if (!size)
     return size.error();
@@ -208,8 +234,11 @@ Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, BlockPalette 
                         std::to_string(region.data.size()));
   constexpr std::size_t kNumbers = 4096 * 16;
   std::vector<bool> isUsed(kNumbers);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % kBlocksBetweenLooks == 0 && progress.stopped())
+      return Error::interrupted();
     isUsed[region.numberAt(i)] = true;
+  }
   region.words.resize(kNumbers);
   for (unsigned i = 0; i < kNumbers; ++i)
     if (isUsed[i])
@@ -225,7 +254,7 @@ Expected<void> readRegions(const NbtTag &regions, BlockScene &scene, BlockPalett
   Expected<void> read;
   regions.forEach([&](const NbtTag &region) {
     read = readRegion(region, scene, names, beside);
-    return bool(read);
+    return bool(read) && !names.isStopped();
   });
   if (read && scene.regions.empty())
     return lacks("regions");
@@ -234,17 +263,19 @@ Expected<void> readRegions(const NbtTag &regions, BlockScene &scene, BlockPalett
 
 } // namespace
 
-Expected<BlockScene> readBlockScene(const NbtTag &file) {
+Expected<BlockScene> readBlockScene(const NbtTag &file, const Progress &progress) {
   BlockScene scene;
-  BlockPalette names;
+  BlockPalette names(progress);
   Beside beside;
   const NbtTag schematic = file["Schematic"] ? file["Schematic"] : file;
   const auto read =
       file["Regions"]                                  ? readRegions(file["Regions"], scene, names, beside)
       : schematic["Version"] || schematic["BlockData"] ? readSponge(schematic, scene, names, beside)
-      : schematic["Blocks"]                            ? readOld(schematic, scene, names, beside)
+      : schematic["Blocks"]                            ? readOld(schematic, scene, names, beside, progress)
                             : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or "
                                     "regions of Litematica");
+  if (names.isStopped())
+    return Error::interrupted();
   if (!read)
     return read.error();
   names.warn(scene.warnings);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Input/Minecraft/Nbt.h"
+#include "voxc/Support/Progress.h"
 
 #include <array>
 #include <cstdint>
@@ -16,6 +17,9 @@ enum class BlockCoding : std::uint8_t {
   Packed, ///< So many bits each, across big-endian longs.
   Bytes,  ///< A byte each, and perhaps four more bits in an array of their own.
 };
+
+/// Air is many blocks of few bytes, so that whoever goes through them looks at whether to stop.
+inline constexpr std::uint64_t kBlocksBetweenLooks = 1 << 16;
 
 /// A box of blocks.
 struct BlockRegion {
@@ -39,10 +43,11 @@ struct BlockRegion {
   /// Of `Bytes`, whose arrays are long enough: a number of 12 bits, and behind it a kind of 4.
   std::uint32_t numberAt(std::size_t block) const;
 
-  /// Calls `visit(cell, word)` for each block that is no air, `cell` from (0, 0, 0) on, until it returns
-  /// false. Errors: fewer numbers than blocks; a number that is none of the palette's.
+  /// Calls `visit(cell, word)` for each block that is no air, `cell` from (0, 0, 0) on. Errors: fewer numbers
+  /// than blocks; a number that is none of the palette's; interrupted.
   Expected<void>
-  forEachBlock(FunctionRef<bool(const std::array<std::int64_t, 3> &cell, std::uint32_t word)> visit) const;
+  forEachBlock(const Progress &progress,
+               FunctionRef<void(const std::array<std::int64_t, 3> &cell, std::uint32_t word)> visit) const;
 };
 
 struct BlockScene {
@@ -52,7 +57,7 @@ struct BlockScene {
 
 /// The boxes of a Sponge schematic (.schem, versions 1 to 3), a Litematica file (.litematic) or a schematic
 /// of old (.schematic), whichever the tags are. They point into `file`'s bytes. Errors: none of these; what a
-/// box needs is missing, or is larger than its data.
-Expected<BlockScene> readBlockScene(const NbtTag &file);
+/// box needs is missing, or is larger than its data; a palette of more than 2^20 kinds; interrupted.
+Expected<BlockScene> readBlockScene(const NbtTag &file, const Progress &progress);
 
 } // namespace voxc

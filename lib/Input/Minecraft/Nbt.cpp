@@ -9,6 +9,7 @@ namespace voxc {
 namespace {
 
 constexpr int kMostDepth = 512;
+constexpr std::uint64_t kMostTags = std::uint64_t{1} << 24;
 
 /// Bytes of a payload; of arrays of each value; 0: it says itself how long it is.
 constexpr std::array<std::uint8_t, 13> kSizes{0, 1, 2, 4, 8, 4, 8, 1, 0, 0, 0, 4, 8};
@@ -18,6 +19,8 @@ std::size_t sizeOf(NbtKind kind) { return kSizes[static_cast<std::size_t>(kind)]
 bool isArray(NbtKind kind) {
   return kind == NbtKind::ByteArray || kind == NbtKind::IntArray || kind == NbtKind::LongArray;
 }
+
+bool isNumber(NbtKind kind) { return kind >= NbtKind::Byte && kind <= NbtKind::Double; }
 
 std::int64_t numberOf(std::span<const std::byte> bytes) {
   std::uint64_t number = std::to_integer<unsigned>(bytes[0]) & 0x80u ? ~std::uint64_t{0} : 0;
@@ -32,6 +35,7 @@ public:
   explicit NbtCursor(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   bool isBroken() const { return isBroken_; }
+  bool hasTooMany() const { return tags_ > kMostTags; }
   std::size_t at() const { return at_; }
   std::span<const std::byte> since(std::size_t begin) const { return bytes_.subspan(begin, at_ - begin); }
 
@@ -67,7 +71,7 @@ public:
 
   /// Passes over a payload, and proves it.
   void skip(NbtKind kind, int depth) {
-    if (depth > kMostDepth)
+    if (depth > kMostDepth || ++tags_ > kMostTags)
       isBroken_ = true;
     if (isBroken_)
       return;
@@ -92,8 +96,11 @@ private:
       isBroken_ = isBroken_ || count > 0;
       return;
     }
-    for (std::uint64_t i = 0; i < count && !isBroken_; ++i)
-      skip(kind, depth + 1);
+    if (isNumber(kind))
+      take(count * sizeOf(kind));
+    else
+      for (std::uint64_t i = 0; i < count && !isBroken_; ++i)
+        skip(kind, depth + 1);
   }
 
   void skipCompound(int depth) {
@@ -105,6 +112,7 @@ private:
 
   std::span<const std::byte> bytes_;
   std::size_t at_ = 0;
+  std::uint64_t tags_ = 0; ///< That were skipped.
   bool isBroken_ = false;
 };
 
@@ -173,6 +181,8 @@ Expected<NbtTag> readNbt(std::span<const std::byte> bytes) {
   const std::string_view name = cursor.takeText();
   const std::size_t begin = cursor.at();
   cursor.skip(kind, 0);
+  if (cursor.hasTooMany())
+    return Error::input("it has more than " + std::to_string(kMostTags) + " tags");
   if (cursor.isBroken())
     return Error::input("its NBT is damaged behind byte " + std::to_string(cursor.at()) +
                         ": it ends too soon, has a tag that is not known, or lies more than " +

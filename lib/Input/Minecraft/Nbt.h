@@ -59,7 +59,8 @@ private:
 };
 
 /// The tag at the beginning of `bytes`, which it points into, and all in it proven. Errors: no compound; an
-/// end within a tag; tags that are not known, or lie more than 512 deep.
+/// end within a tag; tags that are not known, or lie more than 512 deep; more than 2^24 of them, where
+/// numbers of a list are one.
 Expected<NbtTag> readNbt(std::span<const std::byte> bytes);
 
 } // namespace voxc

@@ -61,20 +61,13 @@ struct Around {
 template <typename Visit>
 Expected<void> forEachBlock(const BlockScene &scene, const BlockBox &low, const InputOptions &options,
                             Visit visit) {
-  constexpr std::uint64_t kBetweenLooks = 1 << 16;
-  std::uint64_t blocks = 0;
-  bool isStopped = false;
   for (const BlockRegion &region : scene.regions) {
-    auto visited = region.forEachBlock([&](const BlockBox &cell, std::uint32_t word) {
+    auto visited = region.forEachBlock(options.progress, [&](const BlockBox &cell, std::uint32_t word) {
       const auto along = [&](std::size_t axis) {
         return static_cast<std::int32_t>(region.low[axis] - low[axis] + cell[axis]);
       };
-      isStopped = ++blocks % kBetweenLooks == 0 && options.progress.stopped();
       visit(Int3{along(0), along(1), along(2)}, word);
-      return !isStopped;
     });
-    if (isStopped)
-      return Error::interrupted();
     if (!visited)
       return visited;
   }
@@ -134,7 +127,7 @@ Expected<Input> openBytes(std::span<const std::byte> bytes, const InputOptions &
   const auto tags = readNbt(bytes);
   if (!tags)
     return tags.error();
-  auto scene = readBlockScene(*tags);
+  auto scene = readBlockScene(*tags, options.progress);
   if (!scene)
     return scene.error();
   return openScene(std::move(*scene), options);

@@ -12,7 +12,7 @@ namespace voxc {
 namespace {
 
 Expected<DenseVolume> readFile(std::shared_ptr<const WatchedFile> source, const InputOptions &options) {
-  const auto file = readVtiFile(source->text());
+  const auto file = readVtiFile(source->text(), options.progress);
   if (!file)
     return file.error();
   return readVtkImage(*file, std::move(source), options);

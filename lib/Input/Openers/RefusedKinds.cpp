@@ -16,7 +16,7 @@ struct RefusedKind {
   std::string_view advice; ///< and what to do.
 };
 
-constexpr std::array<RefusedKind, 9> kRefused{
+constexpr std::array<RefusedKind, 10> kRefused{
     {{".laz", "points that LASzip compressed", "save it as .las or .ply, for example by CloudCompare"},
      {".e57", "a scan of E57", "save it as .ply or .las, for example by CloudCompare"},
      {".vtk", "a legacy file of VTK", "save it as image data in XML (.vti), for example by ParaView"},
@@ -29,7 +29,9 @@ constexpr std::array<RefusedKind, 9> kRefused{
       "make image data of it (.vti) by ParaView's filter 'Resample To Image'"},
      {".vtp", "a surface of VTK", "save it as .ply or .stl, for example by ParaView"},
      {".mcstructure", "a structure of Minecraft's Bedrock Edition",
-      "save it as .schem, for example by Amulet"}}};
+      "save it as .schem, for example by Amulet"},
+     {".mca", "a region of a Minecraft world",
+      "save the part that you want as .schem, for example by Amulet or WorldEdit"}}};
 
 } // namespace
 

@@ -34,8 +34,8 @@ constexpr std::array<std::pair<std::string_view, SampleType>, 10> kVtkTypes{
 
 class VtiParser {
 public:
-  explicit VtiParser(std::string_view text)
-      : text_(text), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {}
+  VtiParser(std::string_view text, const Progress &progress)
+      : text_(text), progress_(progress), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {}
 
   Expected<VtiFile> read() {
     if (!parser_)
@@ -67,6 +67,8 @@ private:
         return *problem_;
       if (isStopped_)
         break;
+      if (progress_.stopped())
+        return Error::interrupted();
       if (status != XML_STATUS_OK)
         return Error::input("its XML is broken in line " +
                             std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " +
@@ -257,6 +259,7 @@ private:
   enum class Place { None, Points, Cells, Field };
 
   std::string_view text_;
+  const Progress &progress_;
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   VtiFile file_;
   Place place_ = Place::None;
@@ -270,6 +273,8 @@ private:
 
 } // namespace
 
-Expected<VtiFile> readVtiFile(std::string_view text) { return VtiParser(text).read(); }
+Expected<VtiFile> readVtiFile(std::string_view text, const Progress &progress) {
+  return VtiParser(text, progress).read();
+}
 
 } // namespace voxc

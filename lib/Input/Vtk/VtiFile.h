@@ -3,6 +3,7 @@
 
 #include "Input/Dense/Samples.h"
 #include "voxc/Support/Error.h"
+#include "voxc/Support/Progress.h"
 
 #include <array>
 #include <cstdint>
@@ -52,7 +53,7 @@ struct VtiFile {
 };
 
 /// Reads the XML, and nothing of the data. Views go into `text`. Errors: no XML of ImageData; more pieces or
-/// arrays than any program writes.
-Expected<VtiFile> readVtiFile(std::string_view text);
+/// arrays than any program writes; interrupted.
+Expected<VtiFile> readVtiFile(std::string_view text, const Progress &progress);
 
 } // namespace voxc

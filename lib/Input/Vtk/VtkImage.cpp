@@ -186,9 +186,10 @@ Expected<VtkNumbers> readPieces(const VtiFile &file, const VtkArray &wanted, con
                     parts.front().second.isBigEndian};
 }
 
-/// From samples to the model: point (0, 0, 0) lies at the origin, wherever the extent begins.
-Transform placeOf(const VtiFile &file, const SampleBox &box, bool ofCells,
-                  std::vector<std::string> &warnings) {
+/// From samples to the model: point (0, 0, 0) lies at the origin, wherever the extent begins. Error: it lies
+/// beyond all numbers.
+Expected<Transform> placeOf(const VtiFile &file, const SampleBox &box, bool ofCells,
+                            std::vector<std::string> &warnings) {
   std::array<std::array<double, 3>, 3> steps{};
   std::array<double, 3> first = file.origin;
   bool isFlat = false;
@@ -202,7 +203,11 @@ Transform placeOf(const VtiFile &file, const SampleBox &box, bool ofCells,
   }
   if (isFlat)
     warnings.push_back("its spacing is 0 along an axis, and is taken as 1");
-  return mapOfSteps(steps, first);
+  const Transform map = mapOfSteps(steps, first);
+  for (const double number : rowsOf(map))
+    if (!std::isfinite(number))
+      return Error::input("its Origin, Spacing and Direction together lead beyond all numbers");
+  return map;
 }
 
 void tellFields(const VtiFile &file, std::vector<std::string> &warnings) {
@@ -262,7 +267,10 @@ Expected<DenseVolume> readVtkImage(const VtiFile &file, std::shared_ptr<const Wa
     volume.channels = static_cast<int>(array.components);
     volume.channelStep = size;
   }
-  volume.sampleToModel = placeOf(file, *box, array.isOfCells, volume.warnings);
+  const auto place = placeOf(file, *box, array.isOfCells, volume.warnings);
+  if (!place)
+    return place.error();
+  volume.sampleToModel = *place;
   tellFields(file, volume.warnings);
   return volume;
 }
