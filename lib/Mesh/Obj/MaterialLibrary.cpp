@@ -12,8 +12,8 @@ namespace voxc {
 namespace {
 
 /// About how light falls; in lower case.
-constexpr std::array<std::string_view, 8> kPassedOver{"ka",    "ks", "ns",        "ni",
-                                                      "illum", "tf", "sharpness", "interpolation"};
+constexpr std::array<std::string_view, 8> kMtlPassedOver{"ka",    "ks", "ns",        "ni",
+                                                         "illum", "tf", "sharpness", "interpolation"};
 
 /// Words in the order that a sentence has them.
 std::string listed(const std::set<std::string> &words) {
@@ -80,7 +80,7 @@ private:
 
   /// Shares of which there are none mean nothing.
   void passOver(std::string_view word, const std::string &lower) {
-    if (std::ranges::find(kPassedOver, lower) != kPassedOver.end() || unused_.size() == kMostUnused)
+    if (std::ranges::find(kMtlPassedOver, lower) != kMtlPassedOver.end() || unused_.size() == kMostUnused)
       return;
     bool isNothing = true;
     for (std::string_view number = takeWord(rest_); !number.empty() && isNothing; number = takeWord(rest_))

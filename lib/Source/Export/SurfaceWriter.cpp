@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <string>
@@ -28,7 +29,7 @@ std::array<std::uint16_t, 4> linearColour(std::uint32_t word, const std::array<d
   const std::array<double, 3> below = lightBelow(word, light);
   std::array<std::uint16_t, 4> colour;
   for (std::size_t i = 0; i < 3; ++i)
-    colour[i] = static_cast<std::uint16_t>(below[i] * 65535 + 0.5);
+    colour[i] = static_cast<std::uint16_t>(std::lround(below[i] * 65535));
   // A voxel is never so clear that it is none.
   colour[3] = static_cast<std::uint16_t>(std::max(word >> 24, std::uint32_t{1}) * 257);
   return colour;
