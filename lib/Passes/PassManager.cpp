@@ -75,16 +75,18 @@ Error errorAt(const Format &format, const Diagnostics &diagnostics) {
 }
 
 Expected<void> runCall(const Call &call, Format &format, const PipelineOptions &options) {
+  if (options.beforeEach && !options.beforeEach(*call.pass, format))
+    return {};
+  const Format before = format;
   Diagnostics diagnostics;
   const Stopwatch watch;
   const PassResult result = call.pass->run(format, diagnostics, call.number);
   const double seconds = watch.seconds();
   if (diagnostics.hasErrors())
     return errorAt(format, diagnostics);
+  const std::string why = diagnostics.all().empty() ? "" : diagnostics.all().front().message;
   if (options.afterEach)
-    options.afterEach(*call.pass, format, result, seconds);
-  if (options.missed && result == PassResult::Unchanged)
-    options.missed(*call.pass, diagnostics.all().empty() ? "" : diagnostics.all().front().message);
+    options.afterEach({*call.pass, before, format, result, seconds, why});
   return options.verifyEach ? verifyAfter(*call.pass, format) : Expected<void>();
 }
 

@@ -101,8 +101,9 @@ Expected<void> PassOptions::apply(Format &format, const PipelineOptions &options
 PipelineOptions tellingMissed(bool quiet) {
   PipelineOptions options;
   if (!quiet)
-    options.missed = [](const Pass &pass, const std::string &why) {
-      printNote("note: " + flagOf(pass) + " changes nothing: " + why);
+    options.afterEach = [](const PassRun &run) {
+      if (run.result == PassResult::Unchanged)
+        printNote("note: " + flagOf(run.pass) + " changes nothing: " + run.why);
     };
   return options;
 }

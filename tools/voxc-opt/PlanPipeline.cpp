@@ -1,8 +1,7 @@
 // Running passes over plans.
 #include "PlanPipeline.h"
 
-#include <algorithm>
-#include <cstdio>
+#include "voxc/Support/Stopwatch.h"
 
 namespace voxc::tool {
 
@@ -19,31 +18,37 @@ Expected<Plan> readPlan(std::string_view text, const std::string &name) {
   return plan;
 }
 
-bool isPlanPass(std::string_view name) {
-  return name == kLower || std::ranges::find(planPasses(), name, &PlanPass::name) != planPasses().end();
+namespace {
+
+std::size_t changedStrata(const Plan &before, const Plan &after) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < after.traversals.size(); ++i)
+    count += !(before.traversals[i] == after.traversals[i]);
+  return count;
 }
 
-void tellPlan(const PlanPipelineOptions &options, std::string_view pass, const Plan &plan, bool changed) {
-  if (options.printAfterAll)
-    std::fprintf(stderr, "-- after %s%s\n%s", std::string(pass).c_str(), changed ? "" : " (unchanged)",
-                 changed ? printPlan(plan).c_str() : "");
-}
+} // namespace
 
-Expected<void> runPlanPasses(Plan &plan, const PlanPipelineOptions &options) {
-  if (options.until == kLower)
-    return {};
+Expected<void> runPlanPasses(Plan &plan, bool verifyEach, Instrumentation &instrumentation) {
+  const auto printed = [&plan] { return printPlan(plan); };
   for (const PlanPass &pass : planPasses()) {
+    if (!instrumentation.begin(pass.name, printed))
+      continue;
     const Plan before = plan;
+    const Stopwatch watch;
     pass.run(plan);
-    tellPlan(options, pass.name, plan, !(plan == before));
+    instrumentation.end({.pass = pass.name,
+                         .changed = !(plan == before),
+                         .seconds = watch.seconds(),
+                         .changedParts = changedStrata(before, plan),
+                         .why = plan == before ? "what it chooses is there already" : ""},
+                        printed);
     Diagnostics diagnostics;
-    if (options.verifyEach)
+    if (verifyEach)
       verify(plan, diagnostics);
     if (diagnostics.hasErrors())
       return Error::input("pass " + std::string(pass.name) +
                           " left a wrong plan: " + diagnostics.all().front().message);
-    if (pass.name == options.until)
-      break;
   }
   return {};
 }

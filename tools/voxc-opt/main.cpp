@@ -1,5 +1,6 @@
 // voxc-opt: runs passes over the text of either IR and prints what comes out.
 #include "Descriptions.h"
+#include "Instrumentation.h"
 #include "PlanPipeline.h"
 
 #include "common/Command.h"
@@ -9,13 +10,15 @@
 #include "frontend/PassOptions.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/Stopwatch.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -25,10 +28,9 @@ using namespace voxc::tool;
 struct Options {
   std::string input = "-";
   PassOptions passes;
-  PlanPipelineOptions plan;
+  InstrumentationOptions instrumentation;
+  bool verifyEach = true;
   bool lower = false;
-  bool timePasses = false;
-  bool remarks = false;
   std::string (*description)() = nullptr; ///< To be printed instead.
 };
 
@@ -54,33 +56,22 @@ void declare(const CommandLine &command, Options &options) {
            "A format string, or a file with one, with IR or with a plan; - for standard input")
       .takes("")
       .showsDefault();
-  command.addFlag("--print-after-all", options.plan.printAfterAll,
-                  "Print the IR to standard error after each pass");
-  command.addFlag("--remarks", options.remarks,
-                  "Tell of each pass that changes nothing why, on standard error");
-  command.addFlag("--time-passes", options.timePasses, "Print each pass's time to standard error");
-  command.addFlag("--verify-each,!--no-verify-each", options.plan.verifyEach,
+  options.instrumentation.declare(command);
+  command.addFlag("--verify-each,!--no-verify-each", options.verifyEach,
                   "Verify the IR after each pass (the default)");
   command.addFlag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
-  command.add("--until", options.plan.until, "Stop after this pass, of either IR, or after lower")
-      .takes("PASS");
   for (const DescriptionRow &row : kDescriptions)
     command.addFlag(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
   options.passes.declare(command, PassChoice::Pipeline);
 }
 
-void tellPass(const Options &options, const Pass &pass, const Format &format, PassResult result,
-              double seconds) {
-  const bool changed = result == PassResult::Changed;
-  if (options.plan.printAfterAll)
-    std::fprintf(stderr, "-- after %s%s\n%s", std::string(pass.name).c_str(), changed ? "" : " (unchanged)",
-                 changed ? printIr(format).c_str() : "");
-  if (options.timePasses)
-    std::fprintf(stderr, "%10.6f s  %s\n", seconds, std::string(pass.name).c_str());
-}
-
-void tellMissed(const Pass &pass, const std::string &why) {
-  std::fprintf(stderr, "remark: %s changes nothing: %s\n", std::string(pass.name).c_str(), why.c_str());
+std::size_t changedLevels(const PassRun &run) {
+  if (run.before.levels.size() != run.after.levels.size())
+    return run.after.levels.size();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < run.after.levels.size(); ++i)
+    count += !(run.before.levels[i] == run.after.levels[i]);
+  return count;
 }
 
 /// A format string has brackets, and no file has its name.
@@ -95,30 +86,59 @@ Expected<std::string> readText(const std::string &input) {
   return isFormatString(input) ? Expected<std::string>(input) : readTextFile(input);
 }
 
-/// The passes over formats that are to run: those that were given, up to `until` if it is one of them.
-std::vector<std::string> passesUntil(const Options &options) {
-  std::vector<std::string> names = options.passes.names();
-  const auto last = std::ranges::find(names, options.plan.until);
-  if (last != names.end())
-    names.erase(last + 1, names.end());
+PipelineOptions pipelineOf(const Options &options, Instrumentation &instrumentation) {
+  PipelineOptions pipeline{.order = PassOrder::AsWritten, .verifyEach = options.verifyEach};
+  pipeline.beforeEach = [&](const Pass &pass, const Format &format) {
+    return instrumentation.begin(pass.name, [&] { return printIr(format); });
+  };
+  pipeline.afterEach = [&](const PassRun &run) {
+    instrumentation.end({.pass = run.pass.name,
+                         .changed = run.result == PassResult::Changed,
+                         .seconds = run.seconds,
+                         .changedParts = changedLevels(run),
+                         .why = run.why},
+                        [&] { return printIr(run.after); });
+  };
+  return pipeline;
+}
+
+/// The passes of both IRs that options may name.
+std::vector<std::string_view> passesOf(const std::vector<std::string> &given, bool lowers) {
+  std::vector<std::string_view> names;
+  for (const std::string &name : given)
+    if (const Pass *pass = findPass(name))
+      names.push_back(pass->name);
+  if (lowers) {
+    names.push_back(kLower);
+    for (const PlanPass &pass : planPasses())
+      names.push_back(pass.name);
+  }
   return names;
 }
 
-/// True if the passes over plans are to run too.
-Expected<bool> goesOn(const Options &options) {
-  const std::string &until = options.plan.until;
-  const auto names = options.passes.names();
-  const bool isGiven = std::ranges::find(names, until) != names.end();
-  if (!until.empty() && !isGiven && !isPlanPass(until))
-    return Error::usage("there is no pass '" + until + "' to stop after; give one of those that run");
-  return options.lower && !isGiven;
-}
-
-Expected<void> optimisePlan(Plan plan, const Options &options) {
-  if (Expected<void> passed = runPlanPasses(plan, options.plan); !passed)
+Expected<void> optimisePlan(Plan plan, const Options &options, Instrumentation &instrumentation) {
+  if (Expected<void> passed = runPlanPasses(plan, options.verifyEach, instrumentation); !passed)
     return passed;
   std::fputs(printPlan(plan).c_str(), stdout);
-  return {};
+  return instrumentation.finish();
+}
+
+Expected<void> optimiseFormat(Format format, const Options &options, Instrumentation &instrumentation) {
+  if (Expected<void> passed = runPasses(format, options.passes.names(), pipelineOf(options, instrumentation));
+      !passed)
+    return passed;
+  if (options.lower && instrumentation.begin(kLower, [&] { return printIr(format); })) {
+    const Stopwatch watch;
+    Plan plan = lowerToPlan(format);
+    instrumentation.end({.pass = kLower,
+                         .changed = true,
+                         .seconds = watch.seconds(),
+                         .changedParts = plan.layout.strata.size()},
+                        [&] { return printPlan(plan); });
+    return optimisePlan(std::move(plan), options, instrumentation);
+  }
+  std::fputs(printIr(format).c_str(), stdout);
+  return instrumentation.finish();
 }
 
 Expected<void> optimise(const Options &options) {
@@ -132,31 +152,16 @@ Expected<void> optimise(const Options &options) {
   const Expected<std::string> text = readText(options.input);
   if (!text)
     return text.error();
-  if (isPlanText(*text)) {
+  const bool isPlan = isPlanText(*text);
+  Instrumentation instrumentation(options.instrumentation);
+  if (auto known = instrumentation.check(passesOf(options.passes.names(), isPlan || options.lower)); !known)
+    return known;
+  if (isPlan) {
     Expected<Plan> plan = readPlan(*text, name);
-    return plan ? optimisePlan(std::move(*plan), options) : plan.error();
+    return plan ? optimisePlan(std::move(*plan), options, instrumentation) : plan.error();
   }
   Expected<Format> format = parseFormat(*text, name);
-  if (!format)
-    return format.error();
-  PipelineOptions pipeline{.order = PassOrder::AsWritten, .verifyEach = options.plan.verifyEach};
-  pipeline.afterEach = [&](const Pass &pass, const Format &changed, PassResult result, double seconds) {
-    tellPass(options, pass, changed, result, seconds);
-  };
-  if (options.remarks)
-    pipeline.missed = tellMissed;
-  if (Expected<void> passed = runPasses(*format, passesUntil(options), pipeline); !passed)
-    return passed;
-  const Expected<bool> lowers = goesOn(options);
-  if (!lowers)
-    return lowers.error();
-  if (*lowers) {
-    Plan plan = lowerToPlan(*format);
-    tellPlan(options.plan, kLower, plan, true);
-    return optimisePlan(std::move(plan), options);
-  }
-  std::fputs(printIr(*format).c_str(), stdout);
-  return {};
+  return format ? optimiseFormat(std::move(*format), options, instrumentation) : format.error();
 }
 
 } // namespace

@@ -75,8 +75,9 @@ TEST(PassOrder, WhatChangesNothingSaysWhy) {
   Format format = *parseFormat("R(1^3) G(4)");
   std::vector<std::string> missed;
   PipelineOptions options;
-  options.missed = [&](const Pass &pass, const std::string &why) {
-    missed.push_back(std::string(pass.name) + ": " + why);
+  options.afterEach = [&](const PassRun &run) {
+    if (run.result == PassResult::Unchanged)
+      missed.push_back(std::string(run.pass.name) + ": " + run.why);
   };
   for (const Pass &pass : passes())
     (void)runPasses(format, std::vector{std::string(pass.name)}, options); // Some are errors here.

@@ -77,13 +77,22 @@ enum class PassOrder {
   AsWritten
 };
 
+/// What a pass has done.
+struct PassRun {
+  const Pass &pass;
+  const Format &before;
+  const Format &after;
+  PassResult result;
+  double seconds;
+  std::string why; ///< It changed nothing.
+};
+
 struct PipelineOptions {
   PassOrder order = PassOrder::Resolved;
   bool verifyEach = true;
-  /// Called after each pass with the format as it then is, the result, and the seconds it took.
-  std::function<void(const Pass &, const Format &, PassResult, double seconds)> afterEach;
-  /// Called with each pass that changed nothing, and why.
-  std::function<void(const Pass &, const std::string &why)> missed;
+  /// Called before each pass; it is left out if that is false.
+  std::function<bool(const Pass &, const Format &)> beforeEach;
+  std::function<void(const PassRun &)> afterEach;
 };
 
 /// Runs passes by name. Errors: an unknown pass (naming those there are), a wrong number, two values of one
