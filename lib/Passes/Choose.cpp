@@ -57,7 +57,7 @@ void verifyWalks(const Format &format, Diagnostics &diagnostics) {
 
 class Chooser {
 public:
-  Chooser(const Format &format, const Choice &choice, std::string_view value)
+  Chooser(const Format &format, const AttributeChoice &choice, std::string_view value)
       : chosen(format), choice_(choice), value_(value) {}
 
   /// Errors are what the format cannot have, and what was chosen before.
@@ -96,7 +96,7 @@ private:
     level.setAttribute(*choice_.kind, value_);
   }
 
-  const Choice &choice_;
+  const AttributeChoice &choice_;
   std::string_view value_;
 };
 
@@ -105,7 +105,8 @@ PassResult leave(Diagnostics &diagnostics, std::string why) {
   return PassResult::Unchanged;
 }
 
-PassResult choose(Format &format, const Choice &choice, std::string_view value, Diagnostics &diagnostics) {
+PassResult choose(Format &format, const AttributeChoice &choice, std::string_view value,
+                  Diagnostics &diagnostics) {
   Chooser chooser(format, choice, value);
   Diagnostics before, unfit;
   chooser.choose(before);
@@ -132,7 +133,7 @@ PassResult choose(Format &format, const Choice &choice, std::string_view value, 
 
 } // namespace
 
-std::string Choice::valueWith(int number) const {
+std::string AttributeChoice::valueWith(int number) const {
   std::string text(value);
   if (const std::size_t at = text.find('#'); at != std::string::npos)
     text.replace(at, 1, std::to_string(number));

@@ -39,7 +39,7 @@ enum class Unfit {
 };
 
 /// The attribute that a pass sets.
-struct Choice {
+struct AttributeChoice {
   const AttributeKind *kind = nullptr;
   std::string_view value; ///< `#` in it stands for the pass's number.
   ChoiceScope scope = ChoiceScope::Format;
@@ -56,7 +56,7 @@ struct Pass {
   AttributeEffect effect; ///< Walk passes may be applied to any volume.
   std::string_view summary;
   std::string_view details; ///< A paragraph for `voxc-opt --help-passes` and docs/passes.md.
-  Choice choice;            ///< Without a kind where `function` does the work.
+  AttributeChoice choice;   ///< Without a kind where `function` does the work.
   PassResult (*function)(Format &format, Diagnostics &diagnostics) = nullptr;
   std::optional<PassNumber> number; ///< Nothing: it takes none.
   bool rewrites = false;            ///< It makes other levels, or removes attributes; else it is a choice.
