@@ -77,7 +77,7 @@ REFUSED = [
     ("scan.nrrd", dict(colour="nearest"), "--colour is for meshes"),
     ("scan.nrrd", dict(resolution=9), "--resolution is for meshes and built-in scenes"),
     ("scan.nrrd", dict(volume=3), "volume 3"),
-    ("scan.nrrd", dict(grid="a"), "--grid is for .nvdb, .vdb and .npz files"),
+    ("scan.nrrd", dict(grid="a"), "--grid is for .nvdb, .vdb, .npz and .vti files"),
     ("arrays.npz", dict(grid="third"), "'third'"),
     ("builtin:terrain:16", dict(resolution=9), "--resolution 9 would do nothing for 'builtin:terrain:16'"),
 ]
