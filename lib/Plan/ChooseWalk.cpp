@@ -8,8 +8,8 @@
 namespace voxc {
 namespace {
 
-/// Each nested level repeats the whole step. From here on that makes a kernel that takes long to compile, and rays
-/// of a packet wait for each other at each change of level.
+/// Each nested level repeats the whole step. From here on that makes a kernel that takes long to compile, and
+/// rays of a packet wait for each other at each change of level.
 constexpr std::size_t kManyLevels = 8;
 /// A direct walk goes through every layer in each turn.
 constexpr int kFewLayers = 8;
@@ -57,8 +57,8 @@ void chooseWalk(Plan &plan) {
     plan.walk = Walk::Nested;
   if (plan.walk != Walk::Auto)
     return;
-  const bool isBestFromTheTop = plan.layout.strata.size() >= kManyLevels || leapsFromTheTop(plan.layout) ||
-                                isTreeOfGrids(plan.layout);
+  const bool isBestFromTheTop =
+      plan.layout.strata.size() >= kManyLevels || leapsFromTheTop(plan.layout) || isTreeOfGrids(plan.layout);
   plan.walk = isBestFromTheTop ? Walk::Direct : Walk::Nested;
 }
 

@@ -44,7 +44,8 @@ enum class Predicate {
 /// The numbers that an exact walk steps in, until integers have to decide.
 enum class Steps {
   Float32,
-  Refined, ///< Float32, and at once sums of two where that is not sure: best where few lanes make a branch cheap.
+  Refined, ///< Float32, and at once sums of two where that is not sure: best where few lanes make a branch
+           ///< cheap.
   Float64, ///< Slower, but sure of nearly every step of a long walk.
 };
 
