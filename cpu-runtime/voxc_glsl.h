@@ -41,7 +41,7 @@ VOXC_INLINE float ceil(float a) { return __builtin_ceilf(a); }
 VOXC_INLINE float trunc(float a) { return __builtin_truncf(a); }
 VOXC_INLINE float roundEven(float a) { return __builtin_roundevenf(a); }
 VOXC_INLINE float sqrt(float a) { return __builtin_sqrtf(a); }
-#ifdef __FMA__
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
 VOXC_INLINE float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
 #else
 // Where the sum is no float32, it may be rounded twice.

@@ -81,6 +81,8 @@ bool Instrumentation::begin(std::string_view pass, const Printed &ir) {
 void Instrumentation::end(const PassReport &report, const Printed &ir) {
   hasStopped_ = hasStopped_ || report.pass == options_.stopAfter;
   reports_.push_back(report);
+  if (keepsRemark(report) && options_.remarksFile.empty()) // At once: a later pass may end in an error.
+    std::fprintf(stderr, "remark: %s %s\n", std::string(report.pass).c_str(), messageOf(report).c_str());
   const bool isAsked = contains(options_.printAfter, report.pass);
   if (options_.printAfterAll || isAsked || (options_.printChanged && report.changed))
     print("after", report.pass, report.changed ? "" : " (unchanged)", report.changed || isAsked ? ir() : "");
@@ -94,8 +96,6 @@ Expected<void> Instrumentation::finish() const {
   Json list = Json::array();
   for (const PassReport &report : reports_) {
     const std::string pass(report.pass);
-    if (keepsRemark(report) && options_.remarksFile.empty())
-      std::fprintf(stderr, "remark: %s %s\n", pass.c_str(), messageOf(report).c_str());
     if (keepsRemark(report))
       list.push_back({{"kind", kindOf(report)}, {"pass", pass}, {"message", messageOf(report)}});
     if (options_.statistics)
