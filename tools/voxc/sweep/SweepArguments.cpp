@@ -49,7 +49,7 @@ void SweepArguments::declareAxes(const CommandLine &command) {
       .takes("LIST");
   command
       .add("--passes", passes_,
-           "Passes to run on every format, in this order, or none; given several times, formats are "
+           "Passes to run on every format, in any order, or none; given several times, formats are "
            "measured with each")
       .repeated()
       .takes("A,B");
