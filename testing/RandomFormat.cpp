@@ -41,7 +41,8 @@ std::string randomLevel(std::mt19937 &random, int side, bool cubic) {
 /// What these state of the voxels, or leave out of them, is for a scene to say; or they ask much of the
 /// levels.
 bool isOfScene(const Pass &pass) {
-  constexpr std::array kOfScene = {&kPayloadAttribute, &kAlphaAttribute, &kValuesAttribute};
+  constexpr std::array<const AttributeKind *, 4> kOfScene = {&kPayloadAttribute, &kAlphaAttribute,
+                                                             &kValuesAttribute, &kMirrorAttribute};
   return std::ranges::find(kOfScene, pass.choice.kind) != kOfScene.end();
 }
 

@@ -48,6 +48,8 @@ Expected<std::unique_ptr<EditedParts>> EditedParts::create(const Volume &volume,
 }
 
 bool EditedParts::isTouched(const Cube &cube) const {
+  if (!extraction_.canTakeOut())
+    return true;
   return std::ranges::any_of(edits_, [&](const VoxelEdit &edit) { return edit.touches(cube); });
 }
 

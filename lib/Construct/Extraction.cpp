@@ -38,7 +38,7 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   Fragment fragment;
   fragment.cube = {low, log2Side};
   fragment.words = {0};
-  if (std::ranges::any_of(layout_.strata, &Stratum::isIndexed))
+  if (layout_.hasArray())
     fragment.array.assign(kIndexedWords, 0);
   fragment.shared.assign(layout_.strata.size() + 1, 0);
   fragment.colour = layout_.payload == Payload::Constant ? words_[1] : 0;
@@ -108,7 +108,7 @@ construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, 
   const std::uint64_t at = found.at;
   const Placed placed = node(index, at, partLayers);
   construct::Node result = counted({construct::Node::Inner, placed.at}, placed.voxels);
-  const bool isRecord = stratum.cells == Cells::Record;
+  const bool isRecord = stratum.keepsLeaves(LeafPlace::Record);
   for (std::uint64_t i = 0; i < MaskShape(stratum).words(); ++i)
     result.masks[i] = words_[at + (isRecord ? 1 : 0) + i];
   return result;
@@ -156,10 +156,10 @@ Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
     fragment_->blocks.push_back({BlockRecord::Forget, static_cast<std::uint32_t>(index + 1), 0});
   if (stratum.depth > 0) {
     const Placed root = node(index, at, stratum.depth);
-    return stratum.cells == Cells::Record ? record(index, at, root) : root;
+    return stratum.keepsLeaves(LeafPlace::Record) ? record(index, at, root) : root;
   }
   const Placed below = cell(index, words_[at]);
-  if (stratum.cells == Cells::Record)
+  if (stratum.keepsLeaves(LeafPlace::Record))
     return record(index, at, below);
   const Ref leaf = block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1);
   placed_.place(at, {.at = leaf, .voxels = below.voxels});
@@ -181,7 +181,7 @@ Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {
 /// goes where its parent's children go.
 Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int layer) {
   const Stratum &stratum = layout_.strata[index];
-  const bool isRecord = stratum.cells == Cells::Record;
+  const bool isRecord = stratum.keepsLeaves(LeafPlace::Record);
   const std::uint64_t block = isRecord ? words_.wordOf(words_[at]) : at;
   if (const Placed *known = placed_.find(block))
     return inLayer(*known, layer, stratum.log2Shape.x);
@@ -198,7 +198,7 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
         layout_.holdsVoxels(index) ? 1 : cell(index, cellValue(words_, stratum, child)).voxels;
     placed.voxels += voxels * cubed(stratum.log2Shape.x * (layer - 1));
   });
-  if (leaves > 0 && stratum.cells == Cells::Word && !stratum.implied)
+  if (leaves > 0 && stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied)
     leafWords(index, at);
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);
@@ -229,11 +229,11 @@ void Extraction::leafWords(std::size_t index, std::uint64_t node) {
 Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, std::uint64_t at,
                       std::uint64_t count) {
   const Stratum &stratum = layout_.strata[index];
-  const bool isIndexed = layout_.isIndexed(index);
+  const bool isIndexed = layout_.numbersTo(index) != nullptr;
   std::vector<std::uint32_t> &words = isIndexed ? fragment_->array : fragment_->words;
   const auto begin = static_cast<std::ptrdiff_t>(words.size());
-  if (stratum.isInOctants()) {
-    const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
+  if (const InArray *const own = stratum.inArray()) {
+    const std::uint64_t array = words_[static_cast<std::uint64_t>(own->arrayHead)];
     const std::uint64_t cells = cellsOf(words_, octantGrid(words_, array, (at - array) / kIndexedWords));
     words.insert(words.end(), {static_cast<std::uint32_t>(cells), static_cast<std::uint32_t>(cells >> 32)});
   } else {
@@ -241,9 +241,10 @@ Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, std
       words.push_back(words_[at + i]);
   }
   const auto relocation = [&](Ref ref) {
-    const std::uint64_t array = words_[static_cast<std::uint64_t>(stratum.arrayHead)];
+    const Numbers *const numbers = stratum.numbers();
     const Placed *found =
-        placed_.find(stratum.isIndexed() ? array + kIndexedWords * ref : words_.wordOf(ref));
+        placed_.find(numbers ? words_[static_cast<std::uint64_t>(numbers->arrayHead)] + kIndexedWords * ref
+                             : words_.wordOf(ref));
     return found ? found->at : Ref{0};
   };
   relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), stratum, what,

@@ -16,6 +16,10 @@ namespace voxc {
 /// block once. `Splice` is the inverse.
 class Extraction {
 public:
+  /// False if a node says less of itself than what built it had to know, as one does that may be reflected:
+  /// parts are then built anew.
+  bool canTakeOut() const { return layout_.placeMask() == ~Ref{0}; }
+
   /// The words must have been checked; they and `layout` outlive this.
   Extraction(std::span<const std::uint32_t> words, const Layout &layout)
       : words_(words, layout.log2Granule), layout_(layout) {}

@@ -18,7 +18,9 @@ Error contradiction() { return Error::input("a fragment is broken: it has a poin
 
 } // namespace
 
-bool Splice::isIndexed(const BlockRecord &block) const { return layout_.isIndexed(block.level - 1); }
+bool Splice::isIndexed(const BlockRecord &block) const {
+  return layout_.numbersTo(block.level - 1) != nullptr;
+}
 
 /// Most blocks are looked for in tables that are far larger than what is near the processor. So some wait
 /// until the way to all of them was fetched. One that points to another that waits ends the waiting; most
@@ -27,13 +29,14 @@ void Splice::put(std::span<std::uint32_t> words, const BlockRecord &block, std::
   const std::size_t index = block.level - 1;
   const bool isLeaf = block.kind == BlockRecord::InternLeaf;
   // A block points only to what was written before it: the offsets from here on are still 0.
-  const auto &moved = layout_.strata[index].isIndexed() ? newNumbers_ : newOffsets_;
+  const auto &moved = layout_.strata[index].numbers() ? newNumbers_ : newOffsets_;
   const auto relocation = [&](Ref ref) {
-    if (ref >= moved.size())
+    const Ref place = ref & placeMask_;
+    if (place >= moved.size())
       return Ref{0};
-    if (moved[ref] == 0)
+    if (moved[place] == 0)
       writeWaiting();
-    return moved[ref];
+    return moved[place] == 0 ? Ref{0} : moved[place] | (ref & ~placeMask_);
   };
   if ((isIndexed(block) && words.size() != kIndexedWords) ||
       !relocate(words, layout_.strata[index], isLeaf ? Block::Leaf : Block::Node, layout_.holdsVoxels(index),
@@ -70,11 +73,12 @@ Ref Splice::write(const Waiting &waiting) {
 
 void Splice::relocateResult(Fragment &fragment, std::size_t index) {
   const bool holdsVoxels = layout_.holdsVoxels(index);
-  const auto &moved = layout_.strata[index].isIndexed() ? newNumbers_ : newOffsets_;
+  const auto &moved = layout_.strata[index].numbers() ? newNumbers_ : newOffsets_;
   const auto relocate = [&](std::uint32_t &value) {
-    value = value < moved.size() ? moved[value] : 0;
-    if (value == 0)
-      store_.fail(contradiction());
+    const Ref place = value & placeMask_;
+    if (place >= moved.size() || moved[place] == 0)
+      return store_.fail(contradiction());
+    value = moved[place] | (value & ~placeMask_);
   };
   if (fragment.node.kind == construct::Node::Inner ||
       (fragment.node.kind == construct::Node::Leaf && !holdsVoxels))

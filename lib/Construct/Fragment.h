@@ -60,6 +60,7 @@ private:
   void relocateResult(Fragment &fragment, std::size_t index);
 
   const Layout &layout_;
+  const Ref placeMask_ = layout_.placeMask();
   NodeStore &store_;
   std::vector<std::uint32_t> newOffsets_;
   std::vector<std::uint32_t> newNumbers_; ///< Of indexed sub-volumes.

@@ -124,7 +124,7 @@ bool addBytes(const PartHeader &header, std::uint64_t most, std::uint64_t &size)
 bool covers(const Fragment &fragment, const Layout &layout) {
   std::uint64_t words = fragment.words.size();
   std::uint64_t array = fragment.array.size();
-  const bool hasArray = std::ranges::any_of(layout.strata, &Stratum::isIndexed);
+  const bool hasArray = layout.hasArray();
   if (words-- == 0 || array < (hasArray ? kIndexedWords : 0))
     return false;
   array -= hasArray ? kIndexedWords : 0;
@@ -133,7 +133,7 @@ bool covers(const Fragment &fragment, const Layout &layout) {
     if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > layout.strata.size() ||
         isForget != (block.words == 0))
       return false;
-    std::uint64_t &left = layout.isIndexed(block.level - 1) ? array : words;
+    std::uint64_t &left = layout.numbersTo(block.level - 1) ? array : words;
     if (block.words > left || (&left == &array && !isForget && block.words != kIndexedWords))
       return false;
     left -= block.words;

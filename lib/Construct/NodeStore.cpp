@@ -41,10 +41,10 @@ NodeStore::NodeStore(WordStore words, const Layout &layout, std::shared_ptr<Work
       array_(memory_), shared_(layout.strata.size() + 1) {
   levels_.reserve(layout.strata.size());
   for (std::size_t i = 0; i < layout.strata.size(); ++i) {
-    levels_.emplace_back(memory_, layout.isIndexed(i) ? kLog2IndexedWords : layout.log2Granule);
-    if (layout.isIndexed(i)) {
+    levels_.emplace_back(memory_, layout.numbersTo(i) ? kLog2IndexedWords : layout.log2Granule);
+    if (const Numbers *const numbers = layout.numbersTo(i)) {
       indexedLevel_ = static_cast<unsigned>(i + 1);
-      indexBits_ = layout.strata[i - 1].indexBits;
+      pointerBits_ = numbers->bits;
       beginArray();
     }
   }
@@ -58,9 +58,9 @@ void NodeStore::beginArray() {
 
 std::uint32_t NodeStore::appendToArray(unsigned level, std::span<const std::uint32_t> words) {
   const std::uint64_t number = array_.size() / kIndexedWords;
-  if (number >> indexBits_ != 0) {
+  if (number >> pointerBits_ != 0) {
     fail(Error::input("level " + std::to_string(level) + " has more than " + std::to_string(number - 1) +
-                      " different sub-volumes, the most that pointers=" + std::to_string(indexBits_) +
+                      " different sub-volumes, the most that pointers=" + std::to_string(pointerBits_) +
                       " can tell; more bits, or a build without short-pointers, would fit"));
     return 1;
   }

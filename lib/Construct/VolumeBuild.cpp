@@ -79,7 +79,7 @@ void VolumeBuild::appendArray(WordStore &words) {
                                      " words, the most that it may have"));
   const Layout layout = layoutOf(info_.format);
   words.setHead(layout.headWords() - 1, static_cast<std::uint32_t>(words.size()));
-  if (layout.strata.back().isInOctants())
+  if (layout.strata.back().inArray())
     return appendOctants(words, array.subspan(kIndexedWords));
   if (auto appended = words.append(array); !appended)
     store_->fail(appended.error());
@@ -179,7 +179,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
-  if (layout.strata.back().isInOctants())
+  if (layout.strata.back().inArray())
     report.levels.back().words = nodeWords - arrayBegin;
   report.valueWords = span.size() - nodeWords;
   info_.wordCounts = countsOf(report);

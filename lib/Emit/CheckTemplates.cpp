@@ -58,7 +58,7 @@ int main() {
   check("construct-runtime", constructFiles());
   check("cpu-runtime", cpuFiles());
   demandEach<Descent>("walk");
-  demandEach<Predicate>("step");
+  demandEach<Precision>("step");
   demandEach<Addressing>("memory");
   demandEach<RayStage>("header");
   for (std::size_t i = 0; i < kEnumNames<Payload>.size(); ++i) {
@@ -68,9 +68,15 @@ int main() {
       demand("shaders-runtime", shaderFiles(), "values/" + std::string(kind.blocks) + ".glsl");
   }
   for (const SlotKind *kind : slotKinds())
-    for (const std::string_view name : {kind->name, kind->gridFiles.empty() ? kind->name : kind->gridFiles}) {
-      demand("shaders-runtime", shaderFiles(), "slots/" + std::string(name) + ".glsl");
-      demand("construct-runtime", constructFiles(), "slots/" + std::string(name) + ".cpp");
+    for (const bool implied : {false, true}) {
+      Stratum stratum;
+      stratum.slots = kind;
+      stratum.encoding = defaultEncoding(*kind);
+      stratum.implied = implied;
+      for (const std::string_view file : kind->accessor(stratum))
+        demand("shaders-runtime", shaderFiles(), "slots/" + std::string(file) + ".glsl");
+      for (const std::string_view file : kind->construction(stratum))
+        demand("construct-runtime", constructFiles(), "slots/" + std::string(file) + ".cpp");
     }
   return problems == 0 ? 0 : 1;
 }

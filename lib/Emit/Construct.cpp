@@ -22,8 +22,8 @@ std::string gridConstants(const Stratum &stratum, bool holdsVoxels, const std::s
   std::string lines = "constexpr GridShape " + prefix + "SHAPE = {" + std::to_string(size.x) + ", " +
                       std::to_string(size.y) + ", " + std::to_string(size.z) + ", " +
                       std::to_string(stratum.log2Cell) + ", " + (holdsVoxels ? "true" : "false") + "};\n";
-  if (stratum.skip != Skip::None)
-    lines += "constexpr uint32_t " + prefix + "REACH = " + std::to_string(stratum.reach) + ";\n";
+  if (const Distances *const distances = stratum.distances())
+    lines += "constexpr uint32_t " + prefix + "REACH = " + std::to_string(distances->reach) + ";\n";
   return lines;
 }
 
@@ -37,14 +37,20 @@ std::string constants(const Plan &plan, std::size_t index) {
 /// The runtime files of a level's construction, in the order in which they are printed.
 std::vector<std::string> filesOf(const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
-  const std::string slots = "slots/" + std::string(runtimeFilesOf(stratum)) + ".cpp";
-  if (stratum.isGrid() && stratum.skip != Skip::None)
-    return {"distances/" + std::string(toString(stratum.skip)) + ".cpp", slots, "part/grid.cpp"};
-  if (stratum.isGrid())
-    return {slots, "part/grid.cpp"};
-  const char *const descent = plan.layout.holdsVoxels(index) ? "descent/voxels.cpp" : "descent/cells.cpp";
-  return {slots, "descent/join.cpp", descent, "root/" + std::string(toString(stratum.cells)) + ".cpp",
-          "part/tree.cpp"};
+  std::vector<std::string> files;
+  if (const Distances *const distances = stratum.distances())
+    files.push_back("distances/" + std::string(toString(distances->metric)) + ".cpp");
+  for (const std::string_view file : stratum.slots->construction(stratum))
+    files.push_back("slots/" + std::string(file) + ".cpp");
+  const Leaves *const leaves = stratum.leaves();
+  if (!leaves) {
+    files.emplace_back("part/grid.cpp");
+    return files;
+  }
+  files.insert(files.end(), {"descent/join.cpp",
+                             plan.layout.holdsVoxels(index) ? "descent/voxels.cpp" : "descent/cells.cpp",
+                             "root/" + std::string(toString(leaves->place)) + ".cpp", "part/tree.cpp"});
+  return files;
 }
 
 std::string functions(const Plan &plan, std::size_t index) {

@@ -37,7 +37,7 @@ private:
       file("step/compensated.glsl");
     else if (plan_.arithmetic == Arithmetic::Ieee)
       file("step/doubles.glsl");
-    file("step/" + std::string(toString(plan_.predicate)) + ".glsl");
+    file("step/" + std::string(toString(plan_.precision)) + ".glsl");
     for (const char *path : kAfterStep)
       file(path);
     if (plan_.outputs.t)
@@ -76,7 +76,7 @@ private:
     if (hasLayers())
       file("walk/tree.glsl");
     const bool hasFields = plan_.layout.values == Values::Apart && plan_.outputs.colour;
-    if (hasFields || std::ranges::any_of(plan_.layout.strata, &Stratum::isIndexed))
+    if (hasFields || plan_.layout.hasArray())
       file("field.glsl");
   }
 
@@ -129,7 +129,8 @@ private:
     constants(index);
     if (plan_.traversals[index].descent == Descent::Single)
       return;
-    leaf(index, "slots/" + std::string(runtimeFilesOf(stratum)) + ".glsl");
+    for (const std::string_view file : stratum.slots->accessor(stratum))
+      leaf(index, "slots/" + std::string(file) + ".glsl");
     text_ += "\n";
   }
 
@@ -144,10 +145,10 @@ private:
                                      : "detail/tree.glsl");
     if (plan_.walk == Walk::Direct)
       return locate(index);
-    if (plan_.walk == Walk::Flat ? stratum.skip == Skip::L1
+    if (plan_.walk == Walk::Flat ? stratum.measures(Metric::L1)
                                  : traversal.descent != Descent::Stack && !isSingle)
       leaf(index, "walk/within.glsl");
-    if (stratum.skip == Skip::L1)
+    if (stratum.measures(Metric::L1))
       leaf(index, "walk/march.glsl");
     if (plan_.walk == Walk::Flat)
       return;

@@ -15,7 +15,7 @@ namespace voxc {
 namespace {
 
 /// True if a node's masks are two sets of words: it has more children than one word has room for.
-bool isWide(const Stratum &stratum) { return stratum.leaves && stratum.log2Children() > 4; }
+bool isWide(const Stratum &stratum) { return stratum.leaves() && stratum.log2Children() > 4; }
 
 /// True if a voxel's value is looked up when it is hit, if at all, not when it is found: no other stop of a
 /// walk then needs its own.
@@ -26,21 +26,31 @@ bool areCellsAlike(const Plan &plan, std::size_t index) {
   return plan.layout.strata[index].implied || (plan.layout.holdsVoxels(index) && !storesValue(plan.outputs));
 }
 
-/// True if masks have counts beside them.
-bool hasCounts(const Stratum &stratum) {
-  return stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
-}
-
 /// True if a look-up in a node is a loop, and the device may end it: it has so many turns for all of a walk,
 /// which are enough for a single point.
 bool lookUpMayBeCut(const Plan &plan, const Stratum &stratum) {
   return plan.loops == Loops::Cut && stratum.slots->lookUpLoops && plan.query != Query::Occupancy;
 }
 
+bool isDistanceBeside(const Stratum &stratum) {
+  return stratum.distances() && stratum.distances()->place == DistancePlace::Beside;
+}
+
+/// How grids say by numbers where sub-volumes are.
+void addNumbers(TemplateNames &names, const Stratum &stratum) {
+  const Numbers *const own = stratum.numbers();
+  const Numbers numbers = own ? *own : Numbers{};
+  const int arrayHead = stratum.inArray() ? stratum.inArray()->arrayHead : numbers.arrayHead;
+  names.holes["pointer-bits"] = std::to_string(numbers.bits);
+  names.holes["array-head"] = std::to_string(arrayHead);
+  names.conditions["octant-counts"] = numbers.counts == Counts::Octant;
+  names.conditions["octant-masks"] = numbers.masks == MaskForm::Octants;
+}
+
 /// How a distance field's word tells of an empty cell, in generated text.
 void addSkip(TemplateNames &names, const Stratum &stratum) {
-  const bool isTagged = stratum.empty == Empty::Tagged;
-  const bool hasOctants = stratum.skip == Skip::Octant;
+  const bool isTagged = stratum.empty() == Empty::Tagged;
+  const bool hasOctants = stratum.measures(Metric::Octant);
   const std::string shift = stratum.tagShift() == 0 ? "" : std::to_string(stratum.tagShift());
   const std::string fieldBits = std::to_string(stratum.fieldBits());
   const std::string fieldMask = std::to_string((1 << stratum.fieldBits()) - 1);
@@ -49,7 +59,7 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
   holes["field-mask"] = fieldMask;
   holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
   holes["slot-of-value"] = shift.empty() ? "placed.value" : "placed.value << " + shift;
-  holes["value-at-slot"] = stratum.empty == Empty::Zero
+  holes["value-at-slot"] = stratum.empty() == Empty::Zero
                                ? "load_word(" + holes["grid,"] + "slot)"
                                : "value_level_" + holes["N"] + "(load_word(" + holes["grid,"] + "slot))";
   holes["value-of-slot"] = shift.empty() ? "word" : "word >> " + shift;
@@ -115,13 +125,10 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["DEPTH"] = std::to_string(stratum.depth);
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
   holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
-  holes["write"] = stratum.sharing == Sharing::Stratum ? "intern" : "append";
+  holes["write"] = stratum.sharing == Sharing::Level ? "intern" : "append";
   holes["slot-words"] = std::to_string(stratum.slotWords());
-  holes["mask-stride"] = hasCounts(stratum) ? "2u * " : "";
-  holes["room"] = stratum.isIndexed() ? "2 * kRoom" : "kRoom";
-  holes["index-bits"] = std::to_string(stratum.indexBits);
+  holes["mask-stride"] = countsMaskWords(stratum) ? "2u * " : "";
   holes["count-bits"] = std::to_string(stratum.countBits());
-  holes["array-head"] = std::to_string(stratum.arrayHead);
   const std::uint64_t recordGranules = stratum.slots->leastWords(stratum) >> plan.layout.log2Granule;
   holes["records-times"] = recordGranules == 1 ? "" : std::to_string(recordGranules) + "u * ";
   holes["granule-of-cell"] = cellNumber(stratum.log2Size(), plan.layout.log2Granule, upperBits);
@@ -137,7 +144,7 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["head-words"] =
       std::to_string(stratum.slots->leastWords(stratum) - (stratum.implied ? 0 : slotWords));
   holes["words-of-slot"] = std::string("terminating integer") +
-                           (stratum.skip != Skip::None && stratum.empty == Empty::Zero ? ", distance" : "") +
+                           (isDistanceBeside(stratum) ? ", distance" : "") +
                            (stratum.ranked ? ", voxels before" : "");
   holes["around"] = isWide(stratum) ? ", around" : "";
   holes["plus-around"] = isWide(stratum) ? " + around" : "";
@@ -146,8 +153,8 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
 /// What a look-up of a cell takes beside the cell: the ray, and the gap that it may widen.
 void addCellArguments(TemplateNames &names, const Plan &plan, const Stratum &stratum) {
   const bool isPoint = plan.query == Query::Occupancy;
-  const bool tells = !isPoint && stratum.slots->tellsGap(stratum);
-  const bool takesRay = tells && stratum.skip != Skip::L1;
+  const bool tells = !isPoint && reportsEmptyRegion(stratum);
+  const bool takesRay = tells && !stratum.measures(Metric::L1);
   const bool takesGap = tells || (!isPoint && lookUpMayBeCut(plan, stratum));
   names.holes["cell-ray-and"] = takesRay ? "const Ray ray, " : "";
   names.holes["cell-and-gap"] = takesGap ? ", inout Gap gap" : "";
@@ -162,7 +169,7 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
   const std::string occupied = holes["occupied"];
   const auto leafAt = [&](const std::string &at) {
-    const bool isValue = defers || stratum.cells == Cells::Slot;
+    const bool isValue = defers || stratum.keepsLeaves(LeafPlace::InSlot);
     return stratum.implied && !defers ? occupied : isValue ? at : "load_word(" + at + ")";
   };
   holes["full-cell"] = defers            ? "grid"
@@ -172,7 +179,8 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["without-leaves"] = stratum.implied ? " & ~load_word(node" + holes["+"] + "2u)" : "";
   holes["slots-of-children"] = stratum.implied ? "children.filled & ~children.leaves" : "children.filled";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
-  holes["slots-hold"] = stratum.cells == Cells::Slot ? "values of leaves and references to" : "references to";
+  holes["slots-hold"] =
+      stratum.keepsLeaves(LeafPlace::InSlot) ? "values of leaves and references to" : "references to";
   holes["why-alike"] =
       stratum.implied ? "All leaves have the same value." : "Of a leaf, nothing more is asked.";
   holes["leaf-node"] = leafAt("node");
@@ -211,32 +219,27 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
   conditions["look-up-may-be-cut"] = lookUpMayBeCut(plan, stratum);
   conditions["implied"] = stratum.implied;
-  conditions["leaves-in-slots"] = stratum.cells == Cells::Slot;
+  conditions["leaves-in-slots"] = stratum.keepsLeaves(LeafPlace::InSlot);
   conditions["grid"] = stratum.isGrid();
-  conditions["leaves-apart"] = stratum.cells == Cells::Word && !stratum.implied;
+  conditions["leaves-apart"] = stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
   // Nodes with voxels, if equal ones are written once.
   conditions["looks-ahead"] = plan.layout.holdsVoxels(index) && !stratum.isGrid() &&
-                              stratum.cells != Cells::Record && !stratum.ranked;
+                              !stratum.keepsLeaves(LeafPlace::Record) && !stratum.ranked;
   conditions["ranks"] = stratum.ranked && storesValue(plan.outputs);
-  conditions["voxels-in-morton-order"] =
-      stratum.ranked && stratum.implied && stratum.isGrid() && stratum.log2Shape == Int3{2, 2, 2};
-  conditions["indexed"] = stratum.isIndexed();
-  conditions["octant-counts"] = stratum.counts == Counts::Octant;
-  conditions["grids-in-octants"] = stratum.grids == Grids::Octants;
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
   conditions["slots-rank"] = stratum.ranked && !stratum.implied && storesValue(plan.outputs);
-  conditions["counts"] = hasCounts(stratum);
+  conditions["counts"] = countsMaskWords(stratum);
   conditions["alike"] = areCellsAlike(plan, index);
-  conditions["distances"] = stratum.skip != Skip::None;
-  conditions["distances-beside"] = stratum.skip != Skip::None && stratum.empty == Empty::Zero;
-  conditions["distances-in-slot"] = stratum.skip != Skip::None && stratum.empty != Empty::Zero;
+  conditions["distances"] = stratum.distances() != nullptr;
+  conditions["distances-beside"] = isDistanceBeside(stratum);
+  conditions["distances-in-slot"] = stratum.distances() && !isDistanceBeside(stratum);
   conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
-  conditions["one-voxel-steps"] = stratum.log2Cell == 0 && !stratum.slots->tellsGap(stratum);
-  conditions["marches"] = stratum.skip == Skip::L1;
-  conditions["chooses-faces"] = stratum.skip == Skip::None && stratum.slots->tellsGap(stratum);
-  conditions["tells-half"] = plan.layout.holdsVoxels(index) && !stratum.isInOctants();
-  conditions["tells-gap"] = stratum.log2Shape == Int3{2, 2, 2} && plan.query != Query::Occupancy;
+  conditions["one-voxel-steps"] = stratum.log2Cell == 0 && !reportsEmptyRegion(stratum);
+  conditions["marches"] = stratum.measures(Metric::L1);
+  conditions["chooses-faces"] = findsValueLater(stratum);
+  conditions["tells-half"] = stratum.slots->region(stratum) == EmptyRegion::Octant;
+  conditions["walks"] = plan.query != Query::Occupancy;
   conditions["stops"] = plan.traversals[index].stops;
   conditions["sampled"] = plan.traversals[index].sampled;
   conditions["shares-sub-volumes-apart"] = stratum.sharing == Sharing::SubVolume;
@@ -278,9 +281,10 @@ TemplateNames planNames(const Plan &plan) {
   addQuestionNames(names, plan);
   addMemoryNames(names, plan);
   addStepNames(names, plan);
-  names.conditions["value-later"] = defersVoxels(plan) && lowest.slots->findsValueLater(lowest);
+  names.conditions["value-later"] = defersVoxels(plan) && findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
-  names.conditions["defers-leaf"] = defersVoxels(plan) && !lowest.isGrid() && lowest.cells != Cells::Slot;
+  names.conditions["defers-leaf"] =
+      defersVoxels(plan) && !lowest.isGrid() && !lowest.keepsLeaves(LeafPlace::InSlot);
   names.conditions["values-apart"] = plan.layout.values == Values::Apart;
   names.conditions["cut"] = cut;
   names.conditions["resumes"] = cut || plan.addressing == Addressing::Paged;
@@ -300,6 +304,7 @@ TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   addHoles(names, plan, index);
   addLeaves(names, plan, index);
   addSkip(names, plan.layout.strata[index]);
+  addNumbers(names, plan.layout.strata[index]);
   addCellArguments(names, plan, plan.layout.strata[index]);
   addLayers(names, plan, index);
   addConditions(names, plan, index);

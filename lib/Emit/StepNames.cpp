@@ -6,7 +6,7 @@ namespace {
 
 /// True if the loop goes on at once with the cell that a step leads to, and looks back if the step was not
 /// sure.
-bool keepsCell(const Plan &plan) { return plan.walk == Walk::Direct && plan.predicate == Predicate::Exact; }
+bool keepsCell(const Plan &plan) { return plan.walk == Walk::Direct && plan.precision == Precision::Exact; }
 
 /// True if each level makes the faces of what it finds empty. Packets make them once for all levels: there,
 /// what counts is how much is done, and not how long a turn waits for what it reads.
@@ -28,7 +28,7 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   conditions["refines"] = plan.steps == Steps::Refined;
   conditions["packets"] = inPackets;
   conditions["narrow-packets"] = plan.walk == Walk::Nested && plan.layout.strata.size() > 1;
-  conditions["exact"] = plan.predicate == Predicate::Exact;
+  conditions["exact"] = plan.precision == Precision::Exact;
   conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   conditions["keeps-sums"] = true; // Of every language but that of WebGL.
 

@@ -1,5 +1,8 @@
 // Attributes: the table of a format's, and sets of them.
 #include "voxc/IR/Attribute.h"
+#include "AttributeReading.h"
+
+#include "voxc/IR/Choices.h"
 #include "voxc/IR/Query.h"
 #include "voxc/IR/Stack.h"
 
@@ -10,9 +13,6 @@
 namespace voxc {
 namespace {
 
-constexpr std::array<std::string_view, 2> kPrecisionValues = {"exact", "fast"};
-constexpr std::array<std::string_view, 2> kDetailValues = {"full", "cone"};
-constexpr std::array<std::string_view, 4> kLevelsValues = {"auto", "nested", "flat", "direct"};
 constexpr std::array<std::string_view, 2> kYesValues = {"yes", "no"};
 constexpr std::array<std::string_view, 2> kNoValues = {"no", "yes"};
 constexpr std::array<std::string_view, 36> kPayloadValues = {
@@ -22,8 +22,6 @@ constexpr std::array<std::string_view, 36> kPayloadValues = {
     "palette(16)",  "rgb565",       "material(1)",  "material(2)",  "material(3)",  "material(4)",
     "material(5)",  "material(6)",  "material(7)",  "material(8)",  "material(9)",  "material(10)",
     "material(11)", "material(12)", "material(13)", "material(14)", "material(15)", "material(16)"};
-constexpr std::array<std::string_view, 2> kAlphaValues = {"any", "positive"};
-constexpr std::array<std::string_view, 2> kValuesValues = {"in-place", "apart"};
 
 constexpr std::array<std::string_view, 9> kGranuleValues = {"word", "2",  "4",   "8",  "16",
                                                             "32",   "64", "128", "256"};
@@ -34,52 +32,67 @@ constexpr AttributeList kOutputs = {"outputs",
 
 } // namespace
 
-const AttributeKind kPrecisionAttribute = {
-    "precision", AttributeEffect::Walk, kPrecisionValues,
-    "which hits the kernel gives: the exact ones, or those of plain float32, wrong only by rounding"};
+const TypedAttribute<Precision> kPrecisionAttribute = {
+    {"precision", AttributeEffect::Walk, kEnumNames<Precision>,
+     "which hits the kernel gives: the exact ones, or those of plain float32, wrong only by rounding"},
+    as<Precision>};
 
-const AttributeKind kDetailAttribute = {
-    "detail", AttributeEffect::Walk, kDetailValues,
-    "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"};
+const TypedAttribute<Detail> kDetailAttribute = {
+    {"detail", AttributeEffect::Walk, kEnumNames<Detail>,
+     "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"},
+    as<Detail>};
 
-const AttributeKind kLevelsAttribute = {"levels", AttributeEffect::Walk, kLevelsValues,
-                                        "how the kernel goes from level to level: by a loop for each, by one "
-                                        "loop through all, by one that goes down "
-                                        "from the root in each turn, or by what is fastest as a rule"};
+const TypedAttribute<Walk> kLevelsAttribute = {
+    {"levels", AttributeEffect::Walk, kEnumNames<Walk>,
+     "how the kernel goes from level to level: by a loop for each, by one "
+     "loop through all, by one that goes down "
+     "from the root in each turn, or by what is fastest as a rule"},
+    as<Walk>};
 
-const AttributeKind kStackAttribute = {
-    "stack", AttributeEffect::Walk, kEnumNames<Stack>,
-    "where a walk keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in that of "
-    "a "
-    "group of rays, which kernels for the cpu and functions for others do not have"};
+const TypedAttribute<Stack> kStackAttribute = {
+    {"stack", AttributeEffect::Walk, kEnumNames<Stack>,
+     "where a walk keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in that of "
+     "a "
+     "group of rays, which kernels for the cpu and functions for others do not have"},
+    as<Stack>};
 
-const AttributeKind kQueryAttribute = {
-    "query", AttributeEffect::Walk, kEnumNames<Query>,
-    "what the kernel answers: the closest hit, whether there is any, whether there is a voxel where the ray "
-    "begins, or the t of the closest hit alone"};
+const TypedAttribute<Query> kQueryAttribute = {
+    {"query", AttributeEffect::Walk, kEnumNames<Query>,
+     "what the kernel answers: the closest hit, whether there is any, whether there is a voxel where the ray "
+     "begins, or the t of the closest hit alone"},
+    as<Query>};
 
-const AttributeKind kBoundsAttribute = {
-    "bounds", AttributeEffect::Walk, kNoValues,
-    "whether each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels"};
+const TypedAttribute<bool> kBoundsAttribute = {
+    {"bounds", AttributeEffect::Walk, kNoValues,
+     "whether each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels"},
+    isSecond};
 
-const AttributeKind kVoxelAttribute = {"voxel", AttributeEffect::Walk, kYesValues,
-                                       "whether the kernel stores which voxel a closest hit is", &kOutputs};
+const TypedAttribute<bool> kVoxelAttribute = {{"voxel", AttributeEffect::Walk, kYesValues,
+                                               "whether the kernel stores which voxel a closest hit is",
+                                               &kOutputs},
+                                              isFirst};
 
-const AttributeKind kTAttribute = {"t", AttributeEffect::Walk, kYesValues,
-                                   "whether the kernel stores the t of a closest hit", &kOutputs};
+const TypedAttribute<bool> kTAttribute = {
+    {"t", AttributeEffect::Walk, kYesValues, "whether the kernel stores the t of a closest hit", &kOutputs},
+    isFirst};
 
-const AttributeKind kFaceAttribute = {
-    "face", AttributeEffect::Walk, kNoValues,
-    "whether the kernel stores by which face of its voxel the ray enters at a closest hit", &kOutputs};
+const TypedAttribute<bool> kFaceAttribute = {
+    {"face", AttributeEffect::Walk, kNoValues,
+     "whether the kernel stores by which face of its voxel the ray enters at a closest hit", &kOutputs},
+    isSecond};
 
-const AttributeKind kColourAttribute = {"colour", AttributeEffect::Walk, kYesValues,
-                                        "whether the kernel stores the colour of a closest hit", &kOutputs};
+const TypedAttribute<bool> kColourAttribute = {{"colour", AttributeEffect::Walk, kYesValues,
+                                                "whether the kernel stores the colour of a closest hit",
+                                                &kOutputs},
+                                               isFirst};
 
-const AttributeKind kIndexAttribute = {
-    "index", AttributeEffect::Walk, kNoValues,
-    "whether the kernel stores, in place of the colour, the number of a closest hit's voxel among all of the "
-    "volume",
-    &kOutputs};
+const TypedAttribute<bool> kIndexAttribute = {
+    {"index", AttributeEffect::Walk, kNoValues,
+     "whether the kernel stores, in place of the colour, the number of "
+     "a closest hit's voxel among all of the "
+     "volume",
+     &kOutputs},
+    isSecond};
 
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
                                          "what a voxel is: a colour of four bytes; or nothing but that it is "
@@ -88,19 +101,22 @@ const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kP
                                          "5, 6 and 5 bits; or a label of n bits. A build "
                                          "proves what is stated"};
 
-const AttributeKind kAlphaAttribute = {
-    "alpha", AttributeEffect::Storage, kAlphaValues,
-    "a fact about the voxels, which a build proves: whether one that is not empty may have an alpha of 0"};
+const TypedAttribute<Alpha> kAlphaAttribute = {
+    {"alpha", AttributeEffect::Storage, kEnumNames<Alpha>,
+     "a fact about the voxels, which a build proves: whether one that is not empty may have an alpha of 0"},
+    as<Alpha>};
 
-const AttributeKind kValuesAttribute = {
-    "values", AttributeEffect::Storage, kValuesValues,
-    "where the colours of voxels stand: in the words of their cells, or apart from the shape, in compressed "
-    "blocks by the rank of the voxel, so that equal shapes of other colours share storage"};
+const TypedAttribute<Values> kValuesAttribute = {
+    {"values", AttributeEffect::Storage, kEnumNames<Values>,
+     "where the colours of voxels stand: in the words of their cells, or apart from the shape, in compressed "
+     "blocks by the rank of the voxel, so that equal shapes of other colours share storage"},
+    as<Values>};
 
-const AttributeKind kGranuleAttribute = {
-    "granule", AttributeEffect::Storage, kGranuleValues,
-    "what references count: words, or granules of so many, at which all that they lead to begins, so that a "
-    "volume may have as many times the words"};
+const TypedAttribute<int> kGranuleAttribute = {
+    {"granule", AttributeEffect::Storage, kGranuleValues,
+     "what references count: words, or granules of so many, at which all that they lead to begins, so that a "
+     "volume may have as many times the words"},
+    asNumber};
 namespace {
 
 /// The number in a value, "4" of "palette(4)", and what stands around it; 0 and all of it where there is
@@ -150,9 +166,9 @@ AttributeKinds formatAttributes() {
   return kAttributes;
 }
 
-std::string_view AttributeSet::value(const AttributeKind &kind) const {
-  const auto found = std::ranges::find(attributes_, &kind, &Attribute::kind);
-  return kind.values[found == attributes_.end() ? 0 : found->value];
+std::size_t AttributeSet::number(const AttributeKind &kind) const {
+  const auto found = std::ranges::find(attributes_, &kind, &Chosen::kind);
+  return found == attributes_.end() ? 0 : found->value;
 }
 
 bool AttributeSet::set(AttributeKinds taken, const AttributeKind &kind, std::string_view value) {
@@ -160,18 +176,18 @@ bool AttributeSet::set(AttributeKinds taken, const AttributeKind &kind, std::str
   if (std::ranges::find(taken, &kind) == taken.end() || found == kind.values.end() ||
       this->value(kind) == value)
     return false;
-  std::erase_if(attributes_, [&](const Attribute &attribute) { return attribute.kind == &kind; });
+  std::erase_if(attributes_, [&](const Chosen &attribute) { return attribute.kind == &kind; });
   if (found != kind.values.begin())
     attributes_.push_back({&kind, static_cast<std::size_t>(found - kind.values.begin())});
   // Kept in the order of the table, so that equal sets compare equal whatever the order of the passes.
-  std::ranges::sort(attributes_, {}, [&](const Attribute &attribute) {
+  std::ranges::sort(attributes_, {}, [&](const Chosen &attribute) {
     return std::ranges::find(taken, attribute.kind) - taken.begin();
   });
   return true;
 }
 
 void AttributeSet::eraseWalk() {
-  std::erase_if(attributes_, [](const Attribute &set) { return set.kind->effect == AttributeEffect::Walk; });
+  std::erase_if(attributes_, [](const Chosen &set) { return set.kind->effect == AttributeEffect::Walk; });
 }
 
 std::string printAttributes(const AttributeSet &set, AttributeKinds taken) {

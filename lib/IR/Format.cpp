@@ -1,8 +1,6 @@
 // Levels and formats: sizes and attributes.
 #include "voxc/IR/Format.h"
 
-#include <algorithm>
-
 namespace voxc {
 
 std::uint32_t Level::parameter(ParameterRole role) const {
@@ -32,10 +30,7 @@ bool Format::setAttribute(const AttributeKind &attribute, std::string_view value
   return attributes.set(formatAttributes(), attribute, value);
 }
 
-int Format::log2Granule() const {
-  const auto values = kGranuleAttribute.values;
-  return static_cast<int>(std::ranges::find(values, attributes.value(kGranuleAttribute)) - values.begin());
-}
+int Format::log2Granule() const { return attributes.get(kGranuleAttribute); }
 
 Int3 Format::log2Extent() const {
   Int3 extent;
@@ -66,7 +61,8 @@ Format storageFormat(Format format) {
 Format canonicalFormat(Format format) {
   format = storageFormat(std::move(format));
   // The first level has one sub-volume, and nothing to share it with.
-  for (const AttributeKind *kind : {&kShareAttribute, &kDedupAttribute})
+  const AttributeKind *const kinds[] = {&kShareAttribute, &kDedupAttribute};
+  for (const AttributeKind *kind : kinds)
     format.levels.front().setAttribute(*kind, kind->values.front());
   return format;
 }

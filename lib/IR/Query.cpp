@@ -1,6 +1,8 @@
 // From attributes to what a kernel answers.
 #include "voxc/IR/Query.h"
 
+#include "voxc/IR/Choices.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +10,7 @@ namespace voxc {
 namespace {
 
 /// The attribute that chooses each output.
-constexpr std::pair<const AttributeKind *, bool Outputs::*> kOutputs[] = {
+constexpr std::pair<const TypedAttribute<bool> *, bool Outputs::*> kOutputs[] = {
     {&kVoxelAttribute, &Outputs::voxel},
     {&kTAttribute, &Outputs::t},
     {&kFaceAttribute, &Outputs::face},
@@ -18,12 +20,12 @@ constexpr std::pair<const AttributeKind *, bool Outputs::*> kOutputs[] = {
 } // namespace
 
 Question questionOf(const Format &format) {
-  Question question{*fromString<Query>(format.attributes.value(kQueryAttribute)), {}};
-  question.bounds = format.attributes.value(kBoundsAttribute) == "yes";
+  Question question{format.attributes.get(kQueryAttribute), {}};
+  question.bounds = format.attributes.get(kBoundsAttribute);
   question.outputs = outputsOf(question.query);
   for (const auto &[kind, output] : kOutputs)
-    if (const std::string_view value = format.attributes.value(*kind); value != kind->values.front())
-      question.outputs.*output = value == "yes";
+    if (format.attributes.value(*kind) != kind->values.front())
+      question.outputs.*output = format.attributes.get(*kind);
   return question;
 }
 
@@ -43,10 +45,10 @@ std::string_view problemOf(const Question &question) {
 
 std::string_view problemOfQuestion(const Format &format) {
   const Question question = questionOf(format);
-  if (question.bounds && format.attributes.value(kDetailAttribute) != "full")
+  if (question.bounds && format.attributes.get(kDetailAttribute) != Detail::Full)
     return "stops above voxels, whose bounds cannot be told there; leave out bounds=yes, or detail=cone";
-  if (question.outputs.index && (format.attributes.value(kValuesAttribute) != "apart" ||
-                                 format.attributes.value(kDetailAttribute) != "full"))
+  if (question.outputs.index && (format.attributes.get(kValuesAttribute) != Values::Apart ||
+                                 format.attributes.get(kDetailAttribute) != Detail::Full))
     return "asks for the numbers of voxels, which levels count with values=apart, and whose cubes have none; "
            "build with --values-apart, and leave out detail=cone";
   return problemOf(question);

@@ -3,13 +3,26 @@
 #include "Places.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
-  if (!stratum.isGrid() || stratum.leaves)
-    return "dense slots hold the values of cells themselves";
+  const Distances *const distances = stratum.distances();
+  if (!distances)
+    return {};
+  if (distances->reach == 0)
+    return "distances have a reach of 1 at least";
+  const std::uint64_t most = distances->metric == Metric::Octant     ? 1u << stratum.fieldBits()
+                             : stratum.empty() == Empty::Tagged      ? std::uint64_t{1} << 31
+                             : stratum.empty() == Empty::Transparent ? std::uint64_t{1} << 24
+                                                                     : std::uint64_t{1} << 32;
+  if (distances->reach >= most)
+    return "a reach of " + std::to_string(distances->reach) + " does not fit into " +
+           std::to_string(std::bit_width(most) - 1) + " bits, which " +
+           (distances->metric == Metric::Octant ? "an octant has" : "an empty slot has");
   return {};
 }
 
@@ -28,8 +41,8 @@ std::uint64_t size(const WordReader &, const Stratum &stratum, std::uint64_t) { 
 
 /// What a slot says of how far a ray may skip; 0 where the cell is not empty.
 std::uint32_t skipWord(const WordReader &words, const Stratum &stratum, std::uint64_t slot) {
-  if (stratum.empty == Empty::Zero)
-    return stratum.skip == Skip::None ? 0 : words[slot + 1];
+  if (stratum.empty() == Empty::Zero)
+    return stratum.distances() ? words[slot + 1] : 0;
   return stratum.isEmptySlot(words[slot]) ? words[slot] : 0;
 }
 
@@ -38,9 +51,9 @@ void checkDistance(WordReader &words, const Stratum &stratum, std::uint64_t slot
   const std::uint32_t distance = distanceInSlot(skipWord(words, stratum, slot));
   if (!empty && distance != 0)
     words.fail("a cell of a distance field is not empty but has a distance");
-  else if (empty && (distance == 0 || distance > stratum.reach))
+  else if (empty && (distance == 0 || distance > stratum.distances()->reach))
     words.fail("an empty cell of a distance field has a distance outside 1.." +
-               std::to_string(stratum.reach));
+               std::to_string(stratum.distances()->reach));
 }
 
 void checkOctants(WordReader &words, const Stratum &stratum, std::uint64_t slot) {
@@ -52,9 +65,9 @@ void checkOctants(WordReader &words, const Stratum &stratum, std::uint64_t slot)
   }
   for (int octant = 0; octant < 8; ++octant) {
     const std::uint32_t side = fields >> octant * stratum.fieldBits() & ((1u << stratum.fieldBits()) - 1);
-    if (side == 0 || side > stratum.reach)
+    if (side == 0 || side > stratum.distances()->reach)
       return words.fail("an empty cell of a distance field has an empty cube outside 1.." +
-                        std::to_string(stratum.reach));
+                        std::to_string(stratum.distances()->reach));
   }
 }
 
@@ -62,11 +75,11 @@ bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) 
   const std::uint64_t count = size(words, stratum, node);
   if (!words.require(node, count, "a grid"))
     return false;
-  if (stratum.skip == Skip::None)
+  if (!stratum.distances())
     return true;
   for (std::uint64_t slot = node; slot < node + count && !words.problem();
        slot += static_cast<std::uint64_t>(stratum.slotWords())) {
-    if (stratum.skip == Skip::L1)
+    if (stratum.measures(Metric::L1))
       checkDistance(words, stratum, slot);
     else
       checkOctants(words, stratum, slot);
@@ -120,16 +133,39 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
   return true;
 }
 
-bool tellsGap(const Stratum &stratum) { return stratum.skip != Skip::None; }
+EmptyRegion region(const Stratum &stratum) {
+  return stratum.distances() ? EmptyRegion::Distance : EmptyRegion::Cell;
+}
+
+bool isDistanceBeside(const Stratum &stratum) {
+  return stratum.distances() && stratum.distances()->place == DistancePlace::Beside;
+}
+
+double wordsRead(const Stratum &stratum, int, bool isEmpty) {
+  return isEmpty && isDistanceBeside(stratum) ? 2 : 1;
+}
+
+std::uint64_t line(const Stratum &stratum, std::uint64_t cell) {
+  constexpr int kLog2LineWords = 4;
+  return cell >> (kLog2LineWords - (isDistanceBeside(stratum) ? 1 : 0));
+}
+
+std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return std::nullopt; }
+
+constexpr std::array<std::string_view, 1> kFiles = {"dense"};
+std::span<const std::string_view> files(const Stratum &) { return kFiles; }
 
 } // namespace
 
 extern const SlotKind kDenseSlots = {.name = "dense",
                                      .summary = "a slot for each child",
+                                     .accessor = files,
+                                     .construction = files,
+                                     .encodings = encodingBits<std::monostate, Distances>,
                                      .keepsEmpty = true,
                                      .ranks = true,
-                                     .tellsGap = tellsGap,
-                                     .findsValueLater = never,
+                                     .region = region,
+                                     .cost = {wordsRead, line, noSlotLine},
                                      .problem = problem,
                                      .check = check,
                                      .leastWords = leastWords,

@@ -3,6 +3,7 @@
 #include "Places.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 #include <vector>
@@ -15,8 +16,6 @@ constexpr std::uint64_t kHeadWords = 2;
 constexpr std::uint32_t kLongestProbe = 64;
 
 std::string problem(const Stratum &stratum) {
-  if (!stratum.isGrid() || stratum.leaves)
-    return "hashed slots hold the values of cells themselves";
   if (stratum.log2Children() > 32)
     return "a hashed grid has 2^32 cells at most, so that a cell's number is a word";
   return {};
@@ -112,13 +111,23 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels,
   return true;
 }
 
+/// The head and an entry: most probes find their cell, or a free entry, at once.
+double wordsRead(const Stratum &, int, bool) { return 4; }
+/// Anywhere.
+std::uint64_t line(const Stratum &, std::uint64_t cell) { return cell; }
+std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return std::nullopt; }
+
+constexpr std::array<std::string_view, 1> kFiles = {"hashed"};
+std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+
 } // namespace
 
 extern const SlotKind kHashedSlots = {.name = "hashed",
                                       .summary = "a table of the cells that are not empty, found by probing",
+                                      .accessor = files,
+                                      .construction = files,
                                       .lookUpLoops = true,
-                                      .tellsGap = never,
-                                      .findsValueLater = never,
+                                      .cost = {wordsRead, line, noSlotLine},
                                       .problem = problem,
                                       .check = check,
                                       .leastWords = leastWords,

@@ -1,6 +1,8 @@
 // What follows from the strata of a layout.
 #include "voxc/Layout/Layout.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -46,20 +48,43 @@ bool Layout::setPayload(std::string_view text) {
   return true;
 }
 
-void packDistances(Stratum &stratum, bool holdsVoxels) {
-  stratum.empty = holdsVoxels ? Empty::Transparent : Empty::Tagged;
-  if (stratum.skip == Skip::Octant)
-    stratum.reach = std::min(stratum.reach, (1u << stratum.fieldBits()) - 1);
+void fitReach(Stratum &stratum) {
+  auto *const distances = std::get_if<Distances>(&stratum.encoding);
+  if (!distances)
+    return;
+  if (distances->metric == Metric::Octant)
+    distances->reach = std::min(distances->reach, (1u << stratum.fieldBits()) - 1);
+  if (distances->place == DistancePlace::Beside)
+    return;
   // No cell is farther from another; so a reach that no distance comes up to says no more than this one.
   const Int3 size = stratum.log2Size();
-  const std::uint32_t farthest = (1u << size.x) + (1u << size.y) + (1u << size.z);
-  stratum.reach = std::min(stratum.reach, farthest);
+  const auto cells = [](int log2) { return 1u << std::min(log2, kMaxLog2Extent); };
+  const std::uint32_t farthest = cells(size.x) + cells(size.y) + cells(size.z);
+  distances->reach = std::min(distances->reach, farthest);
 }
 
+void Layout::complete() {
+  const bool areAlike = !kindOf(payload).varies || values == Values::Apart;
+  for (std::size_t i = 0; i < strata.size(); ++i) {
+    Stratum &stratum = strata[i];
+    stratum.lowest = holdsVoxels(i);
+    stratum.ranked = values == Values::Apart;
+    stratum.implied =
+        stratum.lowest && areAlike && stratum.depth > 0 && stratum.slots && stratum.slots->tellsByMasks;
+    if (auto *const numbers = std::get_if<Numbers>(&stratum.encoding)) {
+      numbers->arrayHead = static_cast<int>(headWords()) - 1;
+      numbers->masks = !stratum.lowest && strata[i + 1].inArray() ? MaskForm::Octants : MaskForm::Whole;
+    }
+    if (auto *const array = std::get_if<InArray>(&stratum.encoding))
+      array->arrayHead = static_cast<int>(headWords()) - 1;
+  }
+}
+
+bool Layout::hasArray() const { return std::ranges::any_of(strata, &Stratum::numbers); }
+
 std::uint64_t Layout::headWords() const {
-  const bool isIndexed = std::ranges::any_of(strata, &Stratum::isIndexed);
   const bool hasSecond = values == Values::Apart || payload == Payload::Constant;
-  return granuleAfter(1 + (hasSecond ? 1 : 0) + (isIndexed ? 1 : 0));
+  return granuleAfter(1 + (hasSecond ? 1 : 0) + (hasArray() ? 1 : 0));
 }
 
 Int3 Layout::log2Extent() const {
@@ -68,10 +93,17 @@ Int3 Layout::log2Extent() const {
   return {size.x + top.log2Cell, size.y + top.log2Cell, size.z + top.log2Cell};
 }
 
+Ref Layout::placeMask() const {
+  int bits = 32;
+  for (const Stratum &stratum : strata)
+    bits = std::min(bits, stratum.slots->placeBits);
+  return static_cast<Ref>((std::uint64_t{1} << bits) - 1);
+}
+
 std::uint64_t Layout::maxWords() const {
   int log2 = 32;
   for (const Stratum &stratum : strata)
-    log2 = std::min(log2, stratum.log2Reach());
+    log2 = std::min({log2, stratum.log2Reach(), stratum.slots->placeBits});
   return std::uint64_t{1} << (log2 + log2Granule);
 }
 

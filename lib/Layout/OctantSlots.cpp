@@ -1,23 +1,23 @@
-// Octants: the grids of 4 x 4 x 4 voxels that numbers lead to, in an array of their own form. What stands for
-// the place of a node is that of two words a grid (`Stratum::indexBits`); a block of construction is these
-// two words, a bit a cell in Morton order.
+// Octant slots: bricks of voxels that numbers lead to, in an array of their own form. What stands for the
+// place of a node is that of two words a brick (`Numbers`); a block of construction is these two words, a bit
+// a cell in Morton order.
+#include "Bricks.h"
 #include "Places.h"
 
 #include "voxc/Layout/OctantArray.h"
 
+#include <array>
 #include <bit>
 
 namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
-  if (!stratum.isInOctants() || !stratum.implied || stratum.log2Shape != Int3{2, 2, 2})
-    return "octants are those of grids of 4 x 4 x 4 voxels without values, in an array";
-  return {};
+  return stratum.implied ? brickProblem(stratum) : "octants are those of voxels without values";
 }
 
 std::uint64_t arrayOf(const WordReader &words, const Stratum &stratum) {
-  return words[static_cast<std::uint64_t>(stratum.arrayHead)];
+  return words[static_cast<std::uint64_t>(stratum.inArray()->arrayHead)];
 }
 
 std::uint64_t numberOf(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
@@ -69,16 +69,26 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels,
   return holdsVoxels && words.size() == kIndexedWords;
 }
 
-bool always(const Stratum &) { return true; }
+EmptyRegion region(const Stratum &) { return EmptyRegion::Octants; }
+
+/// The array's begin, the head, octants, and cells where the octant has some.
+double wordsRead(const Stratum &, int, bool isEmpty) { return isEmpty ? 5 : 6.5; }
+
+constexpr std::array<std::string_view, 1> kFiles = {"octants"};
+std::span<const std::string_view> files(const Stratum &) { return kFiles; }
 
 } // namespace
 
 extern const SlotKind kOctantSlots = {.name = "octants",
                                       .summary = "a byte of octants, then one of cells for each not empty",
+                                      .accessor = files,
+                                      .construction = files,
+                                      .encodings = encodingBits<InArray>,
+                                      .isNumberable = true,
                                       .tellsByMasks = true,
                                       .ranks = true,
-                                      .tellsGap = always,
-                                      .findsValueLater = always,
+                                      .region = region,
+                                      .cost = {wordsRead},
                                       .problem = problem,
                                       .check = check,
                                       .leastWords = leastWords,

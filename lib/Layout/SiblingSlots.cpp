@@ -4,11 +4,13 @@
 #include "Places.h"
 #include "TreeCount.h"
 
+#include <array>
+
 namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
-  if (stratum.cells != Cells::Record || !stratum.leaves)
+  if (!stratum.keepsLeaves(LeafPlace::Record))
     return "siblings are records, of nodes and of leaves";
   if (stratum.log2Children() > 6)
     return "a node with leaves has 64 children at most";
@@ -87,14 +89,22 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
   return true;
 }
 
+/// A layer is a record of masks and of a reference.
+double wordsRead(const Stratum &, int layers, bool isEmpty) { return 2 * layers - (isEmpty ? 1 : 0); }
+
+constexpr std::array<std::string_view, 1> kFiles = {"siblings"};
+std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+
 } // namespace
 
 extern const SlotKind kSiblingSlots = {.name = "siblings",
                                        .summary =
                                            "a record for each child that is not empty, next to each other",
+                                       .accessor = files,
+                                       .construction = files,
+                                       .encodings = encodingBits<Leaves>,
                                        .sharesBlocks = true,
-                                       .tellsGap = never,
-                                       .findsValueLater = never,
+                                       .cost = {.words = wordsRead},
                                        .problem = problem,
                                        .check = check,
                                        .leastWords = leastWords,

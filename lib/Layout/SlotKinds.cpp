@@ -9,16 +9,30 @@ namespace voxc {
 // The rows, each in the file of its name.
 extern const SlotKind kDenseSlots;
 extern const SlotKind kPackedSlots;
+extern const SlotKind kMaskedSlots;
+extern const SlotKind kBrickSlots;
+extern const SlotKind kNumberedSlots;
+extern const SlotKind kNumberedBrickSlots;
 extern const SlotKind kSiblingSlots;
 extern const SlotKind kHashedSlots;
 extern const SlotKind kOctantSlots;
+extern const SlotKind kMirroredSlots;
 
 namespace {
 
-constexpr std::array<const SlotKind *, 5> kKinds = {&kDenseSlots, &kPackedSlots, &kSiblingSlots,
-                                                    &kHashedSlots, &kOctantSlots};
+constexpr std::array<const SlotKind *, 10> kKinds = {
+    &kDenseSlots,  &kPackedSlots, &kMirroredSlots, &kSiblingSlots,       &kHashedSlots,
+    &kMaskedSlots, &kBrickSlots,  &kNumberedSlots, &kNumberedBrickSlots, &kOctantSlots};
 
 } // namespace
+
+Encoding defaultEncoding(const SlotKind &kind) {
+  for (const Encoding &encoding :
+       {Encoding(), Encoding(Distances{}), Encoding(Numbers{}), Encoding(InArray{}), Encoding(Leaves{})})
+    if (takes(kind, encoding))
+      return encoding;
+  return {};
+}
 
 std::span<const SlotKind *const> slotKinds() { return kKinds; }
 

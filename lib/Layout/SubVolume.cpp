@@ -24,8 +24,8 @@ public:
   }
 
 private:
-  /// The sub-volume in a cell of an indexed stratum.
-  void indexed(std::uint32_t value, const Cube &cube, Ranks ranks) {
+  /// The sub-volume that a number leads to.
+  void numbered(std::uint32_t value, const Cube &cube, Ranks ranks) {
     if (value == 0)
       words_.fail("an indexed sub-volume has no number");
     else
@@ -34,7 +34,7 @@ private:
 
   /// The word of a leaf, in a slot that was checked or in a block of its own.
   void leaf(std::uint64_t at, const Cube &cube, Ranks ranks) {
-    const std::uint64_t count = stratum_.cells == Cells::Record ? 1 + MaskShape(stratum_).words() : 1;
+    const std::uint64_t count = stratum_.keepsLeaves(LeafPlace::Record) ? 1 + MaskShape(stratum_).words() : 1;
     if (!stratum_.isGrid() && !words_.require(at, count, "a leaf"))
       return;
     // Nothing may stand where masks say that something does: kernels and lookups would tell it in two ways.
@@ -100,13 +100,13 @@ private:
 
   void foresee(const Place &place) {
     const Child &child = place.child;
-    if (child.leaf && (stratum_.implied || stratum_.cells == Cells::Slot))
+    if (child.leaf && (stratum_.implied || stratum_.keepsLeaves(LeafPlace::InSlot)))
       return;
-    if (stratum_.isIndexed())
+    if (stratum_.numbers())
       return visitor_.foreseeCell(child.value);
     if (child.leaf && stratum_.isGrid())
       return visitor_.foreseeCell(stratum_.cellValue(words_[child.at]));
-    words_.fetch(child.at);
+    words_.fetch(beginOf(stratum_, child.at));
     if (!child.leaf)
       visitor_.foreseeNode(child.at, place.cube.log2Side);
   }
@@ -115,8 +115,8 @@ private:
     const auto &[cube, child, ranks] = place;
     if (child.leaf && stratum_.implied)
       visitor_.cells(cube, kOccupied, ranks);
-    else if (stratum_.isIndexed())
-      indexed(child.value, cube, ranks);
+    else if (stratum_.numbers())
+      numbered(child.value, cube, ranks);
     else if (child.leaf)
       leaf(child.at, cube, ranks);
     else if (layer > 1)
@@ -131,7 +131,7 @@ private:
 } // namespace
 
 std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf) {
-  return stratum.implied ? kOccupied : stratum.isIndexed() ? leaf.value : stratum.cellValue(words[leaf.at]);
+  return stratum.implied ? kOccupied : stratum.numbers() ? leaf.value : stratum.cellValue(words[leaf.at]);
 }
 
 std::uint64_t voxelsBefore(const Child &child, int log2Child) {
@@ -174,7 +174,7 @@ void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t off
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, Block block, bool holdsVoxels,
               Relocation relocation) {
   if (block == Block::Leaf)
-    return stratum.cells == Cells::Word && words.size() == 1 &&
+    return stratum.keepsLeaves(LeafPlace::Apart) && words.size() == 1 &&
            (holdsVoxels || relocateRef(words[0], relocation));
   return stratum.slots->relocate(words, stratum, holdsVoxels, relocation);
 }

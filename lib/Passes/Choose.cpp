@@ -1,4 +1,5 @@
 // Setting the attribute of a choice, where it is taken and fits.
+#include "voxc/IR/Choices.h"
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
@@ -45,8 +46,8 @@ std::string excludedBy(std::string_view what, const AttributeKind &kind, std::st
 
 /// One loop for all levels has a stack of its own, and no walks of trees.
 void verifyWalks(const Format &format, Diagnostics &diagnostics) {
-  const std::string_view levels = format.attributes.value(kLevelsAttribute);
-  if (levels != "flat" && levels != "direct")
+  const Walk levels = format.attributes.get(kLevelsAttribute);
+  if (levels != Walk::Flat && levels != Walk::Direct)
     return;
   for (const Level &level : format.levels)
     if (const std::string_view walk = level.attribute(kWalkAttribute); walk != kWalkAttribute.values.front())

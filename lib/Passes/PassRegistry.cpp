@@ -9,7 +9,7 @@ namespace voxc {
 namespace {
 
 // clang-format off: it would put words of one sentence on lines of their own.
-const std::array<Pass, 24> kPasses = {{
+const std::array<Pass, 25> kPasses = {{
     {.name = "whole-level-dedup",
      .effect = AttributeEffect::Storage,
      .summary = "share equal nodes among all sub-volumes of an SVDAG level",
@@ -129,6 +129,15 @@ const std::array<Pass, 24> kPasses = {{
                  "it, the slot is the leaf's value: a word less for each that differs, and a load less on "
                  "the way to it. Unchanged where no level is a G.",
      .choice = {&kLeavesAttribute, "in-slot", ChoiceScope::Levels}},
+    {.name = "mirror",
+     .effect = AttributeEffect::Storage,
+     .summary = "share nodes of the last level, a G, that are equal but for a reflection",
+     .details = "Without it, equal nodes are one. With it, so are nodes that become equal when they are "
+                 "reflected across some of the axes: of its eight reflections a node is written as one, and "
+                 "three bits of each reference say how the node there is to be read (the symmetry-aware DAG, "
+                 "SSVDAG). References then reach 2^29 words. Unchanged where the last level is no G of nodes "
+                 "of 2 x 2 x 2, or voxels have values: give occupancy or constant-colour too.",
+     .choice = {&kMirrorAttribute, "yes", ChoiceScope::LastLevel, Unfit::LeftOut}},
     {.name = "octant-distances",
      .effect = AttributeEffect::Storage,
      .summary = "let D levels tell empty cubes by octant in place of an L1 distance",

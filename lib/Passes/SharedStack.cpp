@@ -2,6 +2,7 @@
 //
 // Contract: sets stack=shared on the format. The volume stays as it is, and so do the hits. Unchanged where
 // no walk keeps nodes: a direct one, or one of grids and of trees that restart or are unrolled.
+#include "voxc/IR/Choices.h"
 #include "voxc/IR/Stack.h"
 #include "voxc/Passes/Pass.h"
 
@@ -11,11 +12,11 @@ namespace voxc {
 
 PassResult sharedStack(Format &format, Diagnostics &diagnostics) {
   const auto keepsNodes = [](const Level &level) {
-    return level.kind->isTree() && level.log2Size() != Int3{} && level.attribute(kWalkAttribute) == "stack";
+    return level.kind->isTree() && level.log2Size() != Int3{} && level.get(kWalkAttribute) == Descent::Stack;
   };
-  const std::string_view levels = format.attributes.value(kLevelsAttribute);
+  const Walk levels = format.attributes.get(kLevelsAttribute);
   const bool keeps =
-      levels == "flat" || (levels != "direct" && std::ranges::any_of(format.levels, keepsNodes));
+      levels == Walk::Flat || (levels != Walk::Direct && std::ranges::any_of(format.levels, keepsNodes));
   if (!keeps)
     diagnostics.note({}, "no walk of the format keeps the nodes above a cell");
   return keeps && format.setAttribute(kStackAttribute, toString(Stack::Shared)) ? PassResult::Changed

@@ -23,16 +23,14 @@ int layersOf(const Layout &layout) {
 
 /// True if most turns of a direct walk end in the first level, with a long step.
 bool leapsFromTheTop(const Layout &layout) {
-  return layout.strata.front().skip == Skip::Octant && layersOf(layout) <= kFewLayers;
+  return layout.strata.front().measures(Metric::Octant) && layersOf(layout) <= kFewLayers;
 }
 
 /// True for a tree made of grids that tell of empty cells around one: its nodes are small, and a nested walk
 /// would soon leave each.
 bool isTreeOfGrids(const Layout &layout) {
-  const auto tellsGap = [](const Stratum &stratum) {
-    return stratum.skip == Skip::None && stratum.slots->tellsGap(stratum);
-  };
-  return layout.strata.size() > 2 && std::all_of(layout.strata.begin() + 1, layout.strata.end(), tellsGap);
+  return layout.strata.size() > 2 &&
+         std::all_of(layout.strata.begin() + 1, layout.strata.end(), findsValueLater);
 }
 
 } // namespace

@@ -15,19 +15,16 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.outputs = question.outputs;
   plan.bounded = question.bounds;
   for (const Level &level : format.levels)
-    plan.traversals.push_back({.descent = level.kind->isTree()
-                                              ? *fromString<Descent>(level.attribute(kWalkAttribute))
-                                              : Descent::Index});
+    plan.traversals.push_back({.descent = level.kind->isTree() ? level.get(kWalkAttribute) : Descent::Index});
   if (plan.query == Query::Occupancy) // There is no walk to choose.
     return plan;
-  plan.predicate =
-      format.attributes.value(kPrecisionAttribute) == "fast" ? Predicate::Float32 : Predicate::Exact;
-  plan.detail = *fromString<Detail>(format.attributes.value(kDetailAttribute));
+  plan.precision = format.attributes.get(kPrecisionAttribute);
+  plan.detail = format.attributes.get(kDetailAttribute);
   if (options.inGroups)
-    plan.stack = *fromString<Stack>(format.attributes.value(kStackAttribute));
+    plan.stack = format.attributes.get(kStackAttribute);
   // One loop stops at voxels alone: cones leave no choice.
   if (plan.detail == Detail::Full)
-    plan.walk = *fromString<Walk>(format.attributes.value(kLevelsAttribute));
+    plan.walk = format.attributes.get(kLevelsAttribute);
   return plan;
 }
 

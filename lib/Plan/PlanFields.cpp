@@ -1,6 +1,8 @@
 // The tables of what plan text says.
 #include "PlanFields.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -148,9 +150,9 @@ constexpr std::array<Field<Plan>, 21> kPlanFields = {{
     {"values", printValues, parseValues, "in-place, apart"},
     {"granule", printGranule, parseGranule, "a number of words, a power of two"},
     field<Plan, &Plan::addressing>("addressing"),
-    field<Plan, &Plan::walk>("walk"),
+    field<Plan, &Plan::walk>("levels"),
     field<Plan, &Plan::stack>("stack"),
-    field<Plan, &Plan::predicate>("predicate"),
+    field<Plan, &Plan::precision>("precision"),
     field<Plan, &Plan::steps>("steps"),
     field<Plan, &Plan::detail>("detail"),
     field<Plan, &Plan::query>("query"),
@@ -166,22 +168,58 @@ constexpr std::array<Field<Plan>, 21> kPlanFields = {{
 }};
 
 using S = PlannedStratum;
-constexpr std::array<Field<S>, 17> kStratumFields = {{
+
+/// A member of an encoding, which strata of other kinds of slots do not have.
+template <typename Part, auto Member> std::string printPart(const S &stratum) {
+  const auto *const part = std::get_if<Part>(&stratum.encoding);
+  return part ? printMember<Part, Member>(*part) : "";
+}
+
+template <typename Part, auto Member> bool parsePart(S &stratum, std::string_view text) {
+  if (!std::holds_alternative<Part>(stratum.encoding))
+    stratum.encoding = Part{};
+  return parseMember<Part, Member>(std::get<Part>(stratum.encoding), text);
+}
+
+template <typename Part> bool takesPart(const S &stratum) { return takes(*stratum.slots, Part{}); }
+
+template <typename Part, auto Member> constexpr Field<S> part(std::string_view name) {
+  using Value = std::remove_cvref_t<decltype(std::declval<Part>().*Member)>;
+  return {name,
+          printPart<Part, Member>,
+          parsePart<Part, Member>,
+          {ListedNames<Value>::kText.data(), ListedNames<Value>::kLength},
+          takesPart<Part>};
+}
+
+template <typename Part, auto Member>
+constexpr Field<S> part(std::string_view name, std::string_view values) {
+  return {name, printPart<Part, Member>, parsePart<Part, Member>, values, takesPart<Part>};
+}
+
+/// What a level shares, by the name and the values that its kind has for it.
+std::string printSharing(const S &stratum) { return stratum.sharing == Sharing::Level ? "level" : ""; }
+
+template <Sharing Usual> bool parseSharing(S &stratum, std::string_view text) {
+  stratum.sharing = text == "level" ? Sharing::Level : Usual;
+  return text == "level" || text == (Usual == Sharing::None ? "none" : "sub-volume");
+}
+
+bool isGrid(const S &stratum) { return stratum.isGrid(); }
+bool sharesNodes(const S &stratum) { return stratum.slots->sharing == Sharing::SubVolume; }
+
+constexpr std::array<Field<S>, 13> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
-    field<S, &S::leaves>("leaves"),
-    field<S, &S::cells>("cells"),
-    field<S, &S::skip>("skip"),
-    field<S, &S::reach>("reach", "a number of cells"),
-    field<S, &S::empty>("empty"),
-    field<S, &S::implied>("implied"),
-    field<S, &S::ranked>("ranked"),
-    field<S, &S::indexBits>("index", "a number of bits"),
-    field<S, &S::arrayHead>("array", "the number of a word of the volume's head"),
-    field<S, &S::counts>("counts"),
-    field<S, &S::grids>("grids"),
-    field<S, &S::sharing>("sharing"),
-    field<S, &S::descent>("descent"),
+    part<Leaves, &Leaves::place>("leaves"),
+    part<Distances, &Distances::metric>("metric"),
+    part<Distances, &Distances::reach>("reach", "a number of cells"),
+    part<Distances, &Distances::place>("distances"),
+    part<Numbers, &Numbers::bits>("pointers", "a number of bits"),
+    part<Numbers, &Numbers::counts>("counts"),
+    {"share", printSharing, parseSharing<Sharing::None>, "none, level", isGrid},
+    {"dedup", printSharing, parseSharing<Sharing::SubVolume>, "sub-volume, level", sharesNodes},
+    field<S, &S::descent>("walk"),
     field<S, &S::stops>("stops"),
     field<S, &S::sampled>("sampled"),
 }};

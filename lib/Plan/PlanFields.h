@@ -19,7 +19,10 @@ template <typename Owner> struct Field {
   std::string (*print)(const Owner &owner);
   /// False if this is no value of it.
   bool (*parse)(Owner &owner, std::string_view value);
-  std::string_view values; ///< What it takes, for diagnostics.
+  std::string_view values;                     ///< What it takes, for diagnostics.
+  bool (*taken)(const Owner &owner) = nullptr; ///< Whether the owner has such a field; null: each has.
+
+  bool isOf(const Owner &owner) const { return !taken || taken(owner); }
 };
 
 /// In the order in which they are printed.

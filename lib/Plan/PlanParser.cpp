@@ -17,6 +17,7 @@ public:
 
   Plan parse() {
     parseText();
+    plan_.layout.complete();
     if (!diagnostics_.hasErrors())
       verify(plan_, diagnostics_, ranges_);
     return std::move(plan_);
@@ -68,6 +69,8 @@ private:
     stratum.slots = findSlotKind(slots.text);
     if (!stratum.slots)
       return fail(slots, "a kind of slots: " + slotNames());
+    stratum.encoding = defaultEncoding(*stratum.slots);
+    stratum.sharing = stratum.slots->sharing;
     if (!parseShape(stratum.log2Shape) || !parseFields(stratum, stratumFields()))
       return false;
     ranges_.push_back({level.range.begin, slots.range.end});
@@ -94,8 +97,8 @@ private:
     while (lexer_.peek().kind == TokenKind::Word && !lexer_.peek().isWord("stratum")) {
       const Token name = lexer_.next();
       const auto field = std::ranges::find(fields, name.text, &Field<Owner>::name);
-      if (field == fields.end())
-        return fail(name, "one of " + fieldNames(fields));
+      if (field == fields.end() || !field->isOf(owner))
+        return fail(name, "one of " + fieldNames(owner, fields));
       if (!expect('='))
         return false;
       const Token value = lexer_.nextValue();
@@ -106,10 +109,12 @@ private:
     return true;
   }
 
-  template <typename Owner> static std::string fieldNames(std::span<const Field<Owner>> fields) {
+  template <typename Owner>
+  static std::string fieldNames(const Owner &owner, std::span<const Field<Owner>> fields) {
     std::string names;
     for (const Field<Owner> &field : fields)
-      names += (names.empty() ? "" : ", ") + std::string(field.name);
+      if (field.isOf(owner))
+        names += (names.empty() ? "" : ", ") + std::string(field.name);
     return names;
   }
 

@@ -9,7 +9,7 @@ namespace {
 template <typename Owner> std::string fieldsOf(const Owner &owner, std::span<const Field<Owner>> fields) {
   std::string text;
   for (const Field<Owner> &field : fields)
-    if (const std::string value = field.print(owner); !value.empty())
+    if (const std::string value = field.isOf(owner) ? field.print(owner) : ""; !value.empty())
       text += " " + std::string(field.name) + "=" + value;
   return text;
 }

@@ -25,7 +25,7 @@ void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<Source
   if (plan.bounded && plan.detail == Detail::Cone)
     diagnostics.error({}, "a walk between bounds stops at voxels alone");
   if (plan.steps != Steps::Float32 &&
-      (plan.arithmetic != Arithmetic::Ieee || plan.predicate != Predicate::Exact))
+      (plan.arithmetic != Arithmetic::Ieee || plan.precision != Precision::Exact))
     diagnostics.error({}, "exact walks alone take doubles, with arithmetic=ieee");
   for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
     const Stratum &stratum = plan.layout.strata[i];

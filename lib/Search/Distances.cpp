@@ -109,8 +109,8 @@ int cellsAhead(Int3 cell, int side, unsigned octant) {
 
 int distanceAt(const MeasuredCube &cube, Int3 cell, unsigned octant) {
   const int side = 1 << (cube.top - cube.stratum.log2Cell);
-  const int reach = static_cast<int>(std::min<std::uint32_t>(cube.stratum.reach, 3u << 21));
-  if (cube.stratum.skip == Skip::L1)
+  const int reach = static_cast<int>(std::min<std::uint32_t>(cube.stratum.distances()->reach, 3u << 21));
+  if (cube.stratum.measures(Metric::L1))
     return Search(cube, cell).nearest(reach);
   const int most = cube.isWhole ? reach : std::min(reach, cellsAhead(cell, side, octant));
   return Search(cube, cell).largestCube(octant, most);

@@ -4,6 +4,7 @@
 #include "RayPosition.h"
 #include "ScenePath.h"
 
+#include "voxc/Layout/SlotKind.h"
 #include "voxc/Plan/Plan.h"
 
 #include <cstdint>
@@ -16,16 +17,11 @@ struct LevelView {
 
   const Stratum &stratum;
   Descent descent;
-  bool isFirst;     ///< There is one sub-volume, the whole.
-  int bottom;       ///< Cells have 2^bottom voxels a side,
-  int top;          ///< and sub-volumes 2^top.
-  int branch;       ///< Nodes have 2^branch children an axis.
-  bool tellsGroups; ///< Masks of 4^3 cells tell of empty ones around.
-  bool isMasked;    ///< Other masks: a bit for each cell, and
-  bool isCounted;   ///< behind each word how many bits come before it, where there are many.
-
-  /// They tell too if all of the 4^3 cells that lie ahead are empty: of voxels, half a mask alone is read.
-  bool tellsWhole() const { return tellsGroups && (bottom > 0 || stratum.isInOctants()); }
+  bool isFirst;       ///< There is one sub-volume, the whole.
+  int bottom;         ///< Cells have 2^bottom voxels a side,
+  int top;            ///< and sub-volumes 2^top.
+  int branch;         ///< Nodes have 2^branch children an axis.
+  EmptyRegion region; ///< What it tells of the cells around an empty one.
 
   /// Layers of a tree that a look-up goes down, from a node of 2^from voxels a side to a cell of height `to`.
   int layers(int from, int to) const { return stratum.isGrid() ? 0 : (from - to + branch - 1) / branch; }

@@ -44,7 +44,7 @@ public:
   const TreeCount &tree(const TreeShape &shape, int top, Sharing sharing) {
     const auto [entry, isNew] = trees_.try_emplace({shape.bottom, shape.branch, shape.ranked, top, sharing});
     if (isNew)
-      entry->second = sharing == Sharing::Stratum     ? forms(shape).shared(top)
+      entry->second = sharing == Sharing::Level       ? forms(shape).shared(top)
                       : sharing == Sharing::SubVolume ? forms(shape).sharedInEach(top)
                                                       : forms(shape).unshared(top);
     return entry->second;
@@ -65,11 +65,11 @@ int topOf(const Stratum &stratum) { return stratum.log2Cell + longest(stratum.lo
 /// The words of trees.
 std::uint64_t wordsOf(const Stratum &stratum, const TreeCount &count) {
   const std::uint64_t slots = count.inner + (stratum.implied ? 0 : count.leaves);
-  if (stratum.cells == Cells::Record) // A record for each child, and one for each root.
+  if (stratum.keepsLeaves(LeafPlace::Record)) // A record for each child, and one for each root.
     return stratum.slots->wordsWith(stratum, 1, 0) * (count.roots + slots);
   const std::uint64_t least = stratum.slots->wordsWith(stratum, 0, 0);
   return least * count.nodes + (stratum.slots->wordsWith(stratum, 1, 0) - least) * slots +
-         (stratum.cells == Cells::Word && !stratum.implied ? count.values : 0);
+         (stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied ? count.values : 0);
 }
 
 } // namespace
@@ -85,8 +85,7 @@ namespace {
 /// words.
 bool ordersValuesOtherwise(const Layout &layout) {
   const Stratum &last = layout.strata.back();
-  return layout.values == Values::Apart && last.isGrid() && last.implied && last.log2Children() > 3 &&
-         last.log2Shape != Int3{2, 2, 2};
+  return layout.values == Values::Apart && last.slots->ordersVoxelsByRows && last.log2Children() > 3;
 }
 
 } // namespace
@@ -122,7 +121,7 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
   bool equalCells = true; // Whether equal cubes have equal values in the stratum's cells.
   for (std::size_t i = layout.strata.size(); i-- > 0;) {
     const Stratum &stratum = layout.strata[i];
-    const bool shares = equalCells && stratum.sharing == Sharing::Stratum;
+    const bool shares = equalCells && stratum.sharing == Sharing::Level;
     const int top = topOf(stratum);
     std::uint64_t &words = price.levelWords[i];
     if (stratum.depth == 0) {
@@ -131,26 +130,27 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
     } else if (stratum.isGrid()) {
       const auto &cells = tables_->cells(stratum.log2Cell, top);
       // Grids without octants have as few counts as these say.
-      const auto &octants =
-          tables_->cells(stratum.log2Cell + (stratum.counts == Counts::Octant ? 1 : 0), top);
+      const bool countsOctants = stratum.numbers() && stratum.numbers()->counts == Counts::Octant;
+      const auto &octants = tables_->cells(stratum.log2Cell + (countsOctants ? 1 : 0), top);
       const auto occurrences = dag_.occurrences(top);
       for (std::size_t number = 0; number < cells.size(); ++number)
         words += stratum.slots->wordsWith(stratum, stratum.implied ? 0 : cells[number], octants[number]) *
                  (shares ? 1 : occurrences[number]);
-      if (stratum.isInOctants())
+      if (stratum.inArray())
         words = wordsInOctants(top, shares);
       price.exact &= !stratum.slots->lookUpLoops;
     } else {
+      price.exact &= !stratum.slots->sharesMore;
       const TreeShape shape{stratum.log2Cell, std::max(stratum.log2Shape.x, 1), stratum.ranked};
       words = wordsOf(stratum, equalCells ? tables_->tree(shape, top, stratum.sharing)
                                           : treeOfUniqueCells(dag_, shape, top));
     }
-    if (layout.isIndexed(i)) {
+    if (const Numbers *const numbered = layout.numbersTo(i)) {
       const std::uint64_t numbers = shares ? dag_.count(top) : occurrencesAt(top);
-      if (const int bits = layout.strata[i - 1].indexBits; numbers >> bits != 0)
+      if (const int bits = numbered->bits; numbers >> bits != 0)
         return Error::input("there are " + std::to_string(numbers) +
                             " sub-volumes to be numbered, more than " + std::to_string(bits) + " bits tell");
-      if (!stratum.isInOctants())
+      if (!stratum.inArray())
         words += kIndexedWords; // Number 0, which is none.
     }
     equalCells = shares;

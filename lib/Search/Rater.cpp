@@ -41,7 +41,7 @@ std::optional<RatedFormat> Rater::rate(Candidate candidate, std::span<const RayS
   if (!price || price->words() > std::min(layout.maxWords(), maxBytes / sizeof(std::uint32_t)))
     return std::nullopt;
   RatedFormat format{std::move(candidate), std::move(*price), {}, {}};
-  format.isByOctants = std::ranges::any_of(layout.strata, &Stratum::isInOctants);
+  format.isByOctants = std::ranges::any_of(layout.strata, &Stratum::inArray);
   replayAgain(format, rays, model);
   return format.costs.size() == rays.size() ? std::optional(std::move(format)) : std::nullopt;
 }

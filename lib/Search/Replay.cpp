@@ -150,7 +150,7 @@ private:
     const LevelView &level = levels_[level_];
     const Int3 before = at_.voxel();
     const Gap gap = gapAt(level, empty, isDirect_, at_, path_);
-    if (level.stratum.skip == Skip::L1 && !isDirect_)
+    if (level.stratum.measures(Metric::L1) && !isDirect_)
       march(level, gap);
     else
       at_.leave(gap);

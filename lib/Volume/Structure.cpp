@@ -114,9 +114,10 @@ public:
 
   bool enterNode(std::uint64_t offset, int height, Ranks ranks) override {
     // Grids of an array check for themselves what words they are.
-    if (offset == 0 || (offset >= words_.size() && !layout_.isIndexed(level_))) {
+    const std::uint64_t begin = beginOf(layout_.strata[level_], offset);
+    if (begin == 0 || (begin >= words_.size() && !layout_.numbersTo(level_))) {
       words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " +
-                  std::to_string(offset) + " of " + std::to_string(words_.size()));
+                  std::to_string(begin) + " of " + std::to_string(words_.size()));
       return false;
     }
     checkFirst(ranks);
@@ -155,7 +156,7 @@ public:
     if (layout_.holdsVoxels(level_))
       return;
     const int height = longest(layout_.strata[level_ + 1].log2Size());
-    words_.fetch(words_.wordOf(value));
+    words_.fetch(beginOf(layout_.strata[level_ + 1], words_.wordOf(value)));
     if (isRemembered(level_ + 1, height))
       known(level_ + 1, height).fetch(value);
   }
@@ -207,14 +208,14 @@ private:
   /// Grids of an array are counted as soon as they are found again.
   bool isRemembered(std::size_t level, int height) const {
     return height >= kLowestRemembered ||
-           (height == longest(layout_.strata[level].log2Size()) && !layout_.isIndexed(level));
+           (height == longest(layout_.strata[level].log2Size()) && !layout_.numbersTo(level));
   }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
   /// Those of an array have places of their own by their numbers.
   bool spendGrid(std::uint64_t offset) {
     const Stratum &stratum = layout_.strata[level_];
-    if (!stratum.isGrid() || layout_.isIndexed(level_))
+    if (!stratum.isGrid() || layout_.numbersTo(level_))
       return true;
     const std::uint64_t size = stratum.slots->size(words_, stratum, offset);
     gridWords_[level_] += size;

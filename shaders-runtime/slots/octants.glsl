@@ -70,7 +70,7 @@ bool is_there_level_${N}(uint grid, ivec3 cell) {
 
 %end
 %end
-%if tells-gap
+%if walks
 // A bit for each place in 2 x 2 x 2 to which a ray may still come from one of them.
 uint ahead_level_${N}(const Ray ray, ivec3 place) {
   ivec3 from = place & ray.ahead;

@@ -84,7 +84,7 @@ public:
     const std::uint64_t bytes = 4 * stage_.volume.words().size();
     const double fixed = model_.predict(speedTerms(none, bytes));
     const double all = model_.predict(speedTerms(cost, bytes));
-    const bool isByOctants = std::ranges::any_of(plan_.layout.strata, &Stratum::isInOctants);
+    const bool isByOctants = std::ranges::any_of(plan_.layout.strata, &Stratum::inArray);
     return (fixed + share * (all - fixed)) * (isByOctants ? kOctants : 1);
   }
 

@@ -18,7 +18,7 @@ struct AttributeList {
   std::string_view summary;
 };
 
-/// A choice that may be set. The first value is the default and is not printed.
+/// A choice that may be set, as text knows it. The first value is the default and is not printed.
 struct AttributeKind {
   std::string_view name;
   AttributeEffect effect;
@@ -42,33 +42,56 @@ std::vector<ValueRange> valueRanges(const AttributeKind &kind);
 /// The kinds that a level or a format takes, in the order in which they are printed.
 using AttributeKinds = std::span<const AttributeKind *const>;
 
+/// A choice among values of a type: what code asks for, where text has names.
+template <typename T> struct TypedAttribute : AttributeKind {
+  T (*read)(std::size_t value); ///< The value of this number in `values`.
+};
+
+enum class Alpha;
+enum class Counts;
+enum class Descent;
+enum class Detail;
+enum class DistancePlace;
+enum class LeafPlace;
+enum class MaskForm;
+enum class Metric;
+enum class Precision;
+enum class Query;
+enum class Sharing;
+enum class Stack;
+enum class Values;
+enum class Walk;
+
 // Attributes of levels, whichever kinds take them.
-extern const AttributeKind kDedupAttribute;     ///< dedup: sub-volume | level
-extern const AttributeKind kShareAttribute;     ///< share: none | level
-extern const AttributeKind kWalkAttribute;      ///< walk: stack | restart | unrolled
-extern const AttributeKind kLeavesAttribute;    ///< leaves: apart | in-slot
-extern const AttributeKind kDistancesAttribute; ///< distances: beside | in-slot
-extern const AttributeKind kMetricAttribute;    ///< metric: l1 | octant
-extern const AttributeKind kPointersAttribute;  ///< pointers: word | 8 | 9 | ... | 24
-extern const AttributeKind kCountsAttribute;    ///< counts: each | octant
-extern const AttributeKind kMasksAttribute;     ///< masks: whole | octants
+extern const TypedAttribute<Sharing> kDedupAttribute;           ///< dedup: sub-volume | level
+extern const TypedAttribute<Sharing> kShareAttribute;           ///< share: none | level
+extern const TypedAttribute<Descent> kWalkAttribute;            ///< walk: stack | restart | unrolled
+extern const TypedAttribute<bool> kMirrorAttribute;             ///< mirror: no | yes
+extern const TypedAttribute<LeafPlace> kLeavesAttribute;        ///< leaves: apart | in-slot
+extern const TypedAttribute<DistancePlace> kDistancesAttribute; ///< distances: beside | in-slot
+extern const TypedAttribute<Metric> kMetricAttribute;           ///< metric: l1 | octant
+extern const TypedAttribute<int> kPointersAttribute;            ///< pointers: word (0) | 8 | 9 | ... | 24
+extern const TypedAttribute<Counts> kCountsAttribute;           ///< counts: each | octant
+extern const TypedAttribute<MaskForm> kMasksAttribute;          ///< masks: whole | octants
 
 // Attributes of formats.
-extern const AttributeKind kPrecisionAttribute; ///< precision: exact | fast
-extern const AttributeKind kDetailAttribute;    ///< detail: full | cone
-extern const AttributeKind kLevelsAttribute;    ///< levels: auto | nested | flat | direct
-extern const AttributeKind kQueryAttribute;     ///< query: closest | any | occupancy | distance
-extern const AttributeKind kBoundsAttribute;    ///< bounds: no | yes
-extern const AttributeKind kVoxelAttribute;     ///< voxel: yes | no
-extern const AttributeKind kTAttribute;         ///< t: yes | no
-extern const AttributeKind kFaceAttribute;      ///< face: no | yes
-extern const AttributeKind kColourAttribute;    ///< colour: yes | no
-extern const AttributeKind kIndexAttribute;     ///< index: no | yes
-extern const AttributeKind
-    kPayloadAttribute; ///< payload: rgba8 | occupancy | constant | palette(n) | rgb565 | material(n)
-extern const AttributeKind kAlphaAttribute;   ///< alpha: any | positive
-extern const AttributeKind kValuesAttribute;  ///< values: in-place | apart
-extern const AttributeKind kGranuleAttribute; ///< granule: word | 2 | 4 | ... | 256
+extern const TypedAttribute<Precision> kPrecisionAttribute; ///< precision: exact | fast
+extern const TypedAttribute<Detail> kDetailAttribute;       ///< detail: full | cone
+extern const TypedAttribute<Walk> kLevelsAttribute;         ///< levels: auto | nested | flat | direct
+extern const TypedAttribute<Stack> kStackAttribute;         ///< stack: private | shared
+extern const TypedAttribute<Query> kQueryAttribute;         ///< query: closest | any | occupancy | distance
+extern const TypedAttribute<bool> kBoundsAttribute;         ///< bounds: no | yes
+extern const TypedAttribute<bool> kVoxelAttribute;          ///< voxel: yes | no
+extern const TypedAttribute<bool> kTAttribute;              ///< t: yes | no
+extern const TypedAttribute<bool> kFaceAttribute;           ///< face: no | yes
+extern const TypedAttribute<bool> kColourAttribute;         ///< colour: yes | no
+extern const TypedAttribute<bool> kIndexAttribute;          ///< index: no | yes
+/// payload: rgba8 | occupancy | constant | palette(n) | rgb565 | material(n), which a layout reads.
+extern const AttributeKind kPayloadAttribute;
+extern const TypedAttribute<Alpha> kAlphaAttribute;   ///< alpha: any | positive
+extern const TypedAttribute<Values> kValuesAttribute; ///< values: in-place | apart
+extern const TypedAttribute<int>
+    kGranuleAttribute; ///< granule: word (0) | 2 (1) | 4 (2) | ... | 256 (8): as log2
 
 /// The attributes that a format takes.
 AttributeKinds formatAttributes();
@@ -77,7 +100,10 @@ AttributeKinds formatAttributes();
 class AttributeSet {
 public:
   /// The value of an attribute: its default if it was not set.
-  std::string_view value(const AttributeKind &kind) const;
+  std::string_view value(const AttributeKind &kind) const { return kind.values[number(kind)]; }
+  template <typename T> T get(const TypedAttribute<T> &attribute) const {
+    return attribute.read(number(attribute));
+  }
   /// Sets one of `taken` to one of its values; a default removes it. True if the set changed: it stays as it
   /// is where `taken` has no such kind, or the kind no such value.
   bool set(AttributeKinds taken, const AttributeKind &kind, std::string_view value);
@@ -87,13 +113,16 @@ public:
   bool operator==(const AttributeSet &) const = default;
 
 private:
-  struct Attribute {
+  struct Chosen {
     const AttributeKind *kind;
     std::size_t value; // Index into kind->values, at least 1.
 
-    bool operator==(const Attribute &) const = default;
+    bool operator==(const Chosen &) const = default;
   };
-  std::vector<Attribute> attributes_; // In the order of the kinds that are taken.
+  /// The number of an attribute's value.
+  std::size_t number(const AttributeKind &kind) const;
+
+  std::vector<Chosen> attributes_; // In the order of the kinds that are taken.
 };
 
 /// The attributes of `set` as IR text, " name=value" each, in the order of `taken`.

@@ -29,6 +29,7 @@ struct Level {
   bool isCubic() const;
   /// The value of an attribute: its default if it was not set or does not apply.
   std::string_view attribute(const AttributeKind &kind) const { return attributes.value(kind); }
+  template <typename T> T get(const TypedAttribute<T> &attribute) const { return attributes.get(attribute); }
   /// Sets an attribute that the kind takes; a default value removes it. True if the level changed: it stays
   /// as it is where the kind has no such attribute, or the attribute no such value.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
@@ -86,6 +87,10 @@ Format storageFormat(Format format);
 
 /// How the words of its volumes lie. The format must be verified.
 Layout layoutOf(const Format &format);
+
+/// The same without the text and the digest of the format. Errors are choices that have nothing to stand on;
+/// the rules of layouts are `verify`'s.
+Layout lowerLevels(const Format &format, Diagnostics &diagnostics);
 
 /// The format as it is stored, without choices that change no word: sharing on the first level.
 Format canonicalFormat(Format format);

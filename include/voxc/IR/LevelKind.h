@@ -46,8 +46,8 @@ struct LevelKind {
   std::span<const ParameterKind> parameters;
   std::span<const AttributeKind *const> attributes;
 
-  /// How a level of this kind lies in words; the caller sets what depends on other levels
-  /// (`Stratum::log2Cell`) and on no kind (`Stratum::level`).
+  /// How a level of this kind lies in words; the caller sets what depends on other levels (`log2Cell`, and
+  /// what `Layout::complete` does) and on no kind (`level`).
   Stratum (*lower)(const Level &level);
 
   /// True for trees, which have one size for all axes.

@@ -1,7 +1,6 @@
 // Where a walk keeps the nodes above a cell.
 #pragma once
 
-#include "voxc/IR/Attribute.h"
 #include "voxc/Support/EnumText.h"
 
 namespace voxc {
@@ -14,7 +13,5 @@ enum class Stack {
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Stack> = {"private", "shared"};
-
-extern const AttributeKind kStackAttribute; ///< stack: private | shared
 
 } // namespace voxc

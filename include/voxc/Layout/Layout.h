@@ -80,6 +80,9 @@ struct Layout {
 
   bool operator==(const Layout &) const = default;
 
+  /// Fills in what follows from the rest: of each stratum whether its cells are voxels, whether their values
+  /// are implied and have ranks, and where the arrays of numbers begin.
+  void complete();
   VoxelFacts voxelFacts() const { return {payload, payloadBits, alpha}; }
   /// The payload as IR and plans write it: "rgba8", "palette(4)".
   std::string payloadText() const;
@@ -89,8 +92,12 @@ struct Layout {
   /// colour of all voxels; where the array of indexed sub-volumes begins, if there is one; zeros up to a
   /// whole granule.
   std::uint64_t headWords() const;
-  /// True if the sub-volumes of strata[index] stand in an array.
-  bool isIndexed(std::size_t index) const { return index > 0 && strata[index - 1].isIndexed(); }
+  /// The numbers that lead to the sub-volumes of strata[index], which then stand in an array; else null.
+  const Numbers *numbersTo(std::size_t index) const {
+    return index > 0 ? strata[index - 1].numbers() : nullptr;
+  }
+  /// True if there is such an array.
+  bool hasArray() const;
   /// log2 of the voxels along each axis.
   Int3 log2Extent() const;
   /// The first word at or after `word` to which a reference can lead.
@@ -98,6 +105,8 @@ struct Layout {
     const std::uint64_t granule = std::uint64_t{1} << log2Granule;
     return (word + granule - 1) & ~(granule - 1);
   }
+  /// The bits of references that say where something is; the others stay when it moves.
+  Ref placeMask() const;
   /// What leads to a word at which a granule begins.
   Ref refOf(std::uint64_t word) const { return static_cast<Ref>(word >> log2Granule); }
   /// True if the cells of strata[index] are voxels.
@@ -124,8 +133,7 @@ inline constexpr std::array<std::string_view, 6> kEnumNames<Payload> = {"rgba8",
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Values> = {"in-place", "apart"};
 
-/// Rewrites a stratum with distances beside its slots: each moves into the slot of its empty cell, which is
-/// told by a tag, or, where the cells are voxels, by an alpha of 0. Half the words.
-void packDistances(Stratum &stratum, bool holdsVoxels);
+/// Lowers the reach of a stratum's distances to what their bits can tell, and to what can occur.
+void fitReach(Stratum &stratum);
 
 } // namespace voxc

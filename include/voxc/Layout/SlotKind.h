@@ -1,6 +1,6 @@
-// The table of slot kinds: each way in which a node keeps its children is described once. A kind is a file of
-// lib/Layout and one of its name in shaders-runtime/slots and in construct-runtime/slots; where it serves
-// grids and trees, these have a file each.
+// The table of slot kinds: each way in which a node keeps its children is described once, with its words, its
+// checks, its runtime files and what a look-up costs. A kind is a file of lib/Layout and one or more in
+// shaders-runtime/slots and in construct-runtime/slots, of which kinds may share some.
 #pragma once
 
 #include "voxc/Layout/Stratum.h"
@@ -8,6 +8,7 @@
 #include "voxc/Support/FunctionRef.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -27,23 +28,61 @@ struct Child {
   std::uint64_t voxels = 0;       ///< Its own; 0 if its slot does not say.
 };
 
+/// How large a region the kernel's accessor finds empty around an empty cell.
+enum class EmptyRegion {
+  Cell,    ///< The cell; in trees, the child.
+  Octant,  ///< The aligned group of 2 x 2 x 2 cells too, by its masks.
+  Ahead,   ///< The group, or the grid, if no cell is full to which the ray may still come.
+  Octants, ///< The same, but of the cells of other octants no more is known than that there are some.
+  Distance ///< What the cell's distance says.
+};
+
+/// `SlotKind::region` of kinds whose accessor tells of no more than the cell.
+inline EmptyRegion cellAlone(const Stratum &) { return EmptyRegion::Cell; }
+
 /// Receives a child that is not empty, and its place among its siblings.
 using ChildVisit = FunctionRef<void(Int3 place, const Child &child)>;
 
 /// What construction writes at once.
 enum class Block : std::uint32_t {
-  Leaf, ///< The word of a cell, of `Cells::Word`.
+  Leaf, ///< The word of a cell, of `LeafPlace::Apart`.
   Node, ///< A node, or the records of siblings.
 };
 
 /// Finds the new place of what a reference leads to; 0 if it leads nowhere.
 using Relocation = FunctionRef<Ref(Ref)>;
 
+/// What the kernel's accessor costs: what a model of its speed needs to know.
+struct LookUpCost {
+  /// Different words that are read to find an empty cell, or one that is not; in trees, through so many
+  /// layers.
+  double (*words)(const Stratum &stratum, int layers, bool isEmpty);
+  /// A number for the cache line that a look-up of the cell of this number (x fastest) begins to read at, of
+  /// 16 words, among those of its grid.
+  std::uint64_t (*line)(const Stratum &stratum, std::uint64_t cell);
+  /// The same of the slot of a cell that is not empty, where it is likely to lie on another line; else none.
+  std::optional<std::uint64_t> (*slotLine)(const Stratum &stratum, std::uint64_t cell);
+};
+
 struct SlotKind {
-  std::string_view name; ///< In plan text, and of its runtime files.
+  std::string_view name; ///< In plan text.
   std::string_view summary;
-  /// The name of its runtime files for grids, if those of its own name are for trees alone.
-  std::string_view gridFiles = {};
+  /// The runtime files of a level: of its accessor, in shaders-runtime/slots, and of its construction, in
+  /// construct-runtime/slots.
+  std::span<const std::string_view> (*accessor)(const Stratum &stratum);
+  std::span<const std::string_view> (*construction)(const Stratum &stratum);
+  /// Which alternatives of `Encoding` strata may have: a bit for each, the first lowest.
+  unsigned encodings = 1;
+  /// What equal blocks are written once where nothing else is asked.
+  Sharing sharing = Sharing::None;
+  /// The kind of the same nodes with numbers in place of offsets, if there is one.
+  std::string_view numbered = {};
+  /// Nodes are 4 x 4 x 4 masks, which numbers may lead to.
+  bool isNumberable = false;
+  /// Bits of a reference that say where a node is; those above say how it is to be read, and go with it.
+  int placeBits = 32;
+  /// Equal nodes are fewer than a count of equal cubes says.
+  bool sharesMore = false;
   /// Empty children have slots too, which may tell distances; where they have none, a first value stands at
   /// a known place.
   bool keepsEmpty = false;
@@ -51,17 +90,16 @@ struct SlotKind {
   bool tellsByMasks = false;
   /// Counts of voxels may stand behind what slots lead to.
   bool ranks = false;
-  /// Slots may have numbers in place of offsets.
-  bool indexes = false;
   /// References lead to records that stand side by side.
   bool sharesBlocks = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
-  /// True if the accessor of kernels tells of an empty cell that others around it are empty too.
-  bool (*tellsGap)(const Stratum &stratum);
-  /// True if the accessor of kernels tells a cell from its masks alone, and gives the node in place of a
-  /// voxel's value, which `value_level_N` then looks up once, when it is hit.
-  bool (*findsValueLater)(const Stratum &stratum);
+  /// How the voxels of a node that is the lowest follow each other in the order of construction, if that is
+  /// not Morton order.
+  bool ordersVoxelsByRows = false;
+
+  EmptyRegion (*region)(const Stratum &stratum) = cellAlone;
+  LookUpCost cost;
 
   /// What is wrong with such a stratum, or "". The rules of all kinds are `verify`'s.
   std::string (*problem)(const Stratum &stratum);
@@ -97,19 +135,46 @@ struct SlotKind {
                    Relocation relocation);
 };
 
+/// The encoding of strata of this kind of which no more is said.
+Encoding defaultEncoding(const SlotKind &kind);
+
 /// All slot kinds, in the order of the documentation.
 std::span<const SlotKind *const> slotKinds();
 
 /// The kind of this name, or null.
 const SlotKind *findSlotKind(std::string_view name);
 
-/// The name of the runtime files for the nodes of a stratum.
-inline std::string_view runtimeFilesOf(const Stratum &stratum) {
-  const SlotKind &kind = *stratum.slots;
-  return stratum.isGrid() && !kind.gridFiles.empty() ? kind.gridFiles : kind.name;
+/// The word at which a node begins, of what a reference or a child says.
+inline std::uint64_t beginOf(const Stratum &stratum, std::uint64_t node) {
+  const int bits = stratum.slots->placeBits;
+  return bits < 32 ? node & ((std::uint64_t{1} << bits) - 1) : node;
 }
 
-/// `tellsGap` and `findsValueLater` of kinds that never do.
-inline bool never(const Stratum &) { return false; }
+/// True if the kernel's accessor tells of an empty cell that others around it are empty too.
+inline bool reportsEmptyRegion(const Stratum &stratum) {
+  return stratum.slots->region(stratum) != EmptyRegion::Cell;
+}
+
+/// True if the kernel's accessor tells a cell from its masks alone, and gives the node in place of a voxel's
+/// value, which `value_level_N` then looks up once, when it is hit.
+inline bool findsValueLater(const Stratum &stratum) {
+  const EmptyRegion region = stratum.slots->region(stratum);
+  return region != EmptyRegion::Cell && region != EmptyRegion::Distance;
+}
+
+/// True if each word of a node's mask is followed by how many bits the words before it have.
+inline bool countsMaskWords(const Stratum &stratum) {
+  return stratum.slots->tellsByMasks && stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
+}
+
+/// To follow "which lead to".
+inline constexpr std::string_view kWhatNumbersLeadTo =
+    "the last level alone: masked(2, 2, 2) below another masked level, with payload=occupancy, "
+    "payload=constant or values=apart";
+
+/// True if strata of this kind may have such an encoding.
+inline bool takes(const SlotKind &kind, const Encoding &encoding) {
+  return (kind.encodings >> encoding.index() & 1) != 0;
+}
 
 } // namespace voxc

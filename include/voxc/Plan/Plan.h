@@ -2,6 +2,7 @@
 // printed from it, and no emitter makes a choice that is not written here. docs/ir.md has its text.
 #pragma once
 
+#include "voxc/IR/Choices.h"
 #include "voxc/IR/Format.h"
 #include "voxc/IR/Query.h"
 #include "voxc/IR/Stack.h"
@@ -18,41 +19,12 @@
 
 namespace voxc {
 
-/// How a kernel goes from level to level.
-enum class Walk {
-  Auto,   ///< Not chosen yet: the pass choose-walk does.
-  Nested, ///< A loop for each level, which calls that of the next.
-  Flat,   ///< One loop through the nodes of all levels: a kernel of one step, however many levels there are.
-  Direct, ///< One loop whose every turn goes down from the root through all levels, without a loop in it.
-};
-
-/// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
-enum class Descent {
-  Index,    ///< In the one node of a grid, by the cell's number.
-  Single,   ///< The sub-volume is one cell.
-  Stack,    ///< Down a tree from the common ancestor of this cell and the last, kept in a stack.
-  Restart,  ///< Down a tree from its root, each time.
-  Unrolled, ///< Down a tree by a function for each layer, each with a loop over the children of a node.
-};
-
-/// Which arithmetic orders the faces that a ray crosses. Each value is a file of shaders-runtime/step.
-enum class Predicate {
-  Exact,   ///< Float32 where its error bound decides, integers elsewhere: the exact hit for every ray.
-  Float32, ///< Plain float32: wrong only by rounding at a boundary.
-};
-
 /// The numbers that an exact walk steps in, until integers have to decide.
 enum class Steps {
   Float32,
   Refined, ///< Float32, and at once sums of two where that is not sure: best where few lanes make a branch
            ///< cheap.
   Float64, ///< Slower, but sure of nearly every step of a long walk.
-};
-
-/// Where a walk may stop.
-enum class Detail {
-  Full, ///< At voxels.
-  Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
 /// Who puts rays into the lanes of registers.
@@ -63,15 +35,8 @@ enum class Packing {
 };
 
 template <>
-inline constexpr std::array<std::string_view, 5> kEnumNames<Descent> = {"index", "single", "stack", "restart",
-                                                                        "unrolled"};
-template <>
-inline constexpr std::array<std::string_view, 4> kEnumNames<Walk> = {"auto", "nested", "flat", "direct"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Predicate> = {"exact", "float32"};
-template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32", "refined", "float64"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 
 /// How a kernel goes through one stratum; one that looks at points alone goes down from the root.
 struct Traversal {
@@ -88,7 +53,7 @@ struct Plan {
   Addressing addressing = Addressing::Buffer;
   Walk walk = Walk::Auto;
   Stack stack = Stack::Private; ///< Of a walk that keeps one.
-  Predicate predicate = Predicate::Exact;
+  Precision precision = Precision::Exact;
   Steps steps = Steps::Float32;
   Detail detail = Detail::Full;
   Query query = Query::Closest;

@@ -2,7 +2,6 @@
 // empty, or empty cubes by octant. Two words a cell, the terminating integer and the distance, or one.
 #include "Kinds.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace voxc {
@@ -20,10 +19,9 @@ constexpr std::array<const AttributeKind *, 3> kAttributes = {&kShareAttribute, 
 
 Stratum lower(const Level &level) {
   Stratum stratum = gridStratum(level, "dense");
-  stratum.skip = *fromString<Skip>(level.attribute(kMetricAttribute));
-  stratum.reach = level.parameter(ParameterRole::Reach);
-  if (stratum.skip == Skip::Octant)
-    stratum.reach = std::min(stratum.reach, (1u << stratum.fieldBits()) - 1);
+  stratum.encoding = Distances{.metric = level.get(kMetricAttribute),
+                               .reach = level.parameter(ParameterRole::Reach),
+                               .place = level.get(kDistancesAttribute)};
   return stratum;
 }
 

@@ -2,7 +2,6 @@
 #include "Kinds.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace voxc {
 
@@ -10,67 +9,94 @@ Stratum gridStratum(const Level &level, std::string_view slots) {
   Stratum stratum;
   stratum.log2Shape = level.log2Size();
   stratum.slots = findSlotKind(slots);
-  if (level.attribute(kShareAttribute) == "level")
-    stratum.sharing = Sharing::Stratum;
+  stratum.sharing = level.get(kShareAttribute);
   return stratum;
 }
 
-Stratum treeStratum(const Level &level, std::string_view slots, Cells cells) {
+Stratum treeStratum(const Level &level, std::string_view slots, LeafPlace place) {
   const int side = static_cast<int>(level.parameter(ParameterRole::Side));
   const int branching = std::max(static_cast<int>(level.parameter(ParameterRole::Branching)), 1);
   Stratum stratum;
   stratum.log2Shape = {branching, branching, branching};
   stratum.depth = side / branching;
   stratum.slots = findSlotKind(slots);
-  stratum.leaves = true;
-  stratum.cells = cells;
+  stratum.encoding = Leaves{place};
   return stratum;
 }
 
 namespace {
 
-/// What a level with short pointers asks of its own stratum, the last so far, and of that above.
-void numberSubVolumes(Layout &layout, const Level &level) {
-  const std::string_view bits = level.attribute(kPointersAttribute);
-  if (bits == "word")
-    return;
-  Stratum &stratum = layout.strata.back();
-  Stratum &above = layout.strata[layout.strata.size() - 2];
-  std::from_chars(bits.data(), bits.data() + bits.size(), above.indexBits);
-  above.arrayHead = static_cast<int>(layout.headWords()) - 1;
-  above.counts = *fromString<Counts>(level.attribute(kCountsAttribute));
-  if (level.attribute(kMasksAttribute) == "octants") {
-    above.grids = Grids::Octants;
-    stratum.slots = findSlotKind("octants");
-    stratum.arrayHead = above.arrayHead;
+/// What a level asks of the level above it, which leads to its sub-volumes.
+class PointerLowering {
+public:
+  PointerLowering(const Format &format, Layout &layout, Diagnostics &diagnostics)
+      : format_(format), layout_(layout), diagnostics_(diagnostics) {}
+
+  void lower(std::size_t index) {
+    const Level &level = format_.levels[index];
+    const int bits = level.get(kPointersAttribute);
+    const std::string_view numbered = index > 0 ? layout_.strata[index - 1].slots->numbered : "";
+    if (bits > 0 && numbered.empty())
+      return refuse(index, "has short pointers, which lead to " + std::string(kWhatNumbersLeadTo));
+    if (bits == 0)
+      return refuseWithoutNumbers(index);
+    Stratum &above = layout_.strata[index - 1];
+    above.slots = findSlotKind(numbered);
+    above.encoding = Numbers{.bits = bits, .counts = level.get(kCountsAttribute)};
+    if (level.get(kMasksAttribute) == MaskForm::Whole)
+      return;
+    layout_.strata[index].slots = findSlotKind("octants");
+    layout_.strata[index].encoding = InArray{};
   }
-}
+
+private:
+  void refuse(std::size_t index, const std::string &problem) {
+    diagnostics_.error(format_.levels[index].range, "level " + std::to_string(index + 1) + " " + problem);
+  }
+
+  void refuseWithoutNumbers(std::size_t index) {
+    const Level &level = format_.levels[index];
+    if (level.get(kCountsAttribute) == Counts::Octant)
+      refuse(index, "has counts of octants, which stand behind short pointers in a masked(2, 2, 2), with "
+                    "values=apart");
+    if (level.get(kMasksAttribute) == MaskForm::Octants)
+      refuse(index, "has masks by octants, which stand where short pointers lead to");
+  }
+
+  const Format &format_;
+  Layout &layout_;
+  Diagnostics &diagnostics_;
+};
 
 } // namespace
 
-Layout layoutOf(const Format &format) {
+Layout lowerLevels(const Format &format, Diagnostics &diagnostics) {
   Layout layout;
-  layout.format = toString(format);
-  layout.storageDigest = storageDigest(format);
   layout.setPayload(format.attributes.value(kPayloadAttribute));
-  layout.alpha = *fromString<Alpha>(format.attributes.value(kAlphaAttribute));
-  layout.values = *fromString<Values>(format.attributes.value(kValuesAttribute));
+  layout.alpha = format.attributes.get(kAlphaAttribute);
+  layout.values = format.attributes.get(kValuesAttribute);
   layout.log2Granule = format.log2Granule();
-  const bool voxelsAreEqual = !kindOf(layout.payload).varies || layout.values == Values::Apart;
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     Stratum stratum = level.kind->lower(level);
     stratum.level = level.kind->name;
     stratum.log2Cell = format.log2CellSide(i);
-    if (level.attribute(kDistancesAttribute) == "in-slot")
-      packDistances(stratum, i + 1 == format.levels.size());
-    const bool isLast = i + 1 == format.levels.size();
-    stratum.implied = isLast && voxelsAreEqual && stratum.slots->tellsByMasks && stratum.depth > 0;
-    stratum.ranked = layout.values == Values::Apart;
     layout.strata.push_back(std::move(stratum));
-    if (i > 0)
-      numberSubVolumes(layout, level);
   }
+  PointerLowering pointers(format, layout, diagnostics);
+  for (std::size_t i = 0; i < format.levels.size(); ++i)
+    pointers.lower(i);
+  layout.complete();
+  for (Stratum &stratum : layout.strata)
+    fitReach(stratum);
+  return layout;
+}
+
+Layout layoutOf(const Format &format) {
+  Diagnostics none;
+  Layout layout = lowerLevels(format, none);
+  layout.format = toString(format);
+  layout.storageDigest = storageDigest(format);
   return layout;
 }
 

@@ -9,7 +9,9 @@ constexpr std::array<ParameterKind, 3> kParameters = {kWidth, kHeight, kDepth};
 constexpr std::array<const AttributeKind *, 4> kAttributes = {&kShareAttribute, &kPointersAttribute,
                                                               &kCountsAttribute, &kMasksAttribute};
 
-Stratum lower(const Level &level) { return gridStratum(level, "packed"); }
+Stratum lower(const Level &level) {
+  return gridStratum(level, level.log2Size() == kLog2BrickShape ? "brick" : "masked");
+}
 
 } // namespace
 

@@ -12,14 +12,15 @@ constexpr std::array<ParameterKind, 2> kParameters = {{
      1},
 }};
 
-constexpr std::array<const AttributeKind *, 3> kAttributes = {&kDedupAttribute, &kLeavesAttribute,
-                                                              &kWalkAttribute};
+constexpr std::array<const AttributeKind *, 4> kAttributes = {&kDedupAttribute, &kMirrorAttribute,
+                                                              &kLeavesAttribute, &kWalkAttribute};
 
 Stratum lower(const Level &level) {
-  Stratum stratum = treeStratum(level, "packed", Cells::Word);
-  if (stratum.depth > 0 && level.attribute(kLeavesAttribute) == "in-slot")
-    stratum.cells = Cells::Slot;
-  stratum.sharing = level.attribute(kDedupAttribute) == "level" ? Sharing::Stratum : Sharing::SubVolume;
+  // A tree of one cell has no slots.
+  const bool hasSlots = level.parameter(ParameterRole::Side) > 0;
+  Stratum stratum = treeStratum(level, hasSlots && level.get(kMirrorAttribute) ? "mirrored" : "packed",
+                                hasSlots ? level.get(kLeavesAttribute) : LeafPlace::Apart);
+  stratum.sharing = level.get(kDedupAttribute);
   return stratum;
 }
 

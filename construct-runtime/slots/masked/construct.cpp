@@ -1,0 +1,24 @@
+uint32_t construct_level_${N}(Build &build, Voxel low) {
+  constexpr uint64_t kRoom = ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.cells();
+  uint32_t *grid = nullptr;
+%if slots-count
+  uint32_t before = 0;
+%end
+  auto place = [&](const PlacedCell &placed) {
+    if (!grid && !(grid = build.allocate(${N}, kRoom)))
+      return;
+    uint32_t *const slot = grid + ${head-words} + ${slot-words-times}LEVEL_${N}_SHAPE.index(placed.cell);
+    slot[0] = placed.value;
+%if slots-count
+    slot[1] = before;
+    before += placed.voxels;
+%end
+  };
+  for_each_cell<LEVEL_${N}_SHAPE, construct_${NEXT}>(build, low, {}, LEVEL_${N}_SHAPE.longest(), place);
+  if (!grid)
+    return 0;
+  const uint64_t words = pack_level_${N}(build, grid);
+  const uint32_t offset = build.${write}(${N}, grid, words);
+  build.release(${N});
+  return offset;
+}

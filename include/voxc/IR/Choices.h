@@ -1,0 +1,47 @@
+// Choices of how a kernel goes through a format: what attributes of the level IR and fields of a plan both
+// say.
+#pragma once
+
+#include "voxc/Support/EnumText.h"
+
+namespace voxc {
+
+/// How a kernel goes from level to level.
+enum class Walk {
+  Auto,   ///< Not chosen yet: the pass choose-walk does.
+  Nested, ///< A loop for each level, which calls that of the next.
+  Flat,   ///< One loop through the nodes of all levels: a kernel of one step, however many levels there are.
+  Direct, ///< One loop whose every turn goes down from the root through all levels, without a loop in it.
+};
+
+/// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
+enum class Descent {
+  Index,    ///< In the one node of a grid, by the cell's number.
+  Single,   ///< The sub-volume is one cell.
+  Stack,    ///< Down a tree from the common ancestor of this cell and the last, kept in a stack.
+  Restart,  ///< Down a tree from its root, each time.
+  Unrolled, ///< Down a tree by a function for each layer, each with a loop over the children of a node.
+};
+
+/// Which hits the kernel gives: which arithmetic orders the faces that a ray crosses. Each value is a file of
+/// shaders-runtime/step.
+enum class Precision {
+  Exact, ///< Float32 where its error bound decides, integers elsewhere: the exact hit for every ray.
+  Fast,  ///< Plain float32: wrong only by rounding at a boundary.
+};
+
+/// Where a walk may stop.
+enum class Detail {
+  Full, ///< At voxels.
+  Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
+};
+
+template <>
+inline constexpr std::array<std::string_view, 5> kEnumNames<Descent> = {"index", "single", "stack", "restart",
+                                                                        "unrolled"};
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<Walk> = {"auto", "nested", "flat", "direct"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Precision> = {"exact", "fast"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
+
+} // namespace voxc

@@ -1,0 +1,61 @@
+// How many words a sub-volume may take, and where its nodes may begin.
+#include "LayoutRules.h"
+
+#include "voxc/Layout/Layout.h"
+#include "voxc/Layout/SlotKind.h"
+
+#include <bit>
+
+namespace voxc {
+namespace {
+
+/// log2 of the most cells of a grid whose masks tell them, where references count granules: all its slots, of
+/// two words each, and its mask are `kMaxNodeWords` at most.
+constexpr int kMaxLog2MaskedCells = 30;
+
+} // namespace
+
+std::string granuleProblem(const Stratum &stratum, int log2Granule) {
+  if (log2Granule == 0)
+    return {};
+  const std::string granules = "granules of " + std::to_string(1 << log2Granule) + " words";
+  if (stratum.slots->sharesBlocks &&
+      stratum.slots->leastWords(stratum) % (std::uint64_t{1} << log2Granule) != 0)
+    return "its records, of " + std::to_string(stratum.slots->leastWords(stratum)) +
+           " words each, stand side by side and would not begin at " + granules +
+           "; granule=2, or svdag in place of svo, would do";
+  if (stratum.slots->placeBits < 32)
+    return "references of " + std::string(stratum.slots->name) +
+           " slots say in bits of their own how a node is to be read, and cannot count " + granules +
+           "; leave out one of both";
+  if (stratum.numbers())
+    return "short pointers lead to an array in 2^32 words, and references cannot count granules; leave out "
+           "one "
+           "of both";
+  if (stratum.isGrid() && stratum.slots->tellsByMasks && stratum.log2Children() > kMaxLog2MaskedCells)
+    return "a masked grid has at most 2^" + std::to_string(kMaxLog2MaskedCells) +
+           " cells where references count " + granules + "; two masked levels in its place would do";
+  return {};
+}
+
+std::string sizeProblem(const Stratum &stratum, int log2Granule) {
+  const std::uint64_t words = stratum.slots->leastWords(stratum);
+  // So many words would leave none for the root's reference.
+  const int log2Most = std::bit_width(kMaxWords) - 1 + log2Granule;
+  if (words >> log2Most == 0)
+    return {};
+  const Int3 size = stratum.log2Size();
+  std::string text = "one sub-volume of 2^" + std::to_string(size.x) + " x 2^" + std::to_string(size.y) +
+                     " x 2^" + std::to_string(size.z) + " cells takes 2^" +
+                     std::to_string(std::bit_width(words) - 1) + " words; a volume holds fewer than 2^" +
+                     std::to_string(log2Most);
+  if (const int needed = std::bit_width(words) - std::bit_width(kMaxWords) + 1; needed <= kMaxLog2Granule)
+    text += ", or more with granule=" + std::to_string(1 << needed) + " in IR text";
+  const auto isPower = [](std::int32_t n) { return n > 1 && (n & (n - 1)) == 0; };
+  if (isPower(size.x) && isPower(size.y) && isPower(size.z))
+    text += " (sizes are log2: " + std::to_string(size.x) + " cells are written " +
+            std::to_string(std::bit_width(static_cast<std::uint32_t>(size.x)) - 1) + ")";
+  return text;
+}
+
+} // namespace voxc

@@ -1,0 +1,81 @@
+// The number of a cell's bit, of which each word of the mask has 32.
+int number_level_${N}(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
+
+%if alike
+%else
+// The value of a cell that is not empty.
+uint value_level_${N}(uint grid, ivec3 cell) {
+  int number = number_level_${N}(cell);
+  uint low = load_word(grid);
+  uint half_mask = number < 32 ? low : load_word(grid${+}1u);
+  int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
+  return value_of_slot_level_${N}(grid, uint(rank));
+}
+
+%end
+%if walks
+%if last
+// True if a voxel is there. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty: half
+// of the mask tells. To know more of four voxels a side takes longer than the steps that it would save.
+bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  int number = number_level_${N}(cell);
+  uint half_mask = load_word(grid${+}uint(number >> 5));
+  gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  return (half_mask >> (number & 31) & 1u) != 0u;
+}
+
+%else
+// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty, or
+// as the grid, if no cell is full that the ray may still come to.
+bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  int number = number_level_${N}(cell);
+  uint low = load_word(grid);
+  uint high = load_word(grid${+}1u);
+  uint half_mask = number < 32 ? low : high;
+  int around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
+  ivec3 at = cell & 3;
+  ivec3 from = at & ray.ahead;
+  ivec3 to = at | (ray.ahead & 3);
+  uvec3 sides = uvec3((ivec3(2) << to) - (ivec3(1) << from));
+  uint plane = sides.x * (sides.y & 1u | (sides.y & 2u) << 3 | (sides.y & 4u) << 6 | (sides.y & 8u) << 9);
+  uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
+  uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
+  around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
+  gap.log2_side += around;
+  return (half_mask >> (number & 31) & 1u) != 0u;
+}
+
+%end
+// The same, and the value of a cell that is full; 0 of one that is not.
+%if defers
+%if colour
+// A voxel's value is looked up once it is hit: here the grid stands for it.
+%else
+// What a voxel's value is nobody asks: the grid stands for it.
+%end
+%end
+uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
+  return is_full_level_${N}(ray, grid, cell, gap) ? ${full-cell} : 0u;
+}
+%else
+// The value of a cell, or 0 if it is empty.
+uint cell_level_${N}(uint grid, ivec3 cell) {
+  int number = number_level_${N}(cell);
+  bool is_full = (load_word(grid${+}uint(number >> 5)) >> (number & 31) & 1u) != 0u;
+%if alike
+  return is_full ? ${occupied} : 0u;
+%else
+  return is_full ? value_level_${N}(grid, cell) : 0u;
+%end
+}
+%end
+%if sampled
+
+// The first value of the grid.
+%if implied
+uint any_value_level_${N}(uint grid) { return ${occupied}; }
+%else
+uint any_value_level_${N}(uint grid) { return value_of_slot_level_${N}(grid, 0u); }
+%end
+%end
