@@ -82,7 +82,7 @@ struct BrokenRule {
 TEST(PlanRules, AreEachHeld) {
   const BrokenRule rules[] = {
       {"R(2^3) G(3)", [](Plan &p) { p.layout.strata[0].log2Cell = 2; }, "what is below has 2^3"},
-      {"R(2^3) R(2^3)", [](Plan &p) { p.layout.strata[1].log2Shape.x = 1; }, "may be no cube"},
+      {"R(2^3) R(2^3)", [](Plan &p) { p.layout.strata[1].log2Shape.x = 1; }, "must be a cube"},
       {"G(3)", [](Plan &p) { p.layout.strata[0].depth = 40; }, "at most 2^21"},
       {"G(3)", [](Plan &p) { p.layout.strata[0].encoding = Distances{}; }, "packed slots, and what others"},
       {"R(2^3)", [](Plan &p) { p.layout.strata[0].depth = 2; }, "one layer"},

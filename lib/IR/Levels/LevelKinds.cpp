@@ -1,7 +1,7 @@
 // The table of level kinds and of the attributes that they take.
 #include "Kinds.h"
 
-#include "../AttributeReading.h"
+#include "IR/AttributeReading.h"
 
 #include "voxc/IR/Choices.h"
 
