@@ -68,6 +68,9 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
   }
 }
 
+/// Number 0 is none.
+std::uint64_t arrayWords(std::uint64_t bricks, std::uint64_t) { return kIndexedWords * (bricks + 1); }
+
 double wordsRead(const Stratum &stratum, int, bool isEmpty) {
   return brickRegion(stratum) == EmptyRegion::Octant ? 1 : isEmpty ? 2 : 3;
 }
@@ -98,7 +101,7 @@ extern const SlotKind kBrickSlots = {.name = "brick",
                                      .accessor = accessor,
                                      .construction = construction,
                                      .numbered = "numbered-brick",
-                                     .isNumberable = true,
+                                     .arrayWords = arrayWords,
                                      .tellsByMasks = true,
                                      .ranks = true,
                                      .region = brickRegion,

@@ -24,14 +24,9 @@ std::string granuleProblem(const Stratum &stratum, int log2Granule) {
     return "its records, of " + std::to_string(stratum.slots->leastWords(stratum)) +
            " words each, stand side by side and would not begin at " + granules +
            "; granule=2, or svdag in place of svo, would do";
-  if (stratum.slots->placeBits < 32)
-    return "references of " + std::string(stratum.slots->name) +
-           " slots say in bits of their own how a node is to be read, and cannot count " + granules +
+  if (!stratum.slots->countsWords.empty())
+    return "references " + std::string(stratum.slots->countsWords) + ", and cannot count " + granules +
            "; leave out one of both";
-  if (stratum.numbers())
-    return "short pointers lead to an array in 2^32 words, and references cannot count granules; leave out "
-           "one "
-           "of both";
   if (stratum.isGrid() && stratum.slots->tellsByMasks && stratum.log2Children() > kMaxLog2MaskedCells)
     return "a masked grid has at most 2^" + std::to_string(kMaxLog2MaskedCells) +
            " cells where references count " + granules + "; two masked levels in its place would do";

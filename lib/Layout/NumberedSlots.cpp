@@ -38,6 +38,15 @@ std::string problemOfBrick(const Stratum &stratum) {
   return problemOfShape.empty() ? problem(stratum) : problemOfShape;
 }
 
+std::string problemBelow(const Stratum *below) {
+  const bool leadsOn = below && below->implied && below->slots->arrayWords;
+  return leadsOn ? "" : std::string(kMisplacedNumbers);
+}
+
+bool countsOctants(const Stratum &stratum) { return stratum.numbers()->counts == Counts::Octant; }
+
+constexpr std::string_view kCountsWords = "of short pointers lead to an array in 2^32 words";
+
 std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots, std::uint64_t octants) {
   const Numbers &numbers = *stratum.numbers();
   const std::uint64_t counts = numbers.counts == Counts::Each ? slots : octants - (octants > 0 ? 1 : 0);
@@ -48,9 +57,8 @@ std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots, std::uint64
 
 std::uint64_t size(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
   const std::uint64_t octants =
-      stratum.numbers()->counts == Counts::Octant
-          ? static_cast<std::uint64_t>(std::popcount(brickOctants(brickMask(words, node))))
-          : 0;
+      countsOctants(stratum) ? static_cast<std::uint64_t>(std::popcount(brickOctants(brickMask(words, node))))
+                             : 0;
   return wordsWith(stratum, Masks(words, MaskShape(stratum), node).slots(), octants);
 }
 
@@ -177,7 +185,7 @@ constexpr std::array<std::string_view, 3> kConstruction = {"masked/pack", "numbe
                                                            "numbered/construct"};
 std::span<const std::string_view> accessor(const Stratum &) { return kAccessor; }
 std::span<const std::string_view> accessorOfBrick(const Stratum &stratum) {
-  if (stratum.numbers()->counts == Counts::Octant)
+  if (countsOctants(stratum))
     return kOctantAccessor;
   return kBrickAccessor;
 }
@@ -190,11 +198,15 @@ extern const SlotKind kNumberedSlots = {.name = "numbered",
                                         .accessor = accessor,
                                         .construction = construction,
                                         .encodings = encodingBits<Numbers>,
+                                        .givesCells = true,
+                                        .countsOctants = countsOctants,
+                                        .countsWords = kCountsWords,
                                         .tellsByMasks = true,
                                         .ranks = true,
                                         .ordersVoxelsByRows = true,
                                         .cost = {wordsRead, maskLine, maskedSlotLine},
                                         .problem = problemOfMasked,
+                                        .problemBelow = problemBelow,
                                         .check = check,
                                         .leastWords = maskedLeastWords,
                                         .wordsWith = wordsWith,
@@ -208,11 +220,15 @@ extern const SlotKind kNumberedBrickSlots = {.name = "numbered-brick",
                                              .accessor = accessorOfBrick,
                                              .construction = construction,
                                              .encodings = encodingBits<Numbers>,
+                                             .givesCells = true,
+                                             .countsOctants = countsOctants,
+                                             .countsWords = kCountsWords,
                                              .tellsByMasks = true,
                                              .ranks = true,
                                              .region = brickRegion,
                                              .cost = {wordsReadOfBrick},
                                              .problem = problemOfBrick,
+                                             .problemBelow = problemBelow,
                                              .check = check,
                                              .leastWords = maskedLeastWords,
                                              .wordsWith = wordsWith,

@@ -71,6 +71,14 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels,
 
 EmptyRegion region(const Stratum &) { return EmptyRegion::Octants; }
 
+/// Words tell what is read of masks, and not the work to find a place in them: 1.1 to 1.4 where it was
+/// measured (docs/performance.md).
+constexpr double kCost = 1.2;
+
+std::string problemAbove(const Stratum *above) {
+  return above && above->numbers() ? "" : " stands in an array, which numbers in the level above lead to";
+}
+
 /// The array's begin, the head, octants, and cells where the octant has some.
 double wordsRead(const Stratum &, int, bool isEmpty) { return isEmpty ? 5 : 6.5; }
 
@@ -84,12 +92,13 @@ extern const SlotKind kOctantSlots = {.name = "octants",
                                       .accessor = files,
                                       .construction = files,
                                       .encodings = encodingBits<InArray>,
-                                      .isNumberable = true,
+                                      .arrayWords = octantArrayWords,
                                       .tellsByMasks = true,
                                       .ranks = true,
                                       .region = region,
-                                      .cost = {wordsRead},
+                                      .cost = {.words = wordsRead, .factor = kCost},
                                       .problem = problem,
+                                      .problemAbove = problemAbove,
                                       .check = check,
                                       .leastWords = leastWords,
                                       .wordsWith = wordsWith,

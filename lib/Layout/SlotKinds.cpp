@@ -34,6 +34,13 @@ Encoding defaultEncoding(const SlotKind &kind) {
   return {};
 }
 
+double lookUpFactor(std::span<const Stratum> strata) {
+  double factor = 1;
+  for (const Stratum &stratum : strata)
+    factor = std::max(factor, stratum.slots->cost.factor);
+  return factor;
+}
+
 std::span<const SlotKind *const> slotKinds() { return kKinds; }
 
 const SlotKind *findSlotKind(std::string_view name) {

@@ -102,7 +102,7 @@ private:
     const Child &child = place.child;
     if (child.leaf && (stratum_.implied || stratum_.keepsLeaves(LeafPlace::InSlot)))
       return;
-    if (stratum_.numbers())
+    if (stratum_.slots->givesCells)
       return visitor_.foreseeCell(child.value);
     if (child.leaf && stratum_.isGrid())
       return visitor_.foreseeCell(stratum_.cellValue(words_[child.at]));
@@ -115,7 +115,7 @@ private:
     const auto &[cube, child, ranks] = place;
     if (child.leaf && stratum_.implied)
       visitor_.cells(cube, kOccupied, ranks);
-    else if (stratum_.numbers())
+    else if (stratum_.slots->givesCells)
       numbered(child.value, cube, ranks);
     else if (child.leaf)
       leaf(child.at, cube, ranks);
@@ -131,7 +131,9 @@ private:
 } // namespace
 
 std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf) {
-  return stratum.implied ? kOccupied : stratum.numbers() ? leaf.value : stratum.cellValue(words[leaf.at]);
+  return stratum.implied             ? kOccupied
+         : stratum.slots->givesCells ? leaf.value
+                                     : stratum.cellValue(words[leaf.at]);
 }
 
 std::uint64_t voxelsBefore(const Child &child, int log2Child) {

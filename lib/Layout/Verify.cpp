@@ -94,7 +94,7 @@ private:
     rule(!stratum.ranked || !isLast || stratum.implied || !stratum.slots->ranks,
          name + "has no masks that tell voxels, which values=apart asks of the last level; svdag and masked "
                 "have");
-    numbers(stratum);
+    neighbours(stratum);
     rule(stratum.slots->placeBits == 32 || index_ == 0 || layout_.strata[index_ - 1].empty() != Empty::Tagged,
          name +
              "needs all bits of the references that lead to it, of which distances=in-slot takes some in the "
@@ -107,17 +107,18 @@ private:
     rule(size.empty(), size);
   }
 
-  void numbers(const Stratum &stratum) {
-    const Stratum *const below = layout_.holdsVoxels(index_) ? nullptr : &layout_.strata[index_ + 1];
-    rule(!stratum.inArray() || layout_.numbersTo(index_),
-         level() + " stands in an array, which numbers in the level above lead to");
-    if (!stratum.numbers())
-      return;
-    const bool leadsOn = below && below->implied && below->slots->isNumberable;
-    if (!leadsOn)
-      diagnostics_.error(index_ + 1 < ranges_.size() ? ranges_[index_ + 1] : range(),
-                         "level " + std::to_string(index_ + 2) + " has short pointers, which lead to " +
-                             std::string(kWhatNumbersLeadTo));
+  void neighbours(const Stratum &stratum) {
+    if (const auto problemAbove = stratum.slots->problemAbove) {
+      const std::string problem = problemAbove(index_ > 0 ? &layout_.strata[index_ - 1] : nullptr);
+      rule(problem.empty(), level() + problem);
+    }
+    if (const auto problemBelow = stratum.slots->problemBelow) {
+      const bool isLast = layout_.holdsVoxels(index_);
+      const std::string problem = problemBelow(isLast ? nullptr : &layout_.strata[index_ + 1]);
+      index_ += isLast ? 0 : 1;
+      rule(problem.empty(), level() + problem);
+      index_ -= isLast ? 0 : 1;
+    }
   }
 
   void payload() {

@@ -7,7 +7,6 @@
 
 #include "TreeForms.h"
 
-#include "voxc/Layout/OctantArray.h"
 #include "voxc/Layout/SlotKind.h"
 
 #include <map>
@@ -95,8 +94,8 @@ Pricer::Pricer(const SceneDag &dag) : dag_(dag), tables_(std::make_unique<Tables
 Pricer::~Pricer() = default;
 Pricer::Pricer(Pricer &&) noexcept = default;
 
-/// The words of an array by octants of grids that are cubes of 2^height voxels a side.
-std::uint64_t Pricer::wordsInOctants(int height, bool shares) const {
+/// The words of an array of grids that are cubes of 2^height voxels a side.
+std::uint64_t Pricer::arrayWords(const SlotKind &slots, int height, bool shares) const {
   const auto &octants = tables_->cells(height - 1, height);
   const auto occurrences = dag_.occurrences(height);
   std::uint64_t grids = 0, full = 0;
@@ -104,7 +103,7 @@ std::uint64_t Pricer::wordsInOctants(int height, bool shares) const {
     grids += shares ? 1 : occurrences[number];
     full += octants[number] * (shares ? 1 : occurrences[number]);
   }
-  return octantArrayWords(grids, full);
+  return slots.arrayWords(grids, full);
 }
 
 Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
@@ -130,14 +129,12 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
     } else if (stratum.isGrid()) {
       const auto &cells = tables_->cells(stratum.log2Cell, top);
       // Grids without octants have as few counts as these say.
-      const bool countsOctants = stratum.numbers() && stratum.numbers()->counts == Counts::Octant;
+      const bool countsOctants = stratum.slots->countsOctants(stratum);
       const auto &octants = tables_->cells(stratum.log2Cell + (countsOctants ? 1 : 0), top);
       const auto occurrences = dag_.occurrences(top);
       for (std::size_t number = 0; number < cells.size(); ++number)
         words += stratum.slots->wordsWith(stratum, stratum.implied ? 0 : cells[number], octants[number]) *
                  (shares ? 1 : occurrences[number]);
-      if (stratum.inArray())
-        words = wordsInOctants(top, shares);
       price.exact &= !stratum.slots->lookUpLoops;
     } else {
       price.exact &= !stratum.slots->sharesMore;
@@ -150,8 +147,7 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
       if (const int bits = numbered->bits; numbers >> bits != 0)
         return Error::input("there are " + std::to_string(numbers) +
                             " sub-volumes to be numbered, more than " + std::to_string(bits) + " bits tell");
-      if (!stratum.inArray())
-        words += kIndexedWords; // Number 0, which is none.
+      words = arrayWords(*stratum.slots, top, shares);
     }
     equalCells = shares;
   }

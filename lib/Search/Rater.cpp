@@ -7,13 +7,6 @@
 #include <numeric>
 
 namespace voxc {
-namespace {
-
-/// How many times as long a ray takes through grids by octants. Replays tell what is read of their masks, and
-/// not the work to find a place in them: 1.1 to 1.4 where it was measured (docs/performance.md).
-constexpr double kOctantsCost = 1.2;
-
-} // namespace
 
 double RatedFormat::time() const {
   return std::accumulate(nanoseconds.begin(), nanoseconds.end(), 0.0) /
@@ -22,8 +15,7 @@ double RatedFormat::time() const {
 
 void predictAgain(RatedFormat &format, const SpeedModel &model) {
   for (std::size_t i = 0; i < format.costs.size(); ++i)
-    format.nanoseconds[i] =
-        model.predict(speedTerms(format.costs[i], format.bytes())) * (format.isByOctants ? kOctantsCost : 1);
+    format.nanoseconds[i] = model.predict(speedTerms(format.costs[i], format.bytes())) * format.factor;
 }
 
 Rater::Rater(const PricedScene &scene) : scene_(scene), shapes_(scene.shape) {
@@ -41,7 +33,7 @@ std::optional<RatedFormat> Rater::rate(Candidate candidate, std::span<const RayS
   if (!price || price->words() > std::min(layout.maxWords(), maxBytes / sizeof(std::uint32_t)))
     return std::nullopt;
   RatedFormat format{std::move(candidate), std::move(*price), {}, {}};
-  format.isByOctants = std::ranges::any_of(layout.strata, &Stratum::inArray);
+  format.factor = lookUpFactor(layout.strata);
   replayAgain(format, rays, model);
   return format.costs.size() == rays.size() ? std::optional(std::move(format)) : std::nullopt;
 }

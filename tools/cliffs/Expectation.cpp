@@ -1,6 +1,7 @@
 // From replayed rays to nanoseconds of a call.
 #include "Expectation.h"
 
+#include "voxc/Layout/SlotKind.h"
 #include "voxc/Plan/Plan.h"
 #include "voxc/Search/Replay.h"
 #include "voxc/Search/SampleRays.h"
@@ -20,7 +21,6 @@ constexpr double kWorldRay = 100;
 constexpr double kThread = 60000;
 /// Rays through pages look each word's page up (docs/paging.md).
 constexpr double kPaged = 1.6;
-constexpr double kOctants = 1.2;
 /// Rays that a register holds at the least.
 constexpr std::size_t kLanes = 8;
 
@@ -84,8 +84,7 @@ public:
     const std::uint64_t bytes = 4 * stage_.volume.words().size();
     const double fixed = model_.predict(speedTerms(none, bytes));
     const double all = model_.predict(speedTerms(cost, bytes));
-    const bool isByOctants = std::ranges::any_of(plan_.layout.strata, &Stratum::inArray);
-    return (fixed + share * (all - fixed)) * (isByOctants ? kOctants : 1);
+    return (fixed + share * (all - fixed)) * lookUpFactor(plan_.layout.strata);
   }
 
 private:

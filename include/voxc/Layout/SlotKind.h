@@ -19,7 +19,7 @@ struct Child {
   bool exists = false; ///< Else it is empty.
   bool leaf = false;   ///< All its cells have the value in the word `at`; else its node begins there.
   std::uint64_t at = 0;
-  Ref value = 0; ///< Of a cell of an indexed stratum: where its sub-volume is.
+  Ref value = 0; ///< Of a cell, of kinds that say so: its value.
   int log2Around =
       0; ///< Of an empty child: the aligned cube of 2^log2Around children a side around it is empty too.
   // In ranked strata:
@@ -36,6 +36,9 @@ enum class EmptyRegion {
   Octants, ///< The same, but of the cells of other octants no more is known than that there are some.
   Distance ///< What the cell's distance says.
 };
+
+/// Of kinds for which something never holds.
+inline bool never(const Stratum &) { return false; }
 
 /// `SlotKind::region` of kinds whose accessor tells of no more than the cell.
 inline EmptyRegion cellAlone(const Stratum &) { return EmptyRegion::Cell; }
@@ -62,6 +65,8 @@ struct LookUpCost {
   std::uint64_t (*line)(const Stratum &stratum, std::uint64_t cell);
   /// The same of the slot of a cell that is not empty, where it is likely to lie on another line; else none.
   std::optional<std::uint64_t> (*slotLine)(const Stratum &stratum, std::uint64_t cell);
+  /// How many times as long a ray takes as its steps and the words that are read say.
+  double factor = 1;
 };
 
 struct SlotKind {
@@ -77,8 +82,15 @@ struct SlotKind {
   Sharing sharing = Sharing::None;
   /// The kind of the same nodes with numbers in place of offsets, if there is one.
   std::string_view numbered = {};
-  /// Nodes are 4 x 4 x 4 masks, which numbers may lead to.
-  bool isNumberable = false;
+  /// Numbers may lead to such nodes, which then stand in an array: its words for so many nodes, which have so
+  /// many octants that are not empty. Null: they may not.
+  std::uint64_t (*arrayWords)(std::uint64_t nodes, std::uint64_t octants) = nullptr;
+  /// Cells have their values in `Child::value`, not in the words.
+  bool givesCells = false;
+  /// Whether the words of a grid depend on how many of its octants are not empty.
+  bool (*countsOctants)(const Stratum &stratum) = never;
+  /// To follow "references": why those to such nodes cannot count granules. "": they can.
+  std::string_view countsWords = {};
   /// Bits of a reference that say where a node is; those above say how it is to be read, and go with it.
   int placeBits = 32;
   /// Equal nodes are fewer than a count of equal cubes says.
@@ -103,6 +115,10 @@ struct SlotKind {
 
   /// What is wrong with such a stratum, or "". The rules of all kinds are `verify`'s.
   std::string (*problem)(const Stratum &stratum);
+  /// The same of a stratum above, and of what its slots lead to below, each null where there is none: to
+  /// follow the level at hand, and that below. Null: any will do.
+  std::string (*problemAbove)(const Stratum *above) = nullptr;
+  std::string (*problemBelow)(const Stratum *below) = nullptr;
 
   /// True if the node at `node` lies within the words and is well-formed: masks, counts, distances, empty
   /// slots. Else a problem is noted. `lowest`: its children are cells.
@@ -167,10 +183,14 @@ inline bool countsMaskWords(const Stratum &stratum) {
   return stratum.slots->tellsByMasks && stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
 }
 
-/// To follow "which lead to".
-inline constexpr std::string_view kWhatNumbersLeadTo =
-    "the last level alone: masked(2, 2, 2) below another masked level, with payload=occupancy, "
-    "payload=constant or values=apart";
+/// To follow the level that numbers should lead to.
+inline constexpr std::string_view kMisplacedNumbers =
+    " has short pointers, which lead to the last level alone: masked(2, 2, 2) below another masked level, "
+    "with "
+    "payload=occupancy, payload=constant or values=apart";
+
+/// How many times as long a ray takes as its steps and the words that are read say.
+double lookUpFactor(std::span<const Stratum> strata);
 
 /// True if strata of this kind may have such an encoding.
 inline bool takes(const SlotKind &kind, const Encoding &encoding) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "voxc/Layout/Layout.h"
+#include "voxc/Layout/SlotKind.h"
 #include "voxc/Search/SceneDag.h"
 
 #include <cstdint>
@@ -38,7 +39,7 @@ private:
   class Tables;
 
   std::uint64_t occurrencesAt(int height) const;
-  std::uint64_t wordsInOctants(int height, bool shares) const;
+  std::uint64_t arrayWords(const SlotKind &slots, int height, bool shares) const;
 
   const SceneDag &dag_;
   std::unique_ptr<Tables> tables_;

@@ -28,7 +28,7 @@ struct RatedFormat {
   Price price;
   std::vector<RayCost> costs;      ///< Of each set of rays.
   std::vector<double> nanoseconds; ///< A ray of each set takes so many, as the model has it.
-  bool isByOctants = false;        ///< Some grid is: then it takes more than the model's counts tell.
+  double factor = 1;               ///< How many times as long a ray takes as the model's counts say.
 
   std::uint64_t bytes() const { return 4 * price.words(); }
   /// The mean of all sets.

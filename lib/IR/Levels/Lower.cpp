@@ -37,7 +37,7 @@ public:
     const int bits = level.get(kPointersAttribute);
     const std::string_view numbered = index > 0 ? layout_.strata[index - 1].slots->numbered : "";
     if (bits > 0 && numbered.empty())
-      return refuse(index, "has short pointers, which lead to " + std::string(kWhatNumbersLeadTo));
+      return refuse(index, std::string(kMisplacedNumbers));
     if (bits == 0)
       return refuseWithoutNumbers(index);
     Stratum &above = layout_.strata[index - 1];
@@ -51,16 +51,16 @@ public:
 
 private:
   void refuse(std::size_t index, const std::string &problem) {
-    diagnostics_.error(format_.levels[index].range, "level " + std::to_string(index + 1) + " " + problem);
+    diagnostics_.error(format_.levels[index].range, "level " + std::to_string(index + 1) + problem);
   }
 
   void refuseWithoutNumbers(std::size_t index) {
     const Level &level = format_.levels[index];
     if (level.get(kCountsAttribute) == Counts::Octant)
-      refuse(index, "has counts of octants, which stand behind short pointers in a masked(2, 2, 2), with "
+      refuse(index, " has counts of octants, which stand behind short pointers in a masked(2, 2, 2), with "
                     "values=apart");
     if (level.get(kMasksAttribute) == MaskForm::Octants)
-      refuse(index, "has masks by octants, which stand where short pointers lead to");
+      refuse(index, " has masks by octants, which stand where short pointers lead to");
   }
 
   const Format &format_;
