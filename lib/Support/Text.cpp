@@ -44,6 +44,14 @@ std::string lowerCase(std::string_view text) {
   return result;
 }
 
+std::string counted(std::uint64_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string countedAre(std::uint64_t count, std::string_view noun) {
+  return counted(count, noun) + (count == 1 ? " is" : " are");
+}
+
 std::optional<double> parseNumber(std::string_view word) {
   word = withoutPlus(word);
   double value = 0;

@@ -17,6 +17,10 @@ std::string_view trimmed(std::string_view text);
 /// `text` with small letters for its capital ones.
 std::string lowerCase(std::string_view text);
 
+/// "1 point" or "2 points", of a word that takes an s; and "1 point is" or "2 points are".
+std::string counted(std::uint64_t count, std::string_view noun);
+std::string countedAre(std::uint64_t count, std::string_view noun);
+
 /// A decimal number, with a sign or without; infinite if it is too large for a double, and also for "inf" and
 /// "nan", as some programs write them.
 std::optional<double> parseNumber(std::string_view word);

@@ -131,7 +131,7 @@ TEST_F(Las, WhatIsWithheldIsNoPoint) {
     const std::vector<LasPoint> points{{{0, 0, 0}}, {{3, 0, 0}, 0, {}, true}, {{2, 0, 0}}};
     EXPECT_EQ(voxels("a.las", las(4, format, points, kOne, {0, 0, 0})).size(), 2u);
     EXPECT_EQ(extent_, (Int3{2, 1, 1}));
-    EXPECT_THAT(warnings_, Contains("1 points are left out: the file says that they are withheld"));
+    EXPECT_THAT(warnings_, Contains("1 point is left out, withheld as the file says"));
   }
 }
 
@@ -144,6 +144,10 @@ TEST_F(Las, WhatIsNotReadIsRefused) {
   };
   EXPECT_THAT(problem("a.las", with(104, 0x80)),
               HasSubstr("compressed by LASzip, which voxc does not read; save it"));
+  std::string far = file;
+  put(far, 131, 1e308);
+  put(far, 227 + 20, 1000);
+  EXPECT_THAT(problem("a.las", far), HasSubstr("point 1 has a coordinate that is not finite"));
   EXPECT_THAT(problem("a.las", with(104, 11)), HasSubstr("of the format 11 and have 20 bytes; voxc reads"));
   EXPECT_THAT(problem("a.las", with(105, 19)), HasSubstr("of the format 0 and have 19 bytes"));
   EXPECT_THAT(problem("a.las", with(25, 5)), HasSubstr("it is of version 1.5; voxc reads 1.0 to 1.4"));

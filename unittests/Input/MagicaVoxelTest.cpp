@@ -75,9 +75,9 @@ TEST_F(MagicaVoxel, ColourZeroIsEmptyBlackIsNot) {
   EXPECT_EQ(voxels(modelChunks(4, 1, 1, {{0, 0, 0, 1}, {1, 0, 0, 0}, {2, 0, 0, 2}, {3, 0, 0, 3}}) +
                    chunkBytes("RGBA", palette)),
             (Voxels{{mortonCode({0, 0, 0}), 0xff000000}, {mortonCode({3, 0, 0}), 0x00010203}}));
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 voxels are dropped: they have the colour 0"),
-                                     HasSubstr("1 voxels are dropped: their colour is the word 0"),
-                                     HasSubstr("1 voxels have a colour of alpha 0")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 voxel is dropped, of the colour 0"),
+                                     HasSubstr("1 voxel is dropped, of a colour whose word is 0"),
+                                     HasSubstr("1 voxel is kept, though of a colour of alpha 0")));
 }
 
 TEST_F(MagicaVoxel, FirstOfSeveralModelsWithoutAGraphIsTaken) {

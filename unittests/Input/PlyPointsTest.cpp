@@ -136,7 +136,7 @@ TEST_F(PlyPoints, GaussianSplats) {
   EXPECT_EQ(voxelsOf(*input->source),
             (Voxels{{mortonCode({0, 0, 0}), rgba(128, 255, 0)}, {mortonCode({1, 0, 0}), rgba(255, 0, 163)}}));
   ASSERT_EQ(input->warnings.size(), 3u);
-  EXPECT_NE(input->warnings[0].find("2 of 4 splats are left out: their opacity is below 0.1"),
+  EXPECT_NE(input->warnings[0].find("left out are 2 of 4 splats, whose opacity is below 0.1"),
             std::string::npos);
   EXPECT_NE(input->warnings[1].find("higher harmonics are not used"), std::string::npos);
   EXPECT_NE(input->warnings[2].find("these properties are not used: more"), std::string::npos);

@@ -130,7 +130,7 @@ TEST_F(TiffSlices, PagesAndNumberedFilesAreStacks) {
   TIFFClose(tiff);
   EXPECT_EQ(words("stack.tiff"), (Words{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(extent_, (Int3{2, 1, 3}));
-  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 pages are masks or smaller copies")));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 page is left out, as masks or smaller copies")));
   for (const char *const name : {"s008.tif", "s009.tif", "s010.tif"}) {
     tiff = TIFFOpen(folder_.path(name).c_str(), "w");
     writePage(tiff, 1, 1, {}, {static_cast<char>(name[3] - '0' + 1)});

@@ -167,7 +167,7 @@ TEST_F(PlyLooks, TexturesByFaces) {
   EXPECT_EQ(readRow<2>(scene.parts[1].uvs, scene.parts[1].corners(0)[2]), (std::array<double, 2>{0, 0.75}));
   EXPECT_EQ(materialOf(scene, 2).texture.texture, 1);
   EXPECT_EQ(trianglesOf(scene)[4], (std::array<Corner, 3>{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));
-  EXPECT_TRUE(has(scene.warnings, "2 faces name a texture that is not there"));
+  EXPECT_TRUE(has(scene.warnings, "2 faces are without a texture"));
   EXPECT_TRUE(has(scene.warnings, "'C:\\x\\B.TGA' is not there"));
 }
 

@@ -29,6 +29,13 @@ TEST(Text, WholeNumbers) {
     EXPECT_FALSE(parseInteger(word)) << word;
 }
 
+TEST(Text, Counts) {
+  EXPECT_EQ(counted(0, "point"), "0 points");
+  EXPECT_EQ(counted(1, "point"), "1 point");
+  EXPECT_EQ(countedAre(1, "page"), "1 page is");
+  EXPECT_EQ(countedAre(12, "page"), "12 pages are");
+}
+
 TEST(Text, Words) {
   std::string_view text = "  a\tbc\r\n d";
   EXPECT_EQ(takeWord(text), "a");

@@ -1,6 +1,7 @@
 // Slices through libtiff: the pages of a file in memory.
 #include "Input/Dense/Slice.h"
 #include "Input/Dense/TiffFile.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <array>
@@ -205,8 +206,7 @@ private:
 
   void tellLeftOut() {
     if (leftOut_ > 0)
-      warnings.push_back(std::to_string(leftOut_) +
-                         " pages are masks or smaller copies of others, and are left out");
+      warnings.push_back(countedAre(leftOut_, "page") + " left out, as masks or smaller copies of others");
   }
 
   TiffMemory memory_;

@@ -1,6 +1,7 @@
 // Points of LAS files, decoded where they lie.
 #include "Input/Las/LasFile.h"
 #include "Input/Las/LasNumbers.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <string>
@@ -60,7 +61,7 @@ public:
   std::uint64_t size() const override { return header_.count; }
   bool hasColours() const override { return brightest_ > 0 || low_ < high_; }
   std::string saysDropped(std::uint64_t count) const override {
-    return std::to_string(count) + " points are left out: the file says that they are withheld";
+    return countedAre(count, "point") + " left out, withheld as the file says";
   }
 
   void read(std::uint64_t first, std::span<PlyPoint> points) const override {
@@ -85,9 +86,10 @@ public:
     if (brightest_ > 0)
       rest += ", intensities";
     if (header_.stride > kFormatEnds[header_.format])
-      rest += ", " + std::to_string(header_.stride - kFormatEnds[header_.format]) + " bytes of their own";
+      rest += ", " + counted(header_.stride - kFormatEnds[header_.format], "byte") + " of their own";
     if (header_.records > 0)
-      rest += "; so are " + std::to_string(header_.records) + " records, such as the coordinate system";
+      rest += "; so " + std::string(header_.records == 1 ? "is " : "are ") +
+              counted(header_.records, "record") + " of the file, such as its coordinate system";
     sentences.push_back(std::move(rest));
     return sentences;
   }

@@ -1,6 +1,8 @@
 // The numbers of a box's blocks, one after the other.
 #include "Input/Minecraft/BlockScene.h"
 
+#include "Support/Text.h"
+
 #include <string>
 
 namespace voxc {
@@ -73,7 +75,7 @@ Expected<void> BlockRegion::forEachBlock(
           number = numberAt(static_cast<std::size_t>(index));
         if (number >= words.size())
           return Error::input("a block has the number " + std::to_string(number) + ", but the palette has " +
-                              std::to_string(words.size()) + " kinds");
+                              counted(words.size(), "kind"));
         if (const std::uint32_t word = words[static_cast<std::size_t>(number)])
           visit(cell, word);
       }

@@ -2,6 +2,7 @@
 #include "Input/Minecraft/BlockScene.h"
 
 #include "Input/Minecraft/BlockColours.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <bit>
@@ -41,13 +42,9 @@ public:
 
   void warn(std::vector<std::string> &warnings) const {
     if (!unknown_.empty())
-      warnings.push_back(
-          countOf(unknown_) +
-          " kinds of blocks are not known, and have colours made of their names: " + named(unknown_));
+      warnings.push_back("blocks that are not known have colours made of their names: " + named(unknown_));
     if (!partial_.empty())
-      warnings.push_back(
-          countOf(partial_) +
-          " kinds of blocks do not fill their cells, and are taken as if they did: " + named(partial_));
+      warnings.push_back("blocks that do not fill their cells are taken as if they did: " + named(partial_));
   }
 
 private:
@@ -59,10 +56,6 @@ private:
     if (names.size() < kMostKept)
       names.emplace(name.substr(0, 80));
   }
-  static std::string countOf(const Names &names) {
-    return std::to_string(names.size()) + (names.size() == kMostKept ? " or more" : "");
-  }
-
   static std::string named(const Names &names) {
     constexpr std::size_t kMostNamed = 6;
     std::string text;
@@ -70,7 +63,10 @@ private:
     for (const std::string &name : names)
       if (++count <= kMostNamed)
         text += (count == 1 ? "" : ", ") + name;
-    return count > kMostNamed ? text + " and others" : text;
+    if (count <= kMostNamed)
+      return text;
+    return text + " and " + counted(count - kMostNamed, "other") +
+           (names.size() == kMostKept ? " or more" : "");
   }
 
   static constexpr std::uint64_t kLooksBetween = 1 << 12;
@@ -86,10 +82,10 @@ struct Beside {
 
   void warn(std::vector<std::string> &warnings) const {
     if (blockEntities > 0)
-      warnings.push_back("what " + std::to_string(blockEntities) +
-                         " blocks hold or say, such as chests and signs, is left out");
+      warnings.push_back("what blocks such as chests and signs hold or say is left out, of " +
+                         counted(blockEntities, "block"));
     if (entities > 0)
-      warnings.push_back(std::to_string(entities) + " entities, such as animals and paintings, are left out");
+      warnings.push_back("entities such as animals and paintings are left out: " + std::to_string(entities));
     if (biomes > 0)
       warnings.push_back("biomes are left out: grass, leaves and water have the colours of plains");
   }

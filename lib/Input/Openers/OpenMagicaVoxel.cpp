@@ -7,6 +7,7 @@
 #include "Input/Openers/InputText.h"
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
+#include "Support/Text.h"
 #include "Support/WatchedFile.h"
 #include "voxc/Input/EmissionStrength.h"
 #include "voxc/Input/NumberedPaths.h"
@@ -131,11 +132,11 @@ struct Dropped {
   void warn(std::vector<std::string> &warnings) const {
     const auto say = [&](std::uint64_t count, const char *what) {
       if (count != 0)
-        warnings.push_back(std::to_string(count) + what);
+        warnings.push_back(countedAre(count, "voxel") + what);
     };
-    say(noColour, " voxels are dropped: they have the colour 0, which means empty");
-    say(wordZero, " voxels are dropped: their colour is the word 0, which means empty");
-    say(clear, " voxels have a colour of alpha 0; they are kept");
+    say(noColour, " dropped, of the colour 0, which means empty");
+    say(wordZero, " dropped, of a colour whose word is 0, which means empty");
+    say(clear, " kept, though of a colour of alpha 0");
   }
 };
 

@@ -72,9 +72,9 @@ std::vector<std::string> PointColour::warnings() const {
 
 std::string PointColour::saysDropped(std::uint64_t count, std::uint64_t all) const {
   if (areSplats_)
-    return std::to_string(count) + " of " + std::to_string(all) +
-           " splats are left out: their opacity is below 0.1";
-  return std::to_string(count) + " points are dropped: their colour is the word 0, which means empty";
+    return "left out are " + std::to_string(count) + " of " + counted(all, "splat") +
+           ", whose opacity is below 0.1";
+  return countedAre(count, "point") + " dropped, of the colour 0, which means empty";
 }
 
 } // namespace voxc

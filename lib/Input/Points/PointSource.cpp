@@ -66,7 +66,7 @@ public:
     std::optional<Error> problem;
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
       if (!isInside(point.position, options_.mostExtent())) {
-        problem = broken_("vertex " + std::to_string(number) + " is the voxel " + listed(point.position) +
+        problem = broken_("point " + std::to_string(number) + " is the voxel " + listed(point.position) +
                           ", but the format holds only " + toText(options_.mostExtent()));
         return false;
       }
@@ -88,7 +88,7 @@ public:
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
       const glm::dvec3 position = vectorOf(point.position);
       if (glm::any(glm::isnan(position)) || glm::any(glm::isinf(position))) {
-        problem = broken_("vertex " + std::to_string(number) + " has a coordinate that is not finite");
+        problem = broken_("point " + std::to_string(number) + " has a coordinate that is not finite");
         return false;
       }
       bounds.add(position);

@@ -5,6 +5,7 @@
 #include "Mesh/Voxelize/SurfaceColour.h"
 #include "Mesh/Voxelize/TextureMeans.h"
 #include "Mesh/Voxelize/TriangleCursor.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <span>
@@ -23,7 +24,7 @@ public:
   std::uint64_t size() const override { return points_.size(); }
   bool hasColours() const override { return hasColours_; }
   std::string saysDropped(std::uint64_t count) const override {
-    return std::to_string(count) + " points are left out: their texture cuts them out";
+    return countedAre(count, "point") + " left out, which a texture cuts out";
   }
   void read(std::uint64_t first, std::span<PlyPoint> points) const override {
     std::ranges::copy(points_.span().subspan(first, points.size()), points.begin());

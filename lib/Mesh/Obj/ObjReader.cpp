@@ -196,15 +196,13 @@ private:
 
   void warnAboutFaces() {
     if (geometry_.shortFaces() != 0)
-      warnings_.add(std::to_string(geometry_.shortFaces()) +
-                    " faces have fewer than three corners and are left out");
+      warnings_.add(countedAre(geometry_.shortFaces(), "face") + " left out, of fewer than three corners");
     if (geometry_.badFans() != 0)
-      warnings_.add(std::to_string(geometry_.badFans()) +
-                    " faces have so many corners in so tangled a way that they are cut into fans, which may "
-                    "cover more");
+      warnings_.add(countedAre(geometry_.badFans(), "face") +
+                    " cut into fans, which may cover more, as the corners lie in too tangled a way");
     if (geometry_.badUvs() != 0)
-      warnings_.add(std::to_string(geometry_.badUvs()) +
-                    " corners of faces name texture coordinates that do not exist; they have none");
+      warnings_.add("texture coordinates that do not exist are named by " +
+                    counted(geometry_.badUvs(), "corner") + " of faces, without a texture there");
   }
 
   void warnAboutColours() {

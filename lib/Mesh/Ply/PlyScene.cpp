@@ -8,6 +8,7 @@
 #include "Mesh/Ply/PlyVertices.h"
 #include "Mesh/Polygon.h"
 #include "Support/Problem.h"
+#include "Support/Text.h"
 #include "Support/Warnings.h"
 
 #include <algorithm>
@@ -117,14 +118,12 @@ private:
 
   void warn(Warnings &warnings) {
     if (cutter_.badFans() != 0)
-      warnings.add(std::to_string(cutter_.badFans()) +
-                   " faces have so many corners in so tangled a way that they are cut into fans, which may "
-                   "cover more");
+      warnings.add(countedAre(cutter_.badFans(), "face") +
+                   " cut into fans, which may cover more, as the corners lie in too tangled a way");
     if (looks_.badFaces() != 0)
-      warnings.add(
-          std::to_string(looks_.badFaces()) +
-          " faces name a texture that is not there or have another number of texture coordinates than "
-          "corners; they have no texture");
+      warnings.add(countedAre(looks_.badFaces(), "face") +
+                   " without a texture: it is not there, or there are not as many texture coordinates as "
+                   "corners");
     for (const std::string &sentence : {vertices_.colour().warning(), looks_.colour().warning()})
       if (!sentence.empty())
         warnings.add(sentence);
