@@ -44,6 +44,7 @@ set(VOXC_INPUT_READERS
   Openers/InputText.cpp
   Openers/NumberedPaths.cpp
   Openers/OpenBinvox.cpp
+  Openers/OpenDense.cpp
   Openers/OpenLas.cpp
   Openers/OpenMagicaVoxel.cpp
   Openers/OpenMinecraft.cpp

@@ -2,13 +2,12 @@
 #include "Input/Openers/Openers.h"
 
 #include "Input/Dense/ByteStream.h"
-#include "Input/Dense/DenseVolume.h"
 #include "Input/Dense/GzipReader.h"
 #include "Input/Dense/NiftiHeader.h"
 #include "Input/Dense/Orientation.h"
 #include "Input/Dense/VolumeChoice.h"
+#include "Input/Openers/OpenDense.h"
 #include "Support/Text.h"
-#include "voxc/Support/Stopwatch.h"
 
 #include <filesystem>
 #include <optional>
@@ -148,26 +147,16 @@ Expected<DenseVolume> readVolume(File file, const std::string &path, const Input
 } // namespace
 
 Expected<Input> openNifti(const std::string &path, const InputOptions &options) {
-  const Stopwatch loading;
   const bool isImage = hasEnding(path, kPair[1]);
   const auto header = isImage ? partnerOf(path, kPair[0]) : std::optional(path);
   if (!header)
     return Error::input("'" + path + "' lacks its header, a file of its name that ends in .hdr");
-  auto file = WatchedFile::open(*header, options.memory);
-  if (!file)
-    return file.error();
-  auto volume = readVolume(std::move(*file), *header, options);
-  if (!volume && volume.error().kind == ErrorKind::Input)
-    return Error::input("'" + path + "' is not a usable NIfTI file: " + volume.error().message);
-  if (!volume)
-    return volume.error();
   // The format says so: +x is right, +y is front, +z is up.
   InputOptions upright = options;
   upright.zUp |= options.isAutomatic && !options.isUpKnown;
-  auto input = makeInput(std::move(*volume), upright);
-  if (input)
-    input->loadSeconds = loading.seconds();
-  return input;
+  return openDense(*header, "NIfTI", upright, [&](std::shared_ptr<const WatchedFile> file) {
+    return readVolume(std::move(file), *header, options);
+  });
 }
 
 } // namespace voxc

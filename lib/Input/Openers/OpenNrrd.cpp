@@ -1,12 +1,11 @@
 // Opening NRRD volumes.
 #include "Input/Openers/Openers.h"
 
-#include "Input/Dense/DenseVolume.h"
 #include "Input/Dense/NrrdData.h"
 #include "Input/Dense/NrrdHeader.h"
 #include "Input/Dense/Orientation.h"
 #include "Input/Dense/VolumeChoice.h"
-#include "voxc/Support/Stopwatch.h"
+#include "Input/Openers/OpenDense.h"
 
 #include <filesystem>
 #include <utility>
@@ -63,46 +62,32 @@ Expected<DenseVolume> volumeOf(NrrdHeader &header, NrrdData data, std::int64_t o
   return volume;
 }
 
-Expected<DenseVolume> readVolume(const std::string &path, const InputOptions &options, bool &isUpZ) {
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
-  const auto broken = [&](const Error &error) {
-    return error.kind != ErrorKind::Input
-               ? error
-               : Error::input("'" + path + "' is not a usable NRRD file: " + error.message);
-  };
-  std::string_view text = (*file)->text();
+Expected<DenseVolume> readVolume(const std::string &path, std::shared_ptr<const WatchedFile> file,
+                                 const InputOptions &options) {
+  std::string_view text = file->text();
   auto header = readNrrdHeader(text, options.volume > 0);
   if (!header)
-    return broken(header.error());
+    return header.error();
   const auto offset = offsetOf(*header, options, header->warnings);
   if (!offset)
-    return broken(offset.error());
-  auto data = readNrrdData(*header, std::move(*file), std::as_bytes(std::span(text)),
+    return offset.error();
+  auto data = readNrrdData(*header, std::move(file), std::as_bytes(std::span(text)),
                            std::filesystem::path(path).parent_path(), options);
   if (!data)
-    return broken(data.error());
-  isUpZ = header->isUpZ;
+    return data.error();
+  if (header->isUpZ && options.isAutomatic && !options.isUpKnown)
+    header->notes.push_back(
+        "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "
+        "the up of pictures, as it is for NIfTI files");
   return volumeOf(*header, std::move(*data), *offset);
 }
 
 } // namespace
 
 Expected<Input> openNrrd(const std::string &path, const InputOptions &options) {
-  const Stopwatch loading;
-  bool isUpZ = false;
-  auto volume = readVolume(path, options, isUpZ);
-  if (!volume)
-    return volume.error();
-  if (isUpZ && options.isAutomatic && !options.isUpKnown)
-    volume->notes.push_back(
-        "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "
-        "the up of pictures, as it is for NIfTI files");
-  auto input = makeInput(std::move(*volume), options);
-  if (input)
-    input->loadSeconds = loading.seconds();
-  return input;
+  return openDense(path, "NRRD", options, [&](std::shared_ptr<const WatchedFile> file) {
+    return readVolume(path, std::move(file), options);
+  });
 }
 
 } // namespace voxc

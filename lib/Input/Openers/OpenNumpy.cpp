@@ -2,13 +2,11 @@
 #include "Input/Openers/Openers.h"
 
 #include "Input/Dense/ByteStream.h"
-#include "Input/Dense/DenseVolume.h"
 #include "Input/Dense/NpyHeader.h"
 #include "Input/Dense/VolumeChoice.h"
 #include "Input/Dense/ZipFile.h"
-#include "Input/Openers/InputText.h"
+#include "Input/Openers/OpenDense.h"
 #include "Support/Text.h"
-#include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
 #include <optional>
@@ -136,13 +134,9 @@ Expected<std::size_t> choose(const std::vector<ZippedFile> &files, const InputOp
   return *chosen;
 }
 
-Expected<DenseVolume> readFile(const std::string &path, const InputOptions &options) {
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
-  const std::span<const std::byte> bytes = (*file)->bytes();
-  if (!lowerCase(path).ends_with(".npz"))
-    return readArray(bytes, makeRawStream(bytes), std::move(*file), options);
+/// One array of an archive.
+Expected<DenseVolume> readArchive(std::shared_ptr<const WatchedFile> file, const InputOptions &options) {
+  const std::span<const std::byte> bytes = file->bytes();
   const auto files = listZip(bytes);
   if (!files)
     return files.error();
@@ -152,7 +146,7 @@ Expected<DenseVolume> readFile(const std::string &path, const InputOptions &opti
     return chosen.error();
   const ZippedFile &array = (*files)[*chosen];
   auto volume = readArray(array.isDeflated ? std::span<const std::byte>() : array.stored, array.open(),
-                          std::move(*file), options);
+                          std::move(file), options);
   if (volume)
     volume->warnings.insert(volume->warnings.begin(), warnings.begin(), warnings.end());
   return volume;
@@ -161,19 +155,12 @@ Expected<DenseVolume> readFile(const std::string &path, const InputOptions &opti
 } // namespace
 
 Expected<Input> openNumpy(const std::string &path, const InputOptions &options) {
-  const Stopwatch loading;
-  auto volume = readFile(path, options);
-  if (!volume && volume.error().kind == ErrorKind::Input)
-    return Error::input("'" + path + "' is not a usable NumPy file: " + volume.error().message);
-  if (!volume)
-    return volume.error();
-  auto input = makeInput(std::move(*volume), options);
-  if (!input)
-    return input;
-  if (!options.grid.empty())
-    input->provenance += " grid=" + provenanceWord(options.grid);
-  input->loadSeconds = loading.seconds();
-  return input;
+  return openDense(path, "NumPy", options, [&](std::shared_ptr<const WatchedFile> file) {
+    if (lowerCase(path).ends_with(".npz"))
+      return readArchive(std::move(file), options);
+    const std::span<const std::byte> bytes = file->bytes();
+    return readArray(bytes, makeRawStream(bytes), std::move(file), options);
+  });
 }
 
 } // namespace voxc
