@@ -12,11 +12,13 @@ protected:
     options_.resolution = resolution;
     auto input = openInput(folder_.file("points.obj", content), options_);
     EXPECT_TRUE(input) << input.error().message;
+    provenance_ = input ? input->provenance : "";
     return input ? voxelsOf(*input->source) : Voxels{};
   }
 
   TemporaryFolder folder_;
   InputOptions options_;
+  std::string provenance_;
 };
 
 TEST_F(ModelPoints, ObjWithoutFaces) {
@@ -25,6 +27,13 @@ TEST_F(ModelPoints, ObjWithoutFaces) {
             (Voxels{{mortonCode({0, 0, 0}), rgba(255, 0, 0)},
                     {mortonCode({2, 0, 0}), rgba(0, 255, 0)},
                     {mortonCode({3, 0, 0}), rgba(0, 0, 255)}}));
+}
+
+TEST_F(ModelPoints, TheGridIsKeptInTheProvenance) {
+  options_.voxelSize = {0.5, 0};
+  options_.align = {0.25, 0, 0};
+  voxels("v 0 0 0\nv 2 0 0\n", 0);
+  EXPECT_NE(provenance_.find("voxel-size=0.5 align=0.25,0,0"), std::string::npos) << provenance_;
 }
 
 TEST_F(ModelPoints, ObjWithElementsP) {

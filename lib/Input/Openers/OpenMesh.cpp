@@ -105,7 +105,7 @@ Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Inp
 
 /// A model of points alone is no surface: each point is one voxel, as in a .ply.
 Expected<void> openPoints(const std::string &path, const TriangleScene &scene, const InputOptions &options,
-                          Input &input) {
+                          double side, Input &input) {
   const auto points = pointsOf(scene, options.memory, options.progress);
   if (!points)
     return points.error();
@@ -116,7 +116,8 @@ Expected<void> openPoints(const std::string &path, const TriangleScene &scene, c
     return voxels.error();
   input.triangles = 0;
   input.source = std::move(voxels->source);
-  input.provenance = modelProvenance("points", longestAxis(input.source->extent()), options);
+  input.provenance =
+      modelProvenance("points", longestAxis(input.source->extent()), options) + gridProvenance(side, options);
   input.warnings.insert(input.warnings.end(), voxels->warnings.begin(), voxels->warnings.end());
   if (options.describe)
     input.facts = std::move(voxels->facts);
@@ -157,7 +158,7 @@ Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const
   if (options.describe)
     input.facts = factsOf(*scene);
   if (isOfPoints(*scene)) {
-    auto opened = openPoints(path, *scene, options, input);
+    auto opened = openPoints(path, *scene, options, *side, input);
     return opened ? Expected<Input>(std::move(input)) : opened.error();
   }
   const Stopwatch binning;
