@@ -1,6 +1,7 @@
 // A child that reads first.
 #include "Assimp/TrialRead.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <new>
 #include <optional>
+#include <string_view>
 #include <thread>
 
 namespace voxc {
@@ -19,8 +21,8 @@ namespace voxc {
 namespace {
 
 constexpr rlim_t kMostSeconds = 120;
-constexpr std::size_t kLongest = 2048; ///< Bytes of a sentence, which a pipe takes at once.
-constexpr int kSaid = 1;
+constexpr std::size_t kLongest = 2048;      ///< Bytes of a sentence, which a pipe takes at once.
+constexpr std::string_view kSurvived = "+"; ///< Said in place of a sentence.
 
 /// Bytes of data that this process has; 0 where the system does not tell.
 std::uint64_t dataBytes() {
@@ -53,12 +55,13 @@ void limit(int what, rlim_t most) {
     sentence = "it cannot be read";
   }
   if (sentence.empty())
-    _exit(0);
+    sentence = kSurvived;
   static_cast<void>(write(pipe, sentence.data(), std::min(sentence.size(), kLongest)));
-  _exit(kSaid);
+  _exit(0);
 }
 
-/// Waits for the child; its status, or nothing if it was stopped.
+/// Waits for the child; its status, or nothing if it was stopped. In a program that ignores its children's
+/// end there is no status, so that what the child has said must tell whether it is well.
 std::optional<int> wait(pid_t child, const Progress &progress) {
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
@@ -77,7 +80,7 @@ std::optional<int> wait(pid_t child, const Progress &progress) {
 Expected<void> tryToRead(const std::function<std::string()> &read, std::uint64_t memory,
                          const Progress &progress) {
   std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0)
+  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
     return Error::environment("there is no pipe for a process that reads");
   const pid_t child = fork();
   if (child == 0)
@@ -87,14 +90,15 @@ Expected<void> tryToRead(const std::function<std::string()> &read, std::uint64_t
   std::array<char, kLongest> text;
   const ssize_t length = ::read(ends[0], text.data(), text.size());
   close(ends[0]);
+  const std::string said(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
   if (child < 0)
     return Error::environment("there is no process for a trial");
   if (!status)
     return Error::interrupted();
-  if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0)
+  if (said == kSurvived)
     return {};
-  if (WIFEXITED(*status) && length > 0)
-    return Error::input(std::string(text.data(), static_cast<std::size_t>(length)));
+  if (!said.empty())
+    return Error::input(said);
   return Error::input(WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU
                           ? "reading it takes more than 2 minutes"
                           : "the library that reads it fails at it; the file is broken");

@@ -246,6 +246,13 @@ TEST(TrialRead, WhatCrashesIsAnError) {
               HasSubstr("more memory"));
 }
 
+TEST(TrialRead, CrashesAreSeenInProgramsThatIgnoreTheirChildren) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  EXPECT_TRUE(tryToRead([] { return std::string(); }, std::uint64_t{1} << 26, {}));
+  EXPECT_FALSE(tryToRead([]() -> std::string { std::abort(); }, std::uint64_t{1} << 26, {}));
+  std::signal(SIGCHLD, before);
+}
+
 TEST(TrialRead, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   Progress progress;
