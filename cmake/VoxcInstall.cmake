@@ -13,15 +13,21 @@ endforeach()" COMPONENT ${component})
 endfunction()
 voxc_needs(tools "$<TARGET_FILE:voxc>" "$<TARGET_FILE:voxc-opt>" "$<TARGET_FILE:voxc-trace>" "${PROJECT_BINARY_DIR}/manual/voxc")
 voxc_needs(runtime "$<TARGET_FILE:voxc-c>" "$<TARGET_FILE:voxc-c-runtime>")
-voxc_needs(dev "$<TARGET_FILE:voxc-runtime>" "$<TARGET_FILE:voxc-compiler>")
+voxc_needs(dev "$<TARGET_FILE:voxc-runtime>" "$<TARGET_FILE:voxc-compiler>" "$<TARGET_FILE:voxc-components>")
 if(TARGET voxc-viewer)
   voxc_needs(viewer "$<TARGET_FILE:voxc-viewer>")
 endif()
 
-# The libraries for C++, whose interface changes with the version: archives.
+# The libraries for C++, whose interface changes with the version: archives. Optional components go with the compiler.
 foreach(component runtime compiler)
   set_target_properties(voxc-${component} PROPERTIES EXPORT_NAME ${component})
   install(TARGETS voxc-${component} EXPORT voxc-${component} ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
+endforeach()
+foreach(component components openvdb assimp)
+  if(TARGET voxc-${component})
+    set_target_properties(voxc-${component} PROPERTIES EXPORT_NAME ${component})
+    install(TARGETS voxc-${component} EXPORT voxc-compiler ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
+  endif()
 endforeach()
 # Those for C.
 foreach(library c c-runtime)

@@ -71,5 +71,6 @@ for python in [sys.executable, "/usr/bin/python3"]:
 for program in ["readelf", "zsh", "fish"]:
     if shutil.which(program):
         config.available_features.add(program)
+config.available_features.update(name for name, is_built in config.components.items() if is_built)
 if config.has_spirv_cross:
     config.available_features.add("spirv-cross")

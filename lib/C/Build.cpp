@@ -2,6 +2,7 @@
 #include "C/FormatHandle.h"
 #include "Source/GridExtent.h"
 #include "Support/ParallelFor.h"
+#include "voxc/Components/Components.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/Input/Arguments.h"
@@ -177,6 +178,7 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
     if (isOfLabels(format->format) && arguments.colourMap.empty())
       arguments.colourMap = "labels";
     InputOptions choices = inputOptionsOf(arguments, format->format.extent());
+    choices.otherKinds = componentInputs();
     choices.threads = given.threads;
     choices.memory = memoryOf(given);
     choices.progress = progress.get();

@@ -12,12 +12,9 @@
 #include "common/NumberedName.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "voxc/Components/Components.h"
 #include "voxc/Source/Export.h"
 #include "voxc/Volume/CoarseBlocks.h"
-
-#ifdef VOXC_HAS_OPENVDB
-#include "voxc/OpenVdb/OpenVdb.h"
-#endif
 
 #include <algorithm>
 #include <bit>
@@ -125,9 +122,7 @@ private:
       return page_.write(volume, volume_.path(), output_, options_.save.progress, figures);
     }
     options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
-#ifdef VOXC_HAS_OPENVDB
-    options_.otherKinds = {openVdbExport()};
-#endif
+    options_.otherKinds = componentExports();
     const Expected<Exported> exported =
         exportVoxels(volume, numbered_ ? asPercent(*numbered_) : output_, options_);
     if (!exported)

@@ -1,12 +1,7 @@
 // Options of inputs: from the command line, and to the library.
 #include "InputArguments.h"
 
-#ifdef VOXC_HAS_OPENVDB
-#include "voxc/OpenVdb/OpenVdb.h"
-#endif
-#ifdef VOXC_HAS_ASSIMP
-#include "voxc/Assimp/Assimp.h"
-#endif
+#include "voxc/Components/Components.h"
 
 #include <algorithm>
 #include <charconv>
@@ -200,13 +195,7 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
 
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent) {
   InputOptions options = inputOptionsOf(arguments, formatExtent);
-#ifdef VOXC_HAS_OPENVDB
-  options.otherKinds.push_back(openVdbKind());
-#endif
-#ifdef VOXC_HAS_ASSIMP
-  for (const InputKind &kind : assimpKinds())
-    options.otherKinds.push_back(kind);
-#endif
+  options.otherKinds = componentInputs();
   return options;
 }
 

@@ -4,6 +4,7 @@
 #include "common/Command.h"
 #include "common/UserCache.h"
 #include "sweep/Machine.h"
+#include "voxc/Components/Components.h"
 #include "window/Window.h"
 
 #include <array>
@@ -116,19 +117,17 @@ std::string_view wordOf(Check::State state) {
 }
 
 std::vector<Check> checkBuild() {
-#ifdef VOXC_HAS_OPENVDB
-  const Check openVdb{"OpenVDB", Check::State::Good, "built in: .vdb files are read and written", ""};
-#else
-  const Check openVdb{"OpenVDB", Check::State::Missing, "not built in: .vdb files are not read or written",
-                      "build with -DVOXC_OPENVDB=ON where OpenVDB is installed; .nvdb files do without"};
-#endif
-#ifdef VOXC_HAS_ASSIMP
-  const Check assimp{"assimp", Check::State::Good, "built in: .fbx, .dae, .3ds, .off and .x3d are read", ""};
-#else
-  const Check assimp{"assimp", Check::State::Missing,
-                     "not built in: .fbx, .dae, .3ds, .off and .x3d are not read",
-                     "build with -DVOXC_ASSIMP=ON where assimp is installed, or convert such meshes to .glb"};
-#endif
+  const Check openVdb =
+      hasOpenVdb()
+          ? Check{"OpenVDB", Check::State::Good, "built in: .vdb files are read and written", ""}
+          : Check{"OpenVDB", Check::State::Missing, "not built in: .vdb files are not read or written",
+                  "build with -DVOXC_OPENVDB=ON where OpenVDB is installed; .nvdb files do without"};
+  const Check assimp =
+      hasAssimp()
+          ? Check{"assimp", Check::State::Good, "built in: .fbx, .dae, .3ds, .off and .x3d are read", ""}
+          : Check{"assimp", Check::State::Missing,
+                  "not built in: .fbx, .dae, .3ds, .off and .x3d are not read",
+                  "build with -DVOXC_ASSIMP=ON where assimp is installed, or convert such meshes to .glb"};
   return {
       {"voxc", Check::State::Good, versionText() + ", LLVM " + bench::madeBy("").llvm, ""}, openVdb, assimp};
 }
