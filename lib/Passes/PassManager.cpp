@@ -1,7 +1,6 @@
-// Running passes by name, each followed by the verifier.
+// Passes as they are written, and the order in which they run.
+#include "voxc/IR/FormatTraits.h"
 #include "voxc/Passes/Pass.h"
-
-#include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +9,7 @@
 namespace voxc {
 namespace {
 
-/// A pass as it was written: alone, or with its number behind a '='.
+/// A pass as it was written: alone, or with its number.
 struct Call {
   const Pass *pass;
   std::optional<int> number;
@@ -23,25 +22,45 @@ Error unknownPass(const std::string &name) {
   return Error::usage("'" + name + "' is no pass; the passes are " + known);
 }
 
+Error wrongCall(const Pass &pass, const std::string &problem) {
+  return Error::usage("pass '" + std::string(pass.name) + "' takes " + problem);
+}
+
+/// The number in what follows a pass's name: "=4", "{bits=4}" or "{}".
+Expected<std::string_view> numberText(const Pass &pass, std::string_view written) {
+  if (written.starts_with('='))
+    return written.substr(1);
+  if (!written.ends_with('}'))
+    return wrongCall(pass, "options between braces, and '" + std::string(written) + "' has no '}'");
+  const std::string_view option = written.substr(1, written.size() - 2);
+  const std::size_t end = std::min(option.find('='), option.size());
+  if (option.empty() || (pass.number && option.substr(0, end) == pass.number->name && end < option.size()))
+    return option.substr(std::min(end + 1, option.size()));
+  return wrongCall(pass,
+                   (pass.number ? "the option " + std::string(pass.number->name) + "=N" : "no options") +
+                       ", found '" + std::string(option) + "'");
+}
+
 Expected<Call> readCall(const std::string &written) {
   const Pass *const pass = findPass(written);
   if (!pass)
     return unknownPass(written);
-  Call call{pass, {}};
   if (written.size() == pass->name.size())
-    return call;
-  const std::string text = written.substr(pass->name.size() + 1);
+    return Call{pass, {}};
+  const auto text = numberText(*pass, std::string_view(written).substr(pass->name.size()));
+  if (!text)
+    return text.error();
+  if (written.ends_with("{}"))
+    return Call{pass, {}};
   if (!pass->number)
-    return Error::usage("pass '" + std::string(pass->name) + "' takes no number, found '" + text + "'");
+    return wrongCall(*pass, "no number, found '" + std::string(*text) + "'");
   int number = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || end != text.data() + text.size() || number < pass->number->least ||
+  const auto [end, problem] = std::from_chars(text->data(), text->data() + text->size(), number);
+  if (problem != std::errc() || end != text->data() + text->size() || number < pass->number->least ||
       number > pass->number->most)
-    return Error::usage("pass '" + std::string(pass->name) + "' takes a number from " +
-                        std::to_string(pass->number->least) + " to " + std::to_string(pass->number->most) +
-                        ", not '" + text + "'");
-  call.number = number;
-  return call;
+    return wrongCall(*pass, "a number from " + std::to_string(pass->number->least) + " to " +
+                                std::to_string(pass->number->most) + ", not '" + std::string(*text) + "'");
+  return Call{pass, number};
 }
 
 /// Rewrites as they are written, then choices as the table has them, and their numbers.
@@ -58,41 +77,21 @@ void resolveOrder(std::vector<Call> &calls) {
   calls.erase(repeated.begin(), repeated.end());
 }
 
-Expected<void> verifyAfter(const Pass &pass, const Format &format) {
-  Diagnostics diagnostics;
-  verify(format, diagnostics);
-  if (!diagnostics.hasErrors())
-    return {};
-  return Error::input("pass " + std::string(pass.name) +
-                      " left a wrong format: " + diagnostics.all().front().message);
-}
-
-/// What a pass found wrong, at its places in the text that the format was written in.
-Error errorAt(const Format &format, const Diagnostics &diagnostics) {
-  if (format.source)
-    return toError(diagnostics, format.source->text, format.source->name);
-  return toError(diagnostics, toString(format), "format");
-}
-
-Expected<void> runCall(const Call &call, Format &format, const PipelineOptions &options) {
-  if (options.beforeEach && !options.beforeEach(*call.pass, format))
-    return {};
-  const Format before = format;
-  Diagnostics diagnostics;
-  const Stopwatch watch;
-  const PassResult result = call.pass->run(format, diagnostics, call.number);
-  const double seconds = watch.seconds();
-  if (diagnostics.hasErrors())
-    return errorAt(format, diagnostics);
-  const std::string why = diagnostics.all().empty() ? "" : diagnostics.all().front().message;
-  if (options.afterEach)
-    options.afterEach({*call.pass, before, format, result, seconds, why});
-  return options.verifyEach ? verifyAfter(*call.pass, format) : Expected<void>();
-}
-
 } // namespace
 
-Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options) {
+Expected<std::string> passText(const std::string &name) {
+  const Expected<Call> call = readCall(name);
+  if (!call)
+    return call.error();
+  const Pass &pass = *call->pass;
+  if (!pass.number)
+    return std::string(pass.name);
+  return std::string(pass.name) + "{" + std::string(pass.number->name) + "=" +
+         std::to_string(call->number.value_or(pass.number->byDefault)) + "}";
+}
+
+Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options,
+                         PassOrder order) {
   std::vector<Call> calls;
   for (const std::string &name : names) {
     auto call = readCall(name);
@@ -100,12 +99,14 @@ Expected<void> runPasses(Format &format, std::span<const std::string> names, con
       return call.error();
     calls.push_back(*call);
   }
-  if (options.order == PassOrder::Resolved)
+  if (order == PassOrder::Resolved)
     resolveOrder(calls);
+  PassManager<Format> manager;
   for (const Call &call : calls)
-    if (auto done = runCall(call, format, options); !done)
-      return done;
-  return {};
+    manager.add(call.pass->name, [call](Format &ir, Diagnostics &diagnostics) {
+      call.pass->run(ir, diagnostics, call.number);
+    });
+  return manager.run(format, options);
 }
 
 } // namespace voxc

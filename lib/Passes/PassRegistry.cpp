@@ -53,7 +53,7 @@ const std::array<Pass, 25> kPasses = {{
                  "is 1 to 16 and 8 if it is not written, bounds the table and changes no size. A block of "
                  "one colour is a reference to it. Sets values-apart too.",
      .choice = {&kPayloadAttribute, "palette(#)", ChoiceScope::Format, Unfit::Error, &kValuesAttribute},
-     .number = PassNumber{1, 16, 8}},
+     .number = PassNumber{"bits", 1, 16, 8}},
     {.name = "rgb565",
      .effect = AttributeEffect::Storage,
      .summary = "keep colours in 5, 6 and 5 bits: lossy",
@@ -71,7 +71,7 @@ const std::array<Pass, 25> kPasses = {{
                  "to 16, and 8 if it is not written. With values-apart, labels stand in blocks as the "
                  "colours of a palette do.",
      .choice = {&kPayloadAttribute, "material(#)"},
-     .number = PassNumber{1, 16, 8}},
+     .number = PassNumber{"bits", 1, 16, 8}},
     {.name = "values-apart",
      .effect = AttributeEffect::Storage,
      .summary = "keep the colours of voxels apart from their shape, compressed",
@@ -93,7 +93,7 @@ const std::array<Pass, 25> kPasses = {{
                  "level is no M(2^3) below another M whose voxels are masks alone (occupancy, or "
                  "values-apart before it).",
      .choice = {&kPointersAttribute, "#", ChoiceScope::LastLevel, Unfit::LeftOut},
-     .number = PassNumber{8, 24, 20}},
+     .number = PassNumber{"bits", 8, 24, 20}},
     {.name = "octant-counts",
      .effect = AttributeEffect::Storage,
      .summary = "count voxels for octants of the last level's sub-volumes alone",
@@ -226,7 +226,7 @@ const std::array<Pass, 25> kPasses = {{
 std::span<const Pass> passes() { return kPasses; }
 
 const Pass *findPass(std::string_view name) {
-  const auto found = std::ranges::find(kPasses, name.substr(0, name.find('=')), &Pass::name);
+  const auto found = std::ranges::find(kPasses, name.substr(0, name.find_first_of("={")), &Pass::name);
   return found == kPasses.end() ? nullptr : &*found;
 }
 

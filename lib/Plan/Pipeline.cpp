@@ -1,9 +1,31 @@
 // The passes over plans, in their order.
 #include "Passes.h"
 
+#include "voxc/IR/FormatTraits.h"
+
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace voxc {
+
+template <> struct IrTraits<Plan> {
+  static constexpr std::string_view kName = "plan";
+  static void verify(const Plan &plan, Diagnostics &diagnostics) { voxc::verify(plan, diagnostics); }
+  static std::string print(const Plan &plan) { return printPlan(plan); }
+  /// The strata that are walked otherwise; a plan does not know where they were written.
+  static std::vector<SourceRange> changedParts(const Plan &before, const Plan &after) {
+    std::vector<SourceRange> changed;
+    for (std::size_t i = 0; i < after.traversals.size(); ++i)
+      if (i >= before.traversals.size() || !(before.traversals[i] == after.traversals[i]))
+        changed.emplace_back();
+    return changed;
+  }
+  static Error errorAt(const Plan &plan, const Diagnostics &diagnostics) {
+    return toError(diagnostics, printPlan(plan), "plan");
+  }
+};
+
 namespace {
 
 constexpr std::array<PlanPass, 5> kPasses = {{
@@ -30,16 +52,31 @@ constexpr std::array<PlanPass, 5> kPasses = {{
 
 std::span<const PlanPass> planPasses() { return kPasses; }
 
+const PlanPass *findPlanPass(std::string_view name) {
+  const auto found = std::ranges::find(kPasses, name, &PlanPass::name);
+  return found == kPasses.end() ? nullptr : &*found;
+}
+
+std::optional<Plan> lowerToPlan(const Format &format, const PlanOptions &options,
+                                const PipelineOptions &pipeline) {
+  const auto lower = [&options](const Format &from) { return lowerToPlan(from, options); };
+  return runLowering<Format, Plan>(kLowering, format, lower, pipeline);
+}
+
+Expected<void> runPlanPasses(Plan &plan, std::span<const PlanPass *const> passes,
+                             const PipelineOptions &options) {
+  PassManager<Plan> manager;
+  for (const PlanPass *pass : passes)
+    manager.add(pass->name, [pass](Plan &ir, Diagnostics &) { pass->run(ir); });
+  return manager.run(plan, options);
+}
+
 Expected<Plan> makePlan(const Format &format, const PlanOptions &options) {
   Plan plan = lowerToPlan(format, options);
-  for (const PlanPass &pass : planPasses()) {
-    pass.run(plan);
-    Diagnostics diagnostics;
-    verify(plan, diagnostics);
-    if (diagnostics.hasErrors())
-      return Error::environment("the pass " + std::string(pass.name) +
-                                " left a wrong plan, a defect of voxc: " + diagnostics.all().front().message);
-  }
+  std::vector<const PlanPass *> all;
+  std::ranges::transform(kPasses, std::back_inserter(all), [](const PlanPass &pass) { return &pass; });
+  if (auto passed = runPlanPasses(plan, all); !passed)
+    return passed.error();
   return plan;
 }
 

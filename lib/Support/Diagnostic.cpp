@@ -6,18 +6,6 @@
 namespace voxc {
 namespace {
 
-std::string_view label(Severity severity) {
-  switch (severity) {
-  case Severity::Error:
-    return "error";
-  case Severity::Warning:
-    return "warning";
-  case Severity::Note:
-    return "note";
-  }
-  return "";
-}
-
 /// The line of `text` that an offset lies in.
 struct Line {
   std::size_t number = 1;
@@ -80,27 +68,42 @@ bool Diagnostics::hasErrors() const {
                      [](const Diagnostic &diagnostic) { return diagnostic.severity == Severity::Error; });
 }
 
-std::string render(const Diagnostics &diagnostics, std::string_view text, std::string_view name) {
+std::string render(const Diagnostic &diagnostic, const SourceText &source) {
+  const std::string_view text = source.text;
+  SourceRange range = diagnostic.range;
+  range.begin = std::min(range.begin, text.size());
+  const Line line = lineAt(text, range.begin);
+  const Line shown = shownOf(line, text, range);
+  return source.name + ':' + std::to_string(line.number + source.firstLine - 1) + ':' +
+         std::to_string(range.begin - line.begin + 1) + ": " + std::string(toString(diagnostic.severity)) +
+         ": " + diagnostic.message + "\n  " + std::string(text.substr(shown.begin, shown.end - shown.begin)) +
+         "\n  " + carets(text, shown, range) + '\n';
+}
+
+std::string render(const Diagnostics &diagnostics, const SourceText &source) {
   std::string result;
-  for (const Diagnostic &diagnostic : diagnostics.all()) {
-    SourceRange range = diagnostic.range;
-    range.begin = std::min(range.begin, text.size());
-    const Line line = lineAt(text, range.begin);
-    const Line shown = shownOf(line, text, range);
-    result += std::string(name) + ':' + std::to_string(line.number) + ':' +
-              std::to_string(range.begin - line.begin + 1) + ": " + std::string(label(diagnostic.severity)) +
-              ": " + diagnostic.message + "\n  " +
-              std::string(text.substr(shown.begin, shown.end - shown.begin)) + "\n  " +
-              carets(text, shown, range) + '\n';
-  }
+  for (const Diagnostic &diagnostic : diagnostics.all())
+    result += render(diagnostic, source);
   return result;
 }
 
-Error toError(const Diagnostics &diagnostics, std::string_view text, std::string_view name) {
-  std::string message = render(diagnostics, text, name);
+std::string render(const Diagnostics &diagnostics, std::string_view text, std::string_view name) {
+  return render(diagnostics, SourceText{std::string(name), std::string(text)});
+}
+
+std::size_t lineOf(const SourceText &source, std::size_t offset) {
+  return lineAt(source.text, std::min(offset, source.text.size())).number + source.firstLine - 1;
+}
+
+Error toError(const Diagnostics &diagnostics, const SourceText &source) {
+  std::string message = render(diagnostics, source);
   if (!message.empty())
     message.pop_back();
   return Error::input(std::move(message));
+}
+
+Error toError(const Diagnostics &diagnostics, std::string_view text, std::string_view name) {
+  return toError(diagnostics, SourceText{std::string(name), std::string(text)});
 }
 
 } // namespace voxc

@@ -101,9 +101,9 @@ Expected<void> PassOptions::apply(Format &format, const PipelineOptions &options
 PipelineOptions tellingMissed(bool quiet) {
   PipelineOptions options;
   if (!quiet)
-    options.afterEach = [](const PassRun &run) {
-      if (run.result == PassResult::Unchanged)
-        printNote("note: " + flagOf(run.pass) + " changes nothing: " + run.why);
+    options.afterEach = [](const PassReport &report, PrintedIr) {
+      if (!report.changed)
+        printNote("note: --" + std::string(report.pass) + " changes nothing: " + report.why);
     };
   return options;
 }

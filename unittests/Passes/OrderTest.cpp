@@ -75,9 +75,9 @@ TEST(PassOrder, WhatChangesNothingSaysWhy) {
   Format format = *parseFormat("R(1^3) G(4)");
   std::vector<std::string> missed;
   PipelineOptions options;
-  options.afterEach = [&](const PassRun &run) {
-    if (run.result == PassResult::Unchanged)
-      missed.push_back(std::string(run.pass.name) + ": " + run.why);
+  options.afterEach = [&](const PassReport &report, PrintedIr) {
+    if (!report.changed)
+      missed.push_back(std::string(report.pass) + ": " + report.why);
   };
   for (const Pass &pass : passes())
     (void)runPasses(format, std::vector{std::string(pass.name)}, options); // Some are errors here.

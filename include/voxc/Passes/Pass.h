@@ -4,8 +4,8 @@
 
 #include "voxc/IR/Format.h"
 #include "voxc/Support/Diagnostic.h"
+#include "voxc/Support/PassManager.h"
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,8 +16,9 @@ namespace voxc {
 
 enum class PassResult { Changed, Unchanged };
 
-/// The number that a pass takes, as in `--palette=4`.
+/// The number that a pass takes, as in `--palette=4` or, in a pipeline, `palette{bits=4}`.
 struct PassNumber {
+  std::string_view name; ///< "bits".
   int least;
   int most;
   int byDefault; ///< What a pass without one takes.
@@ -69,7 +70,7 @@ struct Pass {
 /// All passes, in the order in which choices are resolved, which is that of the documentation.
 std::span<const Pass> passes();
 
-/// The pass of this name, which may have a number ("palette=4"), or null.
+/// The pass of this name, which may have a number ("palette=4", "palette{bits=4}"), or null.
 const Pass *findPass(std::string_view name);
 
 enum class PassOrder {
@@ -77,29 +78,14 @@ enum class PassOrder {
   AsWritten
 };
 
-/// What a pass has done.
-struct PassRun {
-  const Pass &pass;
-  const Format &before;
-  const Format &after;
-  PassResult result;
-  double seconds;
-  std::string why; ///< It changed nothing.
-};
-
-struct PipelineOptions {
-  PassOrder order = PassOrder::Resolved;
-  bool verifyEach = true;
-  /// Called before each pass; it is left out if that is false.
-  std::function<bool(const Pass &, const Format &)> beforeEach;
-  std::function<void(const PassRun &)> afterEach;
-};
-
-/// Runs passes by name. Errors: an unknown pass (naming those there are), a wrong number, two values of one
-/// attribute. A pass that does not apply without being wrong leaves the format unchanged; one that would be
-/// wrong is an error.
+/// Runs passes by name: "palette", "palette=4" or "palette{bits=4}". Errors: an unknown pass (naming those
+/// there are), a wrong number, two values of one attribute. A pass that does not apply without being wrong
+/// leaves the format unchanged; one that would be wrong is an error.
 Expected<void> runPasses(Format &format, std::span<const std::string> names,
-                         const PipelineOptions &options = {});
+                         const PipelineOptions &options = {}, PassOrder order = PassOrder::Resolved);
+
+/// A pass as a pipeline's text has it, with its number: "palette{bits=8}". Errors as of `runPasses`.
+Expected<std::string> passText(const std::string &name);
 
 // What passes that are more than a choice promise stands in their own files of lib/Passes.
 PassResult granules(Format &format, Diagnostics &diagnostics);

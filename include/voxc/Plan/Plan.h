@@ -10,6 +10,7 @@
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/EnumText.h"
 #include "voxc/Support/Error.h"
+#include "voxc/Support/PassManager.h"
 
 #include <optional>
 #include <span>
@@ -104,6 +105,20 @@ struct PlanPass {
 
 /// All of them, in the order in which they run.
 std::span<const PlanPass> planPasses();
+
+/// The pass of this name, or null.
+const PlanPass *findPlanPass(std::string_view name);
+
+/// What the step from the level IR to a plan is called among passes.
+inline constexpr std::string_view kLowering = "lower";
+
+/// `lowerToPlan` as a pass, for those who watch. Nothing if they leave it out.
+std::optional<Plan> lowerToPlan(const Format &format, const PlanOptions &options,
+                                const PipelineOptions &pipeline);
+
+/// Runs passes over a plan, in this order. Error: one left a wrong plan, a defect of voxc.
+Expected<void> runPlanPasses(Plan &plan, std::span<const PlanPass *const> passes,
+                             const PipelineOptions &options = {});
 
 /// Makes every choice for a verified format: lowers it and runs all passes, each followed by the verifier. An
 /// error here is a defect of voxc and says so.

@@ -1,6 +1,7 @@
 // Diagnostics: messages about a text, each with the range of characters it speaks of.
 #pragma once
 
+#include "voxc/Support/EnumText.h"
 #include "voxc/Support/Error.h"
 
 #include <cstddef>
@@ -22,9 +23,13 @@ struct SourceRange {
 struct SourceText {
   std::string name;
   std::string text;
+  std::size_t firstLine = 1; ///< The number of its first line, where it is a part of a file.
 };
 
-enum class Severity { Error, Warning, Note };
+enum class Severity { Error, Warning, Remark, Note };
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<Severity> = {"error", "warning", "remark",
+                                                                         "note"};
 
 /// One sentence about one range of a text, lower case, saying what was found and what would be right.
 struct Diagnostic {
@@ -49,8 +54,14 @@ private:
 /// Renders each diagnostic as `name:line:column: error: message`, followed by the line it speaks of and a
 /// line with carets under the whole range. Columns count from 1; tabs are kept so that the carets line up.
 std::string render(const Diagnostics &diagnostics, std::string_view text, std::string_view name);
+std::string render(const Diagnostics &diagnostics, const SourceText &source);
+std::string render(const Diagnostic &diagnostic, const SourceText &source);
+
+/// The number of the line of a text in which an offset lies.
+std::size_t lineOf(const SourceText &source, std::size_t offset);
 
 /// The rendered diagnostics as one input error.
+Error toError(const Diagnostics &diagnostics, const SourceText &source);
 Error toError(const Diagnostics &diagnostics, std::string_view text, std::string_view name);
 
 } // namespace voxc
