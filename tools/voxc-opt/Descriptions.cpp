@@ -86,6 +86,22 @@ std::vector<const AttributeKind *> allAttributes() {
 
 } // namespace
 
+std::string listPasses() {
+  std::string text = "Passes over formats:\n";
+  for (const Pass &pass : passes()) {
+    text += concat({"  ", pass.name});
+    if (const auto &number = pass.number)
+      text += concat({"{", number->name, "=N}  N is ", std::to_string(number->least), " to ",
+                      std::to_string(number->most), ", ", std::to_string(number->byDefault),
+                      " if it is not written"});
+    text += "\n";
+  }
+  text += concat({"From a format to a plan:\n  ", kLowering, "\nPasses over plans:\n"});
+  for (const PlanPass &pass : planPasses())
+    text += concat({"  ", pass.name, "\n"});
+  return text;
+}
+
 std::string describePasses() {
   std::string text;
   for (const Pass &pass : passes())

@@ -5,6 +5,9 @@
 
 namespace voxc::tool {
 
+/// The passes of both IRs by their names, with their options.
+std::string listPasses();
+
 /// Each pass with its paragraph.
 std::string describePasses();
 

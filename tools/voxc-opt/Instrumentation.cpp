@@ -21,11 +21,12 @@ void print(const char *when, std::string_view pass, const char *note, const std:
 std::string_view kindOf(const PassReport &report) { return report.changed ? "applied" : "missed"; }
 
 std::string messageOf(const PassReport &report) {
+  const std::size_t count = report.changedParts.size();
   if (!report.changed)
     return "changes nothing" + (report.why.empty() ? "" : ": " + report.why);
-  if (report.changedParts == 0)
+  if (count == 0)
     return "changes the format as a whole";
-  return "changes " + std::to_string(report.changedParts) + (report.changedParts == 1 ? " level" : " levels");
+  return "changes " + std::to_string(count) + (count == 1 ? " level" : " levels");
 }
 
 } // namespace
@@ -64,7 +65,20 @@ Expected<void> Instrumentation::check(const std::vector<std::string_view> &passe
   return {};
 }
 
-bool Instrumentation::begin(std::string_view pass, const Printed &ir) {
+void Instrumentation::beginInput(const SourceText &source, SourceRange begin,
+                                 std::vector<Diagnostic> *remarks) {
+  hasStopped_ = false;
+  source_ = &source;
+  begin_ = begin;
+  found_ = remarks;
+}
+
+PipelineOptions Instrumentation::hooks() {
+  return {.beforeEach = [this](std::string_view pass, PrintedIr ir) { return begin(pass, ir); },
+          .afterEach = [this](const PassReport &report, PrintedIr ir) { end(report, ir); }};
+}
+
+bool Instrumentation::begin(std::string_view pass, PrintedIr ir) {
   hasStopped_ = hasStopped_ || pass == options_.stopBefore;
   if (hasStopped_)
     return false;
@@ -78,33 +92,47 @@ bool Instrumentation::begin(std::string_view pass, const Printed &ir) {
   return runs;
 }
 
-void Instrumentation::end(const PassReport &report, const Printed &ir) {
+void Instrumentation::end(const PassReport &report, PrintedIr ir) {
   hasStopped_ = hasStopped_ || report.pass == options_.stopAfter;
   reports_.push_back(report);
-  if (keepsRemark(report) && options_.remarksFile.empty()) // At once: a later pass may end in an error.
-    std::fprintf(stderr, "remark: %s %s\n", std::string(report.pass).c_str(), messageOf(report).c_str());
+  if (contains(options_.remarks, kindOf(report)))
+    remark(report);
   const bool isAsked = contains(options_.printAfter, report.pass);
   if (options_.printAfterAll || isAsked || (options_.printChanged && report.changed))
     print("after", report.pass, report.changed ? "" : " (unchanged)", report.changed || isAsked ? ir() : "");
 }
 
-bool Instrumentation::keepsRemark(const PassReport &report) const {
-  return contains(options_.remarks, kindOf(report));
+/// At once, as a later pass may end in an error.
+void Instrumentation::remark(const PassReport &report) {
+  const std::vector<SourceRange> &parts = report.changedParts;
+  const bool hasPlace = !parts.empty() && parts.front() != SourceRange{};
+  const Diagnostic remark{Severity::Remark, hasPlace ? parts.front() : begin_,
+                          std::string(report.pass) + " " + messageOf(report)};
+  remarks_.push_back(
+      {kindOf(report), report.pass, messageOf(report), source_->name, lineOf(*source_, remark.range.begin)});
+  if (found_)
+    found_->push_back(remark);
+  else if (options_.remarksFile.empty())
+    std::fputs(render(remark, *source_).c_str(), stderr);
 }
 
 Expected<void> Instrumentation::finish() const {
-  Json list = Json::array();
   for (const PassReport &report : reports_) {
     const std::string pass(report.pass);
-    if (keepsRemark(report))
-      list.push_back({{"kind", kindOf(report)}, {"pass", pass}, {"message", messageOf(report)}});
     if (options_.statistics)
-      std::fprintf(stderr, "%6zu levels  %s\n", report.changedParts, pass.c_str());
+      std::fprintf(stderr, "%6zu levels  %s\n", report.changedParts.size(), pass.c_str());
     if (options_.timePasses)
       std::fprintf(stderr, "%10.6f s  %s\n", report.seconds, pass.c_str());
   }
   if (options_.remarksFile.empty())
     return {};
+  Json list = Json::array();
+  for (const Remark &remark : remarks_)
+    list.push_back({{"kind", remark.kind},
+                    {"pass", remark.pass},
+                    {"message", remark.message},
+                    {"file", remark.file},
+                    {"line", remark.line}});
   return writeText(options_.remarksFile, list.dump(2) + "\n");
 }
 

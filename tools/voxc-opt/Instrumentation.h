@@ -3,9 +3,10 @@
 #pragma once
 
 #include "common/CommandLine.h"
+#include "voxc/Support/Diagnostic.h"
 #include "voxc/Support/Error.h"
+#include "voxc/Support/PassManager.h"
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,41 +30,42 @@ struct InstrumentationOptions {
   void declare(const CommandLine &command);
 };
 
-/// One run of a pass.
-struct PassReport {
-  std::string_view pass;
-  bool changed = false;
-  double seconds = 0;
-  std::size_t changedParts = 0; ///< Levels or strata.
-  std::string why;              ///< It changed nothing.
-};
-
 class Instrumentation {
 public:
-  /// The IR as text, made where it is asked for.
-  using Printed = std::function<std::string()>;
-
   explicit Instrumentation(const InstrumentationOptions &options) : options_(options) {}
 
   /// Error: an option names no pass of these.
   Expected<void> check(const std::vector<std::string_view> &passes) const;
 
-  /// Before a pass. False if it is to be left out: the pipeline has stopped, or the limit is reached.
-  bool begin(std::string_view pass, const Printed &ir);
-  /// After it.
-  void end(const PassReport &report, const Printed &ir);
-  bool hasStopped() const { return hasStopped_; }
+  /// Before each input, which begins with this word. Remarks go to `remarks` if it is there, else they are
+  /// printed.
+  void beginInput(const SourceText &source, SourceRange begin, std::vector<Diagnostic> *remarks);
+
+  /// What looks on while passes run; this must outlive it.
+  PipelineOptions hooks();
 
   /// Tables and remarks. Error: the file of remarks cannot be written.
   Expected<void> finish() const;
 
 private:
-  bool keepsRemark(const PassReport &report) const;
+  struct Remark {
+    std::string_view kind, pass;
+    std::string message, file;
+    std::size_t line;
+  };
+
+  bool begin(std::string_view pass, PrintedIr ir);
+  void end(const PassReport &report, PrintedIr ir);
+  void remark(const PassReport &report);
 
   const InstrumentationOptions &options_;
   bool hasStopped_ = false;
   unsigned begun_ = 0;
+  const SourceText *source_ = nullptr;
+  SourceRange begin_;
+  std::vector<Diagnostic> *found_ = nullptr;
   std::vector<PassReport> reports_;
+  std::vector<Remark> remarks_;
 };
 
 } // namespace voxc::tool

@@ -1,21 +1,21 @@
 // voxc-opt: runs passes over the text of either IR and prints what comes out.
 #include "Descriptions.h"
 #include "Instrumentation.h"
-#include "PlanPipeline.h"
+#include "Optimiser.h"
+#include "PassPipeline.h"
 
 #include "common/Command.h"
 #include "common/CommandLine.h"
 #include "common/ManualPage.h"
 #include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
-#include "voxc/Passes/Pass.h"
 #include "voxc/Support/File.h"
-#include "voxc/Support/Stopwatch.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +28,11 @@ using namespace voxc::tool;
 struct Options {
   std::string input = "-";
   PassOptions passes;
+  std::optional<std::string> pipeline; ///< As text.
   InstrumentationOptions instrumentation;
-  bool verifyEach = true;
+  OptimiserOptions optimiser;
   bool lower = false;
+  bool dumpsPipeline = false;
   std::string (*description)() = nullptr; ///< To be printed instead.
 };
 
@@ -41,6 +43,7 @@ struct DescriptionRow {
 };
 
 constexpr DescriptionRow kDescriptions[] = {
+    {"--print-passes", "List the passes of both IRs with their options and exit", listPasses},
     {"--help-passes", "Describe the passes and exit", describePasses},
     {"--help-plan-passes", "Describe the passes over plans, as a table in Markdown, and exit",
      describePlanPasses},
@@ -57,21 +60,24 @@ void declare(const CommandLine &command, Options &options) {
       .takes("")
       .showsDefault();
   options.instrumentation.declare(command);
-  command.addFlag("--verify-each,!--no-verify-each", options.verifyEach,
+  command.addFlag("--verify-each,!--no-verify-each", options.optimiser.verifyEach,
                   "Verify the IR after each pass (the default)");
+  command.addFlag("--split-input-file", options.optimiser.splits,
+                  "Run each part of the input by itself; parts are divided by lines '// -----'");
+  command.addFlag("--verify-diagnostics", options.optimiser.verifiesDiagnostics,
+                  "Fail unless the diagnostics are those that comments expect: // expected-error "
+                  "@+1 {{part of the message}}");
   command.addFlag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
+  command
+      .add("--pass-pipeline", options.pipeline,
+           "Run these passes, of both IRs, in place of those that flags choose: "
+           "'merge-grids,short-pointers{bits=20},lower,choose-walk'")
+      .takes("TEXT");
+  command.addFlag("--dump-pass-pipeline", options.dumpsPipeline,
+                  "Print the pipeline as text to standard error");
   for (const DescriptionRow &row : kDescriptions)
     command.addFlag(row.flag, [&options, &row] { options.description = row.describe; }, row.summary);
   options.passes.declare(command, PassChoice::Pipeline);
-}
-
-std::size_t changedLevels(const PassRun &run) {
-  if (run.before.levels.size() != run.after.levels.size())
-    return run.after.levels.size();
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < run.after.levels.size(); ++i)
-    count += !(run.before.levels[i] == run.after.levels[i]);
-  return count;
 }
 
 /// A format string has brackets, and no file has its name.
@@ -86,59 +92,14 @@ Expected<std::string> readText(const std::string &input) {
   return isFormatString(input) ? Expected<std::string>(input) : readTextFile(input);
 }
 
-PipelineOptions pipelineOf(const Options &options, Instrumentation &instrumentation) {
-  PipelineOptions pipeline{.order = PassOrder::AsWritten, .verifyEach = options.verifyEach};
-  pipeline.beforeEach = [&](const Pass &pass, const Format &format) {
-    return instrumentation.begin(pass.name, [&] { return printIr(format); });
-  };
-  pipeline.afterEach = [&](const PassRun &run) {
-    instrumentation.end({.pass = run.pass.name,
-                         .changed = run.result == PassResult::Changed,
-                         .seconds = run.seconds,
-                         .changedParts = changedLevels(run),
-                         .why = run.why},
-                        [&] { return printIr(run.after); });
-  };
-  return pipeline;
-}
-
-/// The passes of both IRs that options may name.
-std::vector<std::string_view> passesOf(const std::vector<std::string> &given, bool lowers) {
-  std::vector<std::string_view> names;
-  for (const std::string &name : given)
-    if (const Pass *pass = findPass(name))
-      names.push_back(pass->name);
-  if (lowers) {
-    names.push_back(kLower);
-    for (const PlanPass &pass : planPasses())
-      names.push_back(pass.name);
-  }
-  return names;
-}
-
-Expected<void> optimisePlan(Plan plan, const Options &options, Instrumentation &instrumentation) {
-  if (Expected<void> passed = runPlanPasses(plan, options.verifyEach, instrumentation); !passed)
-    return passed;
-  std::fputs(printPlan(plan).c_str(), stdout);
-  return instrumentation.finish();
-}
-
-Expected<void> optimiseFormat(Format format, const Options &options, Instrumentation &instrumentation) {
-  if (Expected<void> passed = runPasses(format, options.passes.names(), pipelineOf(options, instrumentation));
-      !passed)
-    return passed;
-  if (options.lower && instrumentation.begin(kLower, [&] { return printIr(format); })) {
-    const Stopwatch watch;
-    Plan plan = lowerToPlan(format);
-    instrumentation.end({.pass = kLower,
-                         .changed = true,
-                         .seconds = watch.seconds(),
-                         .changedParts = plan.layout.strata.size()},
-                        [&] { return printPlan(plan); });
-    return optimisePlan(std::move(plan), options, instrumentation);
-  }
-  std::fputs(printIr(format).c_str(), stdout);
-  return instrumentation.finish();
+Expected<PassPipeline> chosenPipeline(const Options &options) {
+  const std::vector<std::string> flags = options.passes.names();
+  if (!options.pipeline)
+    return pipelineOf(flags, options.lower);
+  if (options.lower || !flags.empty())
+    return Error::usage("found --pass-pipeline beside " + (options.lower ? "--lower" : "--" + flags.front()) +
+                        "; write the passes into the pipeline");
+  return parsePipeline(*options.pipeline);
 }
 
 Expected<void> optimise(const Options &options) {
@@ -146,22 +107,24 @@ Expected<void> optimise(const Options &options) {
     std::fputs(options.description().c_str(), stdout);
     return {};
   }
-  const std::string name = options.input == "-"            ? "<stdin>"
-                           : isFormatString(options.input) ? "format"
-                                                           : options.input;
+  const Expected<PassPipeline> pipeline = chosenPipeline(options);
+  if (!pipeline)
+    return pipeline.error();
+  if (options.dumpsPipeline)
+    std::fprintf(stderr, "%s\n", pipeline->text().c_str());
   const Expected<std::string> text = readText(options.input);
   if (!text)
     return text.error();
-  const bool isPlan = isPlanText(*text);
+  const std::string name = options.input == "-"            ? "<stdin>"
+                           : isFormatString(options.input) ? "format"
+                                                           : options.input;
   Instrumentation instrumentation(options.instrumentation);
-  if (auto known = instrumentation.check(passesOf(options.passes.names(), isPlan || options.lower)); !known)
-    return known;
-  if (isPlan) {
-    Expected<Plan> plan = readPlan(*text, name);
-    return plan ? optimisePlan(std::move(*plan), options, instrumentation) : plan.error();
-  }
-  Expected<Format> format = parseFormat(*text, name);
-  return format ? optimiseFormat(std::move(*format), options, instrumentation) : format.error();
+  std::string output;
+  const Expected<void> done =
+      Optimiser(options.optimiser, *pipeline, instrumentation).run({name, *text}, output);
+  std::fputs(output.c_str(), stdout);
+  const Expected<void> written = instrumentation.finish();
+  return done ? written : done;
 }
 
 } // namespace
