@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@
 namespace voxc {
 namespace {
 
-/// More slack than this would take in the whole neighbourhood.
-constexpr double kMostSlack = 1.0 / 16;
+/// Rays are not held to a matrix by which lengths are rounded so many times as much.
+constexpr double kMostCondition = 1 << 16;
 
 /// What a product of two matrices of 4x4 loses by rounding, of the product of their magnitudes.
 constexpr double kProductRounding = 8 * std::numeric_limits<double>::epsilon();
@@ -26,6 +27,14 @@ double normOf(const glm::dmat4 &matrix) {
   const glm::dmat3 m(magnitudeOf(matrix));
   const glm::dvec3 sums = m[0] + m[1] + m[2];
   return std::max({sums.x, sums.y, sums.z});
+}
+
+/// At least the norm of Euclid, and not more where the matrix turns and scales along axes, in whatever order:
+/// its square is no more than the largest row sum of the matrix by its transpose, on either side.
+double euclideanNormOf(const glm::dmat4 &matrix) {
+  const glm::dmat3 m(matrix), t = glm::transpose(m);
+  const double least = std::min(normOf(glm::dmat4(t * m)), normOf(glm::dmat4(m * t)));
+  return std::sqrt(least) * (1 + 0x1p-40);
 }
 
 double largestOf(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -68,12 +77,14 @@ InstanceBox boxOf(const glm::dmat4 &toWorld, const glm::dmat4 &fromWorld, Int3 e
   InstanceBox box;
   box.low = roundedDown(low - room);
   box.high = -roundedDown(-(high + room));
-  const double slack = normOf(toWorld) * normOf(fromWorld) / (1 << 20);
-  box.slack = static_cast<float>(slack);
-  // There the largest component is at least 2^-124, of which half the least denormal number, 2^-150, is less
-  // than u / 4.
-  box.leastDirection = static_cast<float>(normOf(toWorld) * 0x1p-124);
-  const bool isHeld = residual.ofPoint < 0.5 && slack < kMostSlack; // False for NaN too.
+  // The inverse of F is (1 - R)^-1 T, whose norm is at most this; sqrt(3) R is R's by Euclid, or more.
+  const double norm = euclideanNormOf(toWorld) / (1 - 1.75 * residual.ofPoint);
+  const double condition = norm * euclideanNormOf(fromWorld);
+  box.slack = static_cast<float>(2.25 * condition / (1 << 24));
+  // There the largest component is at least 2^-121, of which half the least denormal number, 2^-150, is less
+  // than u / 32.
+  box.leastDirection = static_cast<float>(normOf(toWorld) * 0x1p-120);
+  const bool isHeld = residual.ofPoint < 0.25 && condition < kMostCondition; // False for NaN too.
   box.isEverywhere = !isHeld || !isFinite(box.low) || !isFinite(box.high);
   return box;
 }

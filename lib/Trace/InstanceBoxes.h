@@ -12,19 +12,21 @@ namespace voxc {
 ///
 /// What a ray hits is decided in the voxels of the instance, by the ray as it is there: taken through
 /// `fromWorld` in float64 and rounded to float32. That ray is a little beside the ray of the world. With
-/// F = `fromWorld`, T = `toWorld`, u = 2^-24, norms of the largest row sum, and D the distance from the ray's
-/// origin to the farthest corner of the box, by the largest axis:
+/// F = `fromWorld`, T = the inverse of F, u = 2^-24, lengths and norms of Euclid, D the distance from the
+/// ray's origin to the farthest corner of the box, and C the largest coordinate of the box:
 ///
-/// - the origin in voxels is at most |F| D, and what the ray moves until it leaves the voxels at most 3 |F|
-/// D,
-///   so that a point of the ray is rounded by at most 4.1 u |F| D, unless its direction is rounded to a
-///   denormal number (`leastDirection`);
-/// - in the world that is |T| times as much: 4.1 u k D, where k = |T| |F|;
-/// - the roundings of float64 are below 2^-48 k (D + the box's largest coordinate).
+/// - the first voxel's corner is one of the box, so that the origin in voxels is no longer than |F| D, and
+/// the
+///   ray moves at most as far until it leaves the voxels. Each of both is rounded by u of itself: a point of
+///   the ray by less than 2.05 u |F| D, unless its direction is rounded to a denormal number
+///   (`leastDirection`);
+/// - in the world that is |T| times as much: 2.05 u k D, where k = |T| |F|, which is 1 where an instance is
+///   turned and scaled alike along its axes;
+/// - the roundings of float64 are below 2^-48 k (D + C), and so, as k is below 2^16, below 0.01 u (k D + C).
 ///
-/// So a box that is larger by `slack` * (D + largest coordinate) at each side, with `slack` = 16 u k, holds
-/// every point at which a ray can hit the instance, and leaves 11 u k of that for the roundings of whoever
-/// computes with it in float32.
+/// So a box that is larger by `slack` * D at each side, with `slack` = 2.25 u k, holds every point at which a
+/// ray can hit the instance, but for 0.01 u C. That is part of what whoever computes with it in float32 adds
+/// for his own roundings.
 struct InstanceBox {
   glm::vec3 low{0}, high{0};
   float slack = 0;

@@ -28,6 +28,7 @@ std::vector<std::uint32_t> worldWords(const InstanceTree &tree, std::span<const 
   append(words, tree.leastDirection());
   append(words, tree.low());
   append(words, tree.high());
+  append(words, tree.slack());
   words.resize(kHeaderWords);
   words.insert(words.end(), wordsOfRays.begin(), wordsOfRays.end());
   for (const InstanceTree::Node &node : tree.nodes())

@@ -24,9 +24,10 @@ bool isFinite(const Ray &ray) {
 }
 
 /// False if a ray surely comes to no voxel of [0, extent) between its bounds, which are some. Sure is what a
-/// slab test in float64 says of a box and of bounds that are larger by far more than it rounds.
+/// slab test in float64 says of a box and of bounds that are larger by far more than it rounds, but by little
+/// beside what float32 has rounded of a ray from far away.
 bool mayHit(const Ray &ray, Int3 extent, const RayBounds &bounds) {
-  constexpr double kMargin = 1e-6;
+  constexpr double kMargin = 0x1p-44;
   double low = std::max(0.0, double(bounds.tmin) * (1 - kMargin));
   double high = double(bounds.tmax) * (1 + kMargin);
   for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +38,8 @@ bool mayHit(const Ray &ray, Int3 extent, const RayBounds &bounds) {
         return false;
       continue;
     }
-    const double first = (-room - origin) / direction, last = (extent[axis] + room - origin) / direction;
+    const double inverse = 1 / direction;
+    const double first = (-room - origin) * inverse, last = (extent[axis] + room - origin) * inverse;
     low = std::max(low, std::min(first, last));
     high = std::min(high, std::max(first, last));
   }
@@ -148,7 +150,7 @@ void InstanceRounds::select(Chunk &chunk, const RaySpan &rays, std::span<const I
     const RayBounds bounds = boundsLeft(rays.bounds(number), hits[number]);
     const BoxRay boxRay(ray, world_.tree);
     const float moment = chunk.last[i].moment;
-    if (moment - moment * kMomentRounding > boxRay.scaled(bounds.tmax))
+    if (moment - moment * kMomentRounding > boxRay.momentOf(bounds.tmax))
       continue;
     NearestInstances nearest(world_, ray, bounds, most);
     world_.tree.traverse(boxRay, bounds, chunk.last[i], std::numeric_limits<float>::infinity(), nearest);

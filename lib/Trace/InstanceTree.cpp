@@ -2,6 +2,7 @@
 #include "InstanceTree.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +182,7 @@ InstanceTree::InstanceTree(std::span<const InstanceBox> boxes) {
     if (boxes[number].isEverywhere)
       continue;
     all.grow(boxes[number].low, boxes[number].high);
+    slack_ = std::max(slack_, boxes[number].slack);
     leastDirection_ = std::max(leastDirection_, boxes[number].leastDirection);
   }
   if (numbers.empty())
@@ -192,34 +194,60 @@ InstanceTree::InstanceTree(std::span<const InstanceBox> boxes) {
   levels_ = builder.levels;
 }
 
+namespace {
+
+/// A moment shortly before the ray, its direction scaled, comes to what it can hit: all boxes, and what their
+/// slack is, lie in a ball. 0 where it begins there, or may hit instances that have no boxes. What is rounded
+/// here is far less than the 2^-18 that it goes back.
+float startOf(const glm::dvec3 &origin, const glm::dvec3 &direction, double reach, const InstanceTree &tree) {
+  const glm::dvec3 low(tree.low()), high(tree.high());
+  const double square = glm::dot(direction, direction);
+  if (!tree.everywhere().empty() || !(square > 0))
+    return 0;
+  const double radius = glm::length(high - low) / 2 + 2 * reach * double{tree.slack()};
+  const double middle = glm::dot((low + high) / 2.0 - origin, direction) / square;
+  const double start = middle - std::abs(middle) * 0x1p-18 - radius * (1 + 0x1p-18) / std::sqrt(square);
+  return static_cast<float>(std::clamp(start, 0.0, double{std::numeric_limits<float>::max()}));
+}
+
+} // namespace
+
 BoxRay::BoxRay(const Ray &ray, const InstanceTree &tree) {
-  const glm::vec3 low = tree.low(), high = tree.high();
+  const glm::dvec3 low(tree.low()), high(tree.high());
   const auto [x, y, z] = ray.direction;
   const float largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
   std::frexp(largest, &exponent_);
+  const glm::dvec3 from(ray.origin[0], ray.origin[1], ray.origin[2]);
+  glm::dvec3 scaled;
+  for (int axis = 0; axis < 3; ++axis)
+    scaled[axis] = std::ldexp(ray.direction[axis], -exponent_);
+  const double distance = glm::length(glm::max(glm::abs(low - from), glm::abs(high - from)));
+  const bool isTiny = largest > 0 && largest < tree.leastDirection();
+  reach = isTiny ? std::numeric_limits<float>::infinity() : static_cast<float>(distance * (1 + 0x1p-20));
+  start_ = startOf(from, scaled, double{reach}, tree);
+  const glm::dvec3 begin = from + scaled * double{start_};
   // A ray moves by less than 2^-99 of what it moves along its largest axis: far less than the slack of a box.
-  constexpr float kNothing = 0x1p-100f;
-  reach = 0;
+  constexpr double kNothing = 0x1p-100;
+  double there = 0, coordinate = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const float direction = std::ldexp(ray.direction[axis], -exponent_);
-    origin[axis] = ray.origin[axis];
+    const auto direction = static_cast<float>(scaled[axis]);
+    origin[axis] = static_cast<float>(begin[axis]);
     falls[axis] = std::signbit(direction);
-    inverse[axis] = std::abs(direction) < kNothing
+    inverse[axis] = std::abs(scaled[axis]) < kNothing
                         ? std::copysign(std::numeric_limits<float>::max(), direction)
                         : 1 / direction;
-    reach = std::max({reach, std::abs(low[axis] - origin[axis]), std::abs(high[axis] - origin[axis])});
+    there = std::max({there, std::abs(low[axis] - begin[axis]), std::abs(high[axis] - begin[axis])});
+    coordinate = std::max({coordinate, std::abs(low[axis]), std::abs(high[axis])});
   }
-  for (int axis = 0; axis < 3; ++axis)
-    reach = std::max({reach, std::abs(low[axis]), std::abs(high[axis])});
-  reach *= 2; // The sum of both is at most that.
-  if (largest > 0 && largest < tree.leastDirection())
-    reach = std::numeric_limits<float>::infinity();
+  room = static_cast<float>((there + coordinate) / (1 << 20));
 }
 
-float BoxRay::scaled(float t) const { return std::ldexp(t, exponent_); }
+float BoxRay::momentOf(float t) const {
+  return static_cast<float>(double{std::ldexp(t, exponent_)} - double{start_});
+}
 
 InstanceTree::Moments InstanceTree::momentsOf(const Node &node, const BoxRay &ray) {
-  const Float4 slack = loaded(node.slack) * ray.reach;
+  const Float4 slack = loaded(node.slack) * ray.reach + ray.room;
   Float4 near = {0, 0, 0, 0};
   Float4 far = near + std::numeric_limits<float>::infinity();
   for (int axis = 0; axis < 3; ++axis) {

@@ -25,21 +25,32 @@ struct InstanceKey {
 class InstanceTree;
 
 /// A ray of the world, made ready for tests of boxes: its direction is scaled by a power of two so that its
-/// largest component is in [1/2, 1). Moments of the scaled ray overflow only where they mean nothing.
+/// largest component is in [1/2, 1), and where it comes from outside it begins anew shortly before all that
+/// it can hit. So float32 rounds by the size of the world, however far away the ray comes from. Moments of
+/// the scaled ray overflow only where they mean nothing.
+///
+/// With v = 2^-23, one rounding whichever way it goes, C the largest coordinate of all boxes and D' the
+/// distance by the largest axis from the new origin to the farthest corner of all: the new origin is rounded
+/// by v (C + D'), the side of a box that has grown by v (C + 2 slack), its distance by v (D' + slack), and a
+/// moment, of an inverse within 2.5 v and a product, by 3.5 v (D' + slack). So a box has to grow by less than
+/// 7 v (C + D') more, which `room` is, and by 7 v of its slack, which is part of it (`InstanceBox`). What
+/// float64 rounds of the new origin, 2^-52 of its way, is too.
 class BoxRay {
 public:
   BoxRay(const Ray &ray, const InstanceTree &tree);
 
-  /// A moment of the ray as one of the scaled ray.
-  float scaled(float t) const;
+  /// A moment of the ray as one of the scaled ray behind its new origin.
+  float momentOf(float t) const;
 
   float origin[3];
   float inverse[3]; ///< Of the direction; the largest float32 with its sign where it is (nearly) 0.
   bool falls[3];
   float reach; ///< What a box's slack is multiplied with.
+  float room;  ///< What a box grows by beside that.
 
 private:
   int exponent_; ///< Of the direction's largest component.
+  float start_;  ///< The moment of the new origin, of the scaled ray.
 };
 
 class InstanceTree {
@@ -67,6 +78,8 @@ public:
   std::span<const std::uint32_t> everywhere() const { return everywhere_; }
   const glm::vec3 &low() const { return low_; }
   const glm::vec3 &high() const { return high_; }
+  /// The most of all.
+  float slack() const { return slack_; }
   /// Rays whose direction has no component as large may hit any of them.
   float leastDirection() const { return leastDirection_; }
 
@@ -93,6 +106,7 @@ private:
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> everywhere_;
   glm::vec3 low_{0}, high_{0};
+  float slack_ = 0;
   float leastDirection_ = 0;
   std::uint32_t levels_ = 0; ///< Of nodes.
 };
@@ -108,7 +122,7 @@ void InstanceTree::traverse(const BoxRay &ray, const RayBounds &bounds, const In
       visit(key, limit);
   if (nodes_.empty())
     return;
-  const float tmin = ray.scaled(bounds.tmin), tmax = ray.scaled(bounds.tmax);
+  const float tmin = ray.momentOf(bounds.tmin), tmax = ray.momentOf(bounds.tmax);
   Stack stack;
   std::size_t depth = 0;
   stack[depth++] = {0, 0};

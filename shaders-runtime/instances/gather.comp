@@ -43,7 +43,7 @@ void main() {
   uint at = ray_at(ray);
   uint tmax = tmax_left(at, hit);
   float moment = uintBitsToFloat(scratch[key_at(ray)]);
-  if (tmax <= INFINITY_BITS && moment - moment * MOMENT_ROUNDING > scaled(tmax, exponent_of_direction(direction_of(at))))
+  if (tmax <= INFINITY_BITS && moment - moment * MOMENT_ROUNDING > moment_of(tmax, direction_of(at), start_of(at)))
     return;
   uint place = atomicAdd(scratch[NEXT_COUNT], 1u);
   scratch[list_at((round + 1u) & 1u) + place] = ray;

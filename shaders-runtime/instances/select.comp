@@ -9,44 +9,41 @@ const uint LEAF = 0x80000000u;
 const uint NO_CHILD = 0xffffffffu;
 const uint MOST_AT_ONCE = 8u;
 
-// A ray of the world, whose direction is scaled by a power of two so that its largest component is in [1/2, 1).
+// A ray of the world, whose direction is scaled by a power of two so that its largest component is in [1/2, 1), and which
+// begins anew shortly before what it can hit.
 struct BoxRay {
   vec3 origin;
   vec3 inverse; // Of the direction; NEVER with its sign where it is (nearly) 0.
   bvec3 falls;
   float reach;   // What a box's slack is multiplied with.
+  float room;    // What a box grows by beside that.
   bool is_tiny;  // Its direction is so small that any box may be hit.
   float tmin, tmax;
 };
 
-vec3 world_corner(uint at) {
-  return vec3(uintBitsToFloat(world[at]), uintBitsToFloat(world[at + 1u]), uintBitsToFloat(world[at + 2u]));
-}
-
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 BoxRay box_ray(uint at, uint hit) {
-  uvec3 direction = direction_of(at);
-  uvec3 size = direction & ~SIGN_BIT;
-  uint longest = max(size.x, max(size.y, size.z));
-  int exponent = exponent_of(longest);
+  uvec3 bits = direction_of(at);
+  vec3 direction = scaled_direction(bits);
   BoxRay ray;
-  ray.origin = uintBitsToFloat(origin_of(at));
   const float NOTHING = 7.888609052e-31f; // 2^-100.
   for (int axis = 0; axis < 3; ++axis) {
-    float scale = scaled(size[axis], -exponent);
-    ray.falls[axis] = direction[axis] >= SIGN_BIT;
-    float inverse = scale < NOTHING ? NEVER : 1.0f / scale;
+    ray.falls[axis] = bits[axis] >= SIGN_BIT;
+    float size = abs(direction[axis]), inverse = size < NOTHING ? NEVER : 1.0f / size;
     ray.inverse[axis] = ray.falls[axis] ? -inverse : inverse;
   }
-  vec3 low = world_corner(WORLD_LOW), high = world_corner(WORLD_HIGH);
-  float distance = largest(max(abs(low - ray.origin), abs(high - ray.origin)));
-  ray.reach = 2.0f * max(distance, largest(max(abs(low), abs(high))));
-  ray.is_tiny = longest != 0u && longest < world[LEAST_DIRECTION];
+  dvec3 origin = exact(origin_of(at)), low = world_corner(WORLD_LOW), high = world_corner(WORLD_HIGH);
+  float start = start_of(at);
+  precise dvec3 begin = origin + dvec3(direction) * double(start);
+  ray.origin = vec3(begin);
+  vec3 there = vec3(max(abs(low - begin), abs(high - begin))), coordinates = vec3(max(abs(low), abs(high)));
+  ray.reach = float(min(distance_to_all(origin), 3.402823466e38lf));
+  ray.room = (largest(there) + largest(coordinates)) * (1.0f / 1048576.0f);
+  ray.is_tiny = is_tiny(bits);
   uint tmin = RAYS_HAVE_BOUNDS ? ray_words[at + 3u] : 0u;
-  ray.tmin = tmin > INFINITY_BITS ? 0.0f : scaled(tmin, exponent);
-  uint tmax = tmax_left(at, hit);
-  ray.tmax = tmax > INFINITY_BITS ? NEVER : scaled(tmax, exponent);
+  ray.tmin = tmin > INFINITY_BITS ? -NEVER : moment_of(tmin, bits, start);
+  ray.tmax = moment_of(tmax_left(at, hit), bits, start);
   return ray;
 }
 
@@ -78,7 +75,7 @@ void offer(float moment, uint number, float after_moment, uint after_number) {
 
 // The moments at which the ray enters and leaves a box; later the former if it misses it.
 vec2 moments_of(const BoxRay ray, uint box) {
-  precise float slack = uintBitsToFloat(world[box + 24u]) * ray.reach;
+  precise float slack = uintBitsToFloat(world[box + 24u]) * ray.reach + ray.room;
   precise float near = 0.0f, far = uintBitsToFloat(INFINITY_BITS);
   for (uint axis = 0u; axis < 3u; ++axis) {
     precise float low = uintBitsToFloat(world[box + 4u * axis]) - slack - ray.origin[axis];
@@ -144,15 +141,6 @@ bool loops_are_whole() {
 }
 
 double double_at(uint at) { return packDouble2x32(uvec2(world[at], world[at + 1u])); }
-
-// The number of float32 bits; of a denormal one too, which a device may take for 0.
-double exact(uint bits) {
-  uint magnitude = bits & ~SIGN_BIT;
-  if (magnitude >= 0x800000u)
-    return double(uintBitsToFloat(bits));
-  double small = double(magnitude) * packDouble2x32(uvec2(0u, 0x36a00000u)); // 2^-149.
-  return bits >= SIGN_BIT ? -small : small;
-}
 
 // The bits of the nearest float32, of two the even one.
 uint nearest_float(double value) {

@@ -38,6 +38,7 @@ const uint EVERYWHERE_COUNT = 1u;
 const uint LEAST_DIRECTION = 2u;
 const uint WORLD_LOW = 3u;
 const uint WORLD_HIGH = 6u;
+const uint WORLD_SLACK = 9u; // The most of all.
 const uint HEADER_WORDS = 16u;
 const uint NODE_WORDS = 32u;
 const uint INSTANCE_WORDS = 25u; // Three rows of four doubles, column by column, and the volume.
@@ -112,6 +113,69 @@ uvec3 direction_of(uint at) {
 int exponent_of_direction(uvec3 direction) {
   uvec3 size = direction & ~SIGN_BIT;
   return exponent_of(max(size.x, max(size.y, size.z)));
+}
+
+// The number of float32 bits; of a denormal one too, which a device may take for 0.
+double exact(uint bits) {
+  uint magnitude = bits & ~SIGN_BIT;
+  if (magnitude >= 0x800000u)
+    return double(uintBitsToFloat(bits));
+  double small = double(magnitude) * packDouble2x32(uvec2(0u, 0x36a00000u)); // 2^-149.
+  return bits >= SIGN_BIT ? -small : small;
+}
+
+dvec3 exact(uvec3 bits) { return dvec3(exact(bits.x), exact(bits.y), exact(bits.z)); }
+
+dvec3 world_corner(uint at) {
+  return dvec3(uintBitsToFloat(world[at]), uintBitsToFloat(world[at + 1u]), uintBitsToFloat(world[at + 2u]));
+}
+
+// The direction, scaled so that its largest component is in [1/2, 1).
+vec3 scaled_direction(uvec3 direction) {
+  int exponent = exponent_of_direction(direction);
+  vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    float size = scaled(direction[axis], -exponent);
+    result[axis] = direction[axis] >= SIGN_BIT ? -size : size;
+  }
+  return result;
+}
+
+// So small that any box may be hit.
+bool is_tiny(uvec3 direction) {
+  uvec3 size = direction & ~SIGN_BIT;
+  uint longest = max(size.x, max(size.y, size.z));
+  return longest != 0u && longest < world[LEAST_DIRECTION];
+}
+
+// From the ray's origin to the farthest corner of all boxes, and a little more.
+double distance_to_all(dvec3 origin) {
+  dvec3 low = world_corner(WORLD_LOW), high = world_corner(WORLD_HIGH);
+  return length(max(abs(low - origin), abs(high - origin))) * (1.0lf + 1.0lf / 1048576.0lf);
+}
+
+// A moment of the scaled ray shortly before it comes to what it can hit: `startOf` of lib/Trace/InstanceTree.cpp.
+float start_of(uint at) {
+  uvec3 bits = direction_of(at);
+  dvec3 origin = exact(origin_of(at)), direction = dvec3(scaled_direction(bits));
+  double square = dot(direction, direction);
+  if (world[EVERYWHERE_COUNT] != 0u || is_tiny(bits) || !(square > 0.0lf))
+    return 0.0f;
+  dvec3 low = world_corner(WORLD_LOW), high = world_corner(WORLD_HIGH);
+  double reach = distance_to_all(origin) * double(uintBitsToFloat(world[WORLD_SLACK]));
+  double radius = length(high - low) * 0.5lf + 2.0lf * reach;
+  double middle = dot((low + high) * 0.5lf - origin, direction) / square;
+  const double BACK = 1.0lf / 262144.0lf; // 2^-18.
+  double start = middle - abs(middle) * BACK - radius * (1.0lf + BACK) / sqrt(square);
+  return float(clamp(start, 0.0lf, 3.402823466e38lf));
+}
+
+// A moment of the ray as one of the scaled ray behind its start. Infinity stays.
+float moment_of(uint t, uvec3 direction, float start) {
+  if (t >= INFINITY_BITS)
+    return uintBitsToFloat(INFINITY_BITS);
+  float moment = scaled(t, exponent_of_direction(direction));
+  return isinf(moment) ? moment : float(double(moment) - double(start));
 }
 
 // The bits of tmax, of which infinity is the most, with what was hit so far: a voxel that is entered a little later may have

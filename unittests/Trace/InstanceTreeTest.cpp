@@ -6,6 +6,7 @@
 #include "voxc/Source/VoxelSource.h"
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,10 @@ Ray rayAt(Random &random, const glm::mat4 &place, int log2Distance) {
     const int axis = static_cast<int>(random() % 3);
     origin[axis] = corner[axis]; // In a plane, which a box that is not larger may end before.
   }
-  const glm::vec3 direction = corner - origin;
+  glm::vec3 to = corner;
+  if (random() % 2 == 0) // Beside it, by as much as the ray may be rounded in the voxels.
+    to += vector(random, std::exp2(static_cast<float>(log2Distance - 24)) * glm::length(away));
+  const glm::vec3 direction = to - origin;
   return makeRay(origin, direction * std::exp2(number(random, -40, 40)));
 }
 
@@ -146,6 +150,45 @@ TEST(InstanceTree, ComesToFewBoxesOfMany) {
   EXPECT_EQ(visited, 101u);
   tree.traverse(BoxRay({{-10, 5, 5}, {1, 0, 0}}, tree), {100, 200}, {}, 1e30f, visit);
   EXPECT_EQ(visited, 107u);
+}
+
+/// A thousand instances in the cells of a grid, each turned and scaled within its own.
+InstanceTree gridOfInstances(Random &random) {
+  std::vector<InstanceBox> boxes;
+  for (int i = 0; i < 1000; ++i) {
+    glm::mat4 place = glm::translate(glm::mat4(1), 16.0f * (glm::vec3(i % 10, i / 10 % 10, i / 100) + 0.5f));
+    place = glm::rotate(place, number(random, 0, 6), glm::vec3(vector(random, 1)) + glm::vec3(0, 0, 2));
+    place = glm::translate(glm::scale(place, glm::vec3(number(random, 0.1f, 0.5f))), glm::vec3(-8));
+    boxes.push_back(boxOf(glm::dmat4(place), glm::inverse(glm::dmat4(place)), kExtent));
+  }
+  return InstanceTree(boxes);
+}
+
+/// How many boxes rays to points of the grid come to in the mean, from so many of its edges away.
+double boxesFrom(const InstanceTree &tree, Random &random, int log2Edges) {
+  constexpr int kRays = 1000;
+  std::size_t visited = 0;
+  auto visit = [&](const InstanceKey &, float &) { ++visited; };
+  for (int i = 0; i < kRays; ++i) {
+    const glm::vec3 to = vector(random, 80) + 80.0f;
+    const glm::vec3 away = glm::vec3(1, 0.3f, 0.2f) + vector(random, 0.2f);
+    const glm::vec3 origin = to + away * std::ldexp(160.0f, log2Edges);
+    tree.traverse(BoxRay(makeRay(origin, to - origin), tree), {}, {}, std::numeric_limits<float>::infinity(),
+                  visit);
+  }
+  return static_cast<double>(visited) / kRays;
+}
+
+/// What rays are rounded by in the voxels of an instance, and no more, makes boxes larger: a 32nd of the
+/// world from 2^18 edges away.
+TEST(InstanceTree, ComesToFewBoxesFromFarAway) {
+  Random random(6);
+  const InstanceTree tree = gridOfInstances(random);
+  const double near = boxesFrom(tree, random, 0);
+  EXPECT_LT(near, 6);
+  EXPECT_LT(boxesFrom(tree, random, 12), 1.1 * near);
+  EXPECT_LT(boxesFrom(tree, random, 16), 2.2 * near);
+  EXPECT_LT(boxesFrom(tree, random, 18), 8 * near);
 }
 
 TEST(InstanceTree, RefusesToBoxWhatCannotBeHeld) {
