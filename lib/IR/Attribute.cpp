@@ -46,14 +46,16 @@ const TypedAttribute<Walk> kLevelsAttribute = {
     {"levels", AttributeEffect::Walk, kEnumNames<Walk>,
      "how the kernel goes from level to level: by a loop for each, by one "
      "loop through all, by one that goes down "
-     "from the root in each turn, or by what is fastest as a rule"},
+     "from the root in each turn, or by what is fastest as a rule",
+     nullptr, "--nested-walk, --flat-walk or --direct-walk"},
     as<Walk>};
 
 const TypedAttribute<Stack> kStackAttribute = {
     {"stack", AttributeEffect::Walk, kEnumNames<Stack>,
      "where a walk keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in that of "
      "a "
-     "group of rays, which kernels for the cpu and functions for others do not have"},
+     "group of rays, which kernels for the cpu and functions for others do not have",
+     nullptr, "--shared-stack"},
     as<Stack>};
 
 const TypedAttribute<Query> kQueryAttribute = {

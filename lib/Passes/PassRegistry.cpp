@@ -9,7 +9,7 @@ namespace voxc {
 namespace {
 
 // clang-format off: it would put words of one sentence on lines of their own.
-const std::array<Pass, 25> kPasses = {{
+const std::array<Pass, 26> kPasses = {{
     {.name = "whole-level-dedup",
      .effect = AttributeEffect::Storage,
      .summary = "share equal nodes among all sub-volumes of an SVDAG level",
@@ -184,6 +184,12 @@ const std::array<Pass, 25> kPasses = {{
                  "function for each height of the tree, which goes over the children of a node and calls "
                  "the one below. Excludes restart-sv. Unchanged where no level is a tree.",
      .choice = {&kWalkAttribute, "unrolled", ChoiceScope::Trees}},
+    {.name = "nested-walk",
+     .effect = AttributeEffect::Walk,
+     .summary = "walk by a loop for each level, which calls that of the next",
+     .details = "What formats of few levels have as a rule; others have direct-walk without being asked. Excludes "
+                 "flat-walk and direct-walk.",
+     .choice = {&kLevelsAttribute, "nested"}},
     {.name = "flat-walk",
      .effect = AttributeEffect::Walk,
      .summary = "walk through all levels by one loop",

@@ -207,6 +207,13 @@ Option CommandLine::addFlag(const std::string &names, const std::function<void()
   return Option(*app_->add_flag_callback(names, act, text));
 }
 
+void CommandLine::addFormer(const std::string &name, const std::string &now) const {
+  const auto refuse = [name, now](const std::string &) -> void {
+    throw CLI::ValidationError(name, "is " + now + " now");
+  };
+  app_->add_option_function<std::string>(name, refuse)->group("")->expected(0, 1)->trigger_on_parse();
+}
+
 void CommandLine::addVersion(const std::string &version) const {
   app_->set_version_flag("--version", version, "Tell the version and exit");
 }
@@ -262,7 +269,9 @@ std::optional<Option> CommandLine::find(std::string_view name) const {
   return option ? std::optional<Option>(Option(*option)) : std::nullopt;
 }
 
-std::vector<Option> CommandLine::options() const { return handlesOf(app_->get_options()); }
+std::vector<Option> CommandLine::options() const {
+  return handlesOf(app_->get_options([](const CLI::Option *option) { return !option->get_group().empty(); }));
+}
 
 std::vector<Option> CommandLine::given() const { return handlesOf(app_->parse_order()); }
 

@@ -110,6 +110,8 @@ public:
   Option addFlag(const std::string &names, const std::string &text) const;
   /// A flag that does something.
   Option addFlag(const std::string &names, const std::function<void()> &act, const std::string &text) const;
+  /// An option of earlier versions: no help has it, and who gives it is told what there is now.
+  void addFormer(const std::string &name, const std::string &now) const;
   /// --version.
   void addVersion(const std::string &version) const;
   /// A command of this one, in a group of its help.
@@ -137,6 +139,7 @@ public:
   Option option(const std::string &name) const;
   /// The option of this name, if there is one.
   std::optional<Option> find(std::string_view name) const;
+  /// Those of earlier versions left out.
   std::vector<Option> options() const;
   /// An option for each time that one was given, in order.
   std::vector<Option> given() const;

@@ -58,7 +58,7 @@ void addViewOptions(const CommandLine &command, PictureOptions &options) {
 void addPictureOptions(const CommandLine &command, PictureOptions &options) {
   const OptionGroup group(command, "Picture");
   command.add("--style", options.style, styleHelp()).takes("STYLE").oneOf(namesOf<Style>());
-  command.addFlag("--heatmap", options.heatmap, "The same as --style heatmap");
+  command.addFormer("--heatmap", "--style heatmap");
   command
       .add("--samples", options.samples,
            "Rays through each pixel; the default is 4 for lit and ao, which suits a look, and 1 for "
@@ -76,9 +76,6 @@ void addPictureOptions(const CommandLine &command, PictureOptions &options) {
 }
 
 Expected<void> checkPictureOptions(const PictureOptions &options) {
-  if (options.heatmap && options.style != "lit" && options.style != "heatmap")
-    return Error::usage("--heatmap is the style heatmap, but --style says " + options.style +
-                        "; leave one of them out");
   if (!options.view.empty() && !options.camera.camera.empty())
     return Error::usage(
         "--view and --camera both say where the picture is taken from; leave one of them out");
@@ -106,9 +103,7 @@ glm::dvec3 sunOf(const PictureOptions &options) {
           std::cos(azimuth) * std::cos(elevation)};
 }
 
-Style styleOf(const PictureOptions &options) {
-  return options.heatmap ? Style::Heatmap : fromString<Style>(options.style).value_or(Style::Lit);
-}
+Style styleOf(const PictureOptions &options) { return fromString<Style>(options.style).value_or(Style::Lit); }
 
 Expected<PlacedCamera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
   Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);

@@ -15,7 +15,6 @@ namespace voxc::tool {
 /// As they were written; "" or 0 is the default.
 struct PictureOptions {
   std::string style = "lit";
-  bool heatmap = false; ///< The same as the style heatmap.
   unsigned samples = 0;
   std::string normals = "auto";
   std::vector<double> sun; ///< Azimuth and elevation in degrees.
@@ -25,7 +24,7 @@ struct PictureOptions {
   CameraOptions camera;
 };
 
-/// Adds --style, --heatmap, --samples, --normals, --sun, --view and the camera's options to a command.
+/// Adds --style, --samples, --normals, --sun, --view and the camera's options to a command.
 void addPictureOptions(const CommandLine &command, PictureOptions &options);
 
 /// Adds --sun and --view alone.

@@ -39,6 +39,10 @@ void AttributeOptions::declare(const CommandLine &command) {
         declareList(command, *kind->list);
       continue;
     }
+    if (!kind->byPasses.empty()) {
+      command.addFormer("--" + std::string(kind->name), std::string(kind->byPasses));
+      continue;
+    }
     const std::vector<std::string> values(kind->values.begin(), kind->values.end());
     command.add("--" + std::string(kind->name), values_[kind], std::string(kind->summary))
         .takes(joined(values, "|") + "=" + values.front())

@@ -97,7 +97,7 @@ Expected<void> Rendering::applyTo(Format &format) const {
   if (styleOf(picture_) != Style::Heatmap && !(outputs.voxel && outputs.t && outputs.colour))
     return Error::usage(
         "a picture is made of the voxel, t and colour of hits; leave out --query and --outputs, or ask "
-        "for a --heatmap");
+        "for --style heatmap");
   if (picture_.lod > 0)
     format.setAttribute(kDetailAttribute, "cone");
   if (clip_.isGiven())

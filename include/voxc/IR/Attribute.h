@@ -25,6 +25,7 @@ struct AttributeKind {
   std::span<const std::string_view> values;
   std::string_view summary;
   const AttributeList *list = nullptr; ///< Its values are then yes and no.
+  std::string_view byPasses = {};      ///< The passes that set it, where no option of its name shall.
 };
 
 /// Values that differ by a number alone, and follow each other; or one value.
