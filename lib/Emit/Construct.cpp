@@ -48,7 +48,7 @@ std::vector<std::string> filesOf(const Plan &plan, std::size_t index) {
     return files;
   }
   files.insert(files.end(), {"descent/join.cpp",
-                             plan.layout.holdsVoxels(index) ? "descent/voxels.cpp" : "descent/cells.cpp",
+                             plan.constructions[index].bricks ? "descent/voxels.cpp" : "descent/cells.cpp",
                              "root/" + std::string(toString(leaves->place)) + ".cpp", "part/tree.cpp"});
   return files;
 }

@@ -5,6 +5,8 @@
 #include "QuestionNames.h"
 #include "StepNames.h"
 
+#include "Layout/Masks.h"
+
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -13,24 +15,6 @@
 
 namespace voxc {
 namespace {
-
-/// True if a node's masks are two sets of words: it has more children than one word has room for.
-bool isWide(const Stratum &stratum) { return stratum.leaves() && stratum.log2Children() > 4; }
-
-/// True if a voxel's value is looked up when it is hit, if at all, not when it is found: no other stop of a
-/// walk then needs its own.
-bool defersVoxels(const Plan &plan) { return plan.detail == Detail::Full || !storesValue(plan.outputs); }
-
-/// True if a kernel needs no more of a stratum's full cells than that they are there.
-bool areCellsAlike(const Plan &plan, std::size_t index) {
-  return plan.layout.strata[index].implied || (plan.layout.holdsVoxels(index) && !storesValue(plan.outputs));
-}
-
-/// True if a look-up in a node is a loop, and the device may end it: it has so many turns for all of a walk,
-/// which are enough for a single point.
-bool lookUpMayBeCut(const Plan &plan, const Stratum &stratum) {
-  return plan.loops == Loops::Cut && stratum.slots->lookUpLoops && plan.query != Query::Occupancy;
-}
 
 bool isDistanceBeside(const Stratum &stratum) {
   return stratum.distances() && stratum.distances()->place == DistancePlace::Beside;
@@ -146,16 +130,17 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["words-of-slot"] = std::string("terminating integer") +
                            (isDistanceBeside(stratum) ? ", distance" : "") +
                            (stratum.ranked ? ", voxels before" : "");
-  holes["around"] = isWide(stratum) ? ", around" : "";
-  holes["plus-around"] = isWide(stratum) ? " + around" : "";
+  holes["around"] = MaskShape(stratum).hasTwoSets() ? ", around" : "";
+  holes["plus-around"] = MaskShape(stratum).hasTwoSets() ? " + around" : "";
 }
 
 /// What a look-up of a cell takes beside the cell: the ray, and the gap that it may widen.
-void addCellArguments(TemplateNames &names, const Plan &plan, const Stratum &stratum) {
+void addCellArguments(TemplateNames &names, const Plan &plan, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
   const bool isPoint = plan.query == Query::Occupancy;
   const bool tells = !isPoint && reportsEmptyRegion(stratum);
   const bool takesRay = tells && !stratum.measures(Metric::L1);
-  const bool takesGap = tells || (!isPoint && lookUpMayBeCut(plan, stratum));
+  const bool takesGap = tells || plan.traversals[index].lookUp == Loops::Cut;
   names.holes["cell-ray-and"] = takesRay ? "const Ray ray, " : "";
   names.holes["cell-and-gap"] = takesGap ? ", inout Gap gap" : "";
   names.holes["cell-ray,"] = takesRay ? "ray, " : "";
@@ -166,7 +151,7 @@ void addCellArguments(TemplateNames &names, const Plan &plan, const Stratum &str
 void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
   auto &holes = names.holes;
-  const bool defers = defersVoxels(plan) && plan.layout.holdsVoxels(index);
+  const bool defers = plan.defersValues && plan.layout.holdsVoxels(index);
   const std::string occupied = holes["occupied"];
   const auto leafAt = [&](const std::string &at) {
     const bool isValue = defers || stratum.keepsLeaves(LeafPlace::InSlot);
@@ -213,29 +198,27 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
   auto &conditions = names.conditions;
   conditions["first"] = index == 0;
-  conditions["wide"] = isWide(stratum);
+  conditions["wide"] = MaskShape(stratum).hasTwoSets();
   conditions["last"] = plan.layout.holdsVoxels(index);
   conditions["single"] = !stratum.isGrid() && stratum.depth == 0;
   conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
-  conditions["look-up-may-be-cut"] = lookUpMayBeCut(plan, stratum);
+  conditions["look-up-may-be-cut"] = plan.traversals[index].lookUp == Loops::Cut;
   conditions["implied"] = stratum.implied;
   conditions["leaves-in-slots"] = stratum.keepsLeaves(LeafPlace::InSlot);
   conditions["grid"] = stratum.isGrid();
   conditions["leaves-apart"] = stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied;
   conditions["ranked"] = stratum.ranked;
-  // Nodes with voxels, if equal ones are written once.
-  conditions["looks-ahead"] = plan.layout.holdsVoxels(index) && !stratum.isGrid() &&
-                              !stratum.keepsLeaves(LeafPlace::Record) && !stratum.ranked;
+  conditions["looks-ahead"] = plan.constructions[index].looksAhead;
   conditions["ranks"] = stratum.ranked && storesValue(plan.outputs);
   conditions["slots-count"] = stratum.ranked && !stratum.implied;
   conditions["slots-rank"] = stratum.ranked && !stratum.implied && storesValue(plan.outputs);
   conditions["counts"] = countsMaskWords(stratum);
-  conditions["alike"] = areCellsAlike(plan, index);
+  conditions["alike"] = stratum.implied || !plan.traversals[index].readsValues;
   conditions["distances"] = stratum.distances() != nullptr;
   conditions["distances-beside"] = isDistanceBeside(stratum);
   conditions["distances-in-slot"] = stratum.distances() && !isDistanceBeside(stratum);
-  conditions["defers"] = defersVoxels(plan) && plan.layout.holdsVoxels(index);
-  conditions["one-voxel-steps"] = stratum.log2Cell == 0 && !reportsEmptyRegion(stratum);
+  conditions["defers"] = plan.defersValues && plan.layout.holdsVoxels(index);
+  conditions["one-voxel-steps"] = plan.traversals[index].voxelSteps;
   conditions["marches"] = stratum.measures(Metric::L1);
   conditions["chooses-faces"] = findsValueLater(stratum);
   conditions["tells-half"] = stratum.slots->region(stratum) == EmptyRegion::Octant;
@@ -281,10 +264,10 @@ TemplateNames planNames(const Plan &plan) {
   addQuestionNames(names, plan);
   addMemoryNames(names, plan);
   addStepNames(names, plan);
-  names.conditions["value-later"] = defersVoxels(plan) && findsValueLater(lowest);
+  names.conditions["value-later"] = plan.defersValues && findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
   names.conditions["defers-leaf"] =
-      defersVoxels(plan) && !lowest.isGrid() && !lowest.keepsLeaves(LeafPlace::InSlot);
+      plan.defersValues && !lowest.isGrid() && !lowest.keepsLeaves(LeafPlace::InSlot);
   names.conditions["values-apart"] = plan.layout.values == Values::Apart;
   names.conditions["cut"] = cut;
   names.conditions["resumes"] = cut || plan.addressing == Addressing::Paged;
@@ -294,8 +277,9 @@ TemplateNames planNames(const Plan &plan) {
     layers += flatLayers(stratum);
   names.holes["LAYERS"] = std::to_string(layers);
   names.conditions["any-look-up-may-be-cut"] = std::ranges::any_of(
-      plan.layout.strata, [&](const Stratum &stratum) { return lookUpMayBeCut(plan, stratum); });
-  names.conditions["any-wide"] = std::ranges::any_of(plan.layout.strata, isWide);
+      plan.traversals, [](const Traversal &traversal) { return traversal.lookUp == Loops::Cut; });
+  names.conditions["any-wide"] = std::ranges::any_of(
+      plan.layout.strata, [](const Stratum &stratum) { return MaskShape(stratum).hasTwoSets(); });
   return names;
 }
 
@@ -305,7 +289,7 @@ TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   addLeaves(names, plan, index);
   addSkip(names, plan.layout.strata[index]);
   addNumbers(names, plan.layout.strata[index]);
-  addCellArguments(names, plan, plan.layout.strata[index]);
+  addCellArguments(names, plan, index);
   addLayers(names, plan, index);
   addConditions(names, plan, index);
   return names;

@@ -45,21 +45,25 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
 
 Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options) {
   const auto plan = makePlan(format, {options.addressing, options.loops, options.arithmetic});
-  if (!plan)
-    return plan.error();
-  const std::string glsl = emitIntersect(*plan);
-  if (!options.cache)
-    return compileGlsl(glsl, *plan, options.optimise);
+  return plan ? compileKernel(*plan, options.optimise, options.cache) : plan.error();
+}
+
+Expected<Kernel> compileKernel(const Plan &plan, bool optimise, const CompileCache *cache) {
+  if (const std::string problem = problemOf(plan, EmitTarget::Device); !problem.empty())
+    return Error::input(problem);
+  const std::string glsl = emitIntersect(plan);
+  if (!cache)
+    return compileGlsl(glsl, plan, optimise);
   // glslang and SPIRV-Tools are part of this very program or library, which the cache tells by itself.
   // The module says what it was made for, which its text need not.
-  const std::string facts = kernelFacts(kernelOf(*plan));
-  const std::string_view parts[] = {glsl, facts, options.optimise ? "optimised" : ""};
-  if (const std::optional<std::string> found = options.cache->find(kCacheKind, parts))
+  const std::string facts = kernelFacts(kernelOf(plan));
+  const std::string_view parts[] = {glsl, facts, optimise ? "optimised" : ""};
+  if (const std::optional<std::string> found = cache->find(kCacheKind, parts))
     if (auto kernel = Kernel::fromSpirv(wordsOf(*found)))
       return kernel;
-  auto kernel = compileGlsl(glsl, *plan, options.optimise);
+  auto kernel = compileGlsl(glsl, plan, optimise);
   if (kernel)
-    options.cache->store(kCacheKind, parts, bytesOf(kernel->spirv));
+    cache->store(kCacheKind, parts, bytesOf(kernel->spirv));
   return kernel;
 }
 

@@ -53,9 +53,13 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, cons
   PlanOptions options = kCpuPlan;
   options.addressing = addressing;
   const auto plan = makePlan(format, options);
-  if (!plan)
-    return plan.error();
-  const auto object = compile(emitIntersectCpp(*plan, kSymbol, countWords), "native", cache);
+  return plan ? compileCpuKernel(*plan, countWords, cache) : plan.error();
+}
+
+Expected<CpuKernel> compileCpuKernel(const Plan &plan, bool countWords, const CompileCache *cache) {
+  if (const std::string problem = problemOf(plan, EmitTarget::Processor); !problem.empty())
+    return Error::input(problem);
+  const auto object = compile(emitIntersectCpp(plan, kSymbol, countWords), "native", cache);
   if (!object)
     return object.error();
   auto code = JitCode::link(*object);
@@ -65,20 +69,24 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, cons
   if (!function)
     return function.error();
   return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function),
-                   storageDigest(format),
+                   plan.layout.storageDigest,
                    std::make_shared<const JitCode>(std::move(*code)),
                    countWords,
-                   addressing == Addressing::Paged,
-                   plan->bounded};
+                   plan.addressing == Addressing::Paged,
+                   plan.bounded};
 }
 
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options) {
+  const auto plan = makePlan(format, kCpuPlan);
+  return plan ? compileCpuObject(*plan, options) : plan.error();
+}
+
+Expected<std::string> compileCpuObject(const Plan &plan, const CpuObjectOptions &options) {
   if (!isIdentifier(options.symbol))
     return Error::usage("'" + options.symbol + "' is no name of a C function");
-  const auto plan = makePlan(format, kCpuPlan);
-  if (!plan)
-    return plan.error();
-  const std::string text = emitIntersectCpp(*plan, options.symbol);
+  if (const std::string problem = problemOf(plan, EmitTarget::Processor); !problem.empty())
+    return Error::input(problem);
+  const std::string text = emitIntersectCpp(plan, options.symbol);
   if (!kHasVariants || !options.processor.empty())
     return compile(text, options.processor);
   const std::string dispatch = emitDispatchCpp(options.symbol);

@@ -24,6 +24,8 @@ struct MaskShape {
   bool impliesLeaves; ///< Leaves, and the cells of a grid, have no slots.
   bool counts;        ///< Each word is followed by a count.
 
+  /// True if leaves have a set of words of their own: there are more children than one word has room for.
+  bool hasTwoSets() const { return hasLeaves && !sharesWord; }
   /// Words of one set.
   std::uint64_t setWords() const { return (children + 31) / 32; }
   /// Words of all masks, counts included.

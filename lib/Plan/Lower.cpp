@@ -16,6 +16,7 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.bounded = question.bounds;
   for (const Level &level : format.levels)
     plan.traversals.push_back({.descent = level.kind->isTree() ? level.get(kWalkAttribute) : Descent::Index});
+  plan.constructions.resize(format.levels.size());
   if (plan.query == Query::Occupancy) // There is no walk to choose.
     return plan;
   plan.precision = format.attributes.get(kPrecisionAttribute);

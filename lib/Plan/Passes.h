@@ -8,7 +8,17 @@ namespace voxc {
 void chooseDescents(Plan &plan);
 void chooseWalk(Plan &plan);
 void chooseSteps(Plan &plan);
+void chooseComparison(Plan &plan);
+void chooseSpeculation(Plan &plan);
+void chooseGapFaces(Plan &plan);
+void choosePacketWidth(Plan &plan);
 void placeStack(Plan &plan);
 void placeStops(Plan &plan);
+void deferValues(Plan &plan);
+void dropValues(Plan &plan);
+void guardLookUps(Plan &plan);
+void chooseVoxelSteps(Plan &plan);
+void chooseBricks(Plan &plan);
+void chooseLookAhead(Plan &plan);
 
 } // namespace voxc

@@ -17,7 +17,8 @@ template <> struct IrTraits<Plan> {
   static std::vector<SourceRange> changedParts(const Plan &before, const Plan &after) {
     std::vector<SourceRange> changed;
     for (std::size_t i = 0; i < after.traversals.size(); ++i)
-      if (i >= before.traversals.size() || !(before.traversals[i] == after.traversals[i]))
+      if (i >= before.traversals.size() || before.traversals[i] != after.traversals[i] ||
+          before.constructions[i] != after.constructions[i])
         changed.emplace_back();
     return changed;
   }
@@ -28,7 +29,7 @@ template <> struct IrTraits<Plan> {
 
 namespace {
 
-constexpr std::array<PlanPass, 5> kPasses = {{
+constexpr std::array<PlanPass, 15> kPasses = {{
     {"choose-descents", "what layers leave no choice of: a tree without any is one leaf",
      "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
     {"choose-walk",
@@ -42,10 +43,39 @@ constexpr std::array<PlanPass, 5> kPasses = {{
      "tell, "
      "else doubles for all steps through 2^11 voxels a side and more; float32 everywhere else",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
+    {"choose-comparison",
+     "the first of the faces ahead is found by the bits of float32; in packets, and of doubles, by comparing "
+     "numbers",
+     "After the steps, which choose the numbers.", chooseComparison},
+    {"choose-speculation",
+     "a direct exact walk reads what is in the next cell before it is known if the step there was sure",
+     "After the walk: others do more between two reads.", chooseSpeculation},
+    {"choose-gap-faces",
+     "on devices the look-ups of a direct walk make the faces of what they find empty, while they wait; in "
+     "packets the step does, once for all levels",
+     "After the walk: in others the step makes them.", chooseGapFaces},
+    {"choose-packet-width",
+     "packets are narrow where each of several levels has a loop, in which lanes wait for those in another",
+     "After the walk, which has the loops.", choosePacketWidth},
     {"place-stack", "where the nodes above a cell are kept: as asked, if the walk keeps any",
      "After the walk, which may keep none.", placeStack},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},
+    {"defer-values", "a voxel's value is looked up once it is hit, unless detail=cone stops elsewhere too",
+     "Anywhere: it asks for nothing that others choose.", deferValues},
+    {"drop-values", "voxels whose values nobody asks for are not read", "Anywhere.", dropValues},
+    {"guard-lookups",
+     "where the device cuts loops, a walk asks after each look-up that loops whether it was cut", "Anywhere.",
+     guardLookUps},
+    {"choose-voxel-steps",
+     "nested walks step over single voxels in a shorter way, where nothing tells of more than one",
+     "After the walk and the descents.", chooseVoxelSteps},
+    {"choose-bricks", "construction goes through the voxels below a tree by bricks of 8 x 8 x 8",
+     "Anywhere: it is of construction alone.", chooseBricks},
+    {"choose-look-ahead",
+     "construction announces the nodes of a brick that it will compare with those written, but of siblings "
+     "and beside ranks",
+     "After the bricks, whose nodes they are.", chooseLookAhead},
 }};
 
 } // namespace

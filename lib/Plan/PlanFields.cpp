@@ -142,7 +142,7 @@ bool parseGranule(Plan &plan, std::string_view text) {
   return isNumber;
 }
 
-constexpr std::array<Field<Plan>, 21> kPlanFields = {{
+constexpr std::array<Field<Plan>, 26> kPlanFields = {{
     {"storage", printStorage, parseStorage, "16 hexadecimal digits"},
     {"payload", printPayload, parsePayload,
      "rgba8, occupancy, constant, palette(1) to palette(16), rgb565, material(1) to material(16)"},
@@ -165,6 +165,11 @@ constexpr std::array<Field<Plan>, 21> kPlanFields = {{
     field<Plan, &Plan::arithmetic>("arithmetic"),
     field<Plan, &Plan::packing>("packing"),
     field<Plan, &Plan::bounded>("bounds"),
+    field<Plan, &Plan::speculative>("speculative"),
+    field<Plan, &Plan::gapFaces>("gap-faces"),
+    field<Plan, &Plan::compare>("compare"),
+    field<Plan, &Plan::packetWidth>("packet-width"),
+    field<Plan, &Plan::defersValues>("defers-values"),
 }};
 
 using S = PlannedStratum;
@@ -208,7 +213,7 @@ template <Sharing Usual> bool parseSharing(S &stratum, std::string_view text) {
 bool isGrid(const S &stratum) { return stratum.isGrid(); }
 bool sharesNodes(const S &stratum) { return stratum.slots->sharing == Sharing::SubVolume; }
 
-constexpr std::array<Field<S>, 13> kStratumFields = {{
+constexpr std::array<Field<S>, 18> kStratumFields = {{
     field<S, &S::depth>("depth", "a number of layers"),
     field<S, &S::log2Cell>("cell", "log2 of the voxels along a cell's side"),
     part<Leaves, &Leaves::place>("leaves"),
@@ -222,6 +227,11 @@ constexpr std::array<Field<S>, 13> kStratumFields = {{
     field<S, &S::descent>("walk"),
     field<S, &S::stops>("stops"),
     field<S, &S::sampled>("sampled"),
+    field<S, &S::lookUp>("lookup"),
+    field<S, &S::readsValues>("reads-values"),
+    field<S, &S::voxelSteps>("voxel-steps"),
+    field<S, &S::bricks>("bricks"),
+    field<S, &S::looksAhead>("looks-ahead"),
 }};
 
 } // namespace

@@ -10,8 +10,8 @@
 
 namespace voxc {
 
-/// A stratum and its traversal, as one line of text has them.
-struct PlannedStratum : Stratum, Traversal {};
+/// A stratum, its traversal and its construction, as one line of text has them.
+struct PlannedStratum : Stratum, Traversal, Construction {};
 
 template <typename Owner> struct Field {
   std::string_view name;

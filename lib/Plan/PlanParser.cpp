@@ -11,6 +11,9 @@
 namespace voxc {
 namespace {
 
+/// What every plan begins with.
+constexpr std::string_view kPlanWord = "plan";
+
 class PlanParser {
 public:
   PlanParser(std::string_view text, Diagnostics &diagnostics) : lexer_(text), diagnostics_(diagnostics) {}
@@ -21,6 +24,13 @@ public:
     if (!diagnostics_.hasErrors())
       verify(plan_, diagnostics_, ranges_);
     return std::move(plan_);
+  }
+
+  Plan parseFinished() {
+    Plan plan = parse();
+    if (!diagnostics_.hasErrors())
+      verifyFinished(plan, diagnostics_, ranges_);
+    return plan;
   }
 
 private:
@@ -37,9 +47,11 @@ private:
   }
 
   bool parseText() {
-    if (!expectWord("plan"))
+    const std::size_t begin = lexer_.peek().range.begin;
+    if (!expectWord(kPlanWord))
       return false;
     const Token format = lexer_.next();
+    ranges_.plan = {begin, format.range.end};
     if (format.kind != TokenKind::String)
       return fail(format, "the format in quotation marks");
     plan_.layout.format = format.text.substr(1, format.text.size() - 2);
@@ -56,8 +68,8 @@ private:
     if (!expectWord("stratum"))
       return false;
     const Token number = lexer_.next();
-    if (number.text != std::to_string(ranges_.size() + 1))
-      return fail(number, std::to_string(ranges_.size() + 1) + ", the next stratum's number,");
+    if (number.text != std::to_string(ranges_.strata.size() + 1))
+      return fail(number, std::to_string(ranges_.strata.size() + 1) + ", the next stratum's number,");
     if (!expect(':'))
       return false;
     const Token level = lexer_.next();
@@ -73,9 +85,10 @@ private:
     stratum.sharing = stratum.slots->sharing;
     if (!parseShape(stratum.log2Shape) || !parseFields(stratum, stratumFields()))
       return false;
-    ranges_.push_back({level.range.begin, slots.range.end});
+    ranges_.strata.push_back({level.range.begin, slots.range.end});
     plan_.layout.strata.push_back(stratum);
     plan_.traversals.push_back(stratum);
+    plan_.constructions.push_back(stratum);
     return true;
   }
 
@@ -128,13 +141,26 @@ private:
   Lexer lexer_;
   Diagnostics &diagnostics_;
   Plan plan_;
-  std::vector<SourceRange> ranges_; ///< Of the strata.
+  PlanRanges ranges_;
 };
 
 } // namespace
 
+bool isPlanText(std::string_view text) {
+  const Token first = Lexer(text).peek();
+  return first.isWord(kPlanWord);
+}
+
 Plan parsePlan(std::string_view text, Diagnostics &diagnostics) {
   return PlanParser(text, diagnostics).parse();
+}
+
+Expected<Plan> parseFinishedPlan(std::string_view text, std::string_view name) {
+  Diagnostics diagnostics;
+  Plan plan = PlanParser(text, diagnostics).parseFinished();
+  if (diagnostics.hasErrors())
+    return toError(diagnostics, text, name);
+  return plan;
 }
 
 } // namespace voxc

@@ -23,7 +23,7 @@ std::string triple(Int3 v) {
 std::string printPlan(const Plan &plan) {
   std::string text = "plan \"" + plan.layout.format + "\"" + fieldsOf(plan, planFields()) + " {\n";
   for (std::size_t i = 0; i < plan.layout.strata.size(); ++i) {
-    const PlannedStratum stratum{plan.layout.strata[i], plan.traversals[i]};
+    const PlannedStratum stratum{plan.layout.strata[i], plan.traversals[i], plan.constructions[i]};
     text += "  stratum " + std::to_string(i + 1) + ": " + stratum.level + " " +
             std::string(stratum.slots->name) + triple(stratum.log2Shape) +
             fieldsOf(stratum, stratumFields()) + "\n";

@@ -1,46 +1,125 @@
-// The rules of plans: those of the layout, and that each stratum is walked in a way that it has.
+// The rules of plans: those of the layout, and that each stratum is walked and constructed in a way that it
+// has.
 #include "voxc/Plan/Plan.h"
 
-namespace voxc {
+#include "voxc/Layout/SlotKind.h"
 
-void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges) {
-  verify(plan.layout, diagnostics, ranges);
-  if (plan.traversals.size() != plan.layout.strata.size())
-    return diagnostics.error({}, "a plan says of each stratum how it is walked");
-  if (const std::string_view problem = problemOf({plan.query, plan.outputs, plan.bounded}); !problem.empty())
-    diagnostics.error({}, "the plan " + std::string(problem));
-  if (plan.query == Query::Occupancy &&
-      (plan.walk != Walk::Auto || plan.steps != Steps::Float32 || plan.detail != Detail::Full))
-    diagnostics.error({}, "a point is looked up without a walk, its steps and its detail");
-  if (plan.outputs.index && (plan.layout.values != Values::Apart || plan.detail != Detail::Full))
-    diagnostics.error({},
-                      "the numbers of voxels are counted where their values stand apart, with detail=full");
-  if (plan.stack == Stack::Shared && plan.packing == Packing::Packets)
-    diagnostics.error({}, "rays in packets have no memory of a group: their stack is private");
-  const bool isOneLoop = plan.walk == Walk::Flat || plan.walk == Walk::Direct;
-  if (isOneLoop && plan.detail == Detail::Cone)
-    diagnostics.error({}, "one loop for all levels stops at voxels alone");
-  if (plan.addressing == Addressing::Paged && plan.query == Query::Occupancy)
-    diagnostics.error({}, "pages that are not here are what rays wait for, not points");
-  if (plan.bounded && plan.detail == Detail::Cone)
-    diagnostics.error({}, "a walk between bounds stops at voxels alone");
-  if (plan.steps != Steps::Float32 &&
-      (plan.arithmetic != Arithmetic::Ieee || plan.precision != Precision::Exact))
-    diagnostics.error({}, "exact walks alone take doubles, with arithmetic=ieee");
-  for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
-    const Stratum &stratum = plan.layout.strata[i];
-    const Traversal &traversal = plan.traversals[i];
-    const SourceRange range = i < ranges.size() ? ranges[i] : SourceRange{};
-    const std::string number = "stratum " + std::to_string(i + 1) + ": ";
-    if (stratum.isGrid() != (traversal.descent == Descent::Index))
-      diagnostics.error(range, number + "a grid is walked by index, and nothing else is");
-    if (isOneLoop && (traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled))
-      diagnostics.error(range, number + "one loop for all levels goes down trees in its own way");
-    if (traversal.descent == Descent::Single && stratum.depth != 0)
-      diagnostics.error(range, number + "a tree with layers is more than a single cell");
-    if ((traversal.stops || traversal.sampled) && plan.detail == Detail::Full)
-      diagnostics.error(range, number + "walks stop above voxels with detail=cone alone");
+namespace voxc {
+namespace {
+
+class Verifier {
+public:
+  Verifier(const Plan &plan, Diagnostics &diagnostics, const PlanRanges &ranges)
+      : plan_(plan), diagnostics_(diagnostics), ranges_(ranges) {}
+
+  void run() {
+    verify(plan_.layout, diagnostics_, ranges_.strata);
+    const std::size_t strata = plan_.layout.strata.size();
+    if (plan_.traversals.size() != strata || plan_.constructions.size() != strata)
+      return diagnostics_.error(ranges_.plan, "a plan says of each stratum how it is walked and constructed");
+    question();
+    walk();
+    choices();
+    for (index_ = 0; index_ < strata; ++index_) {
+      if (!plan_.layout.strata[index_].slots)
+        continue;
+      descent(plan_.layout.strata[index_], plan_.traversals[index_]);
+      lookUps(plan_.layout.strata[index_], plan_.traversals[index_]);
+      construction(plan_.layout.strata[index_], plan_.constructions[index_]);
+    }
   }
+
+private:
+  /// Notes a problem of the plan unless `holds`.
+  void rule(bool holds, const std::string &otherwise) {
+    if (!holds)
+      diagnostics_.error(ranges_.plan, otherwise);
+  }
+
+  /// Notes a problem of the stratum at hand unless `holds`.
+  void stratumRule(bool holds, const std::string &otherwise) {
+    if (!holds)
+      diagnostics_.error(ranges_.of(index_), "stratum " + std::to_string(index_ + 1) + ": " + otherwise);
+  }
+
+  bool isOneLoop() const { return plan_.walk == Walk::Flat || plan_.walk == Walk::Direct; }
+
+  void question() {
+    const std::string_view problem = problemOf({plan_.query, plan_.outputs, plan_.bounded});
+    rule(problem.empty(), "the plan " + std::string(problem));
+    rule(plan_.query != Query::Occupancy ||
+             (plan_.walk == Walk::Auto && plan_.steps == Steps::Float32 && plan_.detail == Detail::Full),
+         "a point is looked up without a walk, its steps and its detail");
+    rule(!plan_.outputs.index || (plan_.layout.values == Values::Apart && plan_.detail == Detail::Full),
+         "the numbers of voxels are counted where their values stand apart, with detail=full");
+    rule(plan_.addressing != Addressing::Paged || plan_.query != Query::Occupancy,
+         "pages that are not here are what rays wait for, not points");
+    rule(!plan_.bounded || plan_.detail != Detail::Cone, "a walk between bounds stops at voxels alone");
+  }
+
+  void walk() {
+    rule(plan_.stack != Stack::Shared || plan_.packing != Packing::Packets,
+         "rays in packets have no memory of a group: their stack is private");
+    rule(!isOneLoop() || plan_.detail != Detail::Cone, "one loop for all levels stops at voxels alone");
+    rule(plan_.steps == Steps::Float32 ||
+             (plan_.arithmetic == Arithmetic::Ieee && plan_.precision == Precision::Exact),
+         "exact walks alone take doubles, with arithmetic=ieee");
+  }
+
+  /// What passes choose for speed alone.
+  void choices() {
+    const bool isDirect = plan_.walk == Walk::Direct;
+    rule(!plan_.speculative || (isDirect && plan_.precision == Precision::Exact),
+         "a walk looks back at its last step with levels=direct and precision=exact alone");
+    rule(plan_.gapFaces == GapFaces::Step || isDirect,
+         "look-ups make the faces of gaps with levels=direct alone");
+    rule(plan_.packetWidth == PacketWidth::Wide || plan_.packing == Packing::Packets,
+         "packets are narrow with packing=packets alone");
+  }
+
+  void descent(const Stratum &stratum, const Traversal &traversal) {
+    stratumRule(stratum.isGrid() == (traversal.descent == Descent::Index),
+                "a grid is walked by index, and nothing else is");
+    stratumRule(!isOneLoop() ||
+                    (traversal.descent != Descent::Restart && traversal.descent != Descent::Unrolled),
+                "one loop for all levels goes down trees in its own way");
+    stratumRule(traversal.descent != Descent::Single || stratum.depth == 0,
+                "a tree with layers is more than a single cell");
+    stratumRule((!traversal.stops && !traversal.sampled) || plan_.detail == Detail::Cone,
+                "walks stop above voxels with detail=cone alone");
+    stratumRule(!traversal.sampled || plan_.outputs.colour, "a colour is searched where one is asked for");
+  }
+
+  void lookUps(const Stratum &stratum, const Traversal &traversal) {
+    stratumRule(
+        traversal.lookUp == Loops::Whole ||
+            (plan_.loops == Loops::Cut && stratum.slots->lookUpLoops && plan_.query != Query::Occupancy),
+        "look-ups of walks can be cut where they loop, with loops=cut");
+    stratumRule(traversal.readsValues || (plan_.layout.holdsVoxels(index_) && !storesValue(plan_.outputs)),
+                "values are left unread where they are those of voxels and nobody asks for them");
+    stratumRule(!traversal.voxelSteps ||
+                    (plan_.walk == Walk::Nested && stratum.isGrid() && stratum.log2Cell == 0),
+                "a nested walk steps over voxels in grids of such");
+  }
+
+  void construction(const Stratum &stratum, const Construction &construction) {
+    stratumRule(!construction.bricks || (plan_.layout.holdsVoxels(index_) && !stratum.isGrid()),
+                "trees of voxels are read by bricks, and nothing else is");
+    stratumRule(!construction.looksAhead ||
+                    (construction.bricks && !stratum.keepsLeaves(LeafPlace::Record) && !stratum.ranked),
+                "nodes of bricks=yes are announced, but no siblings and none with ranks");
+  }
+
+  const Plan &plan_;
+  Diagnostics &diagnostics_;
+  const PlanRanges &ranges_;
+  std::size_t index_ = 0;
+};
+
+} // namespace
+
+void verify(const Plan &plan, Diagnostics &diagnostics, const PlanRanges &ranges) {
+  Verifier(plan, diagnostics, ranges).run();
 }
 
 } // namespace voxc

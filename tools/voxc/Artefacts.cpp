@@ -9,6 +9,7 @@
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -17,43 +18,88 @@ namespace voxc::tool {
 
 namespace {
 
+/// Plans for one target each, made of a format when they are first asked for; or one plan, if it is for that.
+class Plans {
+public:
+  Plans(const std::variant<Format, Plan> &source, Addressing addressing)
+      : source_(source), addressing_(addressing) {}
+
+  /// The format, unless there is a plan alone.
+  const Format *format() const { return std::get_if<Format>(&source_); }
+  /// The plan that was given; null without.
+  const Plan *given() const { return std::get_if<Plan>(&source_); }
+
+  Expected<const Plan *> device() { return planFor(EmitTarget::Device, {.addressing = addressing_}); }
+  /// For devices of other interfaces, which run every loop to its end.
+  Expected<const Plan *> translated() {
+    return planFor(EmitTarget::Device, {.addressing = addressing_, .loops = Loops::Whole}, translated_);
+  }
+  Expected<const Plan *> cpu() { return planFor(EmitTarget::Processor, kCpuPlan); }
+  Expected<const Plan *> functions(EmitTarget target = EmitTarget::Functions) {
+    return planFor(target, kHeaderPlan);
+  }
+
+private:
+  Expected<const Plan *> planFor(EmitTarget target, const PlanOptions &options) {
+    return planFor(target, options, made_[static_cast<std::size_t>(target)]);
+  }
+
+  Expected<const Plan *> planFor(EmitTarget target, const PlanOptions &options, std::optional<Plan> &made) {
+    if (given()) {
+      const std::string problem = problemOf(*given(), target);
+      return problem.empty() ? Expected<const Plan *>(given()) : Error::input(problem);
+    }
+    if (!made) {
+      Expected<Plan> plan = makePlan(*format(), options);
+      if (!plan)
+        return plan.error();
+      made = std::move(*plan);
+    }
+    return &*made;
+  }
+
+  std::variant<Format, Plan> source_;
+  Addressing addressing_;
+  std::array<std::optional<Plan>, 4> made_; ///< In the order of `EmitTarget`.
+  std::optional<Plan> translated_;
+};
+
 /// What artefacts are made of; kernels are compiled when they are first asked for.
 class Generator {
 public:
-  static Expected<Generator> create(const Format &format, const KernelChoices &choices) {
-    auto plan = makePlan(format, {.addressing = choices.addressing});
-    auto cpuPlan = makePlan(format, kCpuPlan);
-    if (!plan || !cpuPlan)
-      return plan ? cpuPlan.error() : plan.error();
-    if (choices.name.empty())
-      return Generator(format, std::move(*plan), std::move(*cpuPlan), choices, headerName(plan->layout));
+  static Expected<Generator> create(const std::variant<Format, Plan> &source, const KernelChoices &choices) {
+    Generator generator(source, choices);
+    if (choices.name.empty()) {
+      const Format *const format = generator.plans_.format();
+      generator.name_ = headerName(format ? layoutOf(*format) : generator.plans_.given()->layout);
+      return generator;
+    }
     if (!isHeaderName(choices.name))
       return Error::usage("--name takes letters, digits and single underscores between them, not '" +
                           choices.name + "'");
-    return Generator(format, std::move(*plan), std::move(*cpuPlan), choices, choices.name);
+    generator.name_ = choices.name;
+    return generator;
   }
 
-  const Format &format() const { return format_; }
-  const Plan &plan() const { return plan_; }
-  const Plan &cpuPlan() const { return cpuPlan_; }
+  Plans &plans() { return plans_; }
   const KernelChoices &choices() const { return choices_; }
   const std::string &name() const { return name_; }
 
-  Expected<const Plan *> headerPlan() {
-    if (plan_.detail != Detail::Full)
+  Expected<const Plan *> headerPlan(EmitTarget target = EmitTarget::Functions) {
+    const Expected<const Plan *> asked = plans_.given() ? plans_.given() : plans_.device();
+    if (!asked)
+      return asked;
+    if ((*asked)->detail != Detail::Full)
       return Error::input("the functions of a header stop at voxels alone: leave out --detail cone");
-    if (!headerPlan_) {
-      Expected<Plan> plan = makePlan(format_, kHeaderPlan);
-      if (!plan)
-        return plan.error();
-      headerPlan_ = std::move(*plan);
-    }
-    return &*headerPlan_;
+    return plans_.functions(target);
   }
 
   Expected<const Kernel *> kernel() {
     if (!kernel_) {
-      Expected<Kernel> kernel = compileGlsl(emitIntersect(plan_), plan_, choices_.optimise);
+      const Expected<const Plan *> plan = plans_.device();
+      if (!plan)
+        return plan.error();
+      Expected<Kernel> kernel = compileKernel(**plan, choices_.optimise);
       if (!kernel)
         return kernel.error();
       kernel_ = std::move(*kernel);
@@ -62,25 +108,52 @@ public:
   }
 
 private:
-  Generator(Format format, Plan plan, Plan cpuPlan, const KernelChoices &choices, std::string name)
-      : format_(std::move(format)), plan_(std::move(plan)), cpuPlan_(std::move(cpuPlan)), choices_(choices),
-        name_(std::move(name)) {}
+  Generator(const std::variant<Format, Plan> &source, const KernelChoices &choices)
+      : plans_(source, choices.addressing), choices_(choices) {}
 
-  Format format_;
-  Plan plan_;
-  Plan cpuPlan_; ///< The same for this processor.
+  Plans plans_;
   KernelChoices choices_;
   std::string name_; ///< Of what is in a header.
-  std::optional<Plan> headerPlan_;
   std::optional<Kernel> kernel_;
 };
 
-Expected<std::string> makeIr(Generator &generator) { return printIr(generator.format()); }
-Expected<std::string> makePlanText(Generator &generator) { return printPlan(generator.plan()); }
-Expected<std::string> makeConstruct(Generator &generator) { return emitConstruct(generator.plan()); }
-Expected<std::string> makeGlsl(Generator &generator) { return emitIntersect(generator.plan()); }
+/// What a function makes of a plan, if there is one.
+template <typename Print> Expected<std::string> printed(const Expected<const Plan *> &plan, Print print) {
+  return plan ? Expected<std::string>(print(**plan)) : plan.error();
+}
+
+Expected<std::string> makeIr(Generator &generator) {
+  const Format *const format = generator.plans().format();
+  return format ? Expected<std::string>(printIr(*format))
+                : Error::input("a plan has no level IR: what it was lowered from is a format's");
+}
+
+Expected<std::string> makePlanText(Generator &generator) {
+  const Plan *const given = generator.plans().given();
+  return given ? Expected<std::string>(printPlan(*given)) : printed(generator.plans().device(), printPlan);
+}
+
+Expected<std::string> makeCpuPlanText(Generator &generator) {
+  return printed(generator.plans().cpu(), printPlan);
+}
+
+Expected<std::string> makeHeaderPlanText(Generator &generator) {
+  return printed(generator.headerPlan(), printPlan);
+}
+
+Expected<std::string> makeConstruct(Generator &generator) {
+  const Plan *const given = generator.plans().given(); // Construction is the same for all targets.
+  return given ? Expected<std::string>(emitConstruct(*given))
+               : printed(generator.plans().device(), emitConstruct);
+}
+
+Expected<std::string> makeGlsl(Generator &generator) {
+  return printed(generator.plans().device(), emitIntersect);
+}
+
 Expected<std::string> makeCpp(Generator &generator) {
-  return emitIntersectCpp(generator.cpuPlan(), generator.choices().cpu.symbol);
+  return printed(generator.plans().cpu(),
+                 [&](const Plan &plan) { return emitIntersectCpp(plan, generator.choices().cpu.symbol); });
 }
 
 Expected<std::string> makeSpirv(Generator &generator) {
@@ -96,39 +169,39 @@ Expected<std::string> makeSpirvText(Generator &generator) {
   return kernel ? disassemble(**kernel) : Expected<std::string>(kernel.error());
 }
 
-/// Kernels for the devices of other interfaces, which run every loop to its end.
 template <ShadingLanguage language> Expected<std::string> makeTranslation(Generator &generator) {
-  Expected<Plan> plan =
-      makePlan(generator.format(), {.addressing = generator.choices().addressing, .loops = Loops::Whole});
+  const Expected<const Plan *> plan = generator.plans().translated();
   if (!plan)
     return plan.error();
-  const Expected<Kernel> kernel = compileGlsl(emitIntersect(*plan), *plan, generator.choices().optimise);
+  const Expected<Kernel> kernel = compileKernel(**plan, generator.choices().optimise);
   return kernel ? translateKernel(*kernel, language) : Expected<std::string>(kernel.error());
 }
 
 Expected<std::string> makeInterface(Generator &generator) {
   Expected<const Kernel *> kernel = generator.kernel();
-  return kernel ? interfaceText(toString(generator.format()), **kernel)
-                : Expected<std::string>(kernel.error());
+  if (!kernel)
+    return kernel.error();
+  return interfaceText((*generator.plans().device())->layout.format, **kernel);
 }
 
 Expected<std::string> makeCpuObject(Generator &generator) {
-  return compileCpuObject(generator.format(), generator.choices().cpu);
+  const Expected<const Plan *> plan = generator.plans().cpu();
+  return plan ? compileCpuObject(**plan, generator.choices().cpu) : plan.error();
 }
 
 Expected<std::string> makeHeader(Generator &generator) {
-  Expected<const Plan *> plan = generator.headerPlan();
-  return plan ? emitHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
+  return printed(generator.headerPlan(),
+                 [&](const Plan &plan) { return emitHeader(plan, generator.name()); });
 }
 
 Expected<std::string> makeC(Generator &generator) {
-  Expected<const Plan *> plan = generator.headerPlan();
-  return plan ? emitCHeader(**plan, generator.name()) : Expected<std::string>(plan.error());
+  return printed(generator.headerPlan(),
+                 [&](const Plan &plan) { return emitCHeader(plan, generator.name()); });
 }
 
 Expected<std::string> makeWebGl(Generator &generator) {
-  Expected<const Plan *> plan = generator.headerPlan();
-  return plan ? emitWebGl(**plan, generator.name()) : Expected<std::string>(plan.error());
+  return printed(generator.headerPlan(EmitTarget::FirstHits),
+                 [&](const Plan &plan) { return emitWebGl(plan, generator.name()); });
 }
 
 Expected<std::string> makeIntersection(Generator &generator) {
@@ -155,7 +228,8 @@ std::vector<Artefact> constructCompanions(Generator &) { return artefactsOf(cons
 std::vector<Artefact> cppCompanions(Generator &) { return artefactsOf(intersectHeaders()); }
 
 std::vector<Artefact> cpuCompanions(Generator &generator) {
-  return {{"intersect.h", emitIntersectHeader(generator.cpuPlan(), generator.choices().cpu.symbol)}};
+  const Plan &plan = **generator.plans().cpu(); // There is one: the object was made of it.
+  return {{"intersect.h", emitIntersectHeader(plan, generator.choices().cpu.symbol)}};
 }
 
 std::vector<Artefact> cCompanions(Generator &generator) {
@@ -182,6 +256,8 @@ struct ArtefactKind {
 constexpr ArtefactKind kArtefacts[] = {
     {"ir", "format.vir", makeIr, noCompanions},
     {"plan", "format.plan", makePlanText, noCompanions},
+    {"cpu-plan", "cpu.plan", makeCpuPlanText, noCompanions},
+    {"header-plan", "header.plan", makeHeaderPlanText, noCompanions},
     {"construct", "construct.cpp", makeConstruct, constructCompanions},
     {"glsl", "intersect.glsl", makeGlsl, noCompanions},
     {"spirv", "intersect.spv", makeSpirv, noCompanions},
@@ -217,9 +293,10 @@ std::vector<std::string> artefactNames() {
   return names;
 }
 
-Expected<std::vector<Artefact>> makeArtefacts(const Format &format, const std::vector<std::string> &kinds,
+Expected<std::vector<Artefact>> makeArtefacts(const std::variant<Format, Plan> &source,
+                                              const std::vector<std::string> &kinds,
                                               const KernelChoices &choices, bool alone) {
-  auto generator = Generator::create(format, choices);
+  auto generator = Generator::create(source, choices);
   if (!generator)
     return generator.error();
   std::vector<Artefact> artefacts;

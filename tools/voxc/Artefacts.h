@@ -1,11 +1,14 @@
 // What `voxc compile` can write: one row a kind.
 #pragma once
 
+#include "voxc/IR/Format.h"
 #include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Plan/Plan.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Kernel.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace voxc::tool {
@@ -27,8 +30,10 @@ struct Artefact {
 std::vector<std::string> artefactNames();
 
 /// The files of kinds that `artefactNames` has: each kind's own, and what it needs beside it. With `alone`
-/// the kinds' own files only. Errors: as of compiling a kernel.
-Expected<std::vector<Artefact>> makeArtefacts(const Format &format, const std::vector<std::string> &kinds,
+/// the kinds' own files only. A finished plan is printed as it stands. Errors: as of compiling a kernel; what
+/// is not printed of such a plan (`Input`).
+Expected<std::vector<Artefact>> makeArtefacts(const std::variant<Format, Plan> &source,
+                                              const std::vector<std::string> &kinds,
                                               const KernelChoices &choices, bool alone);
 
 } // namespace voxc::tool

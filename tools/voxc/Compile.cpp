@@ -7,13 +7,15 @@
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "frontend/AttributeOptions.h"
-#include "frontend/FormatArgument.h"
 #include "frontend/PassOptions.h"
+#include "frontend/PlanArgument.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <variant>
 
 namespace voxc::tool {
 
@@ -36,9 +38,13 @@ public:
   Expected<void> run() override;
 
 private:
-  Expected<std::vector<Artefact>> generate(const Format &format) const;
+  Expected<std::variant<Format, Plan>> readSource() const;
+  Expected<void> applyChoices(Format &format) const;
+  Expected<std::vector<Artefact>> generate(const std::variant<Format, Plan> &source) const;
   Expected<void> write(const std::vector<Artefact> &artefacts) const;
 
+  std::optional<CommandLine> command_;
+  std::vector<std::string> planOptions_; ///< The options that a plan is made by, by name.
   CommonOptions common_;
   AttributeOptions attributes_;
   PassOptions passes_;
@@ -52,25 +58,28 @@ private:
 };
 
 void CompileCommand::declare(const CommandLine &command) {
-  command.add("FORMAT", format_, "Format string, .vir file, or - for standard input").required().takes("");
+  command_ = command;
+  command.add("FORMAT", format_, "Format string, .vir file, the plan of a kernel, or - for standard input")
+      .required()
+      .takes("");
   command.add("-o,--output", folder_, "Folder to write to, or - to print one kind")
       .takes("DIR")
       .showsDefault();
   command
       .add("--emit", kinds_,
-           "What to write, of ir, plan, construct, glsl, spirv, spvasm, interface, hlsl, msl, cpp, "
-           "cpu, header, c, "
-           "webgl, rint, separated by commas")
+           "What to write, of ir, plan, cpu-plan, header-plan, construct, glsl, spirv, spvasm, interface, "
+           "hlsl, msl, cpp, cpu, header, c, webgl, rint, separated by commas")
       .list()
       .takes("KINDS")
       .oneOf(artefactNames())
       .showsDefault("construct,glsl");
-  command
-      .add("--addressing", addressing_,
-           "How the kernel reaches the words: in one buffer, in segments, or as texels")
-      .takes("buffer|segments")
-      .oneOf(addressingNames())
-      .showsDefault();
+  const Option addressing =
+      command
+          .add("--addressing", addressing_,
+               "How the kernel reaches the words: in one buffer, in segments, or as texels")
+          .takes("buffer|segments")
+          .oneOf(addressingNames())
+          .showsDefault();
   command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
   command.add("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
       .takes("NAME")
@@ -84,17 +93,45 @@ void CompileCommand::declare(const CommandLine &command) {
       .add("--name", name_,
            "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
       .takes("NAME");
+  planOptions_ = {addressing.name()};
+  const std::size_t before = command.options().size();
   attributes_.declare(command);
   attributes_.declareBounds(command);
   passes_.declare(command, PassChoice::All);
+  const std::vector<Option> options = command.options();
+  for (std::size_t i = before; i < options.size(); ++i)
+    planOptions_.push_back(options[i].name());
   addCommonOptions(command, common_);
 }
 
-Expected<std::vector<Artefact>> CompileCommand::generate(const Format &format) const {
+Expected<void> CompileCommand::applyChoices(Format &format) const {
+  if (Expected<void> passed = passes_.apply(format, tellingMissed(common_.quiet)); !passed)
+    return passed;
+  return attributes_.apply(format);
+}
+
+/// A plan has made its choices already.
+Expected<std::variant<Format, Plan>> CompileCommand::readSource() const {
+  Expected<std::variant<Format, Plan>> source = readFormatOrPlan(format_);
+  if (!source)
+    return source;
+  if (Format *const format = std::get_if<Format>(&*source)) {
+    if (Expected<void> applied = applyChoices(*format); !applied)
+      return applied.error();
+    return source;
+  }
+  for (const Option &option : command_->given())
+    if (std::ranges::find(planOptions_, option.name()) != planOptions_.end())
+      return Error::usage("a plan has made its choices; leave out " + option.name() +
+                          ", and change the field of the plan that says it");
+  return source;
+}
+
+Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Format, Plan> &source) const {
   const auto *addressing =
       std::ranges::find(kAddressings, addressing_, [](Addressing each) { return toString(each); });
   const KernelChoices choices = {*addressing, optimise_, cpu_, name_};
-  return makeArtefacts(format, kinds_, choices, folder_ == "-");
+  return makeArtefacts(source, kinds_, choices, folder_ == "-");
 }
 
 Expected<void> CompileCommand::write(const std::vector<Artefact> &artefacts) const {
@@ -116,19 +153,17 @@ Expected<void> CompileCommand::run() {
   if (folder_ == "-")
     if (Expected<void> free = checkOutput(folder_, common_); !free)
       return free;
-  Expected<Format> format = readFormat(format_);
-  if (!format)
-    return format.error();
-  if (Expected<void> passed = passes_.apply(*format, tellingMissed(common_.quiet)); !passed)
-    return passed;
-  if (Expected<void> applied = attributes_.apply(*format); !applied)
-    return applied;
+  const Expected<std::variant<Format, Plan>> source = readSource();
+  if (!source)
+    return source.error();
 
   const Stopwatch watch;
-  Expected<std::vector<Artefact>> artefacts = generate(*format);
+  Expected<std::vector<Artefact>> artefacts = generate(*source);
   if (!artefacts)
     return artefacts.error();
-  Json figures{{"format", toString(*format)}, {"emit_seconds", watch.seconds()}};
+  const Format *const format = std::get_if<Format>(&*source);
+  Json figures{{"format", format ? toString(*format) : std::get<Plan>(*source).layout.format},
+               {"emit_seconds", watch.seconds()}};
   for (const Artefact &artefact : *artefacts)
     figures["files"].push_back(artefact.file);
   if (Expected<void> written = write(*artefacts); !written)

@@ -51,6 +51,7 @@ TEST(PlanText, IsReadAsItWasPrinted) {
     EXPECT_FALSE(diagnostics.hasErrors()) << printPlan(plan);
     EXPECT_EQ(parsed, plan) << printPlan(plan);
     EXPECT_EQ(printPlan(parsed), printPlan(plan));
+    EXPECT_TRUE(parseFinishedPlan(printPlan(plan), "plan")) << "it makes all choices: " << printPlan(plan);
   }
 }
 
@@ -115,12 +116,50 @@ TEST(PlanRules, AreEachHeld) {
       {"G(2)", [](Plan &p) { p.query = Query::Any; }, "query=closest alone has"},
       {"G(2)", [](Plan &p) { p.outputs = {.voxel = false, .t = false, .colour = false}; }, "no output"},
       {"G(2)", [](Plan &p) { p.query = Query::Occupancy, p.outputs = outputsOf(p.query); }, "without a walk"},
+      {"G(2)", [](Plan &p) { p.constructions.clear(); }, "walked and constructed"},
+      {"G(2)", [](Plan &p) { p.speculative = true; }, "levels=direct and precision=exact"},
+      {"G(2)", [](Plan &p) { p.gapFaces = GapFaces::Lookup; }, "with levels=direct alone"},
+      {"G(2)", [](Plan &p) { p.packetWidth = PacketWidth::Narrow; }, "packing=packets alone"},
+      {"G(2)", [](Plan &p) { p.traversals[0].lookUp = Loops::Cut; }, "where they loop"},
+      {"G(2)", [](Plan &p) { p.traversals[0].readsValues = false; }, "nobody asks"},
+      {"G(2)", [](Plan &p) { p.traversals[0].voxelSteps = true; }, "in grids of such"},
+      {"R(2^3)", [](Plan &p) { p.constructions[0].bricks = true; }, "trees of voxels"},
+      {"S(2)", [](Plan &p) { p.constructions[0].looksAhead = true; }, "no siblings"},
   };
   for (const BrokenRule &rule : rules) {
     Plan plan = *makePlan(*parseFormat(rule.format));
     EXPECT_EQ(problemOf(plan), "");
     rule.breakIt(plan);
     EXPECT_THAT(problemOf(plan), HasSubstr(rule.problem)) << rule.format;
+  }
+}
+
+TEST(PlanRules, SayWhatAFinishedPlanHas) {
+  const BrokenRule rules[] = {
+      {"G(2)", [](Plan &p) { p.walk = Walk::Auto; }, "not chosen yet"},
+      {"G(2)", [](Plan &p) { p.addressing = Addressing::Paged; }, "levels=direct alone"},
+      {"G(2)", [](Plan &p) { p.steps = Steps::Float64, p.arithmetic = Arithmetic::Ieee; }, "compare=numbers"},
+      {"G(2)", [](Plan &p) { p.detail = Detail::Cone; }, "defers-values=no"},
+      {"G(0)", [](Plan &p) { p.traversals[0].descent = Descent::Stack; }, "walk=single"},
+      {"H(2^3)", [](Plan &p) { p.traversals[0].lookUp = Loops::Whole; }, "lookup=cut"},
+      {"G(2)", [](Plan &p) { p.detail = Detail::Cone, p.defersValues = false, p.traversals[0].stops = true; },
+       "searched there"},
+      {"R(2^3) G(2)",
+       [](Plan &p) { p.detail = Detail::Cone, p.defersValues = false, p.traversals[0].stops = true; },
+       "in the next stratum"},
+      {"format values=apart { level 1: svdag(2) }", [](Plan &p) { p.constructions[0] = {}; }, "bricks=yes"},
+      {"G(2)", [](Plan &p) { p.layout.format = "G(2)\\"; }, "in quotation marks"},
+      {"G(2)", [](Plan &p) { p.layout.format = ""; }, "in quotation marks"},
+  };
+  for (const BrokenRule &rule : rules) {
+    Plan plan = *makePlan(*parseFormat(rule.format));
+    EXPECT_TRUE(parseFinishedPlan(printPlan(plan), "plan")) << rule.format;
+    rule.breakIt(plan);
+    EXPECT_EQ(problemOf(plan), "") << rule.problem << ": it is right, but not finished";
+    Diagnostics diagnostics;
+    verifyFinished(plan, diagnostics);
+    ASSERT_TRUE(diagnostics.hasErrors()) << rule.problem;
+    EXPECT_THAT(diagnostics.all().front().message, HasSubstr(rule.problem)) << rule.format;
   }
 }
 

@@ -8,6 +8,18 @@
 
 namespace voxc {
 
+/// Who runs what a plan is printed as. Construction code is printed of every plan.
+enum class EmitTarget {
+  Device,    ///< A device of Vulkan: `emitIntersect`.
+  Processor, ///< This processor: `emitIntersectCpp` and `emitIntersectHeader`.
+  Functions, ///< The shaders and programs of others: `emitHeader`, `emitCHeader`, `emitRayShader`.
+  FirstHits, ///< The same where rays may have no bounds: `emitWebGl`.
+};
+
+/// Why a finished plan is not one for a target, and what would be right; "" if it is. Emitters ask for one
+/// that is.
+std::string problemOf(const Plan &plan, EmitTarget target);
+
 /// construct.cpp: one function a level; needs only `constructHeaders()` beside it.
 std::string emitConstruct(const Plan &plan);
 

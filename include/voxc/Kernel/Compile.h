@@ -22,6 +22,9 @@ struct KernelOptions {
 /// Emits, compiles and validates the kernel of `format`. An error here is a defect of voxc and says so.
 Expected<Kernel> compileKernel(const Format &format, const KernelOptions &options = {});
 
+/// The same of a finished plan for `EmitTarget::Device`; `Input` if it is none.
+Expected<Kernel> compileKernel(const Plan &plan, bool optimise = false, const CompileCache *cache = nullptr);
+
 /// Compiles GLSL that `emitIntersect` made of `plan`.
 Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optimise = false);
 

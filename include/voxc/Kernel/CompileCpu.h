@@ -17,6 +17,10 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = fal
                                      const CompileCache *cache = nullptr,
                                      Addressing addressing = Addressing::Buffer);
 
+/// The same of a finished plan for `EmitTarget::Processor`; `Input` if it is none.
+Expected<CpuKernel> compileCpuKernel(const Plan &plan, bool countWords = false,
+                                     const CompileCache *cache = nullptr);
+
 struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels
   /// gives each a name of its own. A C identifier.
@@ -31,5 +35,8 @@ struct CpuObjectOptions {
 /// library but C's for mathematics; `emitIntersectHeader` declares what is in it. Errors: `symbol` is no
 /// identifier (`Usage`); Clang knows no such processor (`Input`).
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options = {});
+
+/// The same of a finished plan for `EmitTarget::Processor`; `Input` if it is none.
+Expected<std::string> compileCpuObject(const Plan &plan, const CpuObjectOptions &options = {});
 
 } // namespace voxc

@@ -35,9 +35,30 @@ enum class Packing {
            ///< a packet of such.
 };
 
+/// Who makes the faces ahead of what a direct walk finds empty.
+enum class GapFaces {
+  Step,   ///< The step over it: once for all levels.
+  Lookup, ///< The look-up that finds it, while it waits for what it reads.
+};
+
+/// How a kernel finds which of the faces ahead a ray passes first.
+enum class Compare {
+  Bits,    ///< By the bits of float32, in the order of integers.
+  Numbers, ///< By comparing numbers.
+};
+
+/// How many lanes a packet of this processor has.
+enum class PacketWidth {
+  Wide,   ///< All that registers take.
+  Narrow, ///< Half as many.
+};
+
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32", "refined", "float64"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<GapFaces> = {"step", "lookup"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Compare> = {"bits", "numbers"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<PacketWidth> = {"wide", "narrow"};
 
 /// How a kernel goes through one stratum; one that looks at points alone goes down from the root.
 struct Traversal {
@@ -45,8 +66,19 @@ struct Traversal {
   bool stops = false; ///< `Detail::Cone`: the walk may stop at nodes and cells of this stratum.
   bool sampled =
       false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this stratum.
+  Loops lookUp = Loops::Whole; ///< `Cut`: a device may end a look-up early, and the kernel asks if it has.
+  bool readsValues = true;     ///< Of a full cell its value is read; else no more than that it is there.
+  bool voxelSteps = false; ///< A nested walk steps over single voxels here, by a shorter way than over gaps.
 
   bool operator==(const Traversal &) const = default;
+};
+
+/// How generated construction code makes the nodes of one stratum.
+struct Construction {
+  bool bricks = false;     ///< Of a tree of voxels: those of 8 x 8 x 8 are read at once, not one by one.
+  bool looksAhead = false; ///< The nodes of a brick are announced before they are compared with others.
+
+  bool operator==(const Construction &) const = default;
 };
 
 struct Plan {
@@ -62,8 +94,16 @@ struct Plan {
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
-  bool bounded = false;              ///< Rays have a tmin and a tmax, between which voxels are looked for.
+  bool bounded = false; ///< Rays have a tmin and a tmax, between which voxels are looked for.
+  /// A walk goes on with the cell that a step leads to before it is known if the step was sure, and looks
+  /// back if it was not.
+  bool speculative = false;
+  GapFaces gapFaces = GapFaces::Step;
+  Compare compare = Compare::Bits;
+  PacketWidth packetWidth = PacketWidth::Wide;
+  bool defersValues = true;          ///< A voxel's value is looked up once it is hit, not where it is found.
   std::vector<Traversal> traversals; ///< One for each stratum of the layout.
+  std::vector<Construction> constructions; ///< The same.
 
   bool operator==(const Plan &) const = default;
 };
@@ -128,14 +168,35 @@ Expected<Plan> makePlan(const Format &format, const PlanOptions &options = {});
 /// or is asked to walk in another way than down from the root.
 Expected<void> checkPaging(const Format &format);
 
-/// Checks the layout's rules, and that traversals and strata fit. `ranges`, where given, say where each
-/// stratum stands.
-void verify(const Plan &plan, Diagnostics &diagnostics, const std::vector<SourceRange> &ranges = {});
+/// Where a plan stands in a text.
+struct PlanRanges {
+  SourceRange plan;                ///< Its first words.
+  std::vector<SourceRange> strata; ///< What each is.
+
+  /// That of a stratum, by index; an empty one if nothing is known of it.
+  SourceRange of(std::size_t stratum) const {
+    return stratum < strata.size() ? strata[stratum] : SourceRange{};
+  }
+};
+
+/// Checks the layout's rules, and that traversals, constructions and strata fit. `ranges`, where given, say
+/// where each stands.
+void verify(const Plan &plan, Diagnostics &diagnostics, const PlanRanges &ranges = {});
+
+/// Checks of a plan that keeps all rules whether it is finished: whether it has all choices without which
+/// emitters would make wrong code of it. Those that `makePlan` makes are.
+void verifyFinished(const Plan &plan, Diagnostics &diagnostics, const PlanRanges &ranges = {});
 
 /// The plan as text: parsing it gives the same plan, printing that the same text.
 std::string printPlan(const Plan &plan);
 
+/// True if a text begins as that of a plan does, and no format can.
+bool isPlanText(std::string_view text);
+
 /// Parses plan text; the result is verified, and only meaningful if no error was added to `diagnostics`.
 Plan parsePlan(std::string_view text, Diagnostics &diagnostics);
+
+/// Parses the text of a finished plan, for emitters. Errors are rendered with the text's `name`.
+Expected<Plan> parseFinishedPlan(std::string_view text, std::string_view name);
 
 } // namespace voxc

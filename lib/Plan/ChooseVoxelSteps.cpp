@@ -1,0 +1,19 @@
+// choose-voxel-steps: where the gaps that a nested walk steps over are single voxels.
+#include "Passes.h"
+
+#include "voxc/Layout/SlotKind.h"
+
+namespace voxc {
+
+/// A step over one voxel needs neither the gap's faces nor a search for the cell behind them.
+void chooseVoxelSteps(Plan &plan) {
+  if (plan.walk != Walk::Nested)
+    return;
+  for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
+    const Stratum &stratum = plan.layout.strata[i];
+    plan.traversals[i].voxelSteps =
+        plan.traversals[i].descent == Descent::Index && stratum.log2Cell == 0 && !reportsEmptyRegion(stratum);
+  }
+}
+
+} // namespace voxc
