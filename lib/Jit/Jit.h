@@ -15,15 +15,17 @@ namespace voxc {
 /// Compiled code; its functions live as long as it does.
 class JitCode {
 public:
-  /// Links object code that `compileToObject` made for this processor. Error: the linker's message.
-  static Expected<JitCode> link(std::string_view object);
+  /// Links object code that `compileToObject` made for this processor. Debuggers know its functions by name;
+  /// so does perf where VOXC_PERF asks for it, with the label behind each name. Error: the linker's message.
+  static Expected<JitCode> link(std::string_view object, std::string_view label = {});
   /// Compiles and links. Errors: as of either.
   static Expected<JitCode> compile(const std::vector<MemoryFile> &files, const ClangOptions &options,
-                                   const CompileCache *cache = nullptr);
+                                   const CompileCache *cache = nullptr, std::string_view label = {});
   ~JitCode();
   JitCode(JitCode &&) noexcept;
 
-  /// The address of an extern "C" function. Error: there is none of this name.
+  /// The address of an extern "C" function. Errors: there is none of this name; perf's file cannot be
+  /// written.
   Expected<void *> find(const std::string &name) const;
 
 private:
