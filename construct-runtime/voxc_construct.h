@@ -55,9 +55,7 @@ public:
   /// The same for the word of a leaf: those that came last are remembered here.
   uint32_t intern_leaf(unsigned level, uint32_t value) {
     KnownLeaf &known = leaf_at(value);
-    if (is_known(known, level, value))
-      ++host_.shared[level];
-    else
+    if (!is_known(known, level, value))
       known = {generation_, level, value, host_.intern_leaf(host_.self, level, value)};
     return known.offset;
   }

@@ -113,9 +113,6 @@ struct Host {
   /// memory.
   void (*pause)(void *self, uint64_t words);
 
-  /// Counts, for each level by its number, the words that were wanted again and found without asking.
-  uint64_t *shared;
-
   /// Cubes of 2^log2_part voxels a side were built apart; -1: none.
   int log2_part;
   void (*take_part)(void *self, Voxel low, Part *part);

@@ -107,9 +107,6 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
   };
 }
 
-const construct::Host &BuildHost::interface() {
-  table_.shared = store_.shared().data();
-  return table_;
-}
+const construct::Host &BuildHost::interface() { return table_; }
 
 } // namespace voxc

@@ -1,9 +1,8 @@
 // What the functions of a constructor share.
 #pragma once
 
-#include "ConstructCode.h"
+#include "WholeBuild.h"
 
-#include "Jit/Jit.h"
 #include "voxc/Construct/Constructor.h"
 
 #include <memory>
@@ -11,17 +10,19 @@
 namespace voxc {
 
 struct Constructor::State {
-  Format format;
-  JitCode code;
-  ConstructCode functions;
+  ConstructionOfFormat construction;
   double compileSeconds;
+
+  const Format &format() const { return construction.format; }
+  const Layout &layout() const { return construction.layout; }
+  const ConstructCode &functions() const { return construction.functions; }
 };
 
 /// Error (`Input`): more voxels along an axis than the format holds.
 Expected<void> checkFits(Int3 extent, const Format &format);
 
-/// The source in the colours that the format's payload keeps, if it rounds them; else null.
-std::unique_ptr<RoundedSource> roundedAs(const Format &format, VoxelSource &source);
+/// The source in the colours that the payload keeps, if it rounds them; else null.
+std::unique_ptr<RoundedSource> roundedAs(const Layout &layout, VoxelSource &source);
 
 /// The options with the default memory where none was given.
 BuildOptions withMemory(BuildOptions options);

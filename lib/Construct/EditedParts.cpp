@@ -40,7 +40,7 @@ Expected<std::unique_ptr<EditedParts>> EditedParts::create(const Volume &volume,
                                                            std::span<const VoxelEdit> edits,
                                                            const ConstructCode &code,
                                                            const BuildOptions &options) {
-  auto builder = PartBuilder::create(edited->view(), code, volume.format(), options.memory);
+  auto builder = PartBuilder::create(edited->view(), code, volume.layout(), options.memory);
   if (!builder)
     return builder.error();
   return std::unique_ptr<EditedParts>(

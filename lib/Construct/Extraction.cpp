@@ -40,7 +40,6 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   fragment.words = {0};
   if (layout_.hasArray())
     fragment.array.assign(kIndexedWords, 0);
-  fragment.shared.assign(layout_.strata.size() + 1, 0);
   fragment.colour = layout_.payload == Payload::Constant ? words_[1] : 0;
   fragment_ = &fragment;
   placed_.clear();

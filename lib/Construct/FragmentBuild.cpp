@@ -22,7 +22,7 @@ constexpr std::uint64_t kPartsInMemory = 8;
 Expected<BuildReport> Constructor::buildFragment(VoxelSource &source, std::uint64_t index,
                                                  std::uint64_t count, const std::string &path,
                                                  const BuildOptions &options) const {
-  const auto [begin, end] = PartGrid::of(source, layoutOf(state_->format)).range(index, count);
+  const auto [begin, end] = PartGrid::of(source, state_->layout()).range(index, count);
   return buildFragment(source, FragmentShare{index, count, begin, end}, path, options);
 }
 
@@ -30,18 +30,18 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, const Fragm
                                                  const std::string &path, const BuildOptions &given) const {
   const Stopwatch watch;
   const BuildOptions options = withMemory(given);
-  const Format &format = state_->format;
-  const auto rounded = roundedAs(format, exact);
+  const Format &format = state_->format();
+  const Layout &layout = state_->layout();
+  const auto rounded = roundedAs(layout, exact);
   VoxelSource &source = rounded ? *rounded : exact;
   if (auto fits = checkFits(source.extent(), format); !fits)
     return fits.error();
-  const Layout layout = layoutOf(format);
   const PartGrid smallest = PartGrid::of(source, layout);
   const PartGrid grid = smallest.upTo(smallest.log2Side + kLog2LargerPart, layout);
   auto writer = FragmentWriter::create(path, {infoOf(source, format, options), grid.log2Side, share});
   if (!writer)
     return writer.error();
-  auto parts = ParallelParts::start(source, state_->functions, format, grid, share.begin, share.end,
+  auto parts = ParallelParts::start(source, state_->functions(), layout, grid, share.begin, share.end,
                                     std::max(options.threads, 1u), options.memory, options.progress);
   if (!parts)
     return parts.error();
@@ -107,11 +107,11 @@ Expected<BuildReport> Constructor::joinFragments(const std::vector<std::string> 
   auto writer = FragmentWriter::create(path, {info.volume, info.log2Side, share});
   if (!writer)
     return writer.error();
-  auto joined = JoinedParts::create(*fragments, state_->functions, options.memory);
+  auto joined = JoinedParts::create(*fragments, state_->functions(), options.memory);
   if (!joined)
     return joined.error();
   const std::uint64_t mostBytes = options.memory->bound() / kPartsInMemory;
-  const Layout layout = layoutOf(info.volume.format);
+  const Layout &layout = state_->layout();
   PartSequence cubes(
       PartGrid::of(info.volume.extent, layout, info.log2Side).upTo(kMaxLog2Extent, layout), share.begin,
       share.end, [&](const Cube &cube) { return hasNone(cube, *fragments); },

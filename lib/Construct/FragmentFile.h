@@ -60,6 +60,8 @@ public:
   static Expected<FragmentReader> open(const std::string &path);
 
   const FragmentInfo &info() const { return info_; }
+  /// How the words of the volume lie.
+  const Layout &layout() const { return layout_; }
   const std::string &path() const { return path_; }
   std::span<const std::byte> bytes() const { return file_.bytes(); }
 
@@ -77,6 +79,7 @@ private:
   MappedFile file_;
   std::string path_;
   FragmentInfo info_;
+  Layout layout_;
   std::uint64_t at_ = 0;        ///< Byte of the next part.
   std::uint64_t remaining_ = 0; ///< Parts.
   std::uint64_t voxels_ = 0;    ///< Of the parts that were taken.

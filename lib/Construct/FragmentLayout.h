@@ -11,7 +11,7 @@
 namespace voxc::hvf {
 
 inline constexpr std::array<char, 8> kMagic = {'\x89', 'H', 'V', 'F', '\r', '\n', '\x1a', '\n'};
-inline constexpr std::uint32_t kVersion = 5;
+inline constexpr std::uint32_t kVersion = 6;
 /// Fragments of earlier versions do not say whether they are whole.
 inline constexpr std::uint32_t kFirstWholeVersion = 5;
 inline constexpr std::uint32_t kByteOrder = 0x01020304;
@@ -46,8 +46,7 @@ struct Trailer {
 };
 static_assert(sizeof(Trailer) == 16);
 
-/// What stands before each part; its words, array, blocks (a word of 8 bytes each), cells, values and shared
-/// counts follow.
+/// What stands before each part; its words, array, blocks (a word of 8 bytes each), cells and values follow.
 struct PartHeader {
   std::array<std::int32_t, 3> low{};
   std::array<std::uint32_t, 3 + construct::kMaskWords> node{}; ///< Kind, value, masks, voxels.

@@ -45,8 +45,11 @@ std::string problemOf(const Header &header, const MappedFile &file) {
   const std::uint64_t textBytes = std::uint64_t{header.irBytes} + header.provenanceBytes;
   if (header.version < kFirstWholeVersion && header.byteOrder == kByteOrder)
     return "was written by an earlier voxc, which could leave out voxels after an interruption; build it "
-           "again "
-           "with this voxc";
+           "again with this voxc";
+  if (header.version < kVersion && header.byteOrder == kByteOrder)
+    return "is of version " + std::to_string(header.version) +
+           ", which an earlier voxc wrote, and this one reads " + "version " + std::to_string(kVersion) +
+           "; build it again with this voxc";
   if (header.version != kVersion || header.byteOrder != kByteOrder)
     return "is of another version or byte order; build it again with this voxc";
   if (bytes.size() < sizeof(Header) + sizeof(Trailer) || !hasTrailer(bytes))
@@ -141,9 +144,9 @@ bool covers(const Fragment &fragment, const Layout &layout) {
   return words == 0 && array == 0;
 }
 
-/// True if there are so many cubes of this size in a volume of the format.
-bool hasCubes(const Header &header, const Format &format, Int3 extent) {
-  const PartGrid grid = PartGrid::of(extent, layoutOf(format), header.log2Side);
+/// True if there are so many cubes of this size in a volume of the layout.
+bool hasCubes(const Header &header, const Layout &layout, Int3 extent) {
+  const PartGrid grid = PartGrid::of(extent, layout, header.log2Side);
   return grid.log2Side == header.log2Side && header.end <= grid.count();
 }
 
@@ -170,7 +173,8 @@ Expected<FragmentReader> FragmentReader::open(const std::string &path) {
   const Int3 extent = {header.extent[0], header.extent[1], header.extent[2]};
   if (diagnostics.hasErrors() || format != storageFormat(format) || !fits(extent, format))
     return broken("names no valid format, or one that is too small");
-  if (!hasCubes(header, format, extent))
+  reader.layout_ = layoutOf(format);
+  if (!hasCubes(header, reader.layout_, extent))
     return broken("has a share of cubes that its volume does not have");
   reader.info_ = {{std::move(format), extent, transformOfRows(header.voxelToModel), header.voxels,
                    std::string(text + header.irBytes, header.provenanceBytes)},
@@ -196,12 +200,11 @@ Next<Cube> FragmentReader::next() const {
 
 std::vector<PartPlace> FragmentReader::places() const {
   std::vector<PartPlace> places;
-  const std::uint64_t shared = (info_.volume.format.levels.size() + 1) * sizeof(std::uint64_t);
   std::uint64_t at = at_;
   for (std::uint64_t part = 0; part < remaining_; ++part) {
     PartHeader header;
     ByteReader reader(bytes(), at);
-    std::uint64_t size = shared;
+    std::uint64_t size = 0;
     if (!reader.read(header) || !addBytes(header, bytes().size(), size) ||
         size > bytes().size() - reader.at())
       break;
@@ -213,20 +216,18 @@ std::vector<PartPlace> FragmentReader::places() const {
 
 Expected<Fragment> FragmentReader::take() {
   const Error broken = Error::input("'" + path_ + "' is broken: a part of it contradicts itself");
-  const std::size_t levels = info_.volume.format.levels.size();
   ByteReader reader(bytes(), at_);
   PartHeader header;
   Fragment fragment;
   std::vector<std::uint64_t> blocks;
   if (!reader.read(header) || !reader.read(fragment.words, header.words) ||
       !reader.read(fragment.array, header.array) || !reader.read(blocks, header.blocks) ||
-      !reader.read(fragment.cells, header.cells) || !reader.read(fragment.values, header.values) ||
-      !reader.read(fragment.shared, levels + 1))
+      !reader.read(fragment.cells, header.cells) || !reader.read(fragment.values, header.values))
     return broken;
   fragment.blocks.reserve(blocks.size());
   for (const std::uint64_t block : blocks)
     fragment.blocks.push_back(unpack(block));
-  if (!covers(fragment, layoutOf(info_.volume.format)) || header.node[0] > construct::Node::Inner)
+  if (!covers(fragment, layout_) || header.node[0] > construct::Node::Inner)
     return broken;
   fragment.cube = cubeOf(header);
   fragment.node = {static_cast<construct::Node::Kind>(header.node[0]), header.node[1]};

@@ -50,9 +50,9 @@ Expected<void> checkRun(const std::vector<FragmentReader> &readers, std::uint64_
 }
 
 /// True if a fragment may have such a part: an aligned cube of a size that its layout allows, in its share.
-bool isPart(const Cube &cube, const FragmentInfo &info) {
+bool isPart(const Cube &cube, const FragmentInfo &info, const Layout &layout) {
   if (cube.log2Side < info.log2Side || cube.log2Side > kMaxLog2Extent ||
-      layoutOf(info.volume.format).partSide(cube.log2Side) != cube.log2Side)
+      layout.partSide(cube.log2Side) != cube.log2Side)
     return false;
   const int mask = (1 << cube.log2Side) - 1;
   const std::uint64_t first = mortonCode(cube.low >> info.log2Side);
@@ -125,8 +125,7 @@ Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
   if (missing < first.share.count)
     return Error::input("fragment " + std::to_string(missing) + " of " + std::to_string(first.share.count) +
                         " is missing");
-  const std::uint64_t all =
-      PartGrid::of(first.volume.extent, layoutOf(first.volume.format), first.log2Side).count();
+  const std::uint64_t all = PartGrid::of(first.volume.extent, set->layout(), first.log2Side).count();
   if (set->cubes() != std::pair(std::uint64_t{0}, all))
     return Error::input("the fragments have the cubes " + std::to_string(set->cubes().first) + " to " +
                         std::to_string(set->cubes().second) + " of a volume of " + std::to_string(all));
@@ -172,15 +171,16 @@ Next<Cube> FragmentSet::next() {
 }
 
 Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
-  if (!isPart(fragment.cube, readers_[current_].info()) || mortonCode(fragment.cube.low) < endOfLast_)
+  if (!isPart(fragment.cube, readers_[current_].info(), layout()) ||
+      mortonCode(fragment.cube.low) < endOfLast_)
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
-  if (!coversCells(fragment, layoutOf(info().volume.format)))
+  if (!coversCells(fragment, layout()))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
-  const bool hasColour = layoutOf(info().volume.format).payload == Payload::Constant && fragment.voxels > 0;
+  const bool hasColour = layout().payload == Payload::Constant && fragment.voxels > 0;
   if (hasColour != (fragment.colour != 0))
     return Error::input("'" + readers_[current_].path() +
                         "' is broken: a part has a colour too much, or none");
-  if (!countsValues(fragment, layoutOf(info().volume.format)))
+  if (!countsValues(fragment, layout()))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has no value for each voxel");
   return {};
 }

@@ -22,6 +22,7 @@ public:
 
   /// Of any of them: they agree but for their shares and voxels.
   const FragmentInfo &info() const { return readers_.front().info(); }
+  const Layout &layout() const { return readers_.front().layout(); }
   /// The cubes [first, second) of all of them together.
   std::pair<std::uint64_t, std::uint64_t> cubes() const {
     return {info().share.begin, readers_.back().info().share.end};

@@ -71,11 +71,10 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
   blocks.reserve(fragment.blocks.size());
   for (const BlockRecord &block : fragment.blocks)
     blocks.push_back(pack(block));
-  const std::array<std::span<const std::byte>, 7> pieces = {
+  const std::array<std::span<const std::byte>, 6> pieces = {
       std::as_bytes(std::span(&header, 1)),     std::as_bytes(std::span(fragment.words)),
       std::as_bytes(std::span(fragment.array)), std::as_bytes(std::span(blocks)),
-      std::as_bytes(std::span(fragment.cells)), std::as_bytes(std::span(fragment.values)),
-      std::as_bytes(std::span(fragment.shared))};
+      std::as_bytes(std::span(fragment.cells)), std::as_bytes(std::span(fragment.values))};
   for (const auto &piece : pieces)
     if (auto written = write(piece.data(), piece.size()); !written)
       return written;

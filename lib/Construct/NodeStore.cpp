@@ -38,7 +38,7 @@ std::string adviceOfGranules(const Layout &layout) {
 
 NodeStore::NodeStore(WordStore words, const Layout &layout, std::shared_ptr<WorkingMemory> memory)
     : layout_(layout), memory_(std::move(memory)), words_(std::move(words)), maxWords_(layout.maxWords()),
-      array_(memory_), shared_(layout.strata.size() + 1) {
+      array_(memory_) {
   levels_.reserve(layout.strata.size());
   for (std::size_t i = 0; i < layout.strata.size(); ++i) {
     levels_.emplace_back(memory_, layout.numbersTo(i) ? kLog2IndexedWords : layout.log2Granule);
@@ -113,6 +113,15 @@ void NodeStore::align() {
 }
 
 Ref NodeStore::append(unsigned level, std::span<const std::uint32_t> words) {
+  const Ref place = put(level, words);
+  if (references_ && !failure_ && level != indexedLevel_)
+    references_->addNode(level - 1, WordReader(words_.span(), layout_.log2Granule),
+                         words_.size() - words.size(), words.size());
+  return place;
+}
+
+/// The block of a node or a leaf.
+Ref NodeStore::put(unsigned level, std::span<const std::uint32_t> words) {
   if (failure_ || !fits(level, words.size()))
     return 1;
   const std::uint64_t before = words_.size();
@@ -138,16 +147,14 @@ void NodeStore::relieve() {
     memory_->relieve();
 }
 
-Ref NodeStore::found(unsigned level, Ref known) {
-  ++shared_[level];
-  return known;
-}
-
 Ref NodeStore::remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
                         std::span<const std::uint32_t> words) {
-  const Ref place = append(level, words);
+  const bool isLeaf = kind == BlockRecord::InternLeaf;
+  const Ref place = isLeaf ? put(level, words) : append(level, words);
   if (failure_)
     return 1;
+  if (isLeaf && references_)
+    references_->addLeaf(level - 1);
   if (log_)
     log_->back().kind = kind;
   if (auto inserted = map.insert(hash, place); !inserted)
@@ -161,15 +168,14 @@ Ref NodeStore::intern(unsigned level, std::span<const std::uint32_t> words, std:
   relieve();
   NodeMap &map = at(level).nodes;
   if (const auto known = map.find(hash, words, written(level)))
-    return found(level, *known);
+    return *known;
   return remember(BlockRecord::Intern, map, hash, level, words);
 }
 
 std::optional<Ref> NodeStore::knownLeaf(unsigned level, std::uint32_t value) {
   if (failure_)
     return Ref{1};
-  const auto known = at(level).leaves.find(NodeMap::hashOf(value));
-  return known ? std::optional(found(level, *known)) : std::nullopt;
+  return at(level).leaves.find(NodeMap::hashOf(value));
 }
 
 Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
@@ -260,7 +266,6 @@ void NodeStore::clear() {
   words_.clear();
   if (indexedLevel_ != 0)
     beginArray();
-  shared_.assign(shared_.size(), 0);
   for (Level &level : levels_) {
     level.leaves.clear();
     level.nodes.clear();
@@ -272,7 +277,8 @@ std::vector<LevelReport> NodeStore::report() const {
   reports.reserve(levels_.size());
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     reports.push_back(levels_[i].report);
-    reports.back().sharedNodes = shared_[i + 1];
+    if (references_)
+      reports.back().sharedNodes = references_->sharedOf(i, reports.back().uniqueNodes);
   }
   return reports;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "NodeMap.h"
+#include "ReferenceCount.h"
 #include "WordStore.h"
 
 #include "voxc/Construct/Constructor.h"
@@ -63,7 +64,7 @@ public:
   Ref internLeaf(unsigned level, std::uint32_t value);
   /// What leads to a leaf that was interned before, if it was; 1 after a failure.
   std::optional<Ref> knownLeaf(unsigned level, std::uint32_t value);
-  /// The same without counting it, and 0 where there is none.
+  /// The same, and 0 where there is none.
   Ref leafAt(unsigned level, std::uint32_t value) {
     return at(level).leaves.find(NodeMap::hashOf(value)).value_or(0);
   }
@@ -100,11 +101,10 @@ public:
   const std::optional<Error> &failure() const { return failure_; }
 
   WordStore &words() { return words_; }
-  /// What each level has come to.
+  /// What each level has come to; without shared nodes if references are not counted.
   std::vector<LevelReport> report() const;
-  /// How often each level, by its number, was given what it had written already. Generated code counts here
-  /// too.
-  std::vector<std::uint64_t> &shared() { return shared_; }
+  /// Counts references from now on, of which a report tells.
+  void countReferences() { references_.emplace(layout_); }
 
 private:
   struct Level {
@@ -124,11 +124,11 @@ private:
   std::span<const std::uint32_t> written(unsigned level) const {
     return level == indexedLevel_ ? array_.span() : words_.span();
   }
+  Ref put(unsigned level, std::span<const std::uint32_t> words);
   void note(BlockRecord::Kind kind, unsigned level, std::uint64_t words);
   void relieve();
   Error tooManyWords(unsigned level) const;
   bool fits(unsigned level, std::uint64_t words);
-  Ref found(unsigned level, Ref known);
   void beginArray();
   std::uint32_t appendToArray(unsigned level, std::span<const std::uint32_t> words);
   Ref remember(BlockRecord::Kind kind, NodeMap &map, std::uint32_t hash, unsigned level,
@@ -142,8 +142,8 @@ private:
   int pointerBits_ = 0;
   ScratchArray<std::uint32_t> array_;
   std::vector<Level> levels_;
-  std::vector<std::uint64_t> shared_;
   std::vector<BlockRecord> *log_ = nullptr;
+  std::optional<ReferenceCount> references_;
   std::optional<Error> failure_;
   std::array<std::uint32_t, 64> announced_{}; ///< Hashes; of a brick there are no more.
   std::size_t announcedCount_ = 0;

@@ -9,7 +9,7 @@
 namespace voxc {
 
 Expected<std::unique_ptr<ParallelParts>>
-ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const Format &format,
+ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const Layout &layout,
                      const PartGrid &grid, std::uint64_t begin, std::uint64_t end, unsigned threads,
                      const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
   auto view = source.view();
@@ -19,7 +19,7 @@ ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const
       new ParallelParts(std::move(view), grid, begin, end, threads, progress));
   std::vector<PartBuilder> builders;
   for (unsigned i = 0; i < threads; ++i) {
-    auto builder = PartBuilder::create(source.view(), code, format, memory);
+    auto builder = PartBuilder::create(source.view(), code, layout, memory);
     if (!builder)
       return builder.error();
     builders.push_back(std::move(*builder));

@@ -21,7 +21,7 @@ public:
   /// The parts of `grid` that cover its smallest ones [begin, end). Errors: the source has but one reader; no
   /// memory.
   static Expected<std::unique_ptr<ParallelParts>>
-  start(const VoxelSource &source, const ConstructCode &code, const Format &format, const PartGrid &grid,
+  start(const VoxelSource &source, const ConstructCode &code, const Layout &layout, const PartGrid &grid,
         std::uint64_t begin, std::uint64_t end, unsigned threads,
         const std::shared_ptr<WorkingMemory> &memory, const Progress &progress);
   ~ParallelParts() override;

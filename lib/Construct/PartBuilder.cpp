@@ -104,8 +104,7 @@ std::optional<Cube> PartSequence::next() {
   return std::nullopt;
 }
 
-Layout layoutOfParts(const Format &format) {
-  Layout layout = layoutOf(format);
+Layout layoutOfParts(Layout layout) {
   layout.log2Granule = 0;
   return layout;
 }
@@ -114,17 +113,15 @@ void keepWords(NodeStore &store, Fragment &fragment) {
   const auto words = store.words().span();
   fragment.words.assign(words.begin(), words.end());
   fragment.array.assign(store.array().begin(), store.array().end());
-  fragment.shared = store.shared();
 }
 
 Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
-                                          const Format &format,
+                                          const Layout &layout,
                                           const std::shared_ptr<WorkingMemory> &memory) {
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  const Layout layout = layoutOfParts(format);
-  auto store = std::make_unique<NodeStore>(std::move(*words), layout, memory);
+  auto store = std::make_unique<NodeStore>(std::move(*words), layoutOfParts(layout), memory);
   return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }
 

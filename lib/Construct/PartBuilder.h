@@ -65,8 +65,8 @@ private:
   std::uint64_t looked_ = 0;
 };
 
-/// The layout of parts: their references count words, whatever those of the volume will.
-Layout layoutOfParts(const Format &format);
+/// The layout of a volume's parts: their references count words, whatever those of the volume will.
+Layout layoutOfParts(Layout layout);
 
 /// Copies what a store has come to into a fragment.
 void keepWords(NodeStore &store, Fragment &fragment);
@@ -74,9 +74,9 @@ void keepWords(NodeStore &store, Fragment &fragment);
 /// Builds parts of one source, one after the other, in memory of its own.
 class PartBuilder {
 public:
-  /// Error: no memory.
+  /// `layout`: of the volume. Error: no memory.
   static Expected<PartBuilder> create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
-                                      const Format &format, const std::shared_ptr<WorkingMemory> &memory);
+                                      const Layout &layout, const std::shared_ptr<WorkingMemory> &memory);
 
   /// One part. Errors: the source's, no memory, too many words.
   Expected<Fragment> build(const Cube &cube, const Progress &progress);

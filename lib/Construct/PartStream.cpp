@@ -54,8 +54,6 @@ construct::Part MergeHost::takePart(Int3 low) {
     proveColours(low);
   putValues(fragment_.values);
   voxels_ += fragment_.voxels;
-  for (std::size_t i = 0; i < fragment_.shared.size(); ++i)
-    store().shared()[i] += fragment_.shared[i];
   store().pause(fragment_.words.size());
   if (!progress_.at(low, voxels_))
     store().fail(Error::interrupted());

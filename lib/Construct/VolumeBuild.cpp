@@ -1,6 +1,7 @@
 // Opening and completing a volume.
 #include "VolumeBuild.h"
 
+#include "Volume/Structure.h"
 #include "voxc/Layout/OctantArray.h"
 
 #include <algorithm>
@@ -15,9 +16,10 @@ constexpr std::uint64_t kBytesOfLooks = std::uint64_t{16} << 20;
 
 } // namespace
 
-Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const BuildOptions &options) {
-  std::unique_ptr<VolumeBuild> build(new VolumeBuild(std::move(info), options));
-  const Layout layout = layoutOf(build->info_.format);
+Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const Layout &layout,
+                                                          const BuildOptions &options,
+                                                          std::uint64_t emptyWords) {
+  std::unique_ptr<VolumeBuild> build(new VolumeBuild(std::move(info), layout, options));
   // Counted at the end; their record has its room in the head from the beginning.
   build->info_.wordCounts = WordCounts{std::vector<std::uint64_t>(layout.strata.size()), 0};
   build->maxWords_ = std::min(options.maxWords, layout.maxWords());
@@ -27,17 +29,13 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
   const std::vector<std::uint32_t> head(layout.headWords() - words->size());
   if (auto begun = words->append(head); !begun)
     return begun.error();
-  if (auto skipped = words->skip(options.emptyWords); !skipped)
+  if (auto skipped = words->skip(emptyWords); !skipped)
     return skipped.error();
   build->store_ = std::make_unique<NodeStore>(std::move(*words), layout, options.memory);
   build->values_ = std::make_unique<ValueStore>(*build->store_, layout.voxelFacts(), options.memory);
   build->store_->limit(build->maxWords_);
+  build->store_->countReferences();
   return build;
-}
-
-VolumeBuild::~VolumeBuild() {
-  if (store_ && options_.wordsReached)
-    *options_.wordsReached = wordsReached_ ? wordsReached_ : store_->words().size();
 }
 
 Expected<void> VolumeBuild::openFile() {
@@ -77,9 +75,8 @@ void VolumeBuild::appendArray(WordStore &words) {
   if (words.size() + array.size() > maxWords_)
     return store_->fail(Error::input("the volume needs more than " + std::to_string(maxWords_) +
                                      " words, the most that it may have"));
-  const Layout layout = layoutOf(info_.format);
-  words.setHead(layout.headWords() - 1, static_cast<std::uint32_t>(words.size()));
-  if (layout.strata.back().inArray())
+  words.setHead(layout_.headWords() - 1, static_cast<std::uint32_t>(words.size()));
+  if (layout_.strata.back().inArray())
     return appendOctants(words, array.subspan(kIndexedWords));
   if (auto appended = words.append(array); !appended)
     store_->fail(appended.error());
@@ -102,13 +99,13 @@ void VolumeBuild::appendOctants(WordStore &words, std::span<const std::uint32_t>
 }
 
 /// The values of voxels stand behind all nodes too, where a reference can lead to.
-void VolumeBuild::appendValues(const Layout &layout) {
+void VolumeBuild::appendValues() {
   store_->align();
   WordStore &words = store_->words();
   const std::uint64_t section = words.size();
   values_->finish(words, maxWords_);
-  words.setHead(1, layout.refOf(section));
-  if (layout.log2Granule > 0 && words.size() - section > kMaxNodeWords)
+  words.setHead(1, layout_.refOf(section));
+  if (layout_.log2Granule > 0 && words.size() - section > kMaxNodeWords)
     store_->fail(
         Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
                      " words, more than the 2^32 - 2^28 that a kernel can reach where references count "
@@ -121,7 +118,7 @@ Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) con
     options_.memory->relieve(kBytesOfLooks);
     return !options_.progress.stopped();
   };
-  const auto voxels = checkStructure(info_.format, words, keepOn);
+  const auto voxels = checkStructure(layout_, words, keepOn);
   if (!voxels && voxels.error().kind != ErrorKind::Interrupted)
     return Error::input("the parts do not make a volume: " + voxels.error().message);
   if (!voxels)
@@ -156,13 +153,12 @@ WordCounts countsOf(const BuildReport &report) {
 Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour,
                                     Origin origin) {
   WordStore &words = store_->words();
-  const Layout layout = layoutOf(info_.format);
   const std::uint64_t arrayBegin = words.size();
   appendArray(words);
   const std::uint64_t nodeWords = words.size();
-  if (layout.values == Values::Apart)
-    appendValues(layout);
-  if (layout.payload == Payload::Constant)
+  if (layout_.values == Values::Apart)
+    appendValues();
+  if (layout_.payload == Payload::Constant)
     words.setHead(1, colour);
   if (store_->failure())
     return *store_->failure();
@@ -179,7 +175,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
-  if (layout.strata.back().inArray())
+  if (layout_.strata.back().inArray())
     report.levels.back().words = nodeWords - arrayBegin;
   report.valueWords = span.size() - nodeWords;
   info_.wordCounts = countsOf(report);

@@ -24,17 +24,16 @@ enum class Origin {
 /// From the first word to the finished volume.
 class VolumeBuild {
 public:
-  /// `info`: of the volume, but for the number of voxels. `options.memory` is set. Errors: nothing can be
-  /// written to the path; no memory.
-  static Expected<std::unique_ptr<VolumeBuild>> start(VolumeInfo info, const BuildOptions &options);
-
-  /// Tells how many words were reached.
-  ~VolumeBuild();
-  VolumeBuild(const VolumeBuild &) = delete;
-  VolumeBuild &operator=(const VolumeBuild &) = delete;
+  /// `info`: of the volume, but for the number of voxels. `layout` and `options` outlive this;
+  /// `options.memory` is set. `emptyWords` are left before the first node. Errors: nothing can be written to
+  /// the path; no memory.
+  static Expected<std::unique_ptr<VolumeBuild>>
+  start(VolumeInfo info, const Layout &layout, const BuildOptions &options, std::uint64_t emptyWords = 0);
 
   NodeStore &store() { return *store_; }
   ValueStore &values() { return *values_; }
+  /// How many words there are, or were when the volume took them.
+  std::uint64_t wordsReached() const { return wordsReached_ ? wordsReached_ : store_->words().size(); }
 
   /// Completes the volume. `root`: the offset of the root sub-volume. `colour`: that of all voxels, of
   /// `Payload::Constant`. `origin`: whether the words are proved before a file gets its name. Errors: the
@@ -43,12 +42,13 @@ public:
                          Origin origin = Origin::Built);
 
 private:
-  VolumeBuild(VolumeInfo info, const BuildOptions &options) : info_(std::move(info)), options_(options) {}
+  VolumeBuild(VolumeInfo info, const Layout &layout, const BuildOptions &options)
+      : info_(std::move(info)), layout_(layout), options_(options) {}
   Expected<void> openFile();
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
   void appendOctants(WordStore &words, std::span<const std::uint32_t> grids);
-  void appendValues(const Layout &layout);
+  void appendValues();
   /// Proves the words as the loader will.
   Expected<void> proveWords(std::span<const std::uint32_t> words) const;
   /// Writes the file, unless the words went to their place in it while they were made.
@@ -56,6 +56,7 @@ private:
 
   Stopwatch watch_;
   VolumeInfo info_;
+  const Layout &layout_;
   const BuildOptions &options_;
   std::optional<VolumeFileWriter> streamWriter_;
   std::optional<PagedFileWriter> pagedWriter_;

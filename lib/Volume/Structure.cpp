@@ -1,4 +1,6 @@
 // Proving that a volume's words are safe and well-formed, before any kernel sees them.
+#include "Structure.h"
+
 #include "voxc/Layout/SubVolume.h"
 #include "voxc/Layout/Values.h"
 #include "voxc/Volume/Volume.h"
@@ -277,10 +279,14 @@ private:
 
 } // namespace
 
+Expected<std::uint64_t> checkStructure(const Layout &layout, std::span<const std::uint32_t> words,
+                                       const KeepOn &keepOn) {
+  return StructureCheck(layout, words, keepOn).run();
+}
+
 Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words,
                                        const KeepOn &keepOn) {
-  const Layout layout = layoutOf(format);
-  return StructureCheck(layout, words, keepOn).run();
+  return checkStructure(layoutOf(format), words, keepOn);
 }
 
 } // namespace voxc

@@ -3,6 +3,7 @@
 #include "VolumeFile.h"
 
 #include "PagedFile.h"
+#include "Structure.h"
 #include "VolumeHead.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ Expected<Volume> readPaged(std::span<const std::byte> bytes, const std::string &
 
 /// Follows every pointer, and counts the voxels.
 Expected<void> checkWords(const Volume &volume, const std::string &name, const Progress &progress) {
-  const auto voxels = checkStructure(volume.format(), volume.words(), [&] { return !progress.stopped(); });
+  const auto voxels = checkStructure(volume.layout(), volume.words(), [&] { return !progress.stopped(); });
   if (!voxels && voxels.error().kind == ErrorKind::Interrupted)
     return voxels.error();
   if (!voxels)

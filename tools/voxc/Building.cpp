@@ -249,14 +249,12 @@ Expected<Volume> Building::build(Format &format, const std::string &path, const 
   Expected<Prepared> prepared = prepare(format, common, progress, figures);
   if (!prepared)
     return prepared.error();
-  std::uint64_t words = 0;
   prepared->options.path = path;
   prepared->options.compress = buildArguments_.compress;
   prepared->options.maxWords = maxWordsOf(buildArguments_);
-  prepared->options.wordsReached = &words;
-  Expected<Built> built = prepared->constructor.build(prepared->source(), prepared->options);
+  BuildResult built = prepared->constructor.build(prepared->source(), prepared->options);
   if (!built) {
-    figures["words"] = words;
+    figures["words"] = built.wordsReached();
     return built.error();
   }
   addVolumeFigures(figures, built->volume);

@@ -27,7 +27,6 @@ protected:
     fragment.words.resize(kFragmentBytes / sizeof(std::uint32_t));
     std::iota(fragment.words.begin(), fragment.words.end(), 0u);
     fragment.blocks = {{BlockRecord::Append, 1, fragment.words.size() - 1}};
-    fragment.shared.resize(2);
     FragmentInfo info{.volume = {}, .log2Side = 6, .share = {0, 1, 0, 1}};
     info.volume.format = *parseFormat("G(6)");
     info.volume.extent = {64, 64, 64};

@@ -140,7 +140,10 @@ TEST_F(Shares, EndWithATrailer) {
 TEST_F(Shares, OfBeforeAreToBeBuiltAgain) {
   build(0, 1, 0, 8);
   change(0, kVersionAt, -1);
-  EXPECT_THAT(problemOfMerge(1), HasSubstr("was written by an earlier voxc"));
+  EXPECT_THAT(problemOfMerge(1), HasSubstr("is of version 5, which an earlier voxc wrote"));
+  EXPECT_THAT(problemOfMerge(1), HasSubstr("build it again with this voxc"));
+  change(0, kVersionAt, -1);
+  EXPECT_THAT(problemOfMerge(1), HasSubstr("could leave out voxels after an interruption"));
   EXPECT_THAT(problemOfMerge(1), HasSubstr("build it again with this voxc"));
 }
 

@@ -78,14 +78,11 @@ TEST_F(GranuleFiles, OfFarNodesFallIntoTheSameParts) {
 TEST_F(GranuleFiles, HaveHolesWhereTheirWordsAreEmpty) {
   const Format format = withGranule(*parseFormat("R(2^3) G(3)"), "2");
   const HardScene scene = sceneOf(format, 6);
-  const auto constructor = Constructor::compile(format);
-  ASSERT_TRUE(constructor) << constructor.error().message;
   constexpr std::uint64_t kEmpty = std::uint64_t{1} << 28;
-  const auto built = constructor->build(
-      *scene.source(), {.memory = vastMemory(), .path = path("far.hvx"), .emptyWords = kEmpty});
+  const auto built = build(format, scene, kEmpty, path("far.hvx"));
   ASSERT_TRUE(built) << built.error().message;
   const auto loaded = Volume::load(path("far.hvx"));
-  expectSameWords(built->volume, loaded);
+  expectSameWords(*built, loaded);
   EXPECT_GT(std::filesystem::file_size(path("far.hvx")), 4 * kEmpty);
   struct stat status{};
   ASSERT_EQ(::stat(path("far.hvx").c_str(), &status), 0);

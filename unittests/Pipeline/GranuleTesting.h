@@ -1,11 +1,12 @@
 // Formats whose references count granules, and volumes of them, as large as one likes.
 #pragma once
 
+#include "Construct/WholeBuild.h"
 #include "testing/HardScenes.h"
-#include "voxc/Construct/Constructor.h"
 #include "voxc/Support/WorkingMemory.h"
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -55,11 +56,14 @@ inline std::vector<Format> formatsWith(std::string_view words) {
 /// Nothing of it is taken but what is written to.
 inline std::shared_ptr<WorkingMemory> vastMemory() { return WorkingMemory::create(std::uint64_t{1} << 42); }
 
-inline Expected<Volume> build(const Format &format, const HardScene &scene, std::uint64_t emptyWords = 0) {
-  const auto constructor = Constructor::compile(format);
-  if (!constructor)
-    return constructor.error();
-  auto built = constructor->build(*scene.source(), {.memory = vastMemory(), .emptyWords = emptyWords});
+/// A volume whose first node lies behind so many empty words.
+inline Expected<Volume> build(const Format &format, const HardScene &scene, std::uint64_t emptyWords = 0,
+                              const std::string &path = {}) {
+  const auto construction = ConstructionOfFormat::compile(format);
+  if (!construction)
+    return construction.error();
+  const BuildOptions options = {.memory = vastMemory(), .path = path};
+  auto built = buildWhole(*scene.source(), *construction, options, emptyWords);
   if (!built)
     return built.error();
   return std::move(built->volume);

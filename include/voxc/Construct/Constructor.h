@@ -16,12 +16,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace voxc {
 
-/// How to build. Nothing of it but `emptyWords` changes a byte of the volume, if there is one; `compress`
-/// changes those of its file.
+/// How to build. Nothing of it changes a byte of the volume, if there is one; `compress` changes those of its
+/// file.
 struct BuildOptions {
   std::string provenance; ///< Kept in the volume.
   unsigned threads = 1;   ///< Sources that have but one reader are built on one.
@@ -36,18 +37,13 @@ struct BuildOptions {
   bool compress = false;
   /// A volume of more is an error, and one of more than its references can reach in any case.
   std::uint64_t maxWords = std::numeric_limits<std::uint64_t>::max();
-  /// Words left empty before the first node. They change the volume's bytes and no voxel: so tests see nodes
-  /// where they lie in very large volumes alone.
-  std::uint64_t emptyWords = 0;
-  /// Where to put how many words there were at the end, also of a build that failed; null: nowhere.
-  std::uint64_t *wordsReached = nullptr;
 };
 
 /// What became of one level.
 struct LevelReport {
   std::uint64_t words = 0;
   std::uint64_t uniqueNodes = 0; ///< Grids, nodes, blocks of siblings and shared leaves that were written.
-  std::uint64_t sharedNodes = 0; ///< Times one was found written already.
+  std::uint64_t sharedNodes = 0; ///< References to one that another leads to already.
 };
 
 struct BuildReport {
@@ -67,6 +63,22 @@ class FragmentSet;
 struct Built {
   Volume volume;
   BuildReport report;
+};
+
+/// A volume that was built; or why it was not, and how many words there were by then.
+class [[nodiscard]] BuildResult : public Expected<Built> {
+public:
+  BuildResult(Built built) : Expected<Built>(std::move(built)) {}
+  /// An error before the first word.
+  BuildResult(Error error) : Expected<Built>(std::move(error)) {}
+  BuildResult(Expected<Built> built, std::uint64_t wordsReached)
+      : Expected<Built>(std::move(built)), wordsReached_(wordsReached) {}
+
+  /// Words of the volume when it was complete, or when building it failed.
+  std::uint64_t wordsReached() const { return wordsReached_; }
+
+private:
+  std::uint64_t wordsReached_ = 0;
 };
 
 /// The aligned cubes of voxels in which a volume can be cut apart, numbered in Morton order.
@@ -93,14 +105,14 @@ public:
   /// Builds the volume of a source. The bytes depend on format and voxels alone. Errors: the source is larger
   /// than the format or failed (its error), more than `maxWords` words are needed (`Input`, naming
   /// the size reached), memory or disk is full, or the build was stopped.
-  Expected<Built> build(VoxelSource &source, const BuildOptions &options = {}) const;
+  BuildResult build(VoxelSource &source, const BuildOptions &options = {}) const;
 
   /// Builds what `volume`, which is of the same format, becomes by the edits, one after the other: the words
   /// are those of a build of the edited voxels. What edits do not touch is neither decoded nor built, but the
   /// words are proved as a loader does. Errors: another format, an edit that reaches out of the volume, a
   /// volume whose words are shared in a way that no build shares them (`Input`); as `build`.
-  Expected<Built> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
-                       const BuildOptions &options = {}) const;
+  BuildResult edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
+                   const BuildOptions &options = {}) const;
 
   /// Builds the parts of a volume whose numbers, in Morton order, lie in the fragment `index` of `count` (0
   /// to count - 1), and writes them to `path` for `merge`. The report's levels say nothing. Errors: as
@@ -120,17 +132,17 @@ public:
   /// Joins all fragments of a volume, given in any order, to what `build` makes of it. The provenance is
   /// theirs. Errors (`Input`): a file that is no fragment, is not whole or broken, of another format or
   /// input, or missing; fragments whose shares leave cubes of the volume out, or have some twice.
-  Expected<Built> merge(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
+  BuildResult merge(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
 
   /// The same of some fragments that follow one another: a volume that holds their voxels alone. Errors: the
   /// same, but for those that are missing.
-  Expected<Built> mergeRun(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
+  BuildResult mergeRun(const std::vector<std::string> &paths, const BuildOptions &options = {}) const;
 
 private:
   struct State;
-  Expected<Built> buildVoxels(VoxelSource &source, const BuildOptions &options) const;
+  BuildResult buildVoxels(VoxelSource &source, const BuildOptions &options) const;
   Expected<void> checkFormat(const FragmentSet &fragments) const;
-  Expected<Built> mergeOpened(Expected<FragmentSet> fragments, const BuildOptions &options) const;
+  BuildResult mergeOpened(Expected<FragmentSet> fragments, const BuildOptions &options) const;
   explicit Constructor(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
