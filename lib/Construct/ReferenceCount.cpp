@@ -12,10 +12,10 @@ void ReferenceCount::addNode(std::size_t index, const WordReader &words, std::ui
   const bool ends = stratum.isGrid() && layout_.holdsVoxels(index);
   if (ends || (!isShared(index) && !isShared(index + 1)))
     return;
-  if (stratum.cells == Cells::Record)
+  if (stratum.keepsLeaves(LeafPlace::Record))
     return addRecords(index, words, at, count);
   stratum.slots->visit(words, stratum, at, [&](Int3, const Child &child) {
-    const bool isValue = stratum.isGrid() || (child.leaf && stratum.cells == Cells::Slot);
+    const bool isValue = stratum.isGrid() || (child.leaf && stratum.keepsLeaves(LeafPlace::InSlot));
     if (isValue)
       addValue(index);
     else if (!(child.leaf && stratum.implied))

@@ -62,7 +62,7 @@ Expected<CpuKernel> compileCpuKernel(const Plan &plan, bool countWords, const Co
   const auto object = compile(emitIntersectCpp(plan, kSymbol, countWords), "native", cache);
   if (!object)
     return object.error();
-  auto code = JitCode::link(*object, toString(format));
+  auto code = JitCode::link(*object, plan.layout.format);
   if (!code)
     return code.error();
   const auto function = code->find(kSymbol);

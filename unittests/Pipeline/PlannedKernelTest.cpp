@@ -100,7 +100,10 @@ protected:
   mutable int tried_ = 0;
 };
 
-TEST_P(PlannedKernels, HitTheSameOnThisProcessor) {
+/// Those of this processor take seconds to compile.
+class PlannedCpuKernels : public PlannedKernels {};
+
+TEST_P(PlannedCpuKernels, HitTheSame) {
   expectTheSameHits(kCpuPlan, [&](const Plan &plan) -> Expected<Hits> {
     const Expected<CpuKernel> kernel = compileCpuKernel(plan);
     return kernel ? traced(createCpuTracer(*kernel, *volume_, 2)) : kernel.error();
@@ -108,7 +111,7 @@ TEST_P(PlannedKernels, HitTheSameOnThisProcessor) {
   EXPECT_GT(tried_, 1);
 }
 
-TEST_P(PlannedKernels, HitTheSameOnADevice) {
+TEST_P(PlannedKernels, HitTheSame) {
   auto device = Device::open("llvmpipe");
   if (!device)
     GTEST_SKIP() << "there is no llvmpipe device";
@@ -121,10 +124,12 @@ TEST_P(PlannedKernels, HitTheSameOnADevice) {
   EXPECT_GT(tried_, 1);
 }
 
+const Place kDirect = {"D(3^3, 15) M(2^3)", {"octant-distances", "direct-walk"}};
+const Place kApart = {"R(2^3) M(3^3)", {"values-apart"}};
+
+INSTANTIATE_TEST_SUITE_P(Places, PlannedCpuKernels, ::testing::Values(kDirect, kApart));
 INSTANTIATE_TEST_SUITE_P(Places, PlannedKernels,
-                         ::testing::Values(Place{"D(3^3, 15) M(2^3)", {"octant-distances", "direct-walk"}},
-                                           Place{"R(1^3) G(2) M(2^3)", {"direct-walk"}},
-                                           Place{"R(2^3) M(3^3)", {"values-apart"}},
+                         ::testing::Values(kDirect, kApart, Place{"R(1^3) G(2) M(2^3)", {"direct-walk"}},
                                            Place{"H(2^3) R(2^3)", {}}, Place{"R(2^3) G(3)", {}, "any"}));
 
 } // namespace
