@@ -17,6 +17,7 @@ set(VOXC_MESH_READERS
   Gltf/GltfPoses.cpp
   Gltf/GltfReader.cpp
   Gltf/GltfTransforms.cpp
+  Gltf/GltfUris.cpp
   Gltf/Json.cpp
   Image/ImageDecoder.cpp
   Image/Jpeg.cpp

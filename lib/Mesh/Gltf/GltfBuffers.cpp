@@ -115,7 +115,7 @@ std::span<const std::byte> GltfBuffers::readData(std::string_view uri, const Glt
 }
 
 std::span<const std::byte> GltfBuffers::readFile(std::string_view uri, const GltfObject &json) {
-  const std::string path = context_.folder + uriToPath(uri);
+  const std::string &path = context_.uris.path(uri);
   const auto [entry, isNew] = files_.try_emplace(path);
   if (!isNew)
     return entry->second;

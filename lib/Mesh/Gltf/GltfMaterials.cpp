@@ -68,6 +68,9 @@ GltfMaterials::Use GltfMaterials::read(const GltfObject &json) {
   material.isLinear = true;
   material.texture = readTexture(base.object(glossiness ? "diffuseTexture" : "baseColorTexture"), use.uvSet);
   readAlpha(json, material);
+  for (const char *texture : {"normalTexture", "occlusionTexture"})
+    if (json.has(texture))
+      context_.unused.insert(texture);
   // A material without light has a colour and nothing else.
   if (!json.extension("KHR_materials_unlit")) {
     readMetal(json.object("pbrMetallicRoughness"), material, use);
@@ -161,7 +164,7 @@ int GltfMaterials::readImage(const GltfObject &texture) {
 Expected<int> GltfMaterials::decode(std::size_t index, const GltfObject &image) {
   const std::string_view uri = image.text("uri");
   if (!uri.empty() && !isDataUri(uri))
-    return textures_.readFile(context_.folder + uriToPath(uri));
+    return textures_.readFile(context_.uris.path(uri));
   const auto view = image.index("bufferView", buffers_.views());
   // Images that share a buffer view are one.
   const std::string key = view ? "/view " + std::to_string(*view) : "/image " + std::to_string(index);

@@ -140,6 +140,8 @@ std::vector<GltfJointSet> GltfMeshes::jointSetsOf(const GltfObject &attributes, 
 
 void GltfMeshes::readColours(const GltfObject &attributes, MeshPart &part) {
   part.colours = attribute(attributes, "COLOR_0", 3, 4, part);
+  if (attributes.has("COLOR_1"))
+    context_.unused.insert("COLOR_1");
   // Integers of colours are fractions whether the accessor says so or not.
   part.colours.normalized = !isFloat(part.colours.type);
 }

@@ -2,6 +2,7 @@
 #include "Mesh/Gltf/GltfNodes.h"
 
 #include "Mesh/Gltf/GltfTransforms.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 
@@ -26,6 +27,7 @@ public:
       pending_.pop_back();
       visit(next);
     }
+    warnOfOthers();
   }
 
 private:
@@ -40,6 +42,25 @@ private:
       pushAll(scenes[*scene].list("nodes"), {});
     else
       pushAllRoots();
+    if (scenes.size() > 1 && !context_.root.has("scene"))
+      context_.warnings.add("it has " + std::to_string(scenes.size()) +
+                            " scenes and does not say which is shown; all are read as one");
+  }
+
+  void warnOfOthers() {
+    std::uint64_t others = 0;
+    for (std::size_t node = 0; node < nodes_.size(); ++node)
+      if (!wasReached_[node] && nodes_[node].has("mesh"))
+        ++others;
+    if (others != 0)
+      context_.warnings.add("meshes that are hidden or outside of the scene that is shown are left out: " +
+                            counted(others, "node"));
+  }
+
+  /// Of a node and all below it.
+  static bool isHidden(const GltfObject &node) {
+    const GltfObject visibility = node.extension("KHR_node_visibility");
+    return visibility && visibility.has("visible") && !visibility.flag("visible");
   }
 
   /// No scene is the default: every node that is no one's child.
@@ -64,6 +85,8 @@ private:
   }
 
   void push(std::size_t node, const Transform &parent) {
+    if (isHidden(nodes_[node]))
+      return;
     if (wasReached_[node])
       nodes_[node].problem("is reached twice, but nodes make a tree");
     wasReached_[node] = true;

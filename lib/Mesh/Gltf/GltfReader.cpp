@@ -19,6 +19,17 @@ void checkVersion(GltfContext &context) {
     context.problem.set("it is glTF " + version + "; only glTF 2 is read");
 }
 
+/// One sentence for all that has no place in voxels.
+void warnOfUnused(GltfContext &context) {
+  if (context.root.list("cameras").size() != 0)
+    context.unused.insert("cameras");
+  std::string names;
+  for (const std::string &name : context.unused)
+    names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty())
+    context.warnings.add("of the model these are not used: " + names.substr(0, 400));
+}
+
 void readModel(GltfContext &context) {
   checkVersion(context);
   checkGltfExtensions(context);
@@ -32,6 +43,7 @@ void readModel(GltfContext &context) {
   readGltfNodes(context, meshes, accessors, poses);
   if (context.root.list("animations").size() != 0)
     context.warnings.add("animations are not applied: the model is read as it stands without them");
+  warnOfUnused(context);
   context.scene.loaderPeakBytes += materials.libraryPeakBytes();
 }
 
@@ -52,7 +64,7 @@ Expected<TriangleScene> readGltf(const MeshInput &input) {
   GltfContext context{GltfObject(document->root(), "", problem),
                       parts->binary,
                       input.file->bytes().size(),
-                      input.folder(),
+                      GltfUris(input.folder(), warnings),
                       input.memory,
                       scene,
                       warnings,
