@@ -8,6 +8,9 @@
 
 namespace voxc {
 
+/// What may stand before a text in UTF-8.
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 /// Takes the next word off the front of `text`; empty if there is none.
 std::string_view takeWord(std::string_view &text);
 
@@ -40,8 +43,8 @@ class TextLines {
 public:
   /// A mark of UTF-8 at the beginning is passed over.
   explicit TextLines(std::string_view text) : text_(text), rest_(text) {
-    if (rest_.starts_with("\xef\xbb\xbf"))
-      rest_.remove_prefix(3);
+    if (rest_.starts_with(kByteOrderMark))
+      rest_.remove_prefix(kByteOrderMark.size());
   }
 
   /// The next line, without its end; valid until the next call.

@@ -46,6 +46,35 @@ TEST_F(StlReader, ReadsText) {
   EXPECT_EQ(triangles[2], kCorners);
 }
 
+TEST_F(StlReader, TextMayBeginWithAMark) {
+  EXPECT_EQ(countTriangles(load("m.stl", "\xef\xbb\xbfsolid a\n" + kFacet)), 1u);
+}
+
+TEST_F(StlReader, BytesBehindTheTrianglesAreTold) {
+  const TriangleScene scene = load("m.stl", binary("", 2) + "abc");
+  EXPECT_EQ(countTriangles(scene), 2u);
+  EXPECT_EQ(scene.warnings,
+            std::vector<std::string>{
+                "3 bytes are left out, which lie behind the 2 triangles that its header says"});
+  std::string fewer = binary("", 3);
+  fewer[80] = 1;
+  EXPECT_EQ(countTriangles(load("m.stl", fewer)), 1u);
+  EXPECT_EQ(load("m.stl", fewer).warnings.size(), 1u);
+  EXPECT_TRUE(load("m.stl", binary("", 2)).warnings.empty());
+}
+
+TEST_F(StlReader, HeadersThatDoNotKnowTheirTriangles) {
+  for (const char byte : {'\0', '\xff'}) {
+    std::string file = binary("", 2);
+    file.replace(80, 4, std::string(4, byte));
+    const TriangleScene scene = load("m.stl", file);
+    EXPECT_EQ(countTriangles(scene), 2u);
+    EXPECT_EQ(scene.warnings, std::vector<std::string>{
+                                  "its header does not say how many triangles it has; all are taken, 2"});
+    EXPECT_NE(problem("m.stl", file + "a"), "no error");
+  }
+}
+
 TEST_F(StlReader, TextNeedsNoLines) {
   const TriangleScene scene =
       load("m.stl", " SOLID s\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 VERTEX +1 0 0 "

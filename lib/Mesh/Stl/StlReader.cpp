@@ -45,7 +45,9 @@ bool isOfBinarySize(std::span<const std::byte> bytes) {
 
 /// Many binary files begin with "solid" as the text does, so what follows decides.
 bool isText(std::span<const std::byte> bytes) {
-  const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+  std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+  if (text.starts_with(kByteOrderMark))
+    text.remove_prefix(kByteOrderMark.size());
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos || lowerCase(text.substr(begin, 5)) != "solid")
     return false;
@@ -72,15 +74,33 @@ void readColours(const MeshInput &input, const StlColours &colours, ScratchArray
   }
 }
 
+/// How many triangles there are: as many as the header says, unless it says none or -1, as programs do that
+/// write it before they know.
+std::uint64_t countOf(std::span<const std::byte> bytes, std::vector<std::string> &warnings) {
+  const std::uint64_t claimed = littleWord(bytes.data() + kCountOffset);
+  const std::uint64_t room = bytes.size() - kHeaderBytes, there = room / kTriangleBytes;
+  const bool isUnknown = claimed == 0 || claimed == 0xffffffff;
+  if (isUnknown && there > 0 && room % kTriangleBytes == 0) {
+    warnings.push_back("its header does not say how many triangles it has; all are taken, " +
+                       std::to_string(there));
+    return there;
+  }
+  if (claimed < there || (claimed == there && room % kTriangleBytes != 0))
+    warnings.push_back(countedAre(room - claimed * kTriangleBytes, "byte") +
+                       " left out, which lie behind the " + counted(claimed, "triangle") +
+                       " that its header says");
+  return claimed;
+}
+
 void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, StlColours &colours,
-                Problem &problem) {
+                std::vector<std::string> &warnings, Problem &problem) {
   const std::span<const std::byte> bytes = input.file->bytes();
   const std::string_view encoding = wideEncoding(input.file->text());
   if (!encoding.empty() && !isOfBinarySize(bytes))
     return problem.set(isWideText(encoding));
   if (bytes.size() < kHeaderBytes)
     return problem.set("it is neither the text 'solid' nor has it the 84 bytes of a binary header");
-  const std::uint64_t count = littleWord(bytes.data() + kCountOffset);
+  const std::uint64_t count = countOf(bytes, warnings);
   if (count > (bytes.size() - kHeaderBytes) / kTriangleBytes)
     return problem.set("it claims " + std::to_string(count) + " triangles, but has only " +
                        std::to_string(bytes.size() - kHeaderBytes) + " bytes for them");
@@ -109,7 +129,7 @@ Expected<TriangleScene> readStl(const MeshInput &input) {
   } else {
     ScratchArray<StlCorner> corners(input.memory);
     StlColours colours(input.file->bytes().first(std::min(kCountOffset, input.file->bytes().size())));
-    readBinary(input, corners, colours, problem);
+    readBinary(input, corners, colours, scene.warnings, problem);
     ScratchArray<std::uint32_t> words(input.memory);
     if (!problem && colours.areThere())
       readColours(input, colours, words, corners.size() / 3, problem);

@@ -14,7 +14,10 @@ namespace {
 class TextReader {
 public:
   TextReader(const MeshInput &input, ScratchArray<StlTextCorner> &corners, Problem &problem)
-      : input_(input), corners_(corners), problem_(problem), text_(input.file->text()), rest_(text_) {}
+      : input_(input), corners_(corners), problem_(problem), text_(input.file->text()), rest_(text_) {
+    if (rest_.starts_with(kByteOrderMark))
+      rest_.remove_prefix(kByteOrderMark.size());
+  }
 
   void read() {
     for (std::uint64_t words = 0; !problem_; ++words) {
