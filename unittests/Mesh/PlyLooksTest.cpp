@@ -50,6 +50,32 @@ protected:
   }
 };
 
+TEST_F(PlyLooks, WhatIsWhollyTransparentIsMeantToBeSeen) {
+  const std::vector<std::string> names{"red", "green", "blue", "alpha"};
+  TriangleScene scene = coloured("uchar", names, "1 2 3 0", "4 5 6 0");
+  EXPECT_EQ(colourOf(scene.parts[0], 0, 0), (Rgba{1, 2, 3, 255}));
+  EXPECT_EQ(scene.warnings,
+            std::vector<std::string>{"all colours are wholly transparent, and are taken for opaque"});
+  scene = coloured("uchar", names, "1 2 3 1", "4 5 6 0");
+  EXPECT_EQ(colourOf(scene.parts[0], 0, 1), (Rgba{4, 5, 6, 0}));
+  EXPECT_TRUE(scene.warnings.empty());
+  scene = load("m.ply", text("", "", {},
+                             "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                             "property uchar alpha\n",
+                             {"3 0 1 2 9 8 7 0", "3 0 2 3 1 2 3 0"}));
+  EXPECT_EQ(colourOf(scene.parts[0], 0, 0), (Rgba{9, 8, 7, 255}));
+  EXPECT_EQ(scene.warnings.size(), 1u);
+}
+
+TEST_F(PlyLooks, WhatIsLeftOutIsTold) {
+  const TriangleScene scene =
+      load("m.ply", text("", "", {}, "", {"4 0 1 2 3", "2 0 1", "1 0"}) + " \n\nrest");
+  EXPECT_EQ(countTriangles(scene), 2u);
+  EXPECT_EQ(scene.warnings,
+            (std::vector<std::string>{"2 faces are left out, of fewer than three corners",
+                                      "4 bytes are left out, which lie behind the last element"}));
+}
+
 TEST_F(PlyLooks, NamesOfColours) {
   const std::vector<std::vector<std::string>> names{{"red", "green", "blue"},
                                                     {"r", "g", "b"},

@@ -21,6 +21,8 @@ public:
   /// True if the element has red, green and blue.
   explicit operator bool() const { return isPacked_ || (channels_[0] && channels_[1] && channels_[2]); }
 
+  bool hasAlpha() const { return bool(*this) && !isPacked_ && channels_[3]; }
+
   /// True if all rows have to be looked at before the first colour is asked for.
   bool needsLook() const { return bool(*this) && !isPacked_ && (!isByte(0) || !isByte(3)); }
   void look(const PlyRow &row);

@@ -10,6 +10,8 @@ constexpr std::array<std::string_view, 5> kUvLists{"texcoord", "texcoords", "tex
 constexpr std::array<std::string_view, 5> kNumbers{"texnumber", "tex_number", "texture_number",
                                                    "texture_index", "texindex"};
 
+constexpr std::uint32_t kOpaque = 0xff000000;
+
 } // namespace
 
 PlyFaceLooks::PlyFaceLooks(const PlyHeader &header, const PlyElement &faces, bool hasVertexUvs,
@@ -28,6 +30,7 @@ void PlyFaceLooks::read(const PlyRow &row, std::size_t corners) {
   face_ = {};
   if (colour_)
     face_.colour = colour_(row);
+  alphas_ |= face_.colour & kOpaque;
   if (!uvs_ && !number_)
     return;
   const double number = number_ ? row.values[*number_] : 0;
@@ -53,6 +56,12 @@ void PlyFaceLooks::add(const std::array<std::uint32_t, 3> &places) {
 }
 
 void PlyFaceLooks::addPlain() { problem_.check(triangles_.push({})); }
+
+void PlyFaceLooks::showInvisible() {
+  if (areInvisible())
+    for (Look &look : triangles_.span())
+      look.colour |= kOpaque;
+}
 
 void PlyFaceLooks::take(PlyUse &use) const {
   colour_.take(use);

@@ -45,9 +45,13 @@ public:
   /// A triangle of no face.
   void addPlain();
 
+  /// Makes triangles opaque that all are wholly transparent; to be called when all are there.
+  void showInvisible();
   std::span<const Look> triangles() const { return triangles_.span(); }
   /// Faces whose texture or coordinates could not be used.
   std::uint64_t badFaces() const { return badFaces_; }
+  /// True if all faces have an alpha of 0.
+  bool areInvisible() const { return colour_.hasAlpha() && alphas_ == 0; }
   void take(PlyUse &use) const;
 
 private:
@@ -61,6 +65,7 @@ private:
   Look face_;
   std::vector<PlyUv> faceUvs_;
   std::uint64_t badFaces_ = 0;
+  std::uint32_t alphas_ = 0; ///< All bits of all colours.
 };
 
 } // namespace voxc

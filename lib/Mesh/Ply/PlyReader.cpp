@@ -66,6 +66,10 @@ Expected<void> PlyReader::readRows(const Visit &visit) {
   return {};
 }
 
+std::uint64_t PlyReader::bytesBehind() const {
+  return header_.encoding == PlyEncoding::Ascii ? trimmed(rest_).size() : rest_.size();
+}
+
 Expected<void> PlyReader::readElement(const PlyElement &element, const Visit &visit) {
   std::uint64_t rowSize = 0;
   for (const PlyProperty &property : element.properties)

@@ -39,6 +39,9 @@ public:
       std::function<Expected<void>(const PlyElement &element, std::uint64_t index, const PlyRow &row)>;
   Expected<void> readRows(const Visit &visit);
 
+  /// Bytes behind the last row, of texts without blanks at their ends; once all rows are read.
+  std::uint64_t bytesBehind() const;
+
   /// An error about this file.
   Error broken(const std::string &what) const;
 

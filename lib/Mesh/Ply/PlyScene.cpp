@@ -96,6 +96,7 @@ public:
     vertices_.keepIn(scene, part);
     part.indices = keep(std::move(indices_), kIndexRows, scene);
     addTextures(texturesFor(warnings), input_, scene, warnings, problem_);
+    looks_.showInvisible();
     if (!problem_ && looks_.isUsed())
       addPartsByLook(part, looks_, input_.memory, scene, warnings, problem_);
     else if (!problem_)
@@ -117,6 +118,10 @@ private:
   }
 
   void warn(Warnings &warnings) {
+    if (shortFaces_ != 0)
+      warnings.add(countedAre(shortFaces_, "face") + " left out, of fewer than three corners");
+    if (vertices_.areInvisible() || looks_.areInvisible())
+      warnings.add("all colours are wholly transparent, and are taken for opaque");
     if (cutter_.badFans() != 0)
       warnings.add(countedAre(cutter_.badFans(), "face") +
                    " cut into fans, which may cover more, as the corners lie in too tangled a way");
@@ -151,6 +156,7 @@ private:
     for (const double corner : corners)
       if (!isVertex(corner))
         return noVertex("face", index, corner);
+    shortFaces_ += corners.size() < 3;
     if (corners.size() < 3)
       return;
     if (looks_.isUsed())
@@ -206,6 +212,7 @@ private:
   ScratchArray<std::uint32_t> indices_;
   std::vector<PolygonCutter::Point> points_;
   PolygonCutter cutter_;
+  std::uint64_t shortFaces_ = 0;
 };
 
 } // namespace
@@ -230,6 +237,8 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
   if (!read)
     return read.error();
   TriangleScene scene = builder.take();
+  if (const std::uint64_t bytes = reader->bytesBehind(); bytes != 0)
+    scene.warnings.push_back(countedAre(bytes, "byte") + " left out, which lie behind the last element");
   return builder.problem() ? Expected<TriangleScene>(builder.problem().error())
                            : Expected<TriangleScene>(std::move(scene));
 }

@@ -16,6 +16,8 @@ using UvNames = std::array<std::string_view, 2>;
 constexpr std::array<UvNames, 4> kUvNames{
     {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
 
+constexpr std::uint32_t kOpaque = 0xff000000;
+
 bool needsDouble(PlyType type) {
   return type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::Uint32;
 }
@@ -52,8 +54,11 @@ void PlyVertices::add(const PlyRow &row) {
   else
     problem_.check(positions_.push(
         {static_cast<float>(position[0]), static_cast<float>(position[1]), static_cast<float>(position[2])}));
-  if (colour_)
-    problem_.check(colours_.push(colour_(row)));
+  if (colour_) {
+    const std::uint32_t word = colour_(row);
+    alphas_ |= word & kOpaque;
+    problem_.check(colours_.push(word));
+  }
   // A .ply counts v from below, the scene from above.
   if (hasUvs())
     problem_.check(
@@ -72,6 +77,9 @@ PolygonCutter::Point PlyVertices::positionOf(std::uint64_t vertex) const {
 void PlyVertices::keepIn(TriangleScene &scene, MeshPart &part) {
   part.positions = isWide_ ? keep(std::move(widePositions_), kDoubleRows3, scene)
                            : keep(std::move(positions_), kFloatRows3, scene);
+  if (areInvisible())
+    for (std::uint32_t &word : colours_.span())
+      word |= kOpaque;
   part.colours = keep(std::move(colours_), kColourRows, scene);
   part.uvs = keep(std::move(uvs_), kFloatRows2, scene);
 }

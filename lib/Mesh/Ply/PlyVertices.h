@@ -30,6 +30,9 @@ public:
 
   /// Gives all to the scene, as the attributes of a part.
   void keepIn(TriangleScene &scene, MeshPart &part);
+  /// True if all vertices have an alpha of 0, which is then not kept: what nobody could see is meant to be
+  /// seen.
+  bool areInvisible() const { return colour_.hasAlpha() && alphas_ == 0; }
   void take(PlyUse &use) const;
 
 private:
@@ -43,6 +46,7 @@ private:
   ScratchArray<PolygonCutter::Point> widePositions_;
   ScratchArray<PlyUv> uvs_;
   ScratchArray<std::uint32_t> colours_;
+  std::uint32_t alphas_ = 0; ///< All bits of all words.
 };
 
 } // namespace voxc
