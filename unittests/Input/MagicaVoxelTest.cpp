@@ -279,6 +279,19 @@ TEST_F(MagicaVoxel, HiddenNodesAndLayersAreLeftOut) {
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("hidden")));
 }
 
+TEST_F(MagicaVoxel, WhatIsLeftOutOfASceneIsTold) {
+  const std::string models = modelChunks(1, 1, 1, {{0, 0, 0, 1}}) + modelChunks(1, 1, 1, {{0, 0, 0, 2}});
+  const std::string graph =
+      transformChunk(0, 1, {}) + groupChunk(1, {2, 4}) + transformChunk(2, 3, {}) + shapeChunk(3, 0);
+  voxels(models + graph + transformChunk(4, 5, {}, {{"_hidden", "1"}}) + shapeChunk(5, 0) +
+         chunkBytes("ABCD", "x") + chunkBytes("rCAM", wordBytes({0}) + dictionaryBytes({})));
+  EXPECT_THAT(warnings_, ElementsAre("hidden parts of its scene are left out: 1 node",
+                                     "1 model is left out, which its scene does not place",
+                                     "chunks that are not known are left out: ABCD"));
+  voxels(models + graph + transformChunk(4, 5, {}) + shapeChunk(5, 1));
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(MagicaVoxel, FirstOfOverlappingModelsWins) {
   const std::string models = modelChunks(1, 1, 1, {{0, 0, 0, 1}}) + modelChunks(1, 1, 1, {{0, 0, 0, 2}});
   EXPECT_EQ(

@@ -1,5 +1,5 @@
 // Materials of MagicaVoxel files: those that are read, and those that are written.
-#include "Source/SourceTesting.h"
+#include "Input/InputTesting.h"
 #include "VoxBytes.h"
 
 #include "voxc/Input/EmissionStrength.h"
@@ -7,16 +7,35 @@
 
 #include <gmock/gmock.h>
 
+#include <bit>
+
 namespace voxc {
 namespace {
 
 using testing::ElementsAre;
 
-class VoxMaterials : public testing::Test {
-protected:
-  TemporaryFolder folder_;
-  InputOptions options_;
-};
+class VoxMaterials : public OpenedInputs {};
+
+TEST_F(VoxMaterials, OldChunksHaveThemToo) {
+  const auto material = [](std::uint32_t number, std::uint32_t type, float share, std::uint32_t bits,
+                           std::initializer_list<float> properties) {
+    std::string content = wordBytes({number, type, std::bit_cast<std::uint32_t>(share), bits});
+    for (const float property : properties)
+      content += wordBytes({std::bit_cast<std::uint32_t>(property)});
+    return chunkBytes("MATT", content);
+  };
+  // A metal with plastic and roughness, glass without more; light with power, and the bit that has no number.
+  const std::string file = voxBytes(modelChunks(3, 1, 1, {{0, 0, 0, 1}, {1, 0, 0, 2}, {2, 0, 0, 3}}) +
+                                    material(1, 1, 0.6f, 3, {1.f, 0.4f}) + material(2, 2, 0.8f, 0, {}) +
+                                    material(3, 3, 0.5f, 0xa0, {0.25f}));
+  options_.materialWords = MaterialWords::MetallicRoughness;
+  EXPECT_EQ(words("a.vox", file),
+            (std::vector<std::uint32_t>{rgba(0, 102, 153), rgba(204, 255, 0), rgba(0, 255, 0)}));
+  options_.materialWords = MaterialWords::EmissionStrength;
+  EXPECT_EQ(words("a.vox", file)[2], strengthWord(0.5f));
+  EXPECT_NE(problem("b.vox", voxBytes(modelChunks(1, 1, 1, {}) + chunkBytes("MATT", wordBytes({1, 1})))),
+            "none");
+}
 
 TEST_F(VoxMaterials, ClearGlassAndStrongLight) {
   std::uint32_t number = 0;

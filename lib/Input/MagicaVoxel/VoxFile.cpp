@@ -5,6 +5,7 @@
 #include "Input/MagicaVoxel/VoxPalette.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstring>
 #include <optional>
@@ -240,20 +241,48 @@ Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
   return {};
 }
 
+/// A material as files had them at first: a type, its share, and of seven properties those that a bit says
+/// are there, of which roughness is the second.
+Expected<void> readOldMaterial(Cursor &cursor, Reading &reading) {
+  constexpr std::array<std::string_view, 4> kTypes{"_diffuse", "_metal", "_glass", "_emit"};
+  constexpr unsigned kProperties = 7, kRoughness = 1;
+  const std::uint32_t number = cursor.word() % 256, type = cursor.word();
+  VoxMaterial material;
+  if (type < kTypes.size())
+    material.read("_type", kTypes[type]);
+  const auto share = [&] { return std::to_string(std::bit_cast<float>(cursor.word())); };
+  material.read("_weight", share());
+  const std::uint32_t bits = cursor.word();
+  for (unsigned i = 0; i < kProperties; ++i)
+    if ((bits >> i & 1) != 0)
+      if (const std::string value = share(); i == kRoughness)
+        material.read("_rough", value);
+  material.keep(reading.file, number);
+  return {};
+}
+
+/// What says how a scene is lit, seen or sorted for display, which changes no voxel.
+Expected<void> passOver(Cursor &, Reading &) { return {}; }
+
 struct ChunkKind {
   std::string_view name;
   Expected<void> (*read)(Cursor &cursor, Reading &reading);
 };
 
-/// Chunks of other names say how a scene is lit, seen or sorted for display, which changes no voxel.
-constexpr std::array<ChunkKind, 8> kChunks{{{"SIZE", readSize},
-                                            {"XYZI", readVoxels},
-                                            {"RGBA", readColours},
-                                            {"nTRN", readTransform},
-                                            {"nGRP", readGroup},
-                                            {"nSHP", readShape},
-                                            {"LAYR", readLayer},
-                                            {"MATL", readMaterial}}};
+constexpr std::array<ChunkKind, 14> kChunks{{{"SIZE", readSize},
+                                             {"XYZI", readVoxels},
+                                             {"RGBA", readColours},
+                                             {"nTRN", readTransform},
+                                             {"nGRP", readGroup},
+                                             {"nSHP", readShape},
+                                             {"LAYR", readLayer},
+                                             {"MATL", readMaterial},
+                                             {"MATT", readOldMaterial},
+                                             {"PACK", passOver},
+                                             {"IMAP", passOver},
+                                             {"NOTE", passOver},
+                                             {"rCAM", passOver},
+                                             {"rOBJ", passOver}}};
 
 Expected<void> readChunk(std::string_view name, std::span<const std::byte> content, Reading &reading) {
   for (const ChunkKind &kind : kChunks) {
@@ -266,6 +295,9 @@ Expected<void> readChunk(std::string_view name, std::span<const std::byte> conte
                           std::to_string(content.size()) + " bytes hold");
     return read;
   }
+  constexpr std::size_t kMostNamed = 8;
+  if (reading.file.unknown.size() < kMostNamed)
+    reading.file.unknown.emplace(name);
   return {};
 }
 

@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace voxc {
@@ -46,6 +47,7 @@ struct VoxFile {
   std::array<float, 256> metallic{};      ///< how metallic, if they are metals,
   std::array<float, 256> clear{};         ///< how clear, if they are glass,
   std::array<float, 256> light{}; ///< and how many times as bright as their colour, if they give off light.
+  std::set<std::string> unknown;  ///< Names of chunks, the first few.
   std::int32_t frames = 1;        ///< Of the scene graph: one more than the time of its last key.
 };
 

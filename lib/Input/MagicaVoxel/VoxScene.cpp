@@ -1,7 +1,10 @@
 // Following the scene graph, by a stack of its own: a file may nest its nodes as deeply as it likes.
 #include "Input/MagicaVoxel/VoxScene.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace voxc {
@@ -28,6 +31,22 @@ public:
     return {};
   }
 
+  /// What the graph has and the scene has not.
+  void warn() const {
+    if (scene_.instances.empty())
+      return scene_.warnings.push_back("nothing of its scene is to be seen: all models are hidden");
+    if (hidden_ != 0)
+      scene_.warnings.push_back("hidden parts of its scene are left out: " + counted(hidden_, "node"));
+    // Of an animation others may be seen at other times.
+    std::set<std::uint32_t> named;
+    for (const auto &[number, node] : file_.nodes)
+      if (node.kind == VoxNode::Kind::Shape)
+        named.insert(node.model);
+    if (file_.frames == 1 && named.size() < file_.models.size())
+      scene_.warnings.push_back(countedAre(file_.models.size() - named.size(), "model") +
+                                " left out, which its scene does not place");
+  }
+
 private:
   struct Step {
     std::uint32_t number;
@@ -43,8 +62,10 @@ private:
     if (step.depth > file_.nodes.size())
       return Error::input("its node " + std::to_string(step.number) + " stands below itself");
     const VoxNode &node = found->second;
-    if (node.isHidden || file_.hiddenLayers.contains(node.layer))
+    if (node.isHidden || file_.hiddenLayers.contains(node.layer)) {
+      ++hidden_;
       return {};
+    }
     if (node.kind == VoxNode::Kind::Shape)
       return addInstance(node.model, step.above);
     const auto placement = step.above.around(node.placement);
@@ -74,6 +95,7 @@ private:
   const VoxFile &file_;
   VoxScene &scene_;
   std::vector<Step> stack_;
+  std::uint64_t hidden_ = 0; ///< Nodes, without those below.
 };
 
 /// The box around all instances that have any cells.
@@ -111,13 +133,18 @@ Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t>
     return Error::input("it has no frame " + std::to_string(std::int64_t{*frame} + 1) + "; there " +
                         (scene.frames == 1 ? "is one" : "are " + std::to_string(scene.frames)));
   if (hasGraph) {
-    if (auto built = SceneBuilder(file, scene).run(); !built)
+    SceneBuilder builder(file, scene);
+    if (auto built = builder.run(); !built)
       return built.error();
-    if (scene.instances.empty())
-      scene.warnings.push_back("nothing of its scene is to be seen: all models are hidden");
+    builder.warn();
   } else {
     scene.instances.push_back({&file.models[static_cast<std::size_t>(frame.value_or(0))], {}});
   }
+  std::string unknown;
+  for (const std::string &name : file.unknown)
+    unknown += (unknown.empty() ? "" : ", ") + name;
+  if (!unknown.empty())
+    scene.warnings.push_back("chunks that are not known are left out: " + unknown);
   if (!frame && scene.frames > 1) {
     const std::string count = std::to_string(scene.frames);
     scene.warnings.push_back(
