@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <span>
@@ -33,7 +34,7 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
                             "VOXC_ASSIMP=ON, or convert it to .glb");
 }
 
-constexpr std::array<InputKind, 46> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
+constexpr std::array<InputKind, 36> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
                                             {".obj", openMesh, "a mesh"},
@@ -68,17 +69,7 @@ constexpr std::array<InputKind, 46> kKinds{{{"builtin:", openBuiltin, "a built-i
                                             {".dae", lackAssimp, "a mesh"},
                                             {".3ds", lackAssimp, "a mesh"},
                                             {".off", lackAssimp, "a mesh"},
-                                            {".x3d", lackAssimp, "a mesh"},
-                                            {".laz", refuseInput},
-                                            {".e57", refuseInput},
-                                            {".vtk", refuseInput},
-                                            {".pvti", refuseInput},
-                                            {".vtu", refuseInput},
-                                            {".vts", refuseInput},
-                                            {".vtr", refuseInput},
-                                            {".vtp", refuseInput},
-                                            {".mcstructure", refuseInput},
-                                            {".mca", refuseInput}}};
+                                            {".x3d", lackAssimp, "a mesh"}}};
 
 /// Whether an input is of this kind; `name` is its last part in lower case, without the number of a frame.
 bool isOfKind(const InputKind &kind, const std::string &input, std::string_view name) {
@@ -89,7 +80,7 @@ bool isOfKind(const InputKind &kind, const std::string &input, std::string_view 
 Error unknownKind(const std::string &input, std::span<const InputKind> others) {
   std::string kinds;
   for (const InputKind &kind : kKinds)
-    if (kind.open != lackOpenVdb && kind.open != lackAssimp && kind.open != refuseInput)
+    if (kind.open != lackOpenVdb && kind.open != lackAssimp)
       kinds += (kinds.empty() ? "" : " ") + std::string(kind.mark);
   for (const InputKind &kind : others)
     kinds += " " + std::string(kind.mark);
@@ -110,6 +101,8 @@ Expected<Input> dispatch(const std::string &input, const InputOptions &options) 
   std::error_code ignored;
   if (!kind && std::filesystem::is_directory(input, ignored))
     return Error::input("'" + input + "' is a directory; name a file");
+  if (auto refusal = kind ? std::nullopt : refusalOf(input))
+    return *refusal;
   if (!kind)
     return unknownKind(input, options.otherKinds);
   const bool isPrefixed = kind->mark.ends_with(':');
@@ -117,6 +110,17 @@ Expected<Input> dispatch(const std::string &input, const InputOptions &options) 
   if (opened && options.describe && (opened->facts.empty() || opened->facts.front().name != "kind"))
     opened->facts.insert(opened->facts.begin(), {"kind", std::string(kind->holds), {}});
   return opened;
+}
+
+/// Whether two axes are not at right angles, as in scans of a tilted gantry.
+bool isSheared(const Transform &map) {
+  constexpr double kAlmost = 0.01;
+  bool isSheared = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 one(map[axis]), other(map[(axis + 1) % 3]);
+    isSheared = isSheared || std::abs(glm::dot(one, other)) > kAlmost * glm::length(one) * glm::length(other);
+  }
+  return isSheared;
 }
 
 /// Warns of voxels that are no cubes, which most of what is made of them shows as if they were.
@@ -127,8 +131,12 @@ void tellSpacing(const std::string &text, const InputOptions &options, Input &in
   for (int axis = 0; axis < 3; ++axis)
     sides[static_cast<std::size_t>(axis)] = glm::length(glm::dvec3(map[axis]));
   const auto [least, most] = std::ranges::minmax(sides);
-  if (!options.isAutomatic || withoutFrame(lowerCase(text)).ends_with(".hvx") ||
-      !(most > least * (1 + kAlike)))
+  if (!options.isAutomatic || withoutFrame(lowerCase(text)).ends_with(".hvx"))
+    return;
+  if (isSheared(map))
+    input.warnings.push_back("its axes are not at right angles: pictures, pages, .glb, .nvdb and .vdb files "
+                             "keep that, all else shows it upright");
+  if (!(most > least * (1 + kAlike)))
     return;
   std::array<char, 32> shortest{};
   std::snprintf(shortest.data(), shortest.size(), "%.6g", least);

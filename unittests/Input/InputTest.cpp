@@ -23,6 +23,15 @@ TEST_F(InputTest, UnknownKindNamesTheKnownOnes) {
   EXPECT_NE(problem("").find("builtin:"), std::string::npos);
 }
 
+TEST_F(InputTest, KindsThatAreNotReadAreRefusedWithAdvice) {
+  for (const auto &[name, advice] :
+       {std::pair{"a.obj.gz", "packed by gzip, which voxc does not read; unpack it"},
+        std::pair{"Scan.PCD", "save it as .ply, for example by CloudCompare"},
+        std::pair{"a/b.usdz", "a scene of USD"}, std::pair{"slice%03d.jpg", "save it as .png or .tif"},
+        std::pair{"part.step", "for example by FreeCAD"}})
+    EXPECT_NE(problem(name).find(advice), std::string::npos) << problem(name);
+}
+
 TEST_F(InputTest, MissingFilesAreErrorsOfTheInput) {
   for (const char *name : {"a.obj", "a.glb", "a.gltf", "a.stl", "a.ply", "a.hvx"}) {
     auto input = openInput(folder_.path(name), options_);

@@ -160,6 +160,39 @@ TEST_F(Scans, NrrdOfColours) {
       (std::vector<std::uint32_t>{1, 4}));
 }
 
+TEST_F(Scans, BytesBehindSamplesAreTold) {
+  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: raw\n", bytes() + "abc")), upTo(24));
+  EXPECT_THAT(warnings_, ElementsAre("3 bytes are left out, which lie behind the samples"));
+  words("a.nrrd", nrrd(kThree + "encoding: raw\n", bytes()));
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(Scans, AxesThatAreNotAtRightAnglesAreTold) {
+  options_.isAutomatic = true;
+  const std::string space = kThree + "encoding: raw\nspace: right-anterior-superior\nspace directions: ";
+  words("a.nrrd", nrrd(space + "(1,0,0) (0.6,0.8,0) (0,0,1)\n", bytes()));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("its axes are not at right angles")));
+  words("a.nrrd", nrrd(space + "(0.8,0.6,0) (-0.6,0.8,0) (0,0,1)\n", bytes()));
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(Scans, EndsOfAxesSayTheirSpacings) {
+  const auto sides = [&](const std::string &more) {
+    words("a.nrrd", nrrd(kThree + "encoding: raw\naxis mins: 0 -3 nan\naxismaxs: 8 3 4\n" + more, bytes()));
+    return std::array<double, 3>{map_[0][0], map_[1][1], map_[2][2]};
+  };
+  EXPECT_EQ(sides(""), (std::array<double, 3>{2, 2, 1}));
+  EXPECT_EQ(sides("centers: cell node ???\n"), (std::array<double, 3>{2, 3, 1}));
+  EXPECT_EQ(sides("spacings: 5 6 7\n"), (std::array<double, 3>{5, 6, 7}));
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(Scans, ASpacingOf0IsNone) {
+  options_.isAutomatic = true;
+  words("a.nrrd", nrrd(kThree + "encoding: raw\nspacings: 1 0 1\n", bytes()));
+  EXPECT_THAT(warnings_, ElementsAre("its spacings have a 0, which is taken as 1"));
+}
+
 TEST_F(Scans, UnknownFieldsAreTold) {
   words("a.nrrd", nrrd(kThree + "encoding: raw\nspice: much\ncontent: a scan\n", bytes()));
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("'spice' is not known")));
@@ -255,6 +288,15 @@ TEST_F(Scans, NiftiPairsAndAnalyze) {
   EXPECT_THAT(notes_, Contains(HasSubstr("does not say how the axes lie")));
   folder_.file("alone.img", bytes());
   EXPECT_THAT(problem("alone.img"), HasSubstr("lacks its header"));
+}
+
+TEST_F(Scans, BytesBehindSamplesOfNiftiAreTold) {
+  EXPECT_EQ(words("a.nii", Nifti({4, 3, 2}).header + bytes() + "ab"), upTo(24));
+  EXPECT_THAT(warnings_, ElementsAre("2 bytes are left out, which lie behind the samples"));
+  Nifti twice({4, 3, 2});
+  twice.put<std::int16_t>(40, {4, 4, 3, 2, 2});
+  words("a.nii", twice.header + bytes() + bytes());
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("it holds 2 volumes")));
 }
 
 TEST_F(Scans, NiftiOfColoursAndOfSeveralVolumes) {

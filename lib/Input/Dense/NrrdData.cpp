@@ -65,7 +65,7 @@ Expected<NrrdData> mapSamples(const NrrdHeader &header, std::span<const std::byt
   if (skip > data.size() || header.bytes > data.size() - skip)
     return Error::input("its data have " + std::to_string(data.size()) + " bytes, but it needs " +
                         std::to_string(header.bytes) + " behind a skip of " + std::to_string(skip));
-  return NrrdData{data.data() + skip, std::move(file)};
+  return NrrdData{data.data() + skip, std::move(file), data.size() - skip - header.bytes};
 }
 
 /// Appends the samples of one file.
@@ -113,7 +113,7 @@ Expected<NrrdData> readNrrdData(const NrrdHeader &header, std::shared_ptr<const 
       return appended.error();
   }
   const std::byte *const samples = cells.data();
-  return NrrdData{samples, std::make_shared<const Cells>(std::move(cells))};
+  return NrrdData{samples, std::make_shared<const Cells>(std::move(cells)), 0};
 }
 
 } // namespace voxc

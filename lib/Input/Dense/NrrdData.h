@@ -15,6 +15,7 @@ namespace voxc {
 struct NrrdData {
   const std::byte *samples = nullptr;
   std::shared_ptr<const void> storage; ///< What `samples` points into.
+  std::uint64_t behind = 0;            ///< Bytes behind samples that lie in one file as they are.
 };
 
 /// All samples of a header: `behind` is what follows it in its own file, and `folder` has the files that it

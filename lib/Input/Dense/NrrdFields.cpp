@@ -158,6 +158,16 @@ bool readSpace(Fields &fields, std::string_view value) {
 
 bool readSpacings(Fields &fields, std::string_view value) { return parseAll(value, fields.spacings); }
 
+bool readMins(Fields &fields, std::string_view value) { return parseAll(value, fields.mins); }
+bool readMaxs(Fields &fields, std::string_view value) { return parseAll(value, fields.maxs); }
+
+bool readCenters(Fields &fields, std::string_view value) {
+  fields.centers.clear();
+  for (std::string_view word = takeWord(value); !word.empty(); word = takeWord(value))
+    fields.centers.push_back(lowerCase(word));
+  return true;
+}
+
 bool readDirections(Fields &fields, std::string_view value) {
   fields.directions.clear();
   while (!trimmed(value).empty())
@@ -215,6 +225,8 @@ constexpr std::array kFields{FieldKind{"type", readType},
                              FieldKind{"endian", readEndian},
                              FieldKind{"space", readSpace},
                              FieldKind{"spacings", readSpacings},
+                             FieldKind{"axismins", readMins},
+                             FieldKind{"axismaxs", readMaxs},
                              FieldKind{"spacedirections", readDirections},
                              FieldKind{"spaceorigin", readOrigin},
                              FieldKind{"spaceunits", readUnits},
@@ -233,8 +245,8 @@ constexpr std::array kFields{FieldKind{"type", readType},
                              FieldKind{"units", leaveOut},
                              FieldKind{"sampleunits", leaveOut},
                              FieldKind{"thicknesses", leaveOut},
-                             FieldKind{"centers", leaveOut},
-                             FieldKind{"centerings", leaveOut},
+                             FieldKind{"centers", readCenters},
+                             FieldKind{"centerings", readCenters},
                              FieldKind{"measurementframe", leaveOut}};
 
 Expected<void> readField(Fields &fields, std::string_view line) {

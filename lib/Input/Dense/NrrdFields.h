@@ -22,6 +22,8 @@ struct NrrdFields {
   std::string endian;
   std::string space; ///< In lower case.
   std::vector<double> spacings;
+  std::vector<double> mins, maxs;   ///< Where axes begin and end; of cells or, by `centers`, of samples.
+  std::vector<std::string> centers; ///< "cell" or "node" for each axis.
   std::vector<std::vector<double>> directions; ///< One for each axis; empty for "none".
   std::vector<double> origin;
   std::vector<std::string> kinds;     ///< One for each axis, in lower case.

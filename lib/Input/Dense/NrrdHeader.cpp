@@ -48,9 +48,22 @@ std::optional<Vector> vectorOf(const std::vector<double> &numbers) {
   return numbers.size() == 3 ? std::optional(Vector{numbers[0], numbers[1], numbers[2]}) : std::nullopt;
 }
 
+/// The step from one sample of an axis to the next: its spacing, or what its ends say.
+std::optional<double> stepOf(const NrrdFields &fields, std::size_t axis) {
+  const std::size_t count = fields.sizes.size();
+  if (fields.spacings.size() == count)
+    return std::isfinite(fields.spacings[axis]) ? std::optional(fields.spacings[axis]) : std::nullopt;
+  const bool isOfNodes = fields.centers.size() == count && fields.centers[axis] == "node";
+  const std::int64_t steps = fields.sizes[axis] - (isOfNodes ? 1 : 0);
+  if (fields.mins.size() != count || fields.maxs.size() != count || steps < 1)
+    return std::nullopt;
+  const double step = (fields.maxs[axis] - fields.mins[axis]) / static_cast<double>(steps);
+  return std::isfinite(step) ? std::optional(step) : std::nullopt;
+}
+
 void readPlace(const NrrdFields &fields, const std::array<int, 3> &order, NrrdHeader &header) {
   std::array<Vector, 3> steps{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  bool isOther = !fields.origin.empty() && fields.origin.size() != 3;
+  bool isOther = !fields.origin.empty() && fields.origin.size() != 3, isZero = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto from = static_cast<std::size_t>(std::max(order[axis], 0));
     if (order[axis] < 0)
@@ -59,10 +72,13 @@ void readPlace(const NrrdFields &fields, const std::array<int, 3> &order, NrrdHe
       const auto step = vectorOf(fields.directions[from]);
       steps[axis] = step.value_or(steps[axis]);
       isOther |= !step;
-    } else if (fields.spacings.size() == fields.sizes.size() && std::isfinite(fields.spacings[from])) {
-      steps[axis][axis] = fields.spacings[from];
+    } else if (const auto step = stepOf(fields, from)) {
+      isZero |= *step == 0;
+      steps[axis][axis] = *step == 0 ? 1 : *step;
     }
   }
+  if (isZero)
+    header.warnings.push_back("its spacings have a 0, which is taken as 1");
   if (isOther)
     header.warnings.push_back("its space does not have three axes; where its samples lie in it is left out");
   const auto origin = isOther ? std::nullopt : vectorOf(fields.origin);

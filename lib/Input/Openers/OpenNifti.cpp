@@ -86,6 +86,10 @@ Expected<void> takeSamples(const NiftiHeader &header, std::uint64_t number, File
     if (begin > bytes.size() || *size > bytes.size() - begin)
       return Error::input("it has " + std::to_string(bytes.size()) + " bytes, but its samples take " +
                           std::to_string(*size) + " behind byte " + std::to_string(begin));
+    const std::uint64_t room = bytes.size() - header.dataOffset;
+    if (header.volumes <= room / *size && header.volumes * *size < room)
+      volume.warnings.push_back(countedAre(room - header.volumes * *size, "byte") +
+                                " left out, which lie behind the samples");
     volume.samples = bytes.data() + begin;
     volume.storage = std::move(file);
     return {};

@@ -6,6 +6,7 @@
 #include "Input/Dense/Orientation.h"
 #include "Input/Dense/VolumeChoice.h"
 #include "Input/Openers/OpenDense.h"
+#include "Support/Text.h"
 
 #include <filesystem>
 #include <utility>
@@ -75,6 +76,8 @@ Expected<DenseVolume> readVolume(const std::string &path, std::shared_ptr<const 
                            std::filesystem::path(path).parent_path(), options);
   if (!data)
     return data.error();
+  if (data->behind != 0)
+    header->warnings.push_back(countedAre(data->behind, "byte") + " left out, which lie behind the samples");
   if (header->isUpZ && options.isAutomatic && !options.isUpKnown)
     header->notes.push_back(
         "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "

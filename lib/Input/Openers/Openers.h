@@ -33,8 +33,9 @@ Expected<Input> openNumpy(const std::string &path, const InputOptions &options);
 Expected<Input> openVtk(const std::string &path, const InputOptions &options);
 /// Points of laser scans (.las).
 Expected<Input> openLas(const std::string &path, const InputOptions &options);
-/// Refuses a kind that is known and not read, with what would be right.
-Expected<Input> refuseInput(const std::string &path, const InputOptions &options);
+/// What is wrong with a file of a kind that is known and not read, and what would be right; nothing if its
+/// kind is not known.
+std::optional<Error> refusalOf(const std::string &path);
 Expected<Input> openRaw(const std::string &text, const InputOptions &options);
 
 } // namespace voxc
