@@ -13,6 +13,16 @@ void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, co
     sure = step_compensated(ray, walk, gap);
   cell = walk.cell;
 %end
+%if settles-in-walks
+  // A ray of whole numbers has to be settled at nearly each step: after a few, doubles tell these as they come. A loop, as devices of
+  // wide vectors run through both ways of a branch, but not through a loop that no lane enters.
+  if (SETTLES) {
+    walk.cell = sure ? cell : walk.cell;
+    for (bool is_asked = !sure && settlings > FEW_SETTLINGS; is_asked; is_asked = false)
+      sure = step_by_doubles(ray, walk, gap);
+    cell = sure ? walk.cell : cell;
+  }
+%end
   // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
   // that are sure need not wait for it.
 %if keeps-cell

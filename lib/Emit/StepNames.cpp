@@ -18,6 +18,8 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   conditions["narrow-packets"] = plan.packetWidth == PacketWidth::Narrow;
   conditions["exact"] = plan.precision == Precision::Exact;
   conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
+  // Packets take such steps as they come, whether they settle or not.
+  conditions["settles-in-walks"] = conditions["exact"] && conditions["ieee"] && !conditions["refines"];
   conditions["keeps-sums"] = true; // Of every language but that of WebGL.
 
   conditions["keeps-cell"] = plan.speculative;

@@ -72,17 +72,22 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
   return walk;
 }
 
+%if settles-in-walks
+const int FEW_SETTLINGS = 2;
+int settlings = 0; // How many steps of the ray were settled outside of the loops. Not of Walk, which the first dispatch has too.
+
+%end
 // Settles the step of a walk that was left open.
 void settle_step(const Ray ray, inout Walk walk) {
   Gap gap = Gap(walk.open & 31, walk.open >> 5);
   walk.open = CLOSED;
   walk.cell = ~walk.cell;
-%if ieee
-%if refines
+%if settles-in-walks
+  ++settlings;
+  // A loop, through which no lane goes where doubles tell.
+  for (bool is_left = !step_by_doubles(ray, walk, gap); is_left; is_left = false)
+    walk = settled(ray, walk, gap);
 %else
-  if (step_by_doubles(ray, walk, gap))
-    return;
-%end
-%end
   walk = settled(ray, walk, gap);
+%end
 }
