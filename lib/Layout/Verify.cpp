@@ -24,6 +24,8 @@ public:
       return diagnostics_.error({}, "the layout has no stratum");
     for (index_ = 0; index_ < layout_.strata.size(); ++index_)
       isSound_ &= shape(layout_.strata[index_]);
+    for (index_ = 0; isSound_ && index_ < layout_.strata.size(); ++index_)
+      cellSide(layout_.strata[index_]);
     if (!isSound_ || !extent())
       return;
     for (index_ = 0; index_ < layout_.strata.size(); ++index_)
@@ -58,17 +60,16 @@ private:
            rule(isCube || index_ == 0, level() + " has " + sizeText(stratum.log2Size()) +
                                            " cells; every level but the first must be a cube") &&
            rule(isCube || stratum.depth == 1, "only the one node of a grid may be no cube") &&
-           rule(stratum.depth <= 1 || shape.x > 0, "layers of one child each say nothing") &&
-           cellSide(stratum);
+           rule(stratum.depth <= 1 || shape.x > 0, "layers of one child each say nothing");
   }
 
-  bool cellSide(const Stratum &stratum) {
+  void cellSide(const Stratum &stratum) {
     const bool isLast = layout_.holdsVoxels(index_);
     const Stratum &below = layout_.strata[isLast ? index_ : index_ + 1];
     const int side = isLast ? 0 : longest(below.log2Size()) + below.log2Cell;
-    return rule(stratum.log2Cell == side,
-                "the cells of " + level() + " have 2^" + std::to_string(stratum.log2Cell) +
-                    " voxels a side, but what is below has 2^" + std::to_string(side));
+    isSound_ &= rule(stratum.log2Cell == side,
+                     "the cells of " + level() + " have 2^" + std::to_string(stratum.log2Cell) +
+                         " voxels a side, but what is below has 2^" + std::to_string(side));
   }
 
   bool extent() {
