@@ -16,10 +16,6 @@
 namespace voxc {
 namespace {
 
-bool isDistanceBeside(const Stratum &stratum) {
-  return stratum.distances() && stratum.distances()->place == DistancePlace::Beside;
-}
-
 /// How grids say by numbers where sub-volumes are.
 void addNumbers(TemplateNames &names, const Stratum &stratum) {
   const Numbers *const own = stratum.numbers();
@@ -38,7 +34,13 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
   const std::string shift = stratum.tagShift() == 0 ? "" : std::to_string(stratum.tagShift());
   const std::string fieldBits = std::to_string(stratum.fieldBits());
   const std::string fieldMask = std::to_string((1 << stratum.fieldBits()) - 1);
-  auto &holes = names.holes;
+  const bool isBeside = stratum.distances() && stratum.distances()->place == DistancePlace::Beside;
+  auto &[holes, conditions] = names;
+  conditions["distances"] = stratum.distances() != nullptr;
+  conditions["distances-beside"] = isBeside;
+  conditions["distances-in-slot"] = stratum.distances() && !isBeside;
+  holes["words-of-slot"] = std::string("terminating integer") + (isBeside ? ", distance" : "") +
+                           (stratum.ranked ? ", voxels before" : "");
   holes["field-bits"] = fieldBits;
   holes["field-mask"] = fieldMask;
   holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
@@ -127,9 +129,6 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   const std::uint64_t slotWords = static_cast<std::uint64_t>(stratum.slotWords());
   holes["head-words"] =
       std::to_string(stratum.slots->leastWords(stratum) - (stratum.implied ? 0 : slotWords));
-  holes["words-of-slot"] = std::string("terminating integer") +
-                           (isDistanceBeside(stratum) ? ", distance" : "") +
-                           (stratum.ranked ? ", voxels before" : "");
   holes["around"] = MaskShape(stratum).hasTwoSets() ? ", around" : "";
   holes["plus-around"] = MaskShape(stratum).hasTwoSets() ? " + around" : "";
 }
@@ -214,9 +213,6 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["slots-rank"] = stratum.ranked && !stratum.implied && storesValue(plan.outputs);
   conditions["counts"] = countsMaskWords(stratum);
   conditions["alike"] = stratum.implied || !plan.traversals[index].readsValues;
-  conditions["distances"] = stratum.distances() != nullptr;
-  conditions["distances-beside"] = isDistanceBeside(stratum);
-  conditions["distances-in-slot"] = stratum.distances() && !isDistanceBeside(stratum);
   conditions["defers"] = plan.defersValues && plan.layout.holdsVoxels(index);
   conditions["one-voxel-steps"] = plan.traversals[index].voxelSteps;
   conditions["marches"] = stratum.measures(Metric::L1);
