@@ -41,7 +41,7 @@ foreach(export runtime compiler c)
 endforeach()
 
 # Headers, but for what only this repository uses and what this build lacks.
-set(internalHeaders PATTERN "Stopwatch.h" EXCLUDE)
+set(internalHeaders)
 if(NOT VOXC_OPENVDB)
   list(APPEND internalHeaders PATTERN "OpenVdb" EXCLUDE)
 endif()
