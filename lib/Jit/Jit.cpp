@@ -29,6 +29,12 @@ public:
 
   void modifyPassConfig(orc::MaterializationResponsibility &, jitlink::LinkGraph &,
                         jitlink::PassConfiguration &passes) override {
+    // Calls within a section have no relocation, and what nothing refers to would have lost its name by then.
+    passes.PrePrunePasses.emplace_back([](jitlink::LinkGraph &graph) {
+      for (jitlink::Symbol *symbol : graph.defined_symbols())
+        symbol->setLive(symbol->isLive() || symbol->isCallable());
+      return llvm::Error::success();
+    });
     passes.PostFixupPasses.emplace_back([this](jitlink::LinkGraph &graph) {
       for (const jitlink::Symbol *symbol : graph.defined_symbols())
         if (symbol->hasName() && symbol->isCallable())
