@@ -31,7 +31,8 @@ struct Node {
   /// Leaf: the terminating integer. Inner: where the node is, or in a layout of siblings its first child.
   uint32_t value = 0;
   uint32_t masks[kMaskWords] = {}; ///< Inner: which children are not empty, and which of them are leaves.
-  uint32_t voxels = 0;             ///< How many it has, where their values stand apart.
+  /// How many it has, where their values stand apart; else what slots of its kind tell a parent.
+  uint32_t voxels = 0;
 
   /// A cell's terminating integer as a node: 0 is empty.
   static Node leaf(uint32_t value) { return {value == 0 ? Empty : Leaf, value}; }

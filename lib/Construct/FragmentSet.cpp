@@ -85,7 +85,8 @@ bool coversCells(const Fragment &fragment, const Layout &layout) {
 /// voxels has its values in its cells.
 bool countsValues(const Fragment &fragment, const Layout &layout) {
   const std::size_t index = layout.stratumOfPart(fragment.cube.log2Side);
-  std::uint64_t voxels = fragment.node.voxels;
+  // Other nodes have something else there, or nothing.
+  std::uint64_t voxels = layout.values == Values::Apart ? fragment.node.voxels : 0;
   for (const construct::PlacedCell &cell : fragment.cells)
     voxels += cell.voxels;
   const bool hasValues =
