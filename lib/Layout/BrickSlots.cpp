@@ -79,8 +79,9 @@ constexpr std::array<std::string_view, 5> kAccessor = {"masked/head", "masked/ra
                                                        "masked/slots", "brick/cell"};
 constexpr std::array<std::string_view, 4> kOfVoxels = {"masked/head", "brick/rank", "masked/there",
                                                        "brick/cell"};
-constexpr std::array<std::string_view, 2> kConstruction = {"masked/pack", "masked/construct"};
-constexpr std::array<std::string_view, 2> kConstructionOfVoxels = {"brick/pack", "masked/construct"};
+constexpr std::array<std::string_view, 3> kConstruction = {"masked/pack", "masked/write", "masked/construct"};
+constexpr std::array<std::string_view, 3> kConstructionOfVoxels = {"brick/pack", "masked/write",
+                                                                   "masked/construct"};
 
 std::span<const std::string_view> accessor(const Stratum &stratum) {
   if (stratum.implied)

@@ -181,8 +181,8 @@ constexpr std::array<std::string_view, 6> kBrickAccessor = {"numbered/head",  "m
 constexpr std::array<std::string_view, 7> kOctantAccessor = {
     "numbered/head",          "masked/rank",   "masked/there", "numbered/slots",
     "numbered/octant_counts", "numbered/rank", "brick/cell"};
-constexpr std::array<std::string_view, 3> kConstruction = {"masked/pack", "numbered/shorten",
-                                                           "numbered/construct"};
+constexpr std::array<std::string_view, 4> kConstruction = {"masked/pack", "numbered/shorten",
+                                                           "numbered/write", "masked/construct"};
 std::span<const std::string_view> accessor(const Stratum &) { return kAccessor; }
 std::span<const std::string_view> accessorOfBrick(const Stratum &stratum) {
   if (countsOctants(stratum))

@@ -35,13 +35,16 @@ public:
   }
 
 private:
-  SourceRange range() const { return index_ < ranges_.size() ? ranges_[index_] : SourceRange{}; }
-  std::string level() const { return "level " + std::to_string(index_ + 1); }
+  SourceRange rangeOf(std::size_t index) const {
+    return index < ranges_.size() ? ranges_[index] : SourceRange{};
+  }
+  static std::string levelOf(std::size_t index) { return "level " + std::to_string(index + 1); }
+  std::string level() const { return levelOf(index_); }
 
   /// Notes a problem of the stratum at hand unless `holds`.
   bool rule(bool holds, const std::string &otherwise) {
     if (!holds)
-      diagnostics_.error(range(), otherwise);
+      diagnostics_.error(rangeOf(index_), otherwise);
     return holds;
   }
 
@@ -116,9 +119,9 @@ private:
     if (const auto problemBelow = stratum.slots->problemBelow) {
       const bool isLast = layout_.holdsVoxels(index_);
       const std::string problem = problemBelow(isLast ? nullptr : &layout_.strata[index_ + 1]);
-      index_ += isLast ? 0 : 1;
-      rule(problem.empty(), level() + problem);
-      index_ -= isLast ? 0 : 1;
+      const std::size_t named = isLast ? index_ : index_ + 1;
+      if (!problem.empty())
+        diagnostics_.error(rangeOf(named), levelOf(named) + problem);
     }
   }
 
