@@ -15,10 +15,9 @@ namespace voxc {
 /// F = `fromWorld`, T = the inverse of F, u = 2^-24, lengths and norms of Euclid, D the distance from the
 /// ray's origin to the farthest corner of the box, and C the largest coordinate of the box:
 ///
-/// - the first voxel's corner is one of the box, so that the origin in voxels is no longer than |F| D, and
-/// the
-///   ray moves at most as far until it leaves the voxels. Each of both is rounded by u of itself: a point of
-///   the ray by less than 2.05 u |F| D, unless its direction is rounded to a denormal number
+/// - the first voxel's corner is one of the box, so that the origin in voxels is no longer than |F| D,
+///   and the ray moves at most as far until it leaves the voxels. Each of both is rounded by u of itself:
+///   a point of the ray by less than 2.05 u |F| D, unless its direction is rounded to a denormal number
 ///   (`leastDirection`);
 /// - in the world that is |T| times as much: 2.05 u k D, where k = |T| |F|, which is 1 where an instance is
 ///   turned and scaled alike along its axes;
