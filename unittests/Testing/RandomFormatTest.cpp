@@ -32,7 +32,8 @@ std::map<std::string_view, int> countWalks(int formats) {
 TEST(RandomFormats, HaveEveryWalkEquallyOften) {
   constexpr int kFormats = 3000;
   const auto counts = countWalks(kFormats);
-  const std::size_t walks = kWalkAttribute.values.size() + 2; // And the flat one, and the direct one.
+  // That of a tree counts where `levels` is `auto`.
+  const std::size_t walks = kWalkAttribute.values.size() + kLevelsAttribute.values.size() - 1;
   ASSERT_EQ(counts.size(), walks);
   const int share = kFormats / static_cast<int>(walks);
   for (const auto &[walk, count] : counts)
