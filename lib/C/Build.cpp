@@ -107,11 +107,6 @@ InputArguments argumentsOf(const voxc_input_options &read) {
   return arguments;
 }
 
-/// Words of such a format are labels, as of the colour map of that name.
-bool isOfLabels(const Format &format) {
-  return format.attributes.value(kPayloadAttribute).starts_with("material");
-}
-
 void tell(const std::vector<std::string> &sentences, void (*function)(void *user, const char *sentence),
           void *user) {
   if (function)
@@ -175,7 +170,7 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
       return wrap(checked);
     if (auto checked = checkInputArguments(arguments, input); !checked)
       return wrap(checked);
-    if (isOfLabels(format->format) && arguments.colourMap.empty())
+    if (hasLabels(format->format) && arguments.colourMap.empty())
       arguments.colourMap = "labels";
     InputOptions choices = inputOptionsOf(arguments, format->format.extent());
     choices.otherKinds = componentInputs();

@@ -8,9 +8,10 @@ namespace voxc {
 namespace {
 
 std::size_t mostColours(VoxelFacts facts) {
-  if (facts.payload == Payload::Constant)
+  const PayloadKind &kind = kindOf(facts.payload);
+  if (kind.oneColour)
     return 1;
-  return kindOf(facts.payload).mostBits > 0 ? std::size_t{1} << facts.payloadBits : 0;
+  return kind.mostBits > 0 ? std::size_t{1} << facts.payloadBits : 0;
 }
 
 /// "#rrggbbaa".
@@ -21,7 +22,9 @@ std::string colourText(std::uint32_t word) {
   return text.data();
 }
 
-bool isLabel(std::uint32_t word) { return word >> kindOf(Payload::Material).mostBits == 0; }
+constexpr int kMostLabelBits = 16;
+
+bool isLabel(std::uint32_t word) { return word >> kMostLabelBits == 0; }
 
 std::string ofLabel(std::uint32_t word) {
   return isLabel(word) ? " of label " + std::to_string(word)
@@ -34,7 +37,7 @@ ColourFact::ColourFact(VoxelFacts facts)
     : facts_(facts), most_(mostColours(facts)), colours_(mostColours(facts)) {}
 
 Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour) const {
-  if (facts_.payload == Payload::Material)
+  if (kindOf(facts_.payload).labels)
     return Error::input(
         whatIs + ofLabel(colour) + ", but the format states payload=material(" +
         std::to_string(facts_.payloadBits) + "), labels from 1 to " + std::to_string(most_ - 1) +
@@ -43,7 +46,7 @@ Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour) const 
                            "models, other inputs have none; numbers below 0 and fractions are attached to a "
                            "volume without labels: voxc attach V.hvx --words hu=INPUT -o V.hvx"));
   const std::string is = whatIs + " " + colourText(colour) + ", others ";
-  if (facts_.payload == Payload::Constant)
+  if (kindOf(facts_.payload).oneColour)
     return Error::input(is + "are " + colourText(one()) +
                         ", but the format states payload=constant; build it without constant-colour");
   return Error::input(is + "have " + std::to_string(colours_.colours().size()) +

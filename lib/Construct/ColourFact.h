@@ -11,8 +11,8 @@
 
 namespace voxc {
 
-/// That there are at most so many, one of `Payload::Constant` and 2^n of `Payload::Palette`; or that each is
-/// a label of n bits, of `Payload::Material`. Others state nothing.
+/// That there are at most so many, one, or 2^n of a palette; or that each is
+/// a label of n bits, of `PayloadKind::labels`. Others state nothing.
 class ColourFact {
 public:
   explicit ColourFact(VoxelFacts facts);
@@ -20,7 +20,7 @@ public:
   bool isStated() const { return most_ > 0; }
   /// The next voxel's colour, of a fact that is stated. False if it is one too much.
   bool take(std::uint32_t colour) {
-    return facts_.payload == Payload::Material ? colour < most_ : colours_.numberOf(colour).has_value();
+    return kindOf(facts_.payload).labels ? colour < most_ : colours_.numberOf(colour).has_value();
   }
   /// The first colour if there may be but one, 0 if there is none.
   std::uint32_t one() const { return most_ == 1 && !colours_.colours().empty() ? colours_.colours()[0] : 0; }

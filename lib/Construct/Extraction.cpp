@@ -3,7 +3,6 @@
 
 #include "Layout/Masks.h"
 #include "Layout/Places.h"
-#include "voxc/Layout/OctantArray.h"
 #include "voxc/Layout/SubVolume.h"
 #include "voxc/Layout/Values.h"
 
@@ -40,7 +39,7 @@ Fragment Extraction::cube(Int3 low, int log2Side) {
   fragment.words = {0};
   if (layout_.hasArray())
     fragment.array.assign(kIndexedWords, 0);
-  fragment.colour = layout_.payload == Payload::Constant ? words_[1] : 0;
+  fragment.colour = layout_.hasOneColour() ? words_[1] : 0;
   fragment_ = &fragment;
   placed_.clear();
   const std::size_t index = layout_.stratumOfPart(log2Side);
@@ -70,14 +69,14 @@ Extraction::Found Extraction::subVolumeAround(std::size_t index, Int3 low) const
 /// Takes the values of the part's voxels, of which `rank` is that of the first: where they stand apart, they
 /// are next to each other.
 void Extraction::values(std::uint64_t rank, std::uint64_t count) {
-  if (layout_.values == Values::Apart)
+  if (layout_.ranksVoxels())
     for (std::uint64_t i = 0; i < count; ++i)
       fragment_->values.push_back(valueOfRank(words_, layout_.payload, rank + i));
 }
 
 construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, int log2Side) {
   const Stratum &stratum = layout_.strata[index];
-  const bool isApart = layout_.values == Values::Apart;
+  const bool isApart = layout_.ranksVoxels();
   const Int3 lowCell = low >> stratum.log2Cell;
   Found found = root;
   const auto counted = [&](construct::Node result, std::uint64_t voxels) {
@@ -107,7 +106,7 @@ construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, 
   const std::uint64_t at = found.at;
   const Placed placed = node(index, at, partLayers);
   construct::Node result = counted({construct::Node::Inner, placed.at}, placed.voxels);
-  const bool isRecord = stratum.keepsLeaves(LeafPlace::Record);
+  const bool isRecord = stratum.hasRecords();
   for (std::uint64_t i = 0; i < MaskShape(stratum).words(); ++i)
     result.masks[i] = words_[at + (isRecord ? 1 : 0) + i];
   return result;
@@ -115,7 +114,7 @@ construct::Node Extraction::partOfTree(std::size_t index, Found root, Int3 low, 
 
 void Extraction::partOfGrid(std::size_t index, Found root, Int3 low, int log2Side) {
   const Stratum &stratum = layout_.strata[index];
-  const bool isApart = layout_.values == Values::Apart;
+  const bool isApart = layout_.ranksVoxels();
   const int log2Cells = log2Side - stratum.log2Cell;
   const Int3 first = placeIn(stratum, low >> stratum.log2Cell, 1);
   for (std::uint64_t code = 0; code < cubed(log2Cells); ++code) {
@@ -155,10 +154,10 @@ Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
     fragment_->blocks.push_back({BlockRecord::Forget, static_cast<std::uint32_t>(index + 1), 0});
   if (stratum.depth > 0) {
     const Placed root = node(index, at, stratum.depth);
-    return stratum.keepsLeaves(LeafPlace::Record) ? record(index, at, root) : root;
+    return stratum.hasRecords() ? record(index, at, root) : root;
   }
   const Placed below = cell(index, words_[at]);
-  if (stratum.keepsLeaves(LeafPlace::Record))
+  if (stratum.hasRecords())
     return record(index, at, below);
   const Ref leaf = block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1);
   placed_.place(at, {.at = leaf, .voxels = below.voxels});
@@ -180,7 +179,7 @@ Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {
 /// goes where its parent's children go.
 Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int layer) {
   const Stratum &stratum = layout_.strata[index];
-  const bool isRecord = stratum.keepsLeaves(LeafPlace::Record);
+  const bool isRecord = stratum.hasRecords();
   const std::uint64_t block = isRecord ? words_.wordOf(words_[at]) : at;
   if (const Placed *known = placed_.find(block))
     return inLayer(*known, layer, stratum.log2Shape.x);
@@ -197,7 +196,7 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
         layout_.holdsVoxels(index) ? 1 : cell(index, cellValue(words_, stratum, child)).voxels;
     placed.voxels += voxels * cubed(stratum.log2Shape.x * (layer - 1));
   });
-  if (leaves > 0 && stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied)
+  if (leaves > 0 && stratum.hasLeafWords())
     leafWords(index, at);
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);
@@ -228,22 +227,20 @@ void Extraction::leafWords(std::size_t index, std::uint64_t node) {
 Ref Extraction::block(std::size_t index, BlockRecord::Kind kind, Block what, std::uint64_t at,
                       std::uint64_t count) {
   const Stratum &stratum = layout_.strata[index];
-  const bool isIndexed = layout_.numbersTo(index) != nullptr;
+  const bool isIndexed = stratum.inArray();
   std::vector<std::uint32_t> &words = isIndexed ? fragment_->array : fragment_->words;
   const auto begin = static_cast<std::ptrdiff_t>(words.size());
-  if (const InArray *const own = stratum.inArray()) {
-    const std::uint64_t array = words_[static_cast<std::uint64_t>(own->arrayHead)];
-    const std::uint64_t cells = cellsOf(words_, octantGrid(words_, array, (at - array) / kIndexedWords));
+  if (isIndexed) {
+    const std::uint64_t cells = stratum.slots->array->block(words_, arrayOf(stratum), at);
     words.insert(words.end(), {static_cast<std::uint32_t>(cells), static_cast<std::uint32_t>(cells >> 32)});
   } else {
     for (std::uint64_t i = 0; i < count; ++i)
       words.push_back(words_[at + i]);
   }
   const auto relocation = [&](Ref ref) {
-    const Numbers *const numbers = stratum.numbers();
-    const Placed *found =
-        placed_.find(numbers ? words_[static_cast<std::uint64_t>(numbers->arrayHead)] + kIndexedWords * ref
-                             : words_.wordOf(ref));
+    const Placed *found = placed_.find(layout_.leadsIntoArray(index) ? arrayOf(layout_.strata[index + 1]) +
+                                                                           kIndexedWords * std::uint64_t{ref}
+                                                                     : words_.wordOf(ref));
     return found ? found->at : Ref{0};
   };
   relocate(std::span(words).subspan(static_cast<std::size_t>(begin)), stratum, what,

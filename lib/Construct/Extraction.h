@@ -22,7 +22,7 @@ public:
 
   /// The words must have been checked; they and `layout` outlive this.
   Extraction(std::span<const std::uint32_t> words, const Layout &layout)
-      : words_(words, layout.log2Granule), layout_(layout) {}
+      : words_(layout.reader(words)), layout_(layout) {}
 
   /// The aligned cube of 2^log2Side voxels a side at `low`; log2Side is one of `Layout::partSide`. Its counts
   /// of shared blocks are 0: a volume does not tell how often a block was wanted.
@@ -37,6 +37,10 @@ private:
     std::uint64_t rank = 0;
   };
 
+  /// The word at which the array begins that the stratum's sub-volumes stand in.
+  std::uint64_t arrayOf(const Stratum &stratum) const {
+    return words_[static_cast<std::uint64_t>(stratum.arrayHead)];
+  }
   Found subVolumeAround(std::size_t index, Int3 low) const;
   construct::Node partOfTree(std::size_t index, Found root, Int3 low, int log2Side);
   void partOfGrid(std::size_t index, Found root, Int3 low, int log2Side);

@@ -18,9 +18,7 @@ Error contradiction() { return Error::input("a fragment is broken: it has a poin
 
 } // namespace
 
-bool Splice::isIndexed(const BlockRecord &block) const {
-  return layout_.numbersTo(block.level - 1) != nullptr;
-}
+bool Splice::isIndexed(const BlockRecord &block) const { return layout_.strata[block.level - 1].inArray(); }
 
 /// Most blocks are looked for in tables that are far larger than what is near the processor. So some wait
 /// until the way to all of them was fetched. One that points to another that waits ends the waiting; most
@@ -29,7 +27,7 @@ void Splice::put(std::span<std::uint32_t> words, const BlockRecord &block, std::
   const std::size_t index = block.level - 1;
   const bool isLeaf = block.kind == BlockRecord::InternLeaf;
   // A block points only to what was written before it: the offsets from here on are still 0.
-  const auto &moved = layout_.strata[index].numbers() ? newNumbers_ : newOffsets_;
+  const auto &moved = layout_.leadsIntoArray(index) ? newNumbers_ : newOffsets_;
   const auto relocation = [&](Ref ref) {
     const Ref place = ref & placeMask_;
     if (place >= moved.size())
@@ -73,7 +71,7 @@ Ref Splice::write(const Waiting &waiting) {
 
 void Splice::relocateResult(Fragment &fragment, std::size_t index) {
   const bool holdsVoxels = layout_.holdsVoxels(index);
-  const auto &moved = layout_.strata[index].numbers() ? newNumbers_ : newOffsets_;
+  const auto &moved = layout_.leadsIntoArray(index) ? newNumbers_ : newOffsets_;
   const auto relocate = [&](std::uint32_t &value) {
     const Ref place = value & placeMask_;
     if (place >= moved.size() || moved[place] == 0)

@@ -26,7 +26,7 @@ struct Fragment {
   std::vector<construct::PlacedCell> cells;
   std::vector<std::uint32_t> values; ///< Those of the voxels, by rank, where they stand apart.
   std::uint64_t voxels = 0;
-  std::uint32_t colour = 0; ///< Of all of them, of `Payload::Constant`.
+  std::uint32_t colour = 0; ///< Of all of them (`Layout::hasOneColour`).
 };
 
 /// Does again what building the fragment did, now at the end of `store`: every block is written or, if it is

@@ -136,7 +136,7 @@ bool covers(const Fragment &fragment, const Layout &layout) {
     if (block.kind > BlockRecord::InternLeaf || block.level == 0 || block.level > layout.strata.size() ||
         isForget != (block.words == 0))
       return false;
-    std::uint64_t &left = layout.numbersTo(block.level - 1) ? array : words;
+    std::uint64_t &left = layout.strata[block.level - 1].inArray() ? array : words;
     if (block.words > left || (&left == &array && !isForget && block.words != kIndexedWords))
       return false;
     left -= block.words;

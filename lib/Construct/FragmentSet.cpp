@@ -86,11 +86,11 @@ bool coversCells(const Fragment &fragment, const Layout &layout) {
 bool countsValues(const Fragment &fragment, const Layout &layout) {
   const std::size_t index = layout.stratumOfPart(fragment.cube.log2Side);
   // Other nodes have something else there, or nothing.
-  std::uint64_t voxels = layout.values == Values::Apart ? fragment.node.voxels : 0;
+  std::uint64_t voxels = layout.ranksVoxels() ? fragment.node.voxels : 0;
   for (const construct::PlacedCell &cell : fragment.cells)
     voxels += cell.voxels;
   const bool hasValues =
-      layout.values == Values::Apart && !(layout.strata[index].isGrid() && layout.holdsVoxels(index));
+      layout.ranksVoxels() && !(layout.strata[index].isGrid() && layout.holdsVoxels(index));
   return fragment.values.size() == voxels && voxels == (hasValues ? fragment.voxels : 0);
 }
 
@@ -177,7 +177,7 @@ Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
     return Error::input("'" + readers_[current_].path() + "' is broken: its parts are not in order");
   if (!coversCells(fragment, layout()))
     return Error::input("'" + readers_[current_].path() + "' is broken: a part has cells outside itself");
-  const bool hasColour = layout().payload == Payload::Constant && fragment.voxels > 0;
+  const bool hasColour = layout().hasOneColour() && fragment.voxels > 0;
   if (hasColour != (fragment.colour != 0))
     return Error::input("'" + readers_[current_].path() +
                         "' is broken: a part has a colour too much, or none");

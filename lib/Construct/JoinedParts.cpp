@@ -29,7 +29,7 @@ Expected<JoinedParts> JoinedParts::create(FragmentSet &stream, const ConstructCo
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  auto layout = std::make_unique<Layout>(layoutOfParts(stream.layout()));
+  auto layout = std::make_unique<Layout>(stream.layout().countingWords());
   auto store = std::make_unique<NodeStore>(std::move(*words), *layout, memory);
   return JoinedParts(stream, code, std::move(layout), std::move(store));
 }

@@ -15,23 +15,12 @@ namespace {
 constexpr std::uint64_t kInternsBetweenRelief = 8;
 /// Grids larger than this go back to the system when they are done.
 constexpr std::uint64_t kKeptGridBytes = std::uint64_t{1} << 20;
-constexpr int kLog2IndexedWords = std::bit_width(kIndexedWords) - 1;
 
 /// The bytes of so many words, a power of two of them.
 std::string sizeText(std::uint64_t words) {
   const std::uint64_t mebibytes = words >> 18;
   return mebibytes % 1024 == 0 ? std::to_string(mebibytes / 1024) + " GiB"
                                : std::to_string(mebibytes) + " MiB";
-}
-
-/// What would reach more words, if anything would.
-std::string adviceOfGranules(const Layout &layout) {
-  const int log2 = layout.log2Granule + 1;
-  for (const Stratum &stratum : layout.strata)
-    if (!granuleProblem(stratum, log2).empty())
-      return {};
-  return "granule=" + std::to_string(1 << log2) +
-         (log2 == 1 ? " (the pass granules)" : " (granules once more)") + ", ";
 }
 
 } // namespace
@@ -41,10 +30,11 @@ NodeStore::NodeStore(WordStore words, const Layout &layout, std::shared_ptr<Work
       array_(memory_) {
   levels_.reserve(layout.strata.size());
   for (std::size_t i = 0; i < layout.strata.size(); ++i) {
-    levels_.emplace_back(memory_, layout.numbersTo(i) ? kLog2IndexedWords : layout.log2Granule);
-    if (const Numbers *const numbers = layout.numbersTo(i)) {
+    const Stratum &stratum = layout.strata[i];
+    levels_.emplace_back(memory_, layout.log2UnitOf(i));
+    if (stratum.inArray()) {
       indexedLevel_ = static_cast<unsigned>(i + 1);
-      pointerBits_ = numbers->bits;
+      numberBits_ = stratum.numberBits;
       beginArray();
     }
   }
@@ -58,9 +48,9 @@ void NodeStore::beginArray() {
 
 std::uint32_t NodeStore::appendToArray(unsigned level, std::span<const std::uint32_t> words) {
   const std::uint64_t number = array_.size() / kIndexedWords;
-  if (number >> pointerBits_ != 0) {
+  if (number >> numberBits_ != 0) {
     fail(Error::input("level " + std::to_string(level) + " has more than " + std::to_string(number - 1) +
-                      " different sub-volumes, the most that pointers=" + std::to_string(pointerBits_) +
+                      " different sub-volumes, the most that pointers=" + std::to_string(numberBits_) +
                       " can tell; more bits, or a build without short-pointers, would fit"));
     return 1;
   }
@@ -88,7 +78,7 @@ Error NodeStore::tooManyWords(unsigned level) const {
                                          sizeText(maxWords_) + "), the most that references can reach: ";
   return Error::input("the volume needs more than " + most + std::to_string(words_.size()) +
                       " are written, and level " + std::to_string(level) + " adds more; " +
-                      (isGiven || layout_.log2Granule == kMaxLog2Granule ? "" : adviceOfGranules(layout_)) +
+                      (isGiven ? "" : adviceOfReach(layout_)) +
                       "a lower resolution or a format that shares more would fit");
 }
 
@@ -96,7 +86,7 @@ Error NodeStore::tooManyWords(unsigned level) const {
 bool NodeStore::fits(unsigned level, std::uint64_t words) {
   if (layout_.granuleAfter(words_.size()) + words > maxWords_)
     fail(tooManyWords(level));
-  else if (layout_.log2Granule > 0 && words > kMaxNodeWords && !layout_.strata[level - 1].slots->keepsEmpty)
+  else if (words > layout_.maxNodeWords() && !layout_.strata[level - 1].slots->keepsEmpty)
     fail(Error::input("level " + std::to_string(level) + " has a sub-volume of " + std::to_string(words) +
                       " words, more than the 2^32 - 2^28 that a kernel can reach in one where references "
                       "count granules; two levels in its place would fit"));
@@ -115,8 +105,8 @@ void NodeStore::align() {
 Ref NodeStore::append(unsigned level, std::span<const std::uint32_t> words) {
   const Ref place = put(level, words);
   if (references_ && !failure_ && level != indexedLevel_)
-    references_->addNode(level - 1, WordReader(words_.span(), layout_.log2Granule),
-                         words_.size() - words.size(), words.size());
+    references_->addNode(level - 1, layout_.reader(words_.span()), words_.size() - words.size(),
+                         words.size());
   return place;
 }
 

@@ -139,7 +139,7 @@ private:
   WordStore words_;
   std::uint64_t maxWords_;
   unsigned indexedLevel_ = 0; ///< 0: none.
-  int pointerBits_ = 0;
+  int numberBits_ = 0;
   ScratchArray<std::uint32_t> array_;
   std::vector<Level> levels_;
   std::vector<BlockRecord> *log_ = nullptr;

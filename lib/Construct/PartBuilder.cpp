@@ -104,11 +104,6 @@ std::optional<Cube> PartSequence::next() {
   return std::nullopt;
 }
 
-Layout layoutOfParts(Layout layout) {
-  layout.log2Granule = 0;
-  return layout;
-}
-
 void keepWords(NodeStore &store, Fragment &fragment) {
   const auto words = store.words().span();
   fragment.words.assign(words.begin(), words.end());
@@ -121,7 +116,7 @@ Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, c
   auto words = WordStore::create(memory);
   if (!words)
     return words.error();
-  auto store = std::make_unique<NodeStore>(std::move(*words), layoutOfParts(layout), memory);
+  auto store = std::make_unique<NodeStore>(std::move(*words), layout.countingWords(), memory);
   return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }
 

@@ -65,9 +65,6 @@ private:
   std::uint64_t looked_ = 0;
 };
 
-/// The layout of a volume's parts: their references count words, whatever those of the volume will.
-Layout layoutOfParts(Layout layout);
-
 /// Copies what a store has come to into a fragment.
 void keepWords(NodeStore &store, Fragment &fragment);
 

@@ -37,7 +37,7 @@ void MergeHost::proveColours(Int3 low) {
     take(fragment_.colour);
   for (const std::uint32_t value : fragment_.values)
     take(value);
-  if (layout_.values == Values::Apart && layout_.holdsVoxels(layout_.stratumOfPart(fragment_.cube.log2Side)))
+  if (layout_.ranksVoxels() && layout_.holdsVoxels(layout_.stratumOfPart(fragment_.cube.log2Side)))
     for (const construct::PlacedCell &cell : fragment_.cells)
       take(cell.value);
 }

@@ -38,7 +38,7 @@ public:
   }
 
   std::uint64_t voxels() const { return voxels_; }
-  /// The one colour of all voxels, of `Payload::Constant`.
+  /// The one colour of all voxels (`Layout::hasOneColour`).
   std::uint32_t colour() const { return colours_.one(); }
 
 protected:

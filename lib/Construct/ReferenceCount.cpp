@@ -12,14 +12,14 @@ void ReferenceCount::addNode(std::size_t index, const WordReader &words, std::ui
   const bool ends = stratum.isGrid() && layout_.holdsVoxels(index);
   if (ends || (!isShared(index) && !isShared(index + 1)))
     return;
-  if (stratum.keepsLeaves(LeafPlace::Record))
+  if (stratum.hasRecords())
     return addRecords(index, words, at, count);
   stratum.slots->visit(words, stratum, at, [&](Int3, const Child &child) {
-    const bool isValue = stratum.isGrid() || (child.leaf && stratum.keepsLeaves(LeafPlace::InSlot));
-    if (isValue)
-      addValue(index);
-    else if (!(child.leaf && stratum.implied))
+    const bool isBlock = !stratum.isGrid() && (!child.leaf || stratum.hasLeafWords());
+    if (isBlock)
       ++counts_[index];
+    else
+      addValue(index);
   });
 }
 

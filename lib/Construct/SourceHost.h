@@ -33,7 +33,7 @@ public:
         progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
-  /// The one colour of all voxels so far, of `Payload::Constant`; 0: none yet.
+  /// The one colour of all voxels so far, of a payload of one; 0: none yet.
   std::uint32_t colour() const { return colours_.one(); }
 
 protected:

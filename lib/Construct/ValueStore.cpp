@@ -4,7 +4,6 @@
 #include "NodeMap.h"
 
 #include "voxc/Layout/PaletteBlocks.h"
-#include "voxc/Layout/Rgb565.h"
 #include "voxc/Layout/ValueBlocks.h"
 
 #include <algorithm>
@@ -20,8 +19,7 @@ constexpr std::uint64_t kMostBlocks = (std::uint64_t{1} << (32 - kLog2ValueBlock
 } // namespace
 
 ValueStore::ValueStore(NodeStore &nodes, VoxelFacts facts, const std::shared_ptr<WorkingMemory> &memory)
-    : nodes_(nodes), isRgb565_(facts.payload == Payload::Rgb565), blocks_(memory), begins_(memory),
-      known_(kKnown) {
+    : nodes_(nodes), code_(kindOf(facts.payload).code), blocks_(memory), begins_(memory), known_(kKnown) {
   if (kindOf(facts.payload).mostBits > 0)
     palette_.emplace(std::size_t{1} << facts.payloadBits);
 }
@@ -43,8 +41,8 @@ void ValueStore::put(std::span<const std::uint32_t> values) {
 }
 
 void ValueStore::encode() {
-  if (isRgb565_)
-    std::ranges::transform(pending_, pending_.begin(), toRgb565);
+  if (code_)
+    std::ranges::transform(pending_, pending_.begin(), code_);
   if (palette_)
     encodeIndices();
   else

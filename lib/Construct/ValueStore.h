@@ -48,7 +48,7 @@ private:
   bool keep(const Expected<void> &done);
 
   NodeStore &nodes_;
-  bool isRgb565_;
+  std::uint32_t (*code_)(std::uint32_t colour); ///< As of `PayloadKind`.
   ScratchArray<std::uint32_t> blocks_;
   ScratchArray<std::uint32_t> begins_; ///< Of each block, in `blocks_`; see `encodeIndices`.
   std::optional<ColourTable> palette_;

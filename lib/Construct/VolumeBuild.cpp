@@ -2,7 +2,7 @@
 #include "VolumeBuild.h"
 
 #include "Volume/Structure.h"
-#include "voxc/Layout/OctantArray.h"
+#include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
 #include <vector>
@@ -76,21 +76,26 @@ void VolumeBuild::appendArray(WordStore &words) {
     return store_->fail(Error::input("the volume needs more than " + std::to_string(maxWords_) +
                                      " words, the most that it may have"));
   words.setHead(layout_.headWords() - 1, static_cast<std::uint32_t>(words.size()));
-  if (layout_.strata.back().inArray())
-    return appendOctants(words, array.subspan(kIndexedWords));
+  if (hasArrayForm())
+    return appendArrayForm(words, array);
   if (auto appended = words.append(array); !appended)
     store_->fail(appended.error());
 }
 
-/// The same by octants, without number 0.
-void VolumeBuild::appendOctants(WordStore &words, std::span<const std::uint32_t> grids) {
+/// True if the array is written otherwise than as the blocks that were collected.
+bool VolumeBuild::hasArrayForm() const {
+  const Stratum &last = layout_.strata.back();
+  return last.inArray() && last.slots->array->write;
+}
+
+void VolumeBuild::appendArrayForm(WordStore &words, std::span<const std::uint32_t> blocks) {
   std::vector<std::uint32_t> some;
   const auto flush = [&] {
     if (auto appended = words.append(some); !appended)
       store_->fail(appended.error());
     some.clear();
   };
-  writeOctantArray(grids, [&](std::uint32_t word) {
+  layout_.strata.back().slots->array->write(blocks, [&](std::uint32_t word) {
     some.push_back(word);
     if (some.size() == kWordsAtATime)
       flush();
@@ -105,7 +110,7 @@ void VolumeBuild::appendValues() {
   const std::uint64_t section = words.size();
   values_->finish(words, maxWords_);
   words.setHead(1, layout_.refOf(section));
-  if (layout_.log2Granule > 0 && words.size() - section > kMaxNodeWords)
+  if (words.size() - section > layout_.maxNodeWords())
     store_->fail(
         Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
                      " words, more than the 2^32 - 2^28 that a kernel can reach where references count "
@@ -156,9 +161,9 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   const std::uint64_t arrayBegin = words.size();
   appendArray(words);
   const std::uint64_t nodeWords = words.size();
-  if (layout_.values == Values::Apart)
+  if (layout_.ranksVoxels())
     appendValues();
-  if (layout_.payload == Payload::Constant)
+  if (layout_.hasOneColour())
     words.setHead(1, colour);
   if (store_->failure())
     return *store_->failure();
@@ -175,7 +180,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   BuildReport report;
   report.voxels = voxels;
   report.levels = store_->report();
-  if (layout_.strata.back().inArray())
+  if (hasArrayForm())
     report.levels.back().words = nodeWords - arrayBegin;
   report.valueWords = span.size() - nodeWords;
   info_.wordCounts = countsOf(report);

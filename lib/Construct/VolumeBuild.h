@@ -36,7 +36,7 @@ public:
   std::uint64_t wordsReached() const { return wordsReached_ ? wordsReached_ : store_->words().size(); }
 
   /// Completes the volume. `root`: the offset of the root sub-volume. `colour`: that of all voxels, of
-  /// `Payload::Constant`. `origin`: whether the words are proved before a file gets its name. Errors: the
+  /// a payload of one. `origin`: whether the words are proved before a file gets its name. Errors: the
   /// store's; a full disk; of foreign words that they are no volume, or of another number of voxels.
   Expected<Built> finish(std::uint32_t root, std::uint64_t voxels, std::uint32_t colour,
                          Origin origin = Origin::Built);
@@ -47,7 +47,8 @@ private:
   Expected<void> openFile();
   Expected<WordStore> openWords();
   void appendArray(WordStore &words);
-  void appendOctants(WordStore &words, std::span<const std::uint32_t> grids);
+  bool hasArrayForm() const;
+  void appendArrayForm(WordStore &words, std::span<const std::uint32_t> blocks);
   void appendValues();
   /// Proves the words as the loader will.
   Expected<void> proveWords(std::span<const std::uint32_t> words) const;

@@ -26,6 +26,14 @@ TemplateNames allNames() {
        {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "LAYERS_DOWN", "symbol",
         "PREFIX", "count-words", "prefix", "prefix-", "glsl-in-cpp", "what-colour-is"})
     names.holes[hole] = "";
+  for (const SlotKind *kind : slotKinds()) {
+    Stratum stratum;
+    stratum.encoding = defaultEncoding(*kind);
+    for (const RuntimeName &own : kind->names(stratum)) {
+      names.holes[std::string(own.name)] = "";
+      names.conditions[std::string(own.name)] = false;
+    }
+  }
   return names;
 }
 

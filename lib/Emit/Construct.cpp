@@ -42,14 +42,13 @@ std::vector<std::string> filesOf(const Plan &plan, std::size_t index) {
     files.push_back("distances/" + std::string(toString(distances->metric)) + ".cpp");
   for (const std::string_view file : stratum.slots->construction(stratum))
     files.push_back("slots/" + std::string(file) + ".cpp");
-  const Leaves *const leaves = stratum.leaves();
-  if (!leaves) {
+  if (!stratum.slots->root) {
     files.emplace_back("part/grid.cpp");
     return files;
   }
   files.insert(files.end(), {"descent/join.cpp",
                              plan.constructions[index].bricks ? "descent/voxels.cpp" : "descent/cells.cpp",
-                             "root/" + std::string(toString(leaves->place)) + ".cpp", "part/tree.cpp"});
+                             "root/" + std::string(stratum.slots->root(stratum)) + ".cpp", "part/tree.cpp"});
   return files;
 }
 

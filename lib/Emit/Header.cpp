@@ -45,7 +45,7 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   names.holes["PREFIX"] = upperCase(prefix);
   names.holes["glsl-in-cpp"] = glslInCpp();
   names.holes["what-colour-is"] =
-      plan.layout.payload == Payload::Material ? "a label" : "R in the lowest byte, then G, B and A";
+      plan.layout.hasLabels() ? "a label" : "R in the lowest byte, then G, B and A";
   return names;
 }
 

@@ -49,7 +49,7 @@ private:
     if (plan_.detail == Detail::Cone)
       file("detail/cone.glsl");
     beginFormat();
-    const bool looksUpValues = plan_.layout.values == Values::Apart && storesValue(plan_.outputs);
+    const bool looksUpValues = plan_.layout.ranksVoxels() && storesValue(plan_.outputs);
     if (looksUpValues)
       file("rank/order.glsl");
     levels(&FunctionEmitter::level);
@@ -75,7 +75,7 @@ private:
     text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
     if (hasLayers())
       file("walk/tree.glsl");
-    const bool hasFields = plan_.layout.values == Values::Apart && plan_.outputs.colour;
+    const bool hasFields = plan_.layout.ranksVoxels() && plan_.outputs.colour;
     if (hasFields || plan_.layout.hasArray())
       file("field.glsl");
   }
@@ -145,10 +145,9 @@ private:
                                      : "detail/tree.glsl");
     if (plan_.walk == Walk::Direct)
       return locate(index);
-    if (plan_.walk == Walk::Flat ? stratum.measures(Metric::L1)
-                                 : traversal.descent != Descent::Stack && !isSingle)
+    if (plan_.walk == Walk::Flat ? reportsBall(stratum) : traversal.descent != Descent::Stack && !isSingle)
       leaf(index, "walk/within.glsl");
-    if (stratum.measures(Metric::L1))
+    if (reportsBall(stratum))
       leaf(index, "walk/march.glsl");
     if (plan_.walk == Walk::Flat)
       return;

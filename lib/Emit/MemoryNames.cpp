@@ -1,6 +1,8 @@
 // How a kernel reaches words.
 #include "MemoryNames.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <string>
 
 namespace voxc {
@@ -27,6 +29,37 @@ void addAddresses(TemplateNames &names, const Plan &plan) {
   names.conditions["granules"] = granules;
 }
 
+/// One axis of a cell's number, `bits` of them from bit `at` on: those from bit `from` on, or those before
+/// it.
+std::string upperBits(const std::string &axis, int bits, int at, int from) {
+  if (bits == 0)
+    return "";
+  if (at >= from)
+    return at == from ? axis : axis + " << " + std::to_string(at - from);
+  return at + bits > from ? axis + " >> " + std::to_string(from - at) : "";
+}
+
+std::string lowerBits(const std::string &axis, int bits, int at, int from) {
+  if (bits == 0 || at >= from)
+    return "";
+  const int kept = from - at;
+  const std::string value = bits <= kept ? axis : "(" + axis + " & " + std::to_string((1 << kept) - 1) + ")";
+  return at == 0 ? value : value + " << " + std::to_string(at);
+}
+
+/// The number of a cell, as bits of its place, in two parts: 2^log2Granule cells are one.
+std::string cellNumber(Int3 log2Size, int log2Granule,
+                       std::string (*part)(const std::string &, int, int, int)) {
+  std::string text;
+  int at = 0;
+  for (const int axis : {0, 1, 2}) {
+    const std::string bits = part(std::string("at.") + "xyz"[axis], log2Size[axis], at, log2Granule);
+    text += (text.empty() || bits.empty() ? "" : " | ") + bits;
+    at += log2Size[axis];
+  }
+  return text.empty() ? "0" : text;
+}
+
 /// How words are reached, and what becomes of a ray that waits for some of them.
 void addPaging(TemplateNames &names, const Plan &plan) {
   const bool paged = plan.addressing == Addressing::Paged;
@@ -50,6 +83,13 @@ void addMemoryNames(TemplateNames &names, const Plan &plan) {
   addAddresses(names, plan);
   addPaging(names, plan);
   addStack(names, plan);
+}
+
+void addReferenceNames(TemplateNames &names, const Layout &layout, const Stratum &stratum) {
+  const std::uint64_t recordGranules = stratum.slots->leastWords(stratum) >> layout.log2Granule;
+  names.holes["records-times"] = recordGranules == 1 ? "" : std::to_string(recordGranules) + "u * ";
+  names.holes["granule-of-cell"] = cellNumber(stratum.log2Size(), layout.log2Granule, upperBits);
+  names.holes["cell-in-granule"] = cellNumber(stratum.log2Size(), layout.log2Granule, lowerBits);
 }
 
 } // namespace voxc

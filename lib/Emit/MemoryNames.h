@@ -10,4 +10,7 @@ namespace voxc {
 /// Adds them to those of a plan.
 void addMemoryNames(TemplateNames &names, const Plan &plan);
 
+/// Adds those of where slots of a stratum lead to, and of how its cells are numbered.
+void addReferenceNames(TemplateNames &names, const Layout &layout, const Stratum &stratum);
+
 } // namespace voxc

@@ -16,21 +16,19 @@
 namespace voxc {
 namespace {
 
-/// How grids say by numbers where sub-volumes are.
-void addNumbers(TemplateNames &names, const Stratum &stratum) {
-  const Numbers *const own = stratum.numbers();
-  const Numbers numbers = own ? *own : Numbers{};
-  const int arrayHead = stratum.inArray() ? stratum.inArray()->arrayHead : numbers.arrayHead;
-  names.holes["pointer-bits"] = std::to_string(numbers.bits);
-  names.holes["array-head"] = std::to_string(arrayHead);
-  names.conditions["octant-counts"] = numbers.counts == Counts::Octant;
-  names.conditions["octant-masks"] = numbers.masks == MaskForm::Octants;
+/// What the files of its kind of slots alone speak of.
+void addOwnNames(TemplateNames &names, const Stratum &stratum) {
+  for (const RuntimeName &own : stratum.slots->names(stratum))
+    if (const bool *const condition = std::get_if<bool>(&own.value))
+      names.conditions[std::string(own.name)] = *condition;
+    else
+      names.holes[std::string(own.name)] = std::get<std::string>(own.value);
 }
 
 /// How a distance field's word tells of an empty cell, in generated text.
 void addSkip(TemplateNames &names, const Stratum &stratum) {
   const bool isTagged = stratum.empty() == Empty::Tagged;
-  const bool hasOctants = stratum.measures(Metric::Octant);
+  const bool hasOctants = stratum.slots->region(stratum) == EmptyRegion::Cube;
   const std::string shift = stratum.tagShift() == 0 ? "" : std::to_string(stratum.tagShift());
   const std::string fieldBits = std::to_string(stratum.fieldBits());
   const std::string fieldMask = std::to_string((1 << stratum.fieldBits()) - 1);
@@ -64,37 +62,6 @@ void addSkip(TemplateNames &names, const Stratum &stratum) {
       "(word" + emptyBits + (isTagged && hasOctants ? "u" : "") + (isTagged ? ") != 0u" : ") == 0u");
 }
 
-/// One axis of a cell's number, `bits` of them from bit `at` on: those from bit `from` on, or those before
-/// it.
-std::string upperBits(const std::string &axis, int bits, int at, int from) {
-  if (bits == 0)
-    return "";
-  if (at >= from)
-    return at == from ? axis : axis + " << " + std::to_string(at - from);
-  return at + bits > from ? axis + " >> " + std::to_string(from - at) : "";
-}
-
-std::string lowerBits(const std::string &axis, int bits, int at, int from) {
-  if (bits == 0 || at >= from)
-    return "";
-  const int kept = from - at;
-  const std::string value = bits <= kept ? axis : "(" + axis + " & " + std::to_string((1 << kept) - 1) + ")";
-  return at == 0 ? value : value + " << " + std::to_string(at);
-}
-
-/// The number of a cell, as bits of its place, in two parts: 2^log2Granule cells are one.
-std::string cellNumber(Int3 log2Size, int log2Granule,
-                       std::string (*part)(const std::string &, int, int, int)) {
-  std::string text;
-  int at = 0;
-  for (const int axis : {0, 1, 2}) {
-    const std::string bits = part(std::string("at.") + "xyz"[axis], log2Size[axis], at, log2Granule);
-    text += (text.empty() || bits.empty() ? "" : " | ") + bits;
-    at += log2Size[axis];
-  }
-  return text.empty() ? "0" : text;
-}
-
 std::string count(int log2, std::string_view unit) {
   const std::int64_t number = std::int64_t{1} << log2;
   return std::to_string(number) + " " + std::string(unit) + (number == 1 ? "" : "s");
@@ -115,10 +82,6 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["slot-words"] = std::to_string(stratum.slotWords());
   holes["mask-stride"] = countsMaskWords(stratum) ? "2u * " : "";
   holes["count-bits"] = std::to_string(stratum.countBits());
-  const std::uint64_t recordGranules = stratum.slots->leastWords(stratum) >> plan.layout.log2Granule;
-  holes["records-times"] = recordGranules == 1 ? "" : std::to_string(recordGranules) + "u * ";
-  holes["granule-of-cell"] = cellNumber(stratum.log2Size(), plan.layout.log2Granule, upperBits);
-  holes["cell-in-granule"] = cellNumber(stratum.log2Size(), plan.layout.log2Granule, lowerBits);
   holes["second-mask"] = stratum.log2Children() == 6 ? " + uint(bitCount(load_word(grid + 1u)))" : "";
   holes["slots-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + "u * ";
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
@@ -138,7 +101,7 @@ void addCellArguments(TemplateNames &names, const Plan &plan, std::size_t index)
   const Stratum &stratum = plan.layout.strata[index];
   const bool isPoint = plan.query == Query::Occupancy;
   const bool tells = !isPoint && reportsEmptyRegion(stratum);
-  const bool takesRay = tells && !stratum.measures(Metric::L1);
+  const bool takesRay = tells && !reportsBall(stratum);
   const bool takesGap = tells || plan.traversals[index].lookUp == Loops::Cut;
   names.holes["cell-ray-and"] = takesRay ? "const Ray ray, " : "";
   names.holes["cell-and-gap"] = takesGap ? ", inout Gap gap" : "";
@@ -153,7 +116,7 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   const bool defers = plan.defersValues && plan.layout.holdsVoxels(index);
   const std::string occupied = holes["occupied"];
   const auto leafAt = [&](const std::string &at) {
-    const bool isValue = defers || stratum.keepsLeaves(LeafPlace::InSlot);
+    const bool isValue = defers || stratum.leavesInSlots();
     return stratum.implied && !defers ? occupied : isValue ? at : "load_word(" + at + ")";
   };
   holes["full-cell"] = defers            ? "grid"
@@ -163,8 +126,7 @@ void addLeaves(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["without-leaves"] = stratum.implied ? " & ~load_word(node" + holes["+"] + "2u)" : "";
   holes["slots-of-children"] = stratum.implied ? "children.filled & ~children.leaves" : "children.filled";
   holes["have-slots"] = stratum.implied ? "are neither empty nor leaves" : "are not empty";
-  holes["slots-hold"] =
-      stratum.keepsLeaves(LeafPlace::InSlot) ? "values of leaves and references to" : "references to";
+  holes["slots-hold"] = stratum.leavesInSlots() ? "values of leaves and references to" : "references to";
   holes["why-alike"] =
       stratum.implied ? "All leaves have the same value." : "Of a leaf, nothing more is asked.";
   holes["leaf-node"] = leafAt("node");
@@ -203,9 +165,9 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["tree"] = !stratum.isGrid() && stratum.depth > 0;
   conditions["look-up-may-be-cut"] = plan.traversals[index].lookUp == Loops::Cut;
   conditions["implied"] = stratum.implied;
-  conditions["leaves-in-slots"] = stratum.keepsLeaves(LeafPlace::InSlot);
+  conditions["leaves-in-slots"] = stratum.leavesInSlots();
   conditions["grid"] = stratum.isGrid();
-  conditions["leaves-apart"] = stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied;
+  conditions["leaves-apart"] = stratum.hasLeafWords();
   conditions["ranked"] = stratum.ranked;
   conditions["looks-ahead"] = plan.constructions[index].looksAhead;
   conditions["ranks"] = stratum.ranked && storesValue(plan.outputs);
@@ -215,7 +177,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["alike"] = stratum.implied || !plan.traversals[index].readsValues;
   conditions["defers"] = plan.defersValues && plan.layout.holdsVoxels(index);
   conditions["one-voxel-steps"] = plan.traversals[index].voxelSteps;
-  conditions["marches"] = stratum.measures(Metric::L1);
+  conditions["marches"] = reportsBall(stratum);
   conditions["chooses-faces"] = findsValueLater(stratum);
   conditions["tells-half"] = stratum.slots->region(stratum) == EmptyRegion::Octant;
   conditions["walks"] = plan.query != Query::Occupancy;
@@ -262,9 +224,8 @@ TemplateNames planNames(const Plan &plan) {
   addStepNames(names, plan);
   names.conditions["value-later"] = plan.defersValues && findsValueLater(lowest);
   names.holes["occupied"] = "0xffffffffu";
-  names.conditions["defers-leaf"] =
-      plan.defersValues && !lowest.isGrid() && !lowest.keepsLeaves(LeafPlace::InSlot);
-  names.conditions["values-apart"] = plan.layout.values == Values::Apart;
+  names.conditions["defers-leaf"] = plan.defersValues && !lowest.isGrid() && !lowest.leavesInSlots();
+  names.conditions["values-apart"] = plan.layout.ranksVoxels();
   names.conditions["cut"] = cut;
   names.conditions["resumes"] = cut || plan.addressing == Addressing::Paged;
   names.conditions["cone"] = plan.detail == Detail::Cone;
@@ -282,9 +243,10 @@ TemplateNames planNames(const Plan &plan) {
 TemplateNames stratumNames(const Plan &plan, std::size_t index) {
   TemplateNames names = planNames(plan);
   addHoles(names, plan, index);
+  addReferenceNames(names, plan.layout, plan.layout.strata[index]);
   addLeaves(names, plan, index);
   addSkip(names, plan.layout.strata[index]);
-  addNumbers(names, plan.layout.strata[index]);
+  addOwnNames(names, plan.layout.strata[index]);
   addCellArguments(names, plan, index);
   addLayers(names, plan, index);
   addConditions(names, plan, index);

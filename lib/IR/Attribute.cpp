@@ -89,11 +89,15 @@ const TypedAttribute<bool> kColourAttribute = {{"colour", AttributeEffect::Walk,
                                                isFirst};
 
 const TypedAttribute<bool> kIndexAttribute = {
-    {"index", AttributeEffect::Walk, kNoValues,
+    {"index",
+     AttributeEffect::Walk,
+     kNoValues,
      "whether the kernel stores, in place of the colour, the number of "
      "a closest hit's voxel among all of the "
      "volume",
-     &kOutputs},
+     &kOutputs,
+     {},
+     &kValuesAttribute},
     isSecond};
 
 const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,

@@ -30,8 +30,6 @@ bool Format::setAttribute(const AttributeKind &attribute, std::string_view value
   return attributes.set(formatAttributes(), attribute, value);
 }
 
-int Format::log2Granule() const { return attributes.get(kGranuleAttribute); }
-
 Int3 Format::log2Extent() const {
   Int3 extent;
   for (const Level &level : levels)
@@ -61,9 +59,10 @@ Format storageFormat(Format format) {
 Format canonicalFormat(Format format) {
   format = storageFormat(std::move(format));
   // The first level has one sub-volume, and nothing to share it with.
-  const AttributeKind *const kinds[] = {&kShareAttribute, &kDedupAttribute};
-  for (const AttributeKind *kind : kinds)
-    format.levels.front().setAttribute(*kind, kind->values.front());
+  Level &first = format.levels.front();
+  for (const AttributeKind *kind : first.kind->attributes)
+    if (kind->amongSubVolumes)
+      first.setAttribute(*kind, kind->values.front());
   return format;
 }
 

@@ -45,10 +45,11 @@ std::string_view problemOf(const Question &question) {
 
 std::string_view problemOfQuestion(const Format &format) {
   const Question question = questionOf(format);
+  const AttributeKind &ranked = *kIndexAttribute.needs;
+  const bool areRanked = format.attributes.value(ranked) != ranked.values.front();
   if (question.bounds && format.attributes.get(kDetailAttribute) != Detail::Full)
     return "stops above voxels, whose bounds cannot be told there; leave out bounds=yes, or detail=cone";
-  if (question.outputs.index && (format.attributes.get(kValuesAttribute) != Values::Apart ||
-                                 format.attributes.get(kDetailAttribute) != Detail::Full))
+  if (question.outputs.index && (!areRanked || format.attributes.get(kDetailAttribute) != Detail::Full))
     return "asks for the numbers of voxels, which levels count with values=apart, and whose cubes have none; "
            "build with --values-apart, and leave out detail=cone";
   return problemOf(question);

@@ -71,6 +71,10 @@ void visit(const WordReader &words, const Stratum &stratum, std::uint64_t node, 
 /// Number 0 is none.
 std::uint64_t arrayWords(std::uint64_t bricks, std::uint64_t) { return kIndexedWords * (bricks + 1); }
 
+std::uint64_t block(const WordReader &words, std::uint64_t, std::uint64_t at) { return brickMask(words, at); }
+
+constexpr ArrayForm kArray = {.words = arrayWords, .block = block};
+
 double wordsRead(const Stratum &stratum, int, bool isEmpty) {
   return brickRegion(stratum) == EmptyRegion::Octant ? 1 : isEmpty ? 2 : 3;
 }
@@ -102,7 +106,7 @@ extern const SlotKind kBrickSlots = {.name = "brick",
                                      .accessor = accessor,
                                      .construction = construction,
                                      .numbered = "numbered-brick",
-                                     .arrayWords = arrayWords,
+                                     .array = &kArray,
                                      .tellsByMasks = true,
                                      .ranks = true,
                                      .region = brickRegion,

@@ -2,11 +2,29 @@
 // beside it or in its own. In ranked strata a slot ends with how many voxels come before those of its cell.
 #include "Places.h"
 
+#include "voxc/Layout/Layout.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 
 namespace voxc {
+
+void fitReach(Stratum &stratum) {
+  auto *const distances = std::get_if<Distances>(&stratum.encoding);
+  if (!distances)
+    return;
+  if (distances->metric == Metric::Octant)
+    distances->reach = std::min(distances->reach, (1u << stratum.fieldBits()) - 1);
+  if (distances->place == DistancePlace::Beside)
+    return;
+  // No cell is farther from another; so a reach that no distance comes up to says no more than this one.
+  const Int3 size = stratum.log2Size();
+  const auto cells = [](int log2) { return 1u << std::min(log2, kMaxLog2Extent); };
+  const std::uint32_t farthest = cells(size.x) + cells(size.y) + cells(size.z);
+  distances->reach = std::min(distances->reach, farthest);
+}
+
 namespace {
 
 std::string problem(const Stratum &stratum) {
@@ -134,7 +152,9 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 }
 
 EmptyRegion region(const Stratum &stratum) {
-  return stratum.distances() ? EmptyRegion::Distance : EmptyRegion::Cell;
+  return !stratum.distances()           ? EmptyRegion::Cell
+         : stratum.measures(Metric::L1) ? EmptyRegion::Ball
+                                        : EmptyRegion::Cube;
 }
 
 bool isDistanceBeside(const Stratum &stratum) {

@@ -1,6 +1,7 @@
 // What follows from the strata of a layout.
 #include "voxc/Layout/Layout.h"
 
+#include "voxc/Layout/Rgb565.h"
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -11,14 +12,13 @@ namespace voxc {
 namespace {
 
 /// In the order of `Payload`.
-constexpr std::array<PayloadKind, kEnumNames<Payload>.size()> kPayloadKinds = {{
-    {.varies = true, .inPlace = true, .mostBits = 0, .hit = "rgba8", .blocks = "colours"},
-    {.varies = false, .inPlace = true, .mostBits = 0, .hit = "occupancy", .blocks = ""},
-    {.varies = false, .inPlace = true, .mostBits = 0, .hit = "constant", .blocks = ""},
-    {.varies = true, .inPlace = false, .mostBits = 16, .hit = "rgba8", .blocks = "palette"},
-    {.varies = true, .inPlace = false, .mostBits = 0, .hit = "rgb565", .blocks = "colours"},
-    {.varies = true, .inPlace = true, .mostBits = 16, .hit = "rgba8", .blocks = "palette"},
-}};
+constexpr std::array<PayloadKind, kEnumNames<Payload>.size()> kPayloadKinds = {
+    {{.varies = true, .inPlace = true, .hit = "rgba8", .blocks = "colours"},
+     {.inPlace = true, .hit = "occupancy"},
+     {.inPlace = true, .oneColour = true, .hit = "constant"},
+     {.varies = true, .mostBits = 16, .hit = "rgba8", .blocks = "palette"},
+     {.varies = true, .code = toRgb565, .decode = ofRgb565, .hit = "rgb565", .blocks = "colours"},
+     {.varies = true, .inPlace = true, .mostBits = 16, .labels = true, .hit = "rgba8", .blocks = "palette"}}};
 
 } // namespace
 
@@ -48,21 +48,6 @@ bool Layout::setPayload(std::string_view text) {
   return true;
 }
 
-void fitReach(Stratum &stratum) {
-  auto *const distances = std::get_if<Distances>(&stratum.encoding);
-  if (!distances)
-    return;
-  if (distances->metric == Metric::Octant)
-    distances->reach = std::min(distances->reach, (1u << stratum.fieldBits()) - 1);
-  if (distances->place == DistancePlace::Beside)
-    return;
-  // No cell is farther from another; so a reach that no distance comes up to says no more than this one.
-  const Int3 size = stratum.log2Size();
-  const auto cells = [](int log2) { return 1u << std::min(log2, kMaxLog2Extent); };
-  const std::uint32_t farthest = cells(size.x) + cells(size.y) + cells(size.z);
-  distances->reach = std::min(distances->reach, farthest);
-}
-
 void Layout::complete() {
   const bool areAlike = !kindOf(payload).varies || values == Values::Apart;
   for (std::size_t i = 0; i < strata.size(); ++i) {
@@ -71,19 +56,20 @@ void Layout::complete() {
     stratum.ranked = values == Values::Apart;
     stratum.implied =
         stratum.lowest && areAlike && stratum.depth > 0 && stratum.slots && stratum.slots->tellsByMasks;
-    if (auto *const numbers = std::get_if<Numbers>(&stratum.encoding)) {
-      numbers->arrayHead = static_cast<int>(headWords()) - 1;
-      numbers->masks = !stratum.lowest && strata[i + 1].inArray() ? MaskForm::Octants : MaskForm::Whole;
+    auto *const above = i > 0 ? std::get_if<Numbers>(&strata[i - 1].encoding) : nullptr;
+    stratum.numberBits = above ? above->bits : 0;
+    stratum.arrayHead = above ? static_cast<int>(headWords()) - 1 : 0;
+    if (above) {
+      above->leadsTo = stratum.slots;
+      above->arrayHead = stratum.arrayHead;
     }
-    if (auto *const array = std::get_if<InArray>(&stratum.encoding))
-      array->arrayHead = static_cast<int>(headWords()) - 1;
   }
 }
 
 bool Layout::hasArray() const { return std::ranges::any_of(strata, &Stratum::numbers); }
 
 std::uint64_t Layout::headWords() const {
-  const bool hasSecond = values == Values::Apart || payload == Payload::Constant;
+  const bool hasSecond = values == Values::Apart || hasOneColour();
   return granuleAfter(1 + (hasSecond ? 1 : 0) + (hasArray() ? 1 : 0));
 }
 
@@ -104,7 +90,7 @@ std::uint64_t Layout::maxWords() const {
   int log2 = 32;
   for (const Stratum &stratum : strata)
     log2 = std::min({log2, stratum.log2Reach(), stratum.slots->placeBits});
-  return std::uint64_t{1} << (log2 + log2Granule);
+  return std::uint64_t{1} << (log2 + log2UnitOf(0));
 }
 
 std::size_t Layout::stratumOfPart(int log2Side) const {

@@ -1,9 +1,9 @@
-// How many words a sub-volume may take, and where its nodes may begin.
+// How many words a sub-volume may take, where its nodes may begin, and how far references reach.
 #include "LayoutRules.h"
 
-#include "voxc/Layout/Layout.h"
 #include "voxc/Layout/SlotKind.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace voxc {
@@ -13,14 +13,12 @@ namespace {
 /// two words each, and its mask are `kMaxNodeWords` at most.
 constexpr int kMaxLog2MaskedCells = 30;
 
-} // namespace
-
+/// The same of granules of 2^log2Granule words.
 std::string granuleProblem(const Stratum &stratum, int log2Granule) {
   if (log2Granule == 0)
     return {};
   const std::string granules = "granules of " + std::to_string(1 << log2Granule) + " words";
-  if (stratum.slots->sharesBlocks &&
-      stratum.slots->leastWords(stratum) % (std::uint64_t{1} << log2Granule) != 0)
+  if (stratum.hasRecords() && stratum.slots->leastWords(stratum) % (std::uint64_t{1} << log2Granule) != 0)
     return "its records, of " + std::to_string(stratum.slots->leastWords(stratum)) +
            " words each, stand side by side and would not begin at " + granules +
            "; granule=2, or svdag in place of svo, would do";
@@ -33,10 +31,25 @@ std::string granuleProblem(const Stratum &stratum, int log2Granule) {
   return {};
 }
 
-std::string sizeProblem(const Stratum &stratum, int log2Granule) {
+} // namespace
+
+std::string granuleProblem(const Layout &layout, const Stratum &stratum) {
+  return granuleProblem(stratum, std::clamp(layout.log2Granule, 0, kMaxLog2Granule));
+}
+
+std::string adviceOfReach(const Layout &layout) {
+  const int log2 = layout.log2Granule + 1;
+  const auto cannot = [&](const Stratum &stratum) { return !granuleProblem(stratum, log2).empty(); };
+  if (log2 > kMaxLog2Granule || std::ranges::any_of(layout.strata, cannot))
+    return {};
+  return "granule=" + std::to_string(1 << log2) +
+         (log2 == 1 ? " (the pass granules)" : " (granules once more)") + ", ";
+}
+
+std::string sizeProblem(const Layout &layout, const Stratum &stratum) {
   const std::uint64_t words = stratum.slots->leastWords(stratum);
   // So many words would leave none for the root's reference.
-  const int log2Most = std::bit_width(kMaxWords) - 1 + log2Granule;
+  const int log2Most = std::bit_width(kMaxWords) - 1 + layout.log2Granule;
   if (words >> log2Most == 0)
     return {};
   const Int3 size = stratum.log2Size();

@@ -14,8 +14,8 @@ namespace voxc {
 /// Where the bits of a stratum's masks lie.
 struct MaskShape {
   explicit MaskShape(const Stratum &stratum)
-      : children(std::uint64_t{1} << stratum.log2Children()), hasLeaves(stratum.leaves() != nullptr),
-        sharesWord(stratum.leaves() && children <= 16), impliesLeaves(stratum.implied),
+      : children(std::uint64_t{1} << stratum.log2Children()), hasLeaves(!stratum.isGrid()),
+        sharesWord(hasLeaves && children <= 16), impliesLeaves(stratum.implied),
         counts(countsMaskWords(stratum)) {}
 
   std::uint64_t children;

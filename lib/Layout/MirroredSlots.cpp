@@ -101,6 +101,7 @@ double wordsRead(const Stratum &, int layers, bool isEmpty) { return 2 * layers 
 
 constexpr std::array<std::string_view, 1> kFiles = {"mirrored"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()->place); }
 
 } // namespace
 
@@ -108,6 +109,7 @@ extern const SlotKind kMirroredSlots = {.name = "mirrored",
                                         .summary = "masks, then references that may reflect their node",
                                         .accessor = files,
                                         .construction = files,
+                                        .root = root,
                                         .encodings = encodingBits<Leaves>,
                                         .sharing = Sharing::SubVolume,
                                         .countsWords = "say in bits of their own how a node is read",

@@ -7,8 +7,6 @@
 #include "MaskedGrid.h"
 #include "Places.h"
 
-#include "voxc/Layout/OctantArray.h"
-
 #include <array>
 #include <bit>
 
@@ -39,7 +37,7 @@ std::string problemOfBrick(const Stratum &stratum) {
 }
 
 std::string problemBelow(const Stratum *below) {
-  const bool leadsOn = below && below->implied && below->slots->arrayWords;
+  const bool leadsOn = below && below->implied && below->slots->array;
   return leadsOn ? "" : std::string(kMisplacedNumbers);
 }
 
@@ -118,11 +116,7 @@ private:
     if (grid == 0)
       return 0;
     const std::uint64_t array = words_[static_cast<std::uint64_t>(own_.arrayHead)];
-    const std::uint64_t cells =
-        own_.masks == MaskForm::Octants
-            ? cellsOf(words_, octantGrid(words_, array, (grid - array) / kIndexedWords))
-            : brickMask(words_, grid);
-    return static_cast<std::uint64_t>(std::popcount(cells));
+    return static_cast<std::uint64_t>(std::popcount(own_.leadsTo->array->block(words_, array, grid)));
   }
 
   const WordReader &words_;
@@ -191,12 +185,23 @@ std::span<const std::string_view> accessorOfBrick(const Stratum &stratum) {
 }
 std::span<const std::string_view> construction(const Stratum &) { return kConstruction; }
 
+std::vector<RuntimeName> names(const Stratum &stratum) {
+  const Numbers &numbers = *stratum.numbers();
+  const ArrayForm *const array = numbers.leadsTo ? numbers.leadsTo->array : nullptr;
+  return {{"pointer-bits", std::to_string(numbers.bits)},
+          {"array-head", std::to_string(numbers.arrayHead)},
+          {"octant-counts", countsOctants(stratum)},
+          {"what-is-counted", countsOctants(stratum) ? "octant of cells but the first" : "cell"},
+          {"leads-by-number", array && array->byNumber}};
+}
+
 } // namespace
 
 extern const SlotKind kNumberedSlots = {.name = "numbered",
                                         .summary = "a mask of the cells, then a number for each not empty",
                                         .accessor = accessor,
                                         .construction = construction,
+                                        .names = names,
                                         .encodings = encodingBits<Numbers>,
                                         .givesCells = true,
                                         .countsOctants = countsOctants,
@@ -219,6 +224,7 @@ extern const SlotKind kNumberedBrickSlots = {.name = "numbered-brick",
                                              .summary = "64 bits for 4 x 4 x 4 cells, then numbers",
                                              .accessor = accessorOfBrick,
                                              .construction = construction,
+                                             .names = names,
                                              .encodings = encodingBits<Numbers>,
                                              .givesCells = true,
                                              .countsOctants = countsOctants,

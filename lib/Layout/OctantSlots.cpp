@@ -13,19 +13,21 @@ namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
+  if (!stratum.inArray())
+    return "octants stand in an array, which numbers in the level above lead to";
   return stratum.implied ? brickProblem(stratum) : "octants are those of voxels without values";
 }
 
 std::uint64_t arrayOf(const WordReader &words, const Stratum &stratum) {
-  return words[static_cast<std::uint64_t>(stratum.inArray()->arrayHead)];
+  return words[static_cast<std::uint64_t>(stratum.arrayHead)];
 }
 
-std::uint64_t numberOf(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
-  return (node - arrayOf(words, stratum)) / kIndexedWords;
+std::uint64_t block(const WordReader &words, std::uint64_t array, std::uint64_t at) {
+  return cellsOf(words, octantGrid(words, array, (at - array) / kIndexedWords));
 }
 
 std::uint64_t maskOf(const WordReader &words, const Stratum &stratum, std::uint64_t node) {
-  return cellsOf(words, octantGrid(words, arrayOf(words, stratum), numberOf(words, stratum, node)));
+  return block(words, arrayOf(words, stratum), node);
 }
 
 std::uint64_t leastWords(const Stratum &) { return kIndexedWords; }
@@ -33,7 +35,8 @@ std::uint64_t wordsWith(const Stratum &, std::uint64_t, std::uint64_t) { return 
 std::uint64_t size(const WordReader &, const Stratum &, std::uint64_t) { return kIndexedWords; }
 
 bool check(WordReader &words, const Stratum &stratum, std::uint64_t node, bool) {
-  return checkOctantGrid(words, arrayOf(words, stratum), numberOf(words, stratum, node), stratum.ranked);
+  const std::uint64_t array = arrayOf(words, stratum);
+  return checkOctantGrid(words, array, (node - array) / kIndexedWords, stratum.ranked);
 }
 
 std::uint64_t count(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) {
@@ -75,12 +78,20 @@ EmptyRegion region(const Stratum &) { return EmptyRegion::Octants; }
 /// measured (docs/performance.md).
 constexpr double kCost = 1.2;
 
-std::string problemAbove(const Stratum *above) {
-  return above && above->numbers() ? "" : " stands in an array, which numbers in the level above lead to";
-}
-
 /// The array's begin, the head, octants, and cells where the octant has some.
 double wordsRead(const Stratum &, int, bool isEmpty) { return isEmpty ? 5 : 6.5; }
+
+/// Number 0 takes no room.
+void writeArray(std::span<const std::uint32_t> blocks, FunctionRef<void(std::uint32_t)> put) {
+  writeOctantArray(blocks.subspan(kIndexedWords), put);
+}
+
+constexpr ArrayForm kArray = {
+    .words = octantArrayWords, .block = block, .write = writeArray, .byNumber = true};
+
+std::vector<RuntimeName> names(const Stratum &stratum) {
+  return {{"array-head", std::to_string(stratum.arrayHead)}};
+}
 
 constexpr std::array<std::string_view, 1> kFiles = {"octants"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
@@ -91,14 +102,13 @@ extern const SlotKind kOctantSlots = {.name = "octants",
                                       .summary = "a byte of octants, then one of cells for each not empty",
                                       .accessor = files,
                                       .construction = files,
-                                      .encodings = encodingBits<InArray>,
-                                      .arrayWords = octantArrayWords,
+                                      .names = names,
+                                      .array = &kArray,
                                       .tellsByMasks = true,
                                       .ranks = true,
                                       .region = region,
                                       .cost = {.words = wordsRead, .factor = kCost},
                                       .problem = problem,
-                                      .problemAbove = problemAbove,
                                       .check = check,
                                       .leastWords = leastWords,
                                       .wordsWith = wordsWith,

@@ -11,8 +11,6 @@ namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
-  if (!stratum.leaves() || stratum.keepsLeaves(LeafPlace::Record))
-    return "packed slots are words of a tree; records stand with their siblings";
   if (stratum.log2Children() > 6)
     return "a node with leaves has 64 children at most";
   return {};
@@ -49,7 +47,7 @@ void rankChild(const WordReader &words, const Stratum &stratum, const Masks &mas
 /// The child of a bit that is set, whose slot is at `slot` or, if it has none, would be.
 Child childAt(const WordReader &words, const Stratum &stratum, const Masks &masks, std::uint64_t node,
               std::uint64_t index, bool isLeaf, std::uint64_t slot) {
-  const bool isInSlot = isLeaf && stratum.keepsLeaves(LeafPlace::InSlot);
+  const bool isInSlot = isLeaf && stratum.leavesInSlots();
   Child child = {true, isLeaf,
                  isLeaf && stratum.implied ? node
                  : isInSlot                ? slot
@@ -94,13 +92,13 @@ std::uint64_t count(WordReader &words, const Stratum &stratum, std::uint64_t nod
   const auto target = [&](std::uint64_t slot) {
     return words.wordOf(words[slots + slot * static_cast<std::uint64_t>(stratum.slotWords())]);
   };
-  if (layer > 1 || stratum.keepsLeaves(LeafPlace::Apart))
+  if (layer > 1 || !stratum.leavesInSlots())
     for (std::uint64_t i = 0; i < masks.slots(); ++i)
       words.fetch(target(i));
   return countTree(
       stratum, masks, layer,
       [&](std::uint64_t slot) {
-        const std::uint64_t at = stratum.keepsLeaves(LeafPlace::Apart) ? target(slot) : slots + slot;
+        const std::uint64_t at = stratum.leavesInSlots() ? slots + slot : target(slot);
         return at != 0 && stratum.cellValue(words[at]) != 0;
       },
       [&](std::uint64_t slot) { return count(words, stratum, target(slot), layer - 1); });
@@ -111,7 +109,7 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
   const std::uint64_t head = MaskShape(stratum).words();
   if (words.size() < head)
     return false;
-  const bool leavesStay = holdsVoxels && stratum.keepsLeaves(LeafPlace::InSlot) && !stratum.implied;
+  const bool leavesStay = holdsVoxels && stratum.leavesInSlots() && !stratum.implied;
   if (!leavesStay) {
     for (std::uint64_t slot = head; slot < words.size();
          slot += static_cast<std::uint64_t>(stratum.slotWords()))
@@ -136,12 +134,13 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, bool holds
 double wordsRead(const Stratum &stratum, int layers, bool isEmpty) {
   const int found = isEmpty ? layers - 1 : layers;
   const int masks = stratum.log2Shape.x <= 1 ? 1 : 2;
-  const int leaf = isEmpty ? 0 : stratum.implied ? -1 : stratum.keepsLeaves(LeafPlace::Apart) ? 1 : 0;
+  const int leaf = isEmpty ? 0 : stratum.implied ? -1 : stratum.leavesInSlots() ? 0 : 1;
   return masks * layers + found + leaf;
 }
 
 constexpr std::array<std::string_view, 1> kFiles = {"packed"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()->place); }
 
 } // namespace
 
@@ -149,6 +148,7 @@ extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
                                       .accessor = files,
                                       .construction = files,
+                                      .root = root,
                                       .encodings = encodingBits<Leaves>,
                                       .sharing = Sharing::SubVolume,
                                       .tellsByMasks = true,

@@ -10,8 +10,6 @@ namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
-  if (!stratum.keepsLeaves(LeafPlace::Record))
-    return "siblings are records, of nodes and of leaves";
   if (stratum.log2Children() > 6)
     return "a node with leaves has 64 children at most";
   return {};
@@ -94,6 +92,7 @@ double wordsRead(const Stratum &, int layers, bool isEmpty) { return 2 * layers 
 
 constexpr std::array<std::string_view, 1> kFiles = {"siblings"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+std::string_view root(const Stratum &) { return "record"; }
 
 } // namespace
 
@@ -102,8 +101,8 @@ extern const SlotKind kSiblingSlots = {.name = "siblings",
                                            "a record for each child that is not empty, next to each other",
                                        .accessor = files,
                                        .construction = files,
-                                       .encodings = encodingBits<Leaves>,
-                                       .sharesBlocks = true,
+                                       .root = root,
+                                       .encodings = encodingBits<Records>,
                                        .cost = {.words = wordsRead},
                                        .problem = problem,
                                        .check = check,

@@ -28,7 +28,7 @@ constexpr std::array<const SlotKind *, 10> kKinds = {
 
 Encoding defaultEncoding(const SlotKind &kind) {
   for (const Encoding &encoding :
-       {Encoding(), Encoding(Distances{}), Encoding(Numbers{}), Encoding(InArray{}), Encoding(Leaves{})})
+       {Encoding(), Encoding(Distances{}), Encoding(Numbers{}), Encoding(Leaves{}), Encoding(Records{})})
     if (takes(kind, encoding))
       return encoding;
   return {};

@@ -34,7 +34,7 @@ private:
 
   /// The word of a leaf, in a slot that was checked or in a block of its own.
   void leaf(std::uint64_t at, const Cube &cube, Ranks ranks) {
-    const std::uint64_t count = stratum_.keepsLeaves(LeafPlace::Record) ? 1 + MaskShape(stratum_).words() : 1;
+    const std::uint64_t count = stratum_.hasRecords() ? 1 + MaskShape(stratum_).words() : 1;
     if (!stratum_.isGrid() && !words_.require(at, count, "a leaf"))
       return;
     // Nothing may stand where masks say that something does: kernels and lookups would tell it in two ways.
@@ -100,7 +100,7 @@ private:
 
   void foresee(const Place &place) {
     const Child &child = place.child;
-    if (child.leaf && (stratum_.implied || stratum_.keepsLeaves(LeafPlace::InSlot)))
+    if (child.leaf && stratum_.implied)
       return;
     if (stratum_.slots->givesCells)
       return visitor_.foreseeCell(child.value);
@@ -176,8 +176,7 @@ void visitSubVolume(WordReader &words, const Stratum &stratum, std::uint64_t off
 bool relocate(std::span<std::uint32_t> words, const Stratum &stratum, Block block, bool holdsVoxels,
               Relocation relocation) {
   if (block == Block::Leaf)
-    return stratum.keepsLeaves(LeafPlace::Apart) && words.size() == 1 &&
-           (holdsVoxels || relocateRef(words[0], relocation));
+    return stratum.hasLeafWords() && words.size() == 1 && (holdsVoxels || relocateRef(words[0], relocation));
   return stratum.slots->relocate(words, stratum, holdsVoxels, relocation);
 }
 

@@ -55,10 +55,18 @@ std::uint32_t valueOfRank(const WordReader &words, Payload payload, std::uint64_
   return codingOf(payload).valueOfRank(words, words.wordOf(words[1]), rank);
 }
 
+std::uint32_t valueOfVoxel(const WordReader &words, const Layout &layout, std::uint32_t value,
+                           std::uint64_t rank) {
+  if (layout.ranksVoxels())
+    return valueOfRank(words, layout.payload, rank);
+  return layout.hasOneColour() ? words[1] : value;
+}
+
 std::function<std::uint32_t(std::uint32_t)> roundingOf(Payload payload) {
-  if (payload != Payload::Rgb565)
+  const PayloadKind &kind = kindOf(payload);
+  if (!kind.code)
     return {};
-  return [](std::uint32_t word) { return ofRgb565(toRgb565(word)); };
+  return [&kind](std::uint32_t word) { return kind.decode(kind.code(word)); };
 }
 
 void checkValues(WordReader &words, const Layout &layout, std::uint64_t voxels) {

@@ -103,19 +103,15 @@ private:
          name +
              "needs all bits of the references that lead to it, of which distances=in-slot takes some in the "
              "level above; leave out one of both");
-    const std::string granules = granuleProblem(stratum, std::clamp(layout_.log2Granule, 0, kMaxLog2Granule));
+    const std::string granules = granuleProblem(layout_, stratum);
     rule(granules.empty(), granules);
     const std::string problem = stratum.slots->problem(stratum);
     rule(problem.empty(), problem);
-    const std::string size = sizeProblem(stratum, layout_.log2Granule);
+    const std::string size = sizeProblem(layout_, stratum);
     rule(size.empty(), size);
   }
 
   void neighbours(const Stratum &stratum) {
-    if (const auto problemAbove = stratum.slots->problemAbove) {
-      const std::string problem = problemAbove(index_ > 0 ? &layout_.strata[index_ - 1] : nullptr);
-      rule(problem.empty(), level() + problem);
-    }
     if (const auto problemBelow = stratum.slots->problemBelow) {
       const bool isLast = layout_.holdsVoxels(index_);
       const std::string problem = problemBelow(isLast ? nullptr : &layout_.strata[index_ + 1]);
@@ -127,12 +123,12 @@ private:
 
   void payload() {
     const PayloadKind &payload = kindOf(layout_.payload);
-    rule(layout_.log2Granule >= 0 && layout_.log2Granule <= kMaxLog2Granule,
+    rule(layout_.granuleAfter(1) <= std::uint64_t{1} << kMaxLog2Granule,
          "granules have at most 2^" + std::to_string(kMaxLog2Granule) + " words");
-    rule(layout_.values == Values::InPlace || payload.varies,
+    rule(!layout_.ranksVoxels() || payload.varies,
          "voxels of payload=" + layout_.payloadText() +
              " have no values that could stand apart; leave out one of both");
-    rule(layout_.values == Values::Apart || payload.inPlace,
+    rule(layout_.ranksVoxels() || payload.inPlace,
          "voxels of payload=" + layout_.payloadText() +
              " save nothing in the words of cells; their values stand apart by values=apart (the pass "
              "values-apart)");

@@ -1,5 +1,4 @@
 // Setting the attribute of a choice, where it is taken and fits.
-#include "voxc/IR/Choices.h"
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
@@ -44,16 +43,17 @@ std::string excludedBy(std::string_view what, const AttributeKind &kind, std::st
          std::string(kind.name) + "=" + std::string(value) + " excludes it; give one of the two passes";
 }
 
-/// One loop for all levels has a stack of its own, and no walks of trees.
-void verifyWalks(const Format &format, Diagnostics &diagnostics) {
-  const Walk levels = format.attributes.get(kLevelsAttribute);
-  if (levels != Walk::Flat && levels != Walk::Direct)
-    return;
+/// What levels have chosen that the format's choices exclude.
+void verifyExcluded(const Format &format, Diagnostics &diagnostics) {
   for (const Level &level : format.levels)
-    if (const std::string_view walk = level.attribute(kWalkAttribute); walk != kWalkAttribute.values.front())
-      diagnostics.error(level.range,
-                        "this tree has walk=" + std::string(walk) +
-                            ", which one loop for all levels excludes; give one of the two passes");
+    for (const AttributeKind *kind : level.kind->attributes)
+      for (const AttributeValue &excluded : kind->excludes)
+        if (const std::string_view value = level.attribute(*kind);
+            value != kind->values.front() && format.attributes.value(*excluded.kind) == excluded.value)
+          diagnostics.error(level.range,
+                            "this level has " + std::string(kind->name) + "=" + std::string(value) +
+                                ", which " + std::string(excluded.kind->name) + "=" +
+                                std::string(excluded.value) + " excludes; give one of the two passes");
 }
 
 class Chooser {
@@ -121,7 +121,7 @@ PassResult choose(Format &format, const AttributeChoice &choice, std::string_vie
   if (chooser.chosen == format)
     return leave(diagnostics, name + " is there already");
   verify(chooser.chosen, unfit);
-  verifyWalks(chooser.chosen, unfit);
+  verifyExcluded(chooser.chosen, unfit);
   if (unfit.hasErrors() && choice.unfit == Unfit::LeftOut)
     return leave(diagnostics, unfit.all().front().message);
   for (const Diagnostic &problem : unfit.all())

@@ -8,7 +8,7 @@ namespace voxc {
 
 PassResult granules(Format &format, Diagnostics &diagnostics) {
   const auto values = kGranuleAttribute.values;
-  const auto next = static_cast<std::size_t>(format.log2Granule()) + 1;
+  const auto next = static_cast<std::size_t>(format.attributes.get(kGranuleAttribute)) + 1;
   if (next == values.size()) {
     diagnostics.note({}, "granule=" + std::string(values.back()) + " is the largest");
     return PassResult::Unchanged;

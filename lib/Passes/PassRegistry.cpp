@@ -102,7 +102,8 @@ const std::array<Pass, 26> kPasses = {{
                  "of each octant of eight has one, and the voxels of those between are counted in their "
                  "masks, at most seven, when a hit's colour is asked for. Unchanged where short-pointers "
                  "leads from no M(2^3), or colours do not stand apart.",
-     .choice = {&kCountsAttribute, "octant", ChoiceScope::LastLevel, Unfit::LeftOut}},
+     .choice = {&kCountsAttribute, "octant", ChoiceScope::LastLevel, Unfit::LeftOut},
+     .besidePointers = true},
     {.name = "octant-masks",
      .effect = AttributeEffect::Storage,
      .summary = "keep of the last level's small grids the octants that are not empty",

@@ -10,7 +10,7 @@ void chooseLookAhead(Plan &plan) {
   for (std::size_t i = 0; i < plan.constructions.size(); ++i) {
     const Stratum &stratum = plan.layout.strata[i];
     plan.constructions[i].looksAhead =
-        plan.constructions[i].bricks && !stratum.keepsLeaves(LeafPlace::Record) && !stratum.ranked;
+        plan.constructions[i].bricks && !stratum.hasRecords() && !stratum.ranked;
   }
 }
 

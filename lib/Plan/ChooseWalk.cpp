@@ -23,7 +23,8 @@ int layersOf(const Layout &layout) {
 
 /// True if most turns of a direct walk end in the first level, with a long step.
 bool leapsFromTheTop(const Layout &layout) {
-  return layout.strata.front().measures(Metric::Octant) && layersOf(layout) <= kFewLayers;
+  const Stratum &top = layout.strata.front();
+  return top.slots->region(top) == EmptyRegion::Cube && layersOf(layout) <= kFewLayers;
 }
 
 /// True for a tree made of grids that tell of empty cells around one: its nodes are small, and a nested walk

@@ -50,7 +50,7 @@ private:
     rule(plan_.query != Query::Occupancy ||
              (plan_.walk == Walk::Auto && plan_.steps == Steps::Float32 && plan_.detail == Detail::Full),
          "a point is looked up without a walk, its steps and its detail");
-    rule(!plan_.outputs.index || (plan_.layout.values == Values::Apart && plan_.detail == Detail::Full),
+    rule(!plan_.outputs.index || (plan_.layout.ranksVoxels() && plan_.detail == Detail::Full),
          "the numbers of voxels are counted where their values stand apart, with detail=full");
     rule(plan_.addressing != Addressing::Paged || plan_.query != Query::Occupancy,
          "pages that are not here are what rays wait for, not points");
@@ -105,8 +105,7 @@ private:
   void construction(const Stratum &stratum, const Construction &construction) {
     stratumRule(!construction.bricks || (plan_.layout.holdsVoxels(index_) && !stratum.isGrid()),
                 "trees of voxels are read by bricks, and nothing else is");
-    stratumRule(!construction.looksAhead ||
-                    (construction.bricks && !stratum.keepsLeaves(LeafPlace::Record) && !stratum.ranked),
+    stratumRule(!construction.looksAhead || (construction.bricks && !stratum.hasRecords() && !stratum.ranked),
                 "nodes of bricks=yes are announced, but no siblings and none with ranks");
   }
 

@@ -110,7 +110,7 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
   std::vector<Hit> hits(rays.size());
   if (Expected<void> traced = tracers_.camera(rays, hits, traceOptions()); !traced)
     return traced;
-  if (volume_.layout().payload == Payload::Material)
+  if (volume_.layout().hasLabels())
     showLabels(hits);
   if (sample == 0)
     for (const Hit &hit : hits)

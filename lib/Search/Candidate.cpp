@@ -86,10 +86,12 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
   applyPass(candidate, traits.oneColour         ? "constant-colour"
                        : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
                                                 : "values-apart");
-  if (choices.grids != SmallGrids::Pointed)
-    for (const std::string &pass :
-         {"short-pointers=" + std::to_string(traits.pointerBits), std::string("octant-counts")})
-      applyPass(candidate, pass);
+  if (choices.grids != SmallGrids::Pointed) {
+    applyPass(candidate, "short-pointers=" + std::to_string(traits.pointerBits));
+    for (const Pass &pass : passes())
+      if (pass.besidePointers)
+        applyPass(candidate, std::string(pass.name));
+  }
   if (choices.grids == SmallGrids::ByOctants)
     applyPass(candidate, "octant-masks");
   if (!choices.walk.empty())

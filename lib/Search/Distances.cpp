@@ -1,6 +1,8 @@
 // Distances that the cells of a sub-volume tell.
 #include "Distances.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -110,7 +112,7 @@ int cellsAhead(Int3 cell, int side, unsigned octant) {
 int distanceAt(const MeasuredCube &cube, Int3 cell, unsigned octant) {
   const int side = 1 << (cube.top - cube.stratum.log2Cell);
   const int reach = static_cast<int>(std::min<std::uint32_t>(cube.stratum.distances()->reach, 3u << 21));
-  if (cube.stratum.measures(Metric::L1))
+  if (reportsBall(cube.stratum))
     return Search(cube, cell).nearest(reach);
   const int most = cube.isWhole ? reach : std::min(reach, cellsAhead(cell, side, octant));
   return Search(cube, cell).largestCube(octant, most);

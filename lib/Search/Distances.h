@@ -18,7 +18,8 @@ struct MeasuredCube {
 };
 
 /// What the empty cell at a place, counted in cells of the sub-volume, tells of those around it:
-/// `Metric::L1`, or `Metric::Octant` in an octant (a bit for each coordinate that rises, x lowest).
+/// the L1 distance, or the side of the empty cube in an octant (a bit for each coordinate that rises, x
+/// lowest).
 int distanceAt(const MeasuredCube &cube, Int3 cell, unsigned octant);
 
 /// The most cells from one on, itself among them, that lie in a sub-volume of `side` cells in the direction

@@ -48,7 +48,7 @@ Gap gapOfDistance(const LevelView &level, bool asCube, const RayPosition &at, co
                      voxel.z >> bottom & (side - 1)};
   const MeasuredCube cube{path.dag(), level.stratum, level.top, path.number(level.top), level.isFirst};
   const int told = distanceAt(cube, cell, at.octant());
-  if (level.stratum.measures(Metric::Octant) || !asCube)
+  if (level.region == EmptyRegion::Cube || !asCube)
     return {bottom, std::max(told, 1)};
   // The largest cube ahead whose cells are all nearer than the distance; in the sub-volume, of which it
   // speaks.
@@ -63,7 +63,8 @@ Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
   switch (level.region) {
   case EmptyRegion::Cell:
     return {bottom, 1};
-  case EmptyRegion::Distance:
+  case EmptyRegion::Ball:
+  case EmptyRegion::Cube:
     return gapOfDistance(level, asCube, at, path);
   case EmptyRegion::Octant:
     return {std::min(empty, bottom + 1), 1};

@@ -64,11 +64,11 @@ int topOf(const Stratum &stratum) { return stratum.log2Cell + longest(stratum.lo
 /// The words of trees.
 std::uint64_t wordsOf(const Stratum &stratum, const TreeCount &count) {
   const std::uint64_t slots = count.inner + (stratum.implied ? 0 : count.leaves);
-  if (stratum.keepsLeaves(LeafPlace::Record)) // A record for each child, and one for each root.
+  if (stratum.hasRecords()) // A record for each child, and one for each root.
     return stratum.slots->wordsWith(stratum, 1, 0) * (count.roots + slots);
   const std::uint64_t least = stratum.slots->wordsWith(stratum, 0, 0);
   return least * count.nodes + (stratum.slots->wordsWith(stratum, 1, 0) - least) * slots +
-         (stratum.keepsLeaves(LeafPlace::Apart) && !stratum.implied ? count.values : 0);
+         (stratum.hasLeafWords() ? count.values : 0);
 }
 
 } // namespace
@@ -84,7 +84,7 @@ namespace {
 /// words.
 bool ordersValuesOtherwise(const Layout &layout) {
   const Stratum &last = layout.strata.back();
-  return layout.values == Values::Apart && last.slots->ordersVoxelsByRows && last.log2Children() > 3;
+  return layout.ranksVoxels() && last.slots->ordersVoxelsByRows && last.log2Children() > 3;
 }
 
 } // namespace
@@ -103,7 +103,7 @@ std::uint64_t Pricer::arrayWords(const SlotKind &slots, int height, bool shares)
     grids += shares ? 1 : occurrences[number];
     full += octants[number] * (shares ? 1 : occurrences[number]);
   }
-  return slots.arrayWords(grids, full);
+  return slots.array->words(grids, full);
 }
 
 Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
@@ -113,8 +113,8 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
                         " voxels a side, but the format has 2^" + std::to_string(side));
   Price price;
   price.levelWords.resize(layout.strata.size());
-  price.otherWords = layout.headWords() + (layout.values == Values::Apart ? valueWords : 0);
-  price.exact = !ordersValuesOtherwise(layout) && layout.log2Granule == 0;
+  price.otherWords = layout.headWords() + (layout.ranksVoxels() ? valueWords : 0);
+  price.exact = !ordersValuesOtherwise(layout) && !layout.padsNodes();
   if (dag_.isEmpty())
     return price;
   bool equalCells = true; // Whether equal cubes have equal values in the stratum's cells.
@@ -142,9 +142,9 @@ Expected<Price> Pricer::price(const Layout &layout, std::uint64_t valueWords) {
       words = wordsOf(stratum, equalCells ? tables_->tree(shape, top, stratum.sharing)
                                           : treeOfUniqueCells(dag_, shape, top));
     }
-    if (const Numbers *const numbered = layout.numbersTo(i)) {
+    if (stratum.inArray()) {
       const std::uint64_t numbers = shares ? dag_.count(top) : occurrencesAt(top);
-      if (const int bits = numbered->bits; numbers >> bits != 0)
+      if (const int bits = stratum.numberBits; numbers >> bits != 0)
         return Error::input("there are " + std::to_string(numbers) +
                             " sub-volumes to be numbered, more than " + std::to_string(bits) + " bits tell");
       words = arrayWords(*stratum.slots, top, shares);

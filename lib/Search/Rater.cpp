@@ -26,7 +26,7 @@ Rater::Rater(const PricedScene &scene) : scene_(scene), shapes_(scene.shape) {
 std::optional<RatedFormat> Rater::rate(Candidate candidate, std::span<const RaySet> rays,
                                        const SpeedModel &model, std::uint64_t maxBytes) {
   const Layout layout = layoutOf(candidate.format);
-  const bool inPlace = kindOf(layout.payload).varies && layout.values == Values::InPlace;
+  const bool inPlace = kindOf(layout.payload).varies && !layout.ranksVoxels();
   if (inPlace && !colours_)
     return std::nullopt;
   auto price = inPlace ? colours_->price(layout) : shapes_.price(layout, scene_.valueWords);

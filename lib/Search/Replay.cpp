@@ -57,7 +57,7 @@ public:
                const Ray &ray, RayCost &cost)
       : packet_(packet), levels_(levels), isDirect_(plan.walk == Walk::Direct),
         countsVisits_(plan.walk == Walk::Nested),
-        isApart_(plan.layout.values == Values::Apart && kindOf(plan.layout.payload).varies),
+        isApart_(plan.layout.ranksVoxels() && kindOf(plan.layout.payload).varies),
         at_(ray, 1 << levels.front().top), path_(dag, levels.front().top), height_(levels.front().top),
         cost_(cost) {
     packet_.path.loops.front() = 0;
@@ -150,7 +150,7 @@ private:
     const LevelView &level = levels_[level_];
     const Int3 before = at_.voxel();
     const Gap gap = gapAt(level, empty, isDirect_, at_, path_);
-    if (level.stratum.measures(Metric::L1) && !isDirect_)
+    if (level.region == EmptyRegion::Ball && !isDirect_)
       march(level, gap);
     else
       at_.leave(gap);

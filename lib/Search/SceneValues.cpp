@@ -56,7 +56,7 @@ Expected<SceneValues> SceneValues::create(const std::shared_ptr<WorkingMemory> &
   auto plain = Store::create({}, memory);
   if (!plain)
     return plain.error();
-  auto palette = Store::create({.payload = Payload::Palette, .payloadBits = kMostPaletteBits}, memory);
+  auto palette = Store::create(VoxelFacts::ofPalette(kMostPaletteBits), memory);
   if (!palette)
     return palette.error();
   return SceneValues(std::make_unique<Stores>(Stores{std::move(*plain), std::move(*palette)}));

@@ -107,7 +107,7 @@ CoarseBox unpackBox(std::uint32_t packed) {
 }
 
 Expected<CoarseBlocks> makeCoarseBlocks(const Volume &volume, int log2Side, const Progress &progress) {
-  if (volume.layout().payload == Payload::Material)
+  if (volume.layout().hasLabels())
     return Error::usage("the voxels of this volume are labels, which have no mean colour");
   BlockGatherer gatherer(log2Side);
   bool fits = true;

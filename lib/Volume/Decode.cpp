@@ -15,8 +15,8 @@ namespace {
 class Decoder final : public SubVolumeVisitor {
 public:
   Decoder(const Volume &volume, const NumberedVisit &visit, const Progress &progress)
-      : layout_(volume.layout()), words_(volume.words(), layout_.log2Granule), visit_(visit),
-        progress_(progress), stated_(volume.info().voxels), mostCubes_(volume.mostCubes()) {}
+      : layout_(volume.layout()), words_(layout_.reader(volume.words())), visit_(visit), progress_(progress),
+        stated_(volume.info().voxels), mostCubes_(volume.mostCubes()) {}
 
   Expected<void> run() {
     subVolume(0, {}, 0, words_[0]);
@@ -34,10 +34,10 @@ public:
     const std::uint64_t rank = frame.rank + ranks.first;
     if (!layout_.holdsVoxels(frame.level))
       everyCell(cube, frame, value, rank, ranks.count >> 3 * cube.log2Side);
-    else if (layout_.values == Values::Apart)
+    else if (layout_.ranksVoxels())
       valuesApart({low, cube.log2Side}, rank);
     else
-      voxels({low, cube.log2Side}, layout_.payload == Payload::Constant ? words_[1] : value, decoded_);
+      voxels({low, cube.log2Side}, layout_.hasOneColour() ? words_[1] : value, decoded_);
   }
 
 private:
@@ -145,15 +145,12 @@ Lookup lookUpShape(const WordReader &words, const Layout &layout, Int3 voxel) {
 }
 
 Lookup Volume::lookup(Int3 voxel) const {
-  const WordReader words(this->words(), layout().log2Granule);
+  const WordReader words = layout().reader(this->words());
   Lookup found = lookUpShape(words, layout(), voxel);
   if (found.value == 0)
     return found;
-  if (layout().values == Values::Apart)
-    return {valueOfRank(words, layout().payload, found.rank), 0, found.rank};
-  if (layout().payload == Payload::Constant)
-    found.value = words[1];
-  return found;
+  return {valueOfVoxel(words, layout(), found.value, found.rank), layout().ranksVoxels() ? 0 : found.log2Side,
+          found.rank};
 }
 
 } // namespace voxc

@@ -61,15 +61,15 @@ void visitCube(const WordReader &words, const Layout &layout, const Cube &cube, 
 
 void readCube(const Volume &volume, const Cube &cube, std::uint32_t *out) {
   const Layout &layout = volume.layout();
-  const WordReader words(volume.words(), layout.log2Granule);
+  const WordReader words = layout.reader(volume.words());
   std::fill_n(out, std::uint64_t{1} << 3 * cube.log2Side, 0u);
   visitCube(words, layout, cube,
             [&](std::uint64_t first, std::uint64_t count, std::uint32_t value, std::uint64_t rank) {
-              if (layout.values == Values::Apart)
+              if (layout.ranksVoxels())
                 for (std::uint64_t i = 0; i < count; ++i)
-                  out[first + i] = valueOfRank(words, layout.payload, rank + i);
+                  out[first + i] = valueOfVoxel(words, layout, value, rank + i);
               else
-                std::fill_n(out + first, count, layout.payload == Payload::Constant ? words[1] : value);
+                std::fill_n(out + first, count, valueOfVoxel(words, layout, value, rank));
             });
 }
 

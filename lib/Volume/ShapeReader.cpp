@@ -7,13 +7,12 @@
 namespace voxc {
 
 ShapeReader::ShapeReader(const Volume &volume)
-    : layout_(&volume.layout()), words_(volume.words(), layout_->log2Granule), extent_(volume.info().extent) {
-}
+    : layout_(&volume.layout()), words_(layout_->reader(volume.words())), extent_(volume.info().extent) {}
 
 ShapeReader::ShapeReader(const PagedVolume &volume, std::shared_ptr<PageShelf> shelf)
     : pages_(std::make_unique<PagedWords>(volume, std::move(shelf))),
       ownLayout_(std::make_unique<Layout>(layoutOf(volume.info().format))), layout_(ownLayout_.get()),
-      words_(*pages_, layout_->log2Granule), extent_(volume.info().extent) {}
+      words_(layout_->reader(*pages_)), extent_(volume.info().extent) {}
 
 ShapeReader::~ShapeReader() = default;
 ShapeReader::ShapeReader(ShapeReader &&) noexcept = default;

@@ -88,8 +88,7 @@ private:
 class StructureCheck final : public SubVolumeVisitor {
 public:
   StructureCheck(const Layout &layout, std::span<const std::uint32_t> words, const KeepOn &keepOn)
-      : layout_(layout), words_(words, layout.log2Granule), keepOn_(keepOn),
-        gridWords_(layout.strata.size()) {
+      : layout_(layout), words_(layout.reader(words)), keepOn_(keepOn), gridWords_(layout.strata.size()) {
     for (const Stratum &stratum : layout.strata)
       known_.emplace_back(static_cast<std::size_t>(longest(stratum.log2Size())) + 1);
   }
@@ -103,9 +102,9 @@ public:
     if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
     enterSubVolume(0, root);
-    if (layout_.payload == Payload::Constant && words_[1] == 0)
+    if (layout_.hasOneColour() && words_[1] == 0)
       words_.fail("the colour of all voxels is the word 0, which is no voxel");
-    if (layout_.values == Values::Apart && !words_.problem())
+    if (layout_.ranksVoxels() && !words_.problem())
       checkSection(words_.wordOf(words_[1]));
     if (interrupted_)
       return Error::interrupted();
@@ -117,7 +116,7 @@ public:
   bool enterNode(std::uint64_t offset, int height, Ranks ranks) override {
     // Grids of an array check for themselves what words they are.
     const std::uint64_t begin = beginOf(layout_.strata[level_], offset);
-    if (begin == 0 || (begin >= words_.size() && !layout_.numbersTo(level_))) {
+    if (begin == 0 || (begin >= words_.size() && !layout_.strata[level_].inArray())) {
       words_.fail("a pointer of level " + std::to_string(level_ + 1) + " leads to word " +
                   std::to_string(begin) + " of " + std::to_string(words_.size()));
       return false;
@@ -166,7 +165,7 @@ public:
   /// Nodes that are counted anew each time, unless their ranks must be compared.
   bool countsCells(int height) const override {
     return layout_.holdsVoxels(level_) &&
-           (height == 0 || (!isRemembered(level_, height) && layout_.values != Values::Apart));
+           (height == 0 || (!isRemembered(level_, height) && !layout_.ranksVoxels()));
   }
   void countCells(std::uint64_t count) override { voxels_ += count; }
 
@@ -210,14 +209,14 @@ private:
   /// Grids of an array are counted as soon as they are found again.
   bool isRemembered(std::size_t level, int height) const {
     return height >= kLowestRemembered ||
-           (height == longest(layout_.strata[level].log2Size()) && !layout_.numbersTo(level));
+           (height == longest(layout_.strata[level].log2Size()) && !layout_.strata[level].inArray());
   }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
   /// Those of an array have places of their own by their numbers.
   bool spendGrid(std::uint64_t offset) {
     const Stratum &stratum = layout_.strata[level_];
-    if (!stratum.isGrid() || layout_.numbersTo(level_))
+    if (!stratum.isGrid() || stratum.inArray())
       return true;
     const std::uint64_t size = stratum.slots->size(words_, stratum, offset);
     gridWords_[level_] += size;
@@ -230,7 +229,7 @@ private:
 
   /// Where references count granules, kernels reach so many words behind one.
   void checkReach(std::uint64_t words, const std::string &what) {
-    if (layout_.log2Granule > 0 && words > kMaxNodeWords)
+    if (words > layout_.maxNodeWords())
       words_.fail(what + " has " + std::to_string(words) + " words, more than a kernel can reach");
   }
 
@@ -241,7 +240,7 @@ private:
 
   /// Ranks lead to values: they must be what the voxels found so far make them.
   void checkFirst(Ranks ranks) {
-    if (layout_.values == Values::Apart && ranks.first != voxels_ - subVolumeBegin_)
+    if (layout_.ranksVoxels() && ranks.first != voxels_ - subVolumeBegin_)
       words_.fail("level " + std::to_string(level_ + 1) + " counts " + std::to_string(ranks.first) +
                   " voxels before a cell that has " + std::to_string(voxels_ - subVolumeBegin_));
   }

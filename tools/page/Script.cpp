@@ -125,7 +125,7 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
           {"sun", numbers(glm::normalize(contents.sun))},
           {"smooth", contents.smooth},
           {"exposure", contents.exposure},
-          {"labels", volume.layout().payload == Payload::Material},
+          {"labels", volume.layout().hasLabels()},
           {"fast", {{"rays", contents.fast.rays}, {"others", contents.fast.differences()}}},
           {"wait", kWait},
           {"volume", contents.streamed ? streamedOf(volume, *contents.streamed) : Json()}};

@@ -124,6 +124,19 @@ std::string describeLevels() {
   return text + "A format as a whole, in IR after the word format\n\n" + listAttributes(formatAttributes());
 }
 
+namespace {
+
+/// What an attribute needs, and what it excludes, to follow its summary.
+std::string conditionText(const AttributeKind &attribute) {
+  std::string text = attribute.needs ? concat({"; needs `", attribute.needs->name, "`"}) : "";
+  for (const AttributeValue &excluded : attribute.excludes)
+    text += concat({&excluded == attribute.excludes.data() ? "; any but the default excludes `" : " and `",
+                    excluded.kind->name, "=", excluded.value, "`"});
+  return text;
+}
+
+} // namespace
+
 std::string describeAttributes() {
   std::string text =
       "| Attribute | Values, the default first | Effect | On | Chooses |\n|---|---|---|---|---|\n";
@@ -132,7 +145,7 @@ std::string describeAttributes() {
     text +=
         concat({"| `", attribute->name, "` | ", listedValues(*attribute, ", ", "`"), " | ",
                 nameOf(attribute->effect), " | ", takers.empty() ? "the format" : listed(takers, ", ", "`"),
-                " | ", attribute->summary, " |\n"});
+                " | ", attribute->summary, conditionText(*attribute), " |\n"});
   }
   return text;
 }

@@ -170,14 +170,6 @@ Expected<void> Building::chooseByFacts(Format &format, VoxelSource &source,
   return chosen;
 }
 
-namespace {
-
-bool isOfLabels(const Format &format) {
-  return format.attributes.value(kPayloadAttribute).starts_with(toString(Payload::Material));
-}
-
-} // namespace
-
 void Building::tellLoss(const Prepared &prepared, const BuildReport &report, const CommonOptions &common,
                         Json &figures) {
   const std::optional<ColourError> error =
@@ -195,7 +187,7 @@ Expected<Building::Opened> Building::open(Format &format, const CommonOptions &c
     return checked.error();
   const auto memory = makeWorkingMemory(buildArguments_);
   InputArguments arguments = inputArguments_;
-  if (isOfLabels(format) && arguments.colourMap.empty())
+  if (hasLabels(format) && arguments.colourMap.empty())
     arguments.colourMap = "labels";
   InputOptions options = makeInputOptions(arguments, format.extent());
   options.progress = progress;

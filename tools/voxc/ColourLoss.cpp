@@ -25,9 +25,8 @@ Json errorFigures(const ColourError &error) {
 
 Expected<std::unique_ptr<RoundedSource>> reduceToPalette(VoxelSource &source, const Format &format,
                                                          const Progress &progress) {
-  Layout layout;
-  layout.setPayload(format.attributes.value(kPayloadAttribute));
-  if (layout.payload != Payload::Palette)
+  const Layout layout = layoutOf(format);
+  if (layout.hasLabels() || layout.payloadBits == 0)
     return Error::usage("--lossy chooses the colours of a palette; give --palette=N as well");
   const std::unique_ptr<VoxelSource> view = source.view();
   Expected<Rounding> rounding =

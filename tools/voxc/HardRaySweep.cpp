@@ -209,7 +209,7 @@ Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, s
     if (Expected<void> traced = device.tracing->trace(rays, hits, {.progress = quiet_}, figures); !traced)
       return traced;
     times_.trace += figures.value("cpu_seconds", 0.0);
-    if (volume->layout().payload == Payload::Occupancy)
+    if (const PayloadKind &kind = kindOf(volume->layout().payload); !kind.varies && !kind.oneColour)
       colourHits(hits, oracle);
     report_.add(set, oracle, hits, asked, figures.value("device", device.name));
     const double done = size_.seconds > 0

@@ -92,12 +92,12 @@ void print(const VolumeSummary &summary) {
 
 /// What stands in a table of the words, which the walk has proved.
 void printPalette(const Volume &volume) {
-  const Payload payload = volume.layout().payload;
-  if (volume.info().voxels == 0 || (payload != Payload::Palette && payload != Payload::Material))
+  const PayloadKind &payload = kindOf(volume.layout().payload);
+  if (volume.info().voxels == 0 || payload.mostBits == 0)
     return;
-  const WordReader words(volume.words(), volume.layout().log2Granule);
+  const WordReader words = volume.layout().reader(volume.words());
   const std::uint64_t few = paletteColours(words, words.wordOf(words[1]));
-  if (payload == Payload::Palette)
+  if (!payload.labels)
     std::printf("colours     %" PRIu64 " in the palette\n", few);
   else
     std::printf("labels      %" PRIu64 "\n", few);

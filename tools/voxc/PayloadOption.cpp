@@ -3,17 +3,20 @@
 
 #include "voxc/Passes/Pass.h"
 
-#include <array>
-
 namespace voxc::tool {
 
 namespace {
 
-/// Makes any format smaller that it applies to, whatever the colours are.
-const std::array<std::string, 1> kPassesOfAll = {"octant-counts"};
-
-bool countsOctants(const Format &format) {
-  return format.levels.back().attribute(kCountsAttribute) == "octant";
+/// Gives what pays beside short pointers. Returns the names of what was given, to follow a payload, each
+/// after a comma.
+std::string addBesidePointers(Format &format) {
+  std::string given;
+  for (const Pass &pass : passes()) {
+    Diagnostics notes; // It need not apply.
+    if (pass.besidePointers && pass.run(format, notes) == PassResult::Changed)
+      given += ", " + std::string(pass.name);
+  }
+  return given;
 }
 
 } // namespace
@@ -43,11 +46,9 @@ Expected<void> PayloadOption::apply(Format &format, const Form &form, const Fact
       refused = "; nothing smaller, since " + formed.error().message;
       continue;
     }
-    if (const auto counted = runPasses(*formed, kPassesOfAll); !counted)
-      return counted.error();
+    const std::string given = addBesidePointers(*formed);
     format = std::move(*formed);
-    figures["payload"] = choice.payload + (choice.apart ? ", values apart" : "") +
-                         (countsOctants(format) ? ", counts of octants" : "");
+    figures["payload"] = choice.payload + (choice.apart ? ", values apart" : "") + given;
     figures["payload_why"] = choice.why + refused;
     return {};
   }

@@ -106,7 +106,7 @@ TEST(PlanPasses, ChooseToLookAheadInBricksOfNodesThatAreCompared) {
               HasSubstr("bricks=yes looks-ahead=yes"));
   EXPECT_THAT(after("choose-look-ahead", gridAndTree("")), Not(HasSubstr("looks-ahead")));
   EXPECT_THAT(after("choose-look-ahead", "plan \"S(2)\" { stratum 1: svo siblings(1, 1, 1) depth=2 "
-                                         "leaves=record walk=stack bricks=yes }"),
+                                         "walk=stack bricks=yes }"),
               Not(HasSubstr("looks-ahead")));
 }
 

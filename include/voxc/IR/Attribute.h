@@ -18,14 +18,25 @@ struct AttributeList {
   std::string_view summary;
 };
 
+struct AttributeKind;
+
+/// One value of a choice.
+struct AttributeValue {
+  const AttributeKind *kind;
+  std::string_view value;
+};
+
 /// A choice that may be set, as text knows it. The first value is the default and is not printed.
 struct AttributeKind {
   std::string_view name;
   AttributeEffect effect;
   std::span<const std::string_view> values;
   std::string_view summary;
-  const AttributeList *list = nullptr; ///< Its values are then yes and no.
-  std::string_view byPasses = {};      ///< The passes that set it, where no option of its name shall.
+  const AttributeList *list = nullptr;  ///< Its values are then yes and no.
+  std::string_view byPasses = {};       ///< The passes that set it, where no option of its name shall.
+  const AttributeKind *needs = nullptr; ///< It can be chosen only beside one of this kind; null: always.
+  std::span<const AttributeValue> excludes = {}; ///< Of levels: what their format cannot have beside it.
+  bool amongSubVolumes = false; ///< It says what sub-volumes share: nothing of the first level, which is one.
 };
 
 /// Values that differ by a number alone, and follow each other; or one value.
@@ -54,7 +65,6 @@ enum class Descent;
 enum class Detail;
 enum class DistancePlace;
 enum class LeafPlace;
-enum class MaskForm;
 enum class Metric;
 enum class Precision;
 enum class Query;
@@ -73,7 +83,7 @@ extern const TypedAttribute<DistancePlace> kDistancesAttribute; ///< distances: 
 extern const TypedAttribute<Metric> kMetricAttribute;           ///< metric: l1 | octant
 extern const TypedAttribute<int> kPointersAttribute;            ///< pointers: word (0) | 8 | 9 | ... | 24
 extern const TypedAttribute<Counts> kCountsAttribute;           ///< counts: each | octant
-extern const TypedAttribute<MaskForm> kMasksAttribute;          ///< masks: whole | octants
+extern const TypedAttribute<bool> kMasksAttribute;              ///< masks: whole (no) | octants (yes)
 
 // Attributes of formats.
 extern const TypedAttribute<Precision> kPrecisionAttribute; ///< precision: exact | fast

@@ -52,8 +52,6 @@ struct Format {
   Int3 extent() const;
   /// log2 of the voxels along a side of a cell of levels[index]: 0 for the last level.
   int log2CellSide(std::size_t index) const;
-  /// log2 of the words that references count as one: `Layout::log2Granule`.
-  int log2Granule() const;
   /// Sets an attribute of `formatAttributes()`, as `Level::setAttribute` does.
   bool setAttribute(const AttributeKind &kind, std::string_view value);
 
@@ -84,6 +82,9 @@ std::string printIr(const Format &format);
 
 /// The format without its walk attributes: what a volume is stored as.
 Format storageFormat(Format format);
+
+/// True if the words of voxels are labels and no colours (`PayloadKind::labels`).
+bool hasLabels(const Format &format);
 
 /// How the words of its volumes lie. The format must be verified.
 Layout layoutOf(const Format &format);

@@ -50,6 +50,10 @@ struct LevelKind {
   /// what `Layout::complete` does) and on no kind (`level`).
   Stratum (*lower)(const Level &level);
 
+  /// What the level asks of the one above, whose slots lead to its sub-volumes, null if it is the first; what
+  /// that makes of itself, too. Returns what is wrong, to follow "level 2", or "". Null: it asks nothing.
+  std::string (*lead)(const Level &level, Stratum &own, Stratum *above) = nullptr;
+
   /// True for trees, which have one size for all axes.
   bool isTree() const;
 };

@@ -3,6 +3,7 @@
 
 #include "voxc/Layout/Addressing.h"
 #include "voxc/Layout/Stratum.h"
+#include "voxc/Layout/WordReader.h"
 #include "voxc/Support/Diagnostic.h"
 #include "voxc/Support/Geometry.h"
 
@@ -27,9 +28,14 @@ enum class Payload {
 
 /// What a payload asks of a layout.
 struct PayloadKind {
-  bool varies;          ///< Voxels have values of their own, which may stand apart,
-  bool inPlace;         ///< or in the cells of the lowest stratum, as words.
-  int mostBits;         ///< The greatest n of those that have one; 0: none has.
+  bool varies;    ///< Voxels have values of their own, which may stand apart,
+  bool inPlace;   ///< or in the cells of the lowest stratum, as words.
+  int mostBits;   ///< The greatest n of those that have one; 0: none has.
+  bool oneColour; ///< All voxels have the colour in word 1 of the volume.
+  bool labels;    ///< Values are labels and no colours.
+  /// What blocks keep of a colour, and the colour of that: null, and colours are kept as they are.
+  std::uint32_t (*code)(std::uint32_t colour);
+  std::uint32_t (*decode)(std::uint32_t code);
   std::string_view hit; ///< The file of shaders-runtime/payload that makes a hit's colour of a voxel's value,
   std::string_view
       blocks; ///< and that of shaders-runtime/values that decodes values apart; "": they never are.
@@ -59,6 +65,9 @@ struct VoxelFacts {
   Payload payload = Payload::Rgba8;
   int payloadBits = 0; ///< The n of `Payload::Palette` and `Payload::Material`.
   Alpha alpha = Alpha::Any;
+
+  /// That there are at most 2^bits colours, and no more.
+  static constexpr VoxelFacts ofPalette(int bits) { return {Payload::Palette, bits, Alpha::Any}; }
 };
 
 /// The most words that a kernel reaches from where a reference leads to, where references count granules: an
@@ -83,6 +92,10 @@ struct Layout {
   /// Fills in what follows from the rest: of each stratum whether its cells are voxels, whether their values
   /// are implied and have ranks, and where the arrays of numbers begin.
   void complete();
+  /// True if nodes count voxels, so that each has a rank, by which its value is found.
+  bool ranksVoxels() const { return values == Values::Apart; }
+  bool hasOneColour() const { return kindOf(payload).oneColour; }
+  bool hasLabels() const { return kindOf(payload).labels; }
   VoxelFacts voxelFacts() const { return {payload, payloadBits, alpha}; }
   /// The payload as IR and plans write it: "rgba8", "palette(4)".
   std::string payloadText() const;
@@ -92,12 +105,10 @@ struct Layout {
   /// colour of all voxels; where the array of indexed sub-volumes begins, if there is one; zeros up to a
   /// whole granule.
   std::uint64_t headWords() const;
-  /// The numbers that lead to the sub-volumes of strata[index], which then stand in an array; else null.
-  const Numbers *numbersTo(std::size_t index) const {
-    return index > 0 ? strata[index - 1].numbers() : nullptr;
-  }
-  /// True if there is such an array.
+  /// True if sub-volumes of a stratum stand in an array.
   bool hasArray() const;
+  /// True if numbers in slots of strata[index] lead to sub-volumes of an array; else offsets lead to nodes.
+  bool leadsIntoArray(std::size_t index) const { return !holdsVoxels(index) && strata[index + 1].inArray(); }
   /// log2 of the voxels along each axis.
   Int3 log2Extent() const;
   /// The first word at or after `word` to which a reference can lead.
@@ -109,6 +120,23 @@ struct Layout {
   Ref placeMask() const;
   /// What leads to a word at which a granule begins.
   Ref refOf(std::uint64_t word) const { return static_cast<Ref>(word >> log2Granule); }
+  /// log2 of the words from one reference that can lead to nodes of strata[index] to the next.
+  int log2UnitOf(std::size_t index) const {
+    return strata[index].inArray() ? kLog2IndexedWords : log2Granule;
+  }
+  /// True if zeros may follow a node, up to where the next can begin.
+  bool padsNodes() const { return log2Granule > 0; }
+  /// The most words that a kernel reaches from where a reference leads to.
+  std::uint64_t maxNodeWords() const { return padsNodes() ? kMaxNodeWords : ~std::uint64_t{0}; }
+  /// The same layout with references that count words.
+  Layout countingWords() const {
+    Layout layout = *this;
+    layout.log2Granule = 0;
+    return layout;
+  }
+  /// Words of a volume of this layout, or those that a source has, which must outlive the reader.
+  WordReader reader(std::span<const std::uint32_t> words) const { return WordReader(words, log2Granule); }
+  WordReader reader(const WordSource &source) const { return WordReader(source, log2Granule); }
   /// True if the cells of strata[index] are voxels.
   bool holdsVoxels(std::size_t index) const { return index + 1 == strata.size(); }
   /// The most words that a volume may have: references may be narrower than a word.
@@ -120,8 +148,8 @@ struct Layout {
   std::size_t stratumOfPart(int log2Side) const;
 };
 
-/// Why references to nodes of the stratum cannot count granules of 2^log2Granule words, or "".
-std::string granuleProblem(const Stratum &stratum, int log2Granule);
+/// What would let references reach more words, as the beginning of a list, or "" if nothing would.
+std::string adviceOfReach(const Layout &layout);
 
 /// Checks every rule of strata: shapes, masks, slots, cells and distances fit each other, and the sizes add
 /// up. `ranges`, where they are given, say where each stratum was written.

@@ -10,7 +10,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 namespace voxc {
 
@@ -34,7 +37,8 @@ enum class EmptyRegion {
   Octant,  ///< The aligned group of 2 x 2 x 2 cells too, by its masks.
   Ahead,   ///< The group, or the grid, if no cell is full to which the ray may still come.
   Octants, ///< The same, but of the cells of other octants no more is known than that there are some.
-  Distance ///< What the cell's distance says.
+  Ball,    ///< What is nearer to the cell than its L1 distance says.
+  Cube ///< The cube that begins in the cell and goes the ray's way, as many cells a side as the cell says.
 };
 
 /// Of kinds for which something never holds.
@@ -43,12 +47,21 @@ inline bool never(const Stratum &) { return false; }
 /// `SlotKind::region` of kinds whose accessor tells of no more than the cell.
 inline EmptyRegion cellAlone(const Stratum &) { return EmptyRegion::Cell; }
 
+/// Text that runtime files name, or a condition that they ask for.
+struct RuntimeName {
+  std::string_view name;
+  std::variant<std::string, bool> value;
+};
+
+/// `SlotKind::names` of kinds whose files ask for nothing of their own.
+inline std::vector<RuntimeName> noNames(const Stratum &) { return {}; }
+
 /// Receives a child that is not empty, and its place among its siblings.
 using ChildVisit = FunctionRef<void(Int3 place, const Child &child)>;
 
 /// What construction writes at once.
 enum class Block : std::uint32_t {
-  Leaf, ///< The word of a cell, of `LeafPlace::Apart`.
+  Leaf, ///< The word of a leaf (`Stratum::hasLeafWords`).
   Node, ///< A node, or the records of siblings.
 };
 
@@ -69,6 +82,20 @@ struct LookUpCost {
   double factor = 1;
 };
 
+/// How sub-volumes stand in an array, where numbers lead to them. Construction has a block of `kIndexedWords`
+/// for each, the first that of number 0, which is none.
+struct ArrayForm {
+  /// The words of an array of so many sub-volumes, which have so many octants that are not empty.
+  std::uint64_t (*words)(std::uint64_t subVolumes, std::uint64_t octants);
+  /// The block of the sub-volume at `at`, in the array that begins at word `array`; the first word is low.
+  std::uint64_t (*block)(const WordReader &words, std::uint64_t array, std::uint64_t at);
+  /// Writes the array of such blocks by giving its words to `put`, one after the other. Null: the array is
+  /// the blocks.
+  void (*write)(std::span<const std::uint32_t> blocks, FunctionRef<void(std::uint32_t)> put) = nullptr;
+  /// Kernels speak of a sub-volume by its number; else by the word at which it begins.
+  bool byNumber = false;
+};
+
 struct SlotKind {
   std::string_view name; ///< In plan text.
   std::string_view summary;
@@ -76,15 +103,18 @@ struct SlotKind {
   /// construct-runtime/slots.
   std::span<const std::string_view> (*accessor)(const Stratum &stratum);
   std::span<const std::string_view> (*construction)(const Stratum &stratum);
+  /// What these files alone speak of, beside what all do.
+  std::vector<RuntimeName> (*names)(const Stratum &stratum) = noNames;
+  /// Of trees: the file of construct-runtime/root that ends a sub-volume. Null: they are none.
+  std::string_view (*root)(const Stratum &stratum) = nullptr;
   /// Which alternatives of `Encoding` strata may have: a bit for each, the first lowest.
   unsigned encodings = 1;
   /// What equal blocks are written once where nothing else is asked.
   Sharing sharing = Sharing::None;
   /// The kind of the same nodes with numbers in place of offsets, if there is one.
   std::string_view numbered = {};
-  /// Numbers may lead to such nodes, which then stand in an array: its words for so many nodes, which have so
-  /// many octants that are not empty. Null: they may not.
-  std::uint64_t (*arrayWords)(std::uint64_t nodes, std::uint64_t octants) = nullptr;
+  /// Numbers may lead to such nodes, which then stand in an array. Null: they may not.
+  const ArrayForm *array = nullptr;
   /// Cells have their values in `Child::value`, not in the words.
   bool givesCells = false;
   /// Whether the words of a grid depend on how many of its octants are not empty.
@@ -102,8 +132,6 @@ struct SlotKind {
   bool tellsByMasks = false;
   /// Counts of voxels may stand behind what slots lead to.
   bool ranks = false;
-  /// References lead to records that stand side by side.
-  bool sharesBlocks = false;
   /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
   bool lookUpLoops = false;
   /// How the voxels of a node that is the lowest follow each other in the order of construction, if that is
@@ -115,9 +143,8 @@ struct SlotKind {
 
   /// What is wrong with such a stratum, or "". The rules of all kinds are `verify`'s.
   std::string (*problem)(const Stratum &stratum);
-  /// The same of a stratum above, and of what its slots lead to below, each null where there is none: to
-  /// follow the level at hand, and that below. Null: any will do.
-  std::string (*problemAbove)(const Stratum *above) = nullptr;
+  /// The same of what its slots lead to below, null where there is nothing: to follow the level below. Null:
+  /// any will do.
   std::string (*problemBelow)(const Stratum *below) = nullptr;
 
   /// True if the node at `node` lies within the words and is well-formed: masks, counts, distances, empty
@@ -128,8 +155,8 @@ struct SlotKind {
   std::uint64_t (*leastWords)(const Stratum &stratum);
 
   /// How many words a node with so many slots takes, which lie in so many octants of 2 x 2 x 2 cells; of
-  /// siblings, so many records; of a hashed grid with so many cells, the fewest. Octants are asked for by
-  /// `Counts::Octant` alone.
+  /// siblings, so many records; of a hashed grid with so many cells, the fewest. Octants are asked for
+  /// where `countsOctants` says so.
   std::uint64_t (*wordsWith)(const Stratum &stratum, std::uint64_t slots, std::uint64_t octants);
 
   /// How many words a checked node takes, those of its children apart.
@@ -171,11 +198,16 @@ inline bool reportsEmptyRegion(const Stratum &stratum) {
   return stratum.slots->region(stratum) != EmptyRegion::Cell;
 }
 
+/// True if this is a ball around the cell, within which a ray may take several steps.
+inline bool reportsBall(const Stratum &stratum) {
+  return stratum.slots->region(stratum) == EmptyRegion::Ball;
+}
+
 /// True if the kernel's accessor tells a cell from its masks alone, and gives the node in place of a voxel's
 /// value, which `value_level_N` then looks up once, when it is hit.
 inline bool findsValueLater(const Stratum &stratum) {
   const EmptyRegion region = stratum.slots->region(stratum);
-  return region != EmptyRegion::Cell && region != EmptyRegion::Distance;
+  return region == EmptyRegion::Octant || region == EmptyRegion::Ahead || region == EmptyRegion::Octants;
 }
 
 /// True if each word of a node's mask is followed by how many bits the words before it have.

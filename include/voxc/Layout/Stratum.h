@@ -14,14 +14,15 @@ namespace voxc {
 struct SlotKind;
 
 /// Where something begins in the words of a volume, counted in words or, past 2^32 of them, in granules
-/// (`Layout::log2Granule`). 0 leads nowhere.
+/// (voxc/Layout/Layout.h). 0 leads nowhere.
 using Ref = std::uint32_t;
 
 /// log2 of the cells of a brick: a masked grid whose mask is two words.
 inline constexpr Int3 kLog2BrickShape = {2, 2, 2};
 
-/// Words of a sub-volume that stands in an array: the mask of a brick of voxels.
-inline constexpr std::uint64_t kIndexedWords = 2;
+/// Words that construction writes of a sub-volume which stands in an array: a bit a cell.
+inline constexpr int kLog2IndexedWords = 1;
+inline constexpr std::uint64_t kIndexedWords = std::uint64_t{1} << kLog2IndexedWords;
 
 /// log2 of the most cells of a grid whose slots are numbers: kernels count the bits of a run of them in a
 /// word.
@@ -60,7 +61,6 @@ enum class Empty {
 enum class LeafPlace {
   Apart,  ///< In a word of its own, which the slot of a leaf refers to, so that equal ones are shared.
   InSlot, ///< In the slot of a leaf.
-  Record, ///< In the first word of the child's record, whose masks are 0.
 };
 
 /// Which equal blocks are written once.
@@ -77,19 +77,11 @@ enum class Counts {
           ///< tell the voxels between.
 };
 
-/// How the grids stand that numbers lead to.
-enum class MaskForm {
-  Whole,   ///< One behind the other, `kIndexedWords` each.
-  Octants, ///< By octants that are not empty (voxc/Layout/OctantArray.h).
-};
-
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Metric> = {"l1", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 2> kEnumNames<DistancePlace> = {"beside", "in-slot"};
-template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<LeafPlace> = {"apart", "in-slot", "record"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<LeafPlace> = {"apart", "in-slot"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Counts> = {"each", "octant"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<MaskForm> = {"whole", "octants"};
 
 // What slots of some kinds have beside what all have.
 
@@ -109,17 +101,10 @@ struct Numbers {
   int bits = 0; ///< Of a number.
   Counts counts = Counts::Each;
   // What follows from the layout.
-  MaskForm masks = MaskForm::Whole;
   int arrayHead = 0;
+  const SlotKind *leadsTo = nullptr; ///< The slots of the sub-volumes.
 
   bool operator==(const Numbers &) const = default;
-};
-
-/// Nodes that stand in an array in a form of its own, and are led to by numbers.
-struct InArray {
-  int arrayHead = 0; ///< Follows from the layout.
-
-  bool operator==(const InArray &) const = default;
 };
 
 /// Nodes of trees: a child above the lowest layer may be a leaf, all of whose cells have one value.
@@ -129,8 +114,14 @@ struct Leaves {
   bool operator==(const Leaves &) const = default;
 };
 
+/// Nodes of trees as records, each next to those of its siblings. A leaf is the record of one: its value
+/// stands in the first word, and its masks are 0.
+struct Records {
+  bool operator==(const Records &) const = default;
+};
+
 /// One of these; grids of other kinds have nothing of their own.
-using Encoding = std::variant<std::monostate, Distances, Numbers, InArray, Leaves>;
+using Encoding = std::variant<std::monostate, Distances, Numbers, Leaves, Records>;
 
 /// The bits of these alternatives, as `SlotKind::encodings` has them.
 template <typename... Alternatives>
@@ -154,6 +145,10 @@ struct Stratum {
   /// What a slot leads to is followed by a count of voxels, from which the rank of each voxel follows: how
   /// many of the volume come before it in the order of construction.
   bool ranked = false;
+  /// Of sub-volumes that stand in an array and have numbers: the bits of a number, and the head word of the
+  /// volume that says where the array begins. 0: they stand among other nodes.
+  int numberBits = 0;
+  int arrayHead = 0;
 
   bool operator==(const Stratum &) const = default;
 
@@ -165,11 +160,15 @@ struct Stratum {
   /// The encoding if it is this one, else null.
   const Distances *distances() const { return std::get_if<Distances>(&encoding); }
   const Numbers *numbers() const { return std::get_if<Numbers>(&encoding); }
-  const InArray *inArray() const { return std::get_if<InArray>(&encoding); }
   const Leaves *leaves() const { return std::get_if<Leaves>(&encoding); }
 
-  bool isGrid() const { return !leaves(); }
-  bool keepsLeaves(LeafPlace place) const { return leaves() && leaves()->place == place; }
+  bool hasRecords() const { return std::holds_alternative<Records>(encoding); }
+  bool isGrid() const { return !leaves() && !hasRecords(); }
+  /// True if sub-volumes stand in an array.
+  bool inArray() const { return numberBits > 0; }
+  bool leavesInSlots() const { return leaves() && leaves()->place == LeafPlace::InSlot; }
+  /// True if leaves have words of their own, which slots refer to.
+  bool hasLeafWords() const { return leaves() && !leavesInSlots() && !implied; }
   bool measures(Metric metric) const { return distances() && distances()->metric == metric; }
   /// Words of one slot: the distance of an empty cell may stand beside its value, and then a count of voxels.
   int slotWords() const {

@@ -16,6 +16,10 @@ namespace voxc {
 /// for.
 std::uint32_t valueOfRank(const WordReader &words, Payload payload, std::uint64_t rank);
 
+/// The value of a voxel, of which a cell says `value`, and nodes that it has this rank.
+std::uint32_t valueOfVoxel(const WordReader &words, const Layout &layout, std::uint32_t value,
+                           std::uint64_t rank);
+
 /// What a payload that rounds colours makes of one; none of others, which keep them.
 std::function<std::uint32_t(std::uint32_t)> roundingOf(Payload payload);
 

@@ -38,12 +38,11 @@ public:
 /// The words of a volume. Reads outside give 0 and are remembered as the first problem found.
 class WordReader {
 public:
-  /// References in the words count granules of 2^log2Granule words.
-  explicit WordReader(std::span<const std::uint32_t> words, int log2Granule = 0)
-      : words_(words), log2Granule_(log2Granule) {}
+  /// References in the words count 2^log2Unit words each (`Layout::reader`).
+  explicit WordReader(std::span<const std::uint32_t> words, int log2Unit = 0)
+      : words_(words), log2Unit_(log2Unit) {}
   /// Reads what `source` has, which must outlive it.
-  explicit WordReader(const WordSource &source, int log2Granule = 0)
-      : source_(&source), log2Granule_(log2Granule) {}
+  explicit WordReader(const WordSource &source, int log2Unit = 0) : source_(&source), log2Unit_(log2Unit) {}
 
   std::uint64_t size() const { return source_ ? source_->size() : words_.size(); }
   std::uint32_t operator[](std::uint64_t offset) const {
@@ -60,7 +59,7 @@ public:
     __builtin_prefetch(words_.data() + offset + kMostNodes - 1);
   }
   /// The word that a reference leads to.
-  std::uint64_t wordOf(std::uint32_t ref) const { return std::uint64_t{ref} << log2Granule_; }
+  std::uint64_t wordOf(std::uint32_t ref) const { return std::uint64_t{ref} << log2Unit_; }
   /// True if words [offset, offset + count) exist; otherwise a problem is noted that names `what`.
   bool require(std::uint64_t offset, std::uint64_t count, const char *what);
   /// Notes a problem; the first one stays.
@@ -73,7 +72,7 @@ public:
 private:
   std::span<const std::uint32_t> words_; ///< None if there is a source.
   const WordSource *source_ = nullptr;
-  int log2Granule_;
+  int log2Unit_;
   std::optional<std::string> problem_;
 };
 

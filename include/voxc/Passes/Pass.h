@@ -61,6 +61,8 @@ struct Pass {
   PassResult (*function)(Format &format, Diagnostics &diagnostics) = nullptr;
   std::optional<PassNumber> number; ///< Nothing: it takes none.
   bool rewrites = false;            ///< It makes other levels, or removes attributes; else it is a choice.
+  /// What makes short pointers smaller in every scene: tools that choose these choose it too.
+  bool besidePointers = false;
 
   /// Runs it, with its default number or another in its range. Notes say why a format stays as it is; errors
   /// what would be wrong, and the format then stays as it is.

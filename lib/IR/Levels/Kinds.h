@@ -19,6 +19,6 @@ inline constexpr ParameterKind kDepth = {"D", ParameterRole::Depth, "log2 of the
 Stratum gridStratum(const Level &level, std::string_view slots);
 
 /// The nodes of a tree, with slots of the kind of this name.
-Stratum treeStratum(const Level &level, std::string_view slots, LeafPlace place);
+Stratum treeStratum(const Level &level, std::string_view slots);
 
 } // namespace voxc

@@ -24,22 +24,31 @@ constexpr std::array<const LevelKind *, 6> kKinds = {&kRaw, &kDistance, &kSvo, &
 constexpr std::array<std::string_view, 2> kDedupValues = {"sub-volume", "level"};
 constexpr std::array<std::string_view, 2> kMirrorValues = {"no", "yes"};
 constexpr std::array<std::string_view, 2> kShareValues = {"none", "level"};
-constexpr std::array<std::string_view, 2> kLeavesValues = {"apart", "in-slot"};
+constexpr std::array<std::string_view, 2> kMasksValues = {"whole", "octants"};
 constexpr std::array<std::string_view, 18> kPointersValues = {"word", "8",  "9",  "10", "11", "12",
                                                               "13",   "14", "15", "16", "17", "18",
                                                               "19",   "20", "21", "22", "23", "24"};
 constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
+/// One loop for all levels has a stack of its own, and no walks of trees.
+constexpr std::array<AttributeValue, 2> kWalkExcludes = {
+    {{&kLevelsAttribute, "flat"}, {&kLevelsAttribute, "direct"}}};
 
 } // namespace
 
 const TypedAttribute<Sharing> kDedupAttribute = {
-    {"dedup", AttributeEffect::Storage, kDedupValues,
-     "which equal nodes share storage: those of one sub-volume, or of the whole level"},
+    {.name = "dedup",
+     .effect = AttributeEffect::Storage,
+     .values = kDedupValues,
+     .summary = "which equal nodes share storage: those of one sub-volume, or of the whole level",
+     .amongSubVolumes = true},
     [](std::size_t value) { return value == 0 ? Sharing::SubVolume : Sharing::Level; }};
 
 const TypedAttribute<Sharing> kShareAttribute = {
-    {"share", AttributeEffect::Storage, kShareValues,
-     "which equal sub-volumes of grids share storage: none, or those of the whole level"},
+    {.name = "share",
+     .effect = AttributeEffect::Storage,
+     .values = kShareValues,
+     .summary = "which equal sub-volumes of grids share storage: none, or those of the whole level",
+     .amongSubVolumes = true},
     [](std::size_t value) { return value == 0 ? Sharing::None : Sharing::Level; }};
 
 const TypedAttribute<bool> kMirrorAttribute = {
@@ -48,7 +57,7 @@ const TypedAttribute<bool> kMirrorAttribute = {
     isSecond};
 
 const TypedAttribute<LeafPlace> kLeavesAttribute = {
-    {"leaves", AttributeEffect::Storage, kLeavesValues,
+    {"leaves", AttributeEffect::Storage, kEnumNames<LeafPlace>,
      "where the value of a leaf stands: apart, in a word that its slot points to, or in the slot itself"},
     as<LeafPlace>};
 
@@ -70,21 +79,31 @@ const TypedAttribute<int> kPointersAttribute = {
     [](std::size_t value) { return value == 0 ? 0 : static_cast<int>(value) + 7; }};
 
 const TypedAttribute<Counts> kCountsAttribute = {
-    {"counts", AttributeEffect::Storage, kEnumNames<Counts>,
-     "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels before theirs: "
-     "each, or the first of each octant of eight, where masks tell the rest"},
+    {.name = "counts",
+     .effect = AttributeEffect::Storage,
+     .values = kEnumNames<Counts>,
+     .summary =
+         "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels before "
+         "theirs: each, or the first of each octant of eight, where masks tell the rest",
+     .needs = &kPointersAttribute},
     as<Counts>};
 
-const TypedAttribute<MaskForm> kMasksAttribute = {
-    {"masks", AttributeEffect::Storage, kEnumNames<MaskForm>,
-     "how the masks of sub-volumes stand that have numbers: whole, or a byte for each octant of eight cells "
-     "that is not empty"},
-    as<MaskForm>};
+const TypedAttribute<bool> kMasksAttribute = {
+    {.name = "masks",
+     .effect = AttributeEffect::Storage,
+     .values = kMasksValues,
+     .summary = "how the masks of sub-volumes stand that have numbers: whole, or a byte for each octant of "
+                "eight cells that is not empty",
+     .needs = &kPointersAttribute},
+    isSecond};
 
 const TypedAttribute<Descent> kWalkAttribute = {
-    {"walk", AttributeEffect::Walk, kWalkValues,
-     "how a lookup finds its node: from the last lookup's ancestors on a stack, from "
-     "the root each time, or by a loop for each height"},
+    {.name = "walk",
+     .effect = AttributeEffect::Walk,
+     .values = kWalkValues,
+     .summary = "how a lookup finds its node: from the last lookup's ancestors on a stack, from "
+                "the root each time, or by a loop for each height",
+     .excludes = kWalkExcludes},
     [](std::size_t value) { return static_cast<Descent>(value + 2); }};
 
 bool LevelKind::isTree() const {

@@ -13,54 +13,50 @@ Stratum gridStratum(const Level &level, std::string_view slots) {
   return stratum;
 }
 
-Stratum treeStratum(const Level &level, std::string_view slots, LeafPlace place) {
+Stratum treeStratum(const Level &level, std::string_view slots) {
   const int side = static_cast<int>(level.parameter(ParameterRole::Side));
   const int branching = std::max(static_cast<int>(level.parameter(ParameterRole::Branching)), 1);
   Stratum stratum;
   stratum.log2Shape = {branching, branching, branching};
   stratum.depth = side / branching;
   stratum.slots = findSlotKind(slots);
-  stratum.encoding = Leaves{place};
+  stratum.encoding = defaultEncoding(*stratum.slots);
   return stratum;
 }
 
 namespace {
 
-/// What a level asks of the level above it, which leads to its sub-volumes.
-class PointerLowering {
+/// What a level asks of the level above it, which leads to its sub-volumes, and what its choices ask of each
+/// other.
+class NeighbourLowering {
 public:
-  PointerLowering(const Format &format, Layout &layout, Diagnostics &diagnostics)
+  NeighbourLowering(const Format &format, Layout &layout, Diagnostics &diagnostics)
       : format_(format), layout_(layout), diagnostics_(diagnostics) {}
 
   void lower(std::size_t index) {
     const Level &level = format_.levels[index];
-    const int bits = level.get(kPointersAttribute);
-    const std::string_view numbered = index > 0 ? layout_.strata[index - 1].slots->numbered : "";
-    if (bits > 0 && numbered.empty())
-      return refuse(index, std::string(kMisplacedNumbers));
-    if (bits == 0)
-      return refuseWithoutNumbers(index);
-    Stratum &above = layout_.strata[index - 1];
-    above.slots = findSlotKind(numbered);
-    above.encoding = Numbers{.bits = bits, .counts = level.get(kCountsAttribute)};
-    if (level.get(kMasksAttribute) == MaskForm::Whole)
-      return;
-    layout_.strata[index].slots = findSlotKind("octants");
-    layout_.strata[index].encoding = InArray{};
+    for (const AttributeKind *kind : level.kind->attributes)
+      if (kind->needs && isChosen(level, *kind) && !isChosen(level, *kind->needs))
+        refuse(index, needText(level, *kind));
+    Stratum *const above = index > 0 ? &layout_.strata[index - 1] : nullptr;
+    if (level.kind->lead)
+      refuse(index, level.kind->lead(level, layout_.strata[index], above));
   }
 
 private:
-  void refuse(std::size_t index, const std::string &problem) {
-    diagnostics_.error(format_.levels[index].range, "level " + std::to_string(index + 1) + problem);
+  static bool isChosen(const Level &level, const AttributeKind &kind) {
+    return level.attribute(kind) != kind.values.front();
   }
 
-  void refuseWithoutNumbers(std::size_t index) {
-    const Level &level = format_.levels[index];
-    if (level.get(kCountsAttribute) == Counts::Octant)
-      refuse(index, " has counts of octants, which stand behind short pointers in a masked(2, 2, 2), with "
-                    "values=apart");
-    if (level.get(kMasksAttribute) == MaskForm::Octants)
-      refuse(index, " has masks by octants, which stand where short pointers lead to");
+  static std::string needText(const Level &level, const AttributeKind &kind) {
+    const std::string needed(kind.needs->name);
+    return " has " + std::string(kind.name) + "=" + std::string(level.attribute(kind)) + ", which needs " +
+           needed + "; set " + needed + "=" + std::string(kind.needs->values.back()) + ", say";
+  }
+
+  void refuse(std::size_t index, const std::string &problem) {
+    if (!problem.empty())
+      diagnostics_.error(format_.levels[index].range, "level " + std::to_string(index + 1) + problem);
   }
 
   const Format &format_;
@@ -75,7 +71,7 @@ Layout lowerLevels(const Format &format, Diagnostics &diagnostics) {
   layout.setPayload(format.attributes.value(kPayloadAttribute));
   layout.alpha = format.attributes.get(kAlphaAttribute);
   layout.values = format.attributes.get(kValuesAttribute);
-  layout.log2Granule = format.log2Granule();
+  layout.log2Granule = format.attributes.get(kGranuleAttribute);
   for (std::size_t i = 0; i < format.levels.size(); ++i) {
     const Level &level = format.levels[i];
     Stratum stratum = level.kind->lower(level);
@@ -83,13 +79,19 @@ Layout lowerLevels(const Format &format, Diagnostics &diagnostics) {
     stratum.log2Cell = format.log2CellSide(i);
     layout.strata.push_back(std::move(stratum));
   }
-  PointerLowering pointers(format, layout, diagnostics);
+  NeighbourLowering neighbours(format, layout, diagnostics);
   for (std::size_t i = 0; i < format.levels.size(); ++i)
-    pointers.lower(i);
+    neighbours.lower(i);
   layout.complete();
   for (Stratum &stratum : layout.strata)
     fitReach(stratum);
   return layout;
+}
+
+bool hasLabels(const Format &format) {
+  Layout layout;
+  layout.setPayload(format.attributes.value(kPayloadAttribute));
+  return layout.hasLabels();
 }
 
 Layout layoutOf(const Format &format) {

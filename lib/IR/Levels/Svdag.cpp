@@ -18,8 +18,8 @@ constexpr std::array<const AttributeKind *, 4> kAttributes = {&kDedupAttribute, 
 Stratum lower(const Level &level) {
   // A tree of one cell has no slots.
   const bool hasSlots = level.parameter(ParameterRole::Side) > 0;
-  Stratum stratum = treeStratum(level, hasSlots && level.get(kMirrorAttribute) ? "mirrored" : "packed",
-                                hasSlots ? level.get(kLeavesAttribute) : LeafPlace::Apart);
+  Stratum stratum = treeStratum(level, hasSlots && level.get(kMirrorAttribute) ? "mirrored" : "packed");
+  stratum.encoding = Leaves{hasSlots ? level.get(kLeavesAttribute) : LeafPlace::Apart};
   stratum.sharing = level.get(kDedupAttribute);
   return stratum;
 }

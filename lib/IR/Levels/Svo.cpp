@@ -11,7 +11,7 @@ constexpr std::array<ParameterKind, 1> kParameters = {{
 
 constexpr std::array<const AttributeKind *, 1> kAttributes = {&kWalkAttribute};
 
-Stratum lower(const Level &level) { return treeStratum(level, "siblings", LeafPlace::Record); }
+Stratum lower(const Level &level) { return treeStratum(level, "siblings"); }
 
 } // namespace
 

@@ -198,7 +198,7 @@ Expected<void> writeSurface(const Volume &volume, OutputFile &file, const Export
   if (!written)
     return written;
   // Labels are seen in colours of their own; what else they are has no place in a mesh.
-  const bool areLabels = volume.layout().payload == Payload::Material;
+  const bool areLabels = volume.layout().hasLabels();
   const auto add = [&](FaceRectangle face) {
     const LookedVoxels::Pair pair = voxels.pair(face.word);
     face.word = areLabels ? labelColour(pair.word) : pair.word;

@@ -221,7 +221,7 @@ Expected<void> writeTexturedSurface(const Volume &volume, OutputFile &file, cons
   LookedVoxels voxels(volume, *kinds);
   const LookTexels looks(kinds->all());
   // Labels are seen in colours of their own; what else they are has no place in a mesh.
-  TexturedSurface surface(file, voxels, looks, volume.layout().payload == Payload::Material);
+  TexturedSurface surface(file, voxels, looks, volume.layout().hasLabels());
   const auto add = [&](const FaceRectangle &face, std::span<const std::uint32_t> words) {
     return surface.add(face, words);
   };

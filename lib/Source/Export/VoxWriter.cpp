@@ -26,7 +26,7 @@ struct Model {
   std::vector<std::uint32_t> voxels;
 };
 
-bool hasLabels(const Volume &volume) { return volume.layout().payload == Payload::Material; }
+bool hasLabels(const Volume &volume) { return volume.layout().hasLabels(); }
 
 class Scene {
 public:

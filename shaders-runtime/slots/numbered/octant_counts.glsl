@@ -26,7 +26,7 @@ uint voxels_before_level_${N}(uint grid, ivec3 cell, uint counts) {
     uint until = (cells ^ others) - 1u; // The bits below the lowest of the cells.
     uint slot = uint(bitCount(lower) + bitCount(half_mask & until));
     uint other = value_of_slot_level_${N}(grid, slot);
-%if octant-masks
+%if leads-by-number
     before += voxels_${NEXT}(other);
 %else
     before += uint(bitCount(load_word(other)) + bitCount(load_word(other + 1u)));
