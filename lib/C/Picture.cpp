@@ -113,7 +113,7 @@ voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options
   return guarded([&]() -> voxc_error * {
     const voxc_picture_options given = optionsOf(options);
     const Question question = questionOf(tracer->format);
-    if (question.query != Query::Closest || !question.outputs.voxel || !question.outputs.t ||
+    if (!isOfHits(question.query) || !question.outputs.voxel || !question.outputs.t ||
         !question.outputs.colour)
       return wrap(Error::usage(
           "a picture is made of the voxel, t and colour of the closest hits: of a tracer with the "

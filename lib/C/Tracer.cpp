@@ -39,7 +39,7 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
     if (Expected<void> set = setOutputs(format, options.outputs); !set)
       return set.error();
   if (options.bounds)
-    format.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(format);
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     return Error::usage("the format " + std::string(problem));
   if (Expected<void> passed = runPasses(format, namesIn(textOr(options.passes, ""))); !passed)

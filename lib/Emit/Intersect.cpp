@@ -23,7 +23,7 @@ std::string emitIntersect(const Plan &plan) {
   const TemplateNames names = planNames(plan);
   const auto file = [&](const std::string &path) { return "\n" + fillFile(shaderFiles(), path, names); };
   const auto around = [&] {
-    if (plan.query == Query::Occupancy)
+    if (plan.isOfPoints())
       return file("records.glsl") + file("point/answer.glsl") + file("point/dispatch.glsl");
     if (plan.bounded)
       return file("walk_on.glsl") + file("bounds.glsl") + file("records.glsl") + file("buffers.glsl") +
@@ -31,7 +31,7 @@ std::string emitIntersect(const Plan &plan) {
     return file("records.glsl") + file("buffers.glsl") + file("walk_on.glsl") + file("dispatch.glsl");
   };
   return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
-         (plan.detail == Detail::Cone ? file("detail/spread.glsl") : "") +
+         (plan.stopsAboveVoxels() ? file("detail/spread.glsl") : "") +
          file("memory/" + std::string(toString(plan.addressing)) + ".glsl") +
          (plan.addressing == Addressing::Paged ? file("paging.glsl") : "") + kernelFunctions(plan) + around();
 }

@@ -42,7 +42,7 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   TemplateNames names = planNames(plan);
   names.holes["symbol"] = symbol;
   names.holes["count-words"] = countWords ? "true" : "false";
-  const bool isPoint = plan.query == Query::Occupancy;
+  const bool isPoint = plan.isOfPoints();
   const auto file = [&](const char *path) { return "\n" + fillFile(shaderFiles(), path, names); };
   const std::string bounds = plan.bounded ? file("walk_on.glsl") + file("bounds.glsl") : "";
   const std::string buffers = file("records.glsl") + file(isPoint ? "point/answer.glsl" : "buffers.glsl");

@@ -17,10 +17,11 @@ constexpr const char *kAfterStep[] = {"step.glsl", "near.glsl", "enter.glsl", "p
 
 class FunctionEmitter {
 public:
-  explicit FunctionEmitter(const Plan &plan) : plan_(plan), names_(planNames(plan)) {}
+  explicit FunctionEmitter(const Plan &plan)
+      : plan_(plan), walk_(kindOf(plan.walk)), names_(planNames(plan)) {}
 
   std::string emit() {
-    if (plan_.query == Query::Occupancy)
+    if (plan_.isOfPoints())
       pointFunctions();
     else
       walkFunctions();
@@ -44,18 +45,18 @@ private:
       file("time.glsl");
     if (plan_.outputs.t || plan_.outputs.face)
       file("arrival.glsl");
-    if (plan_.walk == Walk::Nested)
+    if (walk_.nests)
       file("unit.glsl");
-    if (plan_.detail == Detail::Cone)
+    if (plan_.stopsAboveVoxels())
       file("detail/cone.glsl");
     beginFormat();
     const bool looksUpValues = plan_.layout.ranksVoxels() && storesValue(plan_.outputs);
     if (looksUpValues)
       file("rank/order.glsl");
     levels(&FunctionEmitter::level);
-    if (plan_.walk == Walk::Flat)
+    if (isFlat())
       flatWalk();
-    if (plan_.walk == Walk::Direct)
+    if (walk_.fromRoot)
       file("walk/direct.glsl");
     if (looksUpValues)
       ranks();
@@ -70,6 +71,8 @@ private:
     beginFormat();
     levels(&FunctionEmitter::pointLevel);
   }
+
+  bool isFlat() const { return walk_.isOneLoop && !walk_.fromRoot; }
 
   void beginFormat() {
     text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
@@ -127,7 +130,7 @@ private:
     const Stratum &stratum = plan_.layout.strata[index];
     text_ += levelComment(plan_, index);
     constants(index);
-    if (plan_.traversals[index].descent == Descent::Single)
+    if (kindOf(plan_.traversals[index].descent).ofCells)
       return;
     for (const std::string_view file : stratum.slots->accessor(stratum))
       leaf(index, "slots/" + std::string(file) + ".glsl");
@@ -137,21 +140,22 @@ private:
   void level(std::size_t index) {
     const Stratum &stratum = plan_.layout.strata[index];
     const Traversal &traversal = plan_.traversals[index];
-    const bool isSingle = traversal.descent == Descent::Single;
+    const DescentKind &descent = kindOf(traversal.descent);
+    const bool isSingle = descent.ofCells;
     beginLevel(index);
     if (traversal.sampled)
       leaf(index, isSingle           ? "detail/single.glsl"
                   : stratum.isGrid() ? "detail/grid.glsl"
                                      : "detail/tree.glsl");
-    if (plan_.walk == Walk::Direct)
+    if (walk_.fromRoot)
       return locate(index);
-    if (plan_.walk == Walk::Flat ? reportsBall(stratum) : traversal.descent != Descent::Stack && !isSingle)
+    if (isFlat() ? reportsBall(stratum) : !descent.keepsNodes && !isSingle)
       leaf(index, "walk/within.glsl");
     if (reportsBall(stratum))
       leaf(index, "walk/march.glsl");
-    if (plan_.walk == Walk::Flat)
+    if (isFlat())
       return;
-    if (traversal.descent == Descent::Unrolled)
+    if (descent.byLayers)
       layers(index, "walk/unrolled_node.glsl");
     leaf(index, "walk/" + std::string(toString(traversal.descent)) + ".glsl");
   }
@@ -199,6 +203,7 @@ private:
   }
 
   const Plan &plan_;
+  const WalkKind &walk_;
   TemplateNames names_;
   std::string text_;
 };

@@ -72,7 +72,7 @@ void addPaging(TemplateNames &names, const Plan &plan) {
 
 /// Where a walk keeps nodes.
 void addStack(TemplateNames &names, const Plan &plan) {
-  const bool shared = plan.stack == Stack::Shared;
+  const bool shared = plan.sharesStack();
   names.conditions["stack-shared"] = shared;
   names.holes["of-ray"] = shared ? "[gl_LocalInvocationIndex]" : "";
 }

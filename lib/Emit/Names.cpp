@@ -73,7 +73,7 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
   const std::string factor = std::to_string(branch);
   auto &holes = names.holes;
   holes["N"] = std::to_string(index + 1);
-  holes["path"] = plan.stack == Stack::Shared ? "path_level_" + holes["N"] : "path";
+  holes["path"] = plan.sharesStack() ? "path_level_" + holes["N"] : "path";
   holes["NEXT"] = plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2);
   holes["DEPTH"] = std::to_string(stratum.depth);
   holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
@@ -99,7 +99,7 @@ void addHoles(TemplateNames &names, const Plan &plan, std::size_t index) {
 /// What a look-up of a cell takes beside the cell: the ray, and the gap that it may widen.
 void addCellArguments(TemplateNames &names, const Plan &plan, std::size_t index) {
   const Stratum &stratum = plan.layout.strata[index];
-  const bool isPoint = plan.query == Query::Occupancy;
+  const bool isPoint = plan.isOfPoints();
   const bool tells = !isPoint && reportsEmptyRegion(stratum);
   const bool takesRay = tells && !reportsBall(stratum);
   const bool takesGap = tells || plan.traversals[index].lookUp == Loops::Cut;
@@ -180,7 +180,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
   conditions["marches"] = reportsBall(stratum);
   conditions["chooses-faces"] = findsValueLater(stratum);
   conditions["tells-half"] = stratum.slots->region(stratum) == EmptyRegion::Octant;
-  conditions["walks"] = plan.query != Query::Occupancy;
+  conditions["walks"] = !plan.isOfPoints();
   conditions["stops"] = plan.traversals[index].stops;
   conditions["sampled"] = plan.traversals[index].sampled;
   conditions["shares-sub-volumes-apart"] = stratum.sharing == Sharing::SubVolume;
@@ -228,7 +228,7 @@ TemplateNames planNames(const Plan &plan) {
   names.conditions["values-apart"] = plan.layout.ranksVoxels();
   names.conditions["cut"] = cut;
   names.conditions["resumes"] = cut || plan.addressing == Addressing::Paged;
-  names.conditions["cone"] = plan.detail == Detail::Cone;
+  names.conditions["cone"] = plan.stopsAboveVoxels();
   int layers = 0;
   for (const Stratum &stratum : plan.layout.strata)
     layers += flatLayers(stratum);

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 4> kAnswers = {"first hits of rays with",
 /// What is asked of a kernel, and how its functions hand on no more than that.
 void addQuestion(TemplateNames &names, const Plan &plan) {
   const Outputs &outputs = plan.outputs;
-  const bool isPoint = plan.query == Query::Occupancy;
+  const bool isPoint = plan.isOfPoints();
   const bool hasArrival = outputs.t || outputs.face;
   names.holes["answers"] = kAnswers[static_cast<std::size_t>(plan.query)];
   names.holes["and-an-arrival"] = hasArrival ? ", const Arrival arrival" : "";

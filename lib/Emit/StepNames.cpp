@@ -16,7 +16,7 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   conditions["refines"] = plan.steps == Steps::Refined;
   conditions["packets"] = inPackets;
   conditions["narrow-packets"] = plan.packetWidth == PacketWidth::Narrow;
-  conditions["exact"] = plan.precision == Precision::Exact;
+  conditions["exact"] = plan.isExact();
   conditions["ieee"] = plan.arithmetic == Arithmetic::Ieee;
   // Packets take such steps as they come, whether they settle or not.
   conditions["settles-in-walks"] = conditions["exact"] && conditions["ieee"] && !conditions["refines"];

@@ -23,15 +23,15 @@ constexpr TargetRule kProcessorRules[] = {
 };
 
 constexpr TargetRule kFirstHitRules[] = {
-    {"query=closest", [](const Plan &plan) { return plan.query == Query::Closest; }},
+    {"query=closest", [](const Plan &plan) { return isOfHits(plan.query); }},
     {"face=yes, with voxel, t and colour",
      [](const Plan &plan) { return plan.outputs == Outputs{.face = true}; }},
-    {"detail=full", [](const Plan &plan) { return plan.detail == Detail::Full; }},
+    {"detail=full", [](const Plan &plan) { return !plan.stopsAboveVoxels(); }},
     {"loops=whole", [](const Plan &plan) { return plan.loops == Loops::Whole; }},
     {"packing=device", [](const Plan &plan) { return plan.packing == Packing::Device; }},
     {"addressing=buffer", [](const Plan &plan) { return plan.addressing == Addressing::Buffer; }},
     {"arithmetic=any", [](const Plan &plan) { return plan.arithmetic == Arithmetic::Any; }},
-    {"stack=private", [](const Plan &plan) { return plan.stack == Stack::Private; }},
+    {"stack=private", [](const Plan &plan) { return !plan.sharesStack(); }},
 };
 
 constexpr TargetRule kBounds = {"bounds=yes", [](const Plan &plan) { return plan.bounded; }};

@@ -29,9 +29,21 @@ Question questionOf(const Format &format) {
   return question;
 }
 
+void askForBounds(Format &format) { format.setAttribute(kBoundsAttribute, "yes"); }
+
+void askForCones(Format &format, bool stops) {
+  format.setAttribute(kDetailAttribute, toString(stops ? Detail::Cone : Detail::Full));
+}
+
+void askForPrecision(Format &format, std::string_view precision) {
+  format.setAttribute(kPrecisionAttribute, precision);
+}
+
+std::span<const std::string_view> precisionNames() { return kPrecisionAttribute.values; }
+
 std::string_view problemOf(const Question &question) {
-  const bool isClosest = question.query == Query::Closest;
-  if (question.bounds && question.query == Query::Occupancy)
+  const bool isClosest = isOfHits(question.query);
+  if (question.bounds && isOfPoints(question.query))
     return "gives bounds to points, of which rays alone have any; leave out bounds=yes, or the query";
   if (!isClosest && question.outputs != outputsOf(question.query))
     return "chooses outputs, which query=closest alone has; leave them out, or the query";

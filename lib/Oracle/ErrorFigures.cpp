@@ -91,7 +91,7 @@ public:
   Comparison(const Oracle &oracle, const Question &question) : oracle_(oracle), question_(question) {}
 
   void add(const Ray &ray, const RayBounds &bounds, const Hit &closest, const Hit &hit) {
-    const bool isOfPoint = question_.query == Query::Occupancy;
+    const bool isOfPoint = isOfPoints(question_.query);
     const Hit exact = isOfPoint ? oracle_.answer(ray, question_) : closest;
     if (exact.isHit() != hit.isHit() || (exact.isHit() && !isSameVoxel(ray, bounds, exact, hit)))
       addDifference(ray, exact, hit);

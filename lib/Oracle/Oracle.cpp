@@ -105,7 +105,7 @@ std::uint32_t faceNumber(const Face &face) {
 
 Hit Oracle::answer(const Ray &ray, const Question &question, const RayBounds &bounds) const {
   const Outputs &outputs = question.outputs;
-  Hit hit = question.query == Query::Occupancy ? hitAtOrigin(state_->voxels, ray) : trace(ray, bounds);
+  Hit hit = isOfPoints(question.query) ? hitAtOrigin(state_->voxels, ray) : trace(ray, bounds);
   if (!hit.isHit())
     return hit;
   if (!outputs.voxel)

@@ -11,12 +11,9 @@
 namespace voxc {
 
 PassResult sharedStack(Format &format, Diagnostics &diagnostics) {
-  const auto keepsNodes = [](const Level &level) {
-    return level.kind->isTree() && level.log2Size() != Int3{} && level.get(kWalkAttribute) == Descent::Stack;
-  };
-  const Walk levels = format.attributes.get(kLevelsAttribute);
+  const WalkKind &walk = kindOf(format.attributes.get(kLevelsAttribute));
   const bool keeps =
-      levels == Walk::Flat || (levels != Walk::Direct && std::ranges::any_of(format.levels, keepsNodes));
+      walk.keepsNodes || (!walk.fromRoot && std::ranges::any_of(format.levels, &Level::keepsNodes));
   if (!keeps)
     diagnostics.note({}, "no walk of the format keeps the nodes above a cell");
   return keeps && format.setAttribute(kStackAttribute, toString(Stack::Shared)) ? PassResult::Changed

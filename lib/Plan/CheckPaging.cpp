@@ -6,15 +6,15 @@
 namespace voxc {
 
 Expected<void> checkPaging(const Format &format) {
-  if (format.attributes.get(kDetailAttribute) != Detail::Full)
+  const Plan plan = lowerToPlan(format);
+  if (plan.stopsAboveVoxels())
     return Error::usage("a walk that may wait for pages stops at voxels alone: leave out --lod");
-  if (questionOf(format).query == Query::Occupancy)
+  if (plan.isOfPoints())
     return Error::usage("rays can wait for pages, but points cannot: load the whole volume to look them up");
-  const auto goesItsOwnWay = [](const Level &level) {
-    return level.kind->isTree() && level.get(kWalkAttribute) != Descent::Stack;
-  };
-  const Walk levels = format.attributes.get(kLevelsAttribute);
-  if (std::ranges::any_of(format.levels, goesItsOwnWay) || (levels != Walk::Auto && levels != Walk::Direct))
+  const WalkKind &walk = kindOf(plan.walk);
+  const bool nests = std::ranges::any_of(
+      plan.traversals, [](const Traversal &traversal) { return kindOf(traversal.descent).nestsAlone; });
+  if (nests || !(walk.isOpen || walk.fromRoot))
     return Error::usage(
         "a walk that may wait for pages goes down from the root each time: leave out other walks");
   return {};

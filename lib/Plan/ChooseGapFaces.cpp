@@ -6,7 +6,7 @@ namespace voxc {
 /// A device has time for it in each look-up, while that waits for what it reads. In packets what counts is
 /// how much is done, and not how long a turn waits: there it is done once for all levels.
 void chooseGapFaces(Plan &plan) {
-  if (plan.walk == Walk::Direct && plan.packing == Packing::Device)
+  if (kindOf(plan.walk).fromRoot && plan.packing == Packing::Device)
     plan.gapFaces = GapFaces::Lookup;
 }
 

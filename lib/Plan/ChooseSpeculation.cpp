@@ -5,8 +5,6 @@ namespace voxc {
 
 /// Each turn of a direct walk begins with a read that waits for the cell: the next one can be under way while
 /// the step's error is still being looked at. Nested and flat walks have other things to ask in between.
-void chooseSpeculation(Plan &plan) {
-  plan.speculative = plan.walk == Walk::Direct && plan.precision == Precision::Exact;
-}
+void chooseSpeculation(Plan &plan) { plan.speculative = kindOf(plan.walk).fromRoot && plan.isExact(); }
 
 } // namespace voxc

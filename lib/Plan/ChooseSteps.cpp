@@ -15,8 +15,7 @@ constexpr int kLog2LongSide = 11;
 void chooseSteps(Plan &plan) {
   const Int3 log2 = plan.layout.log2Extent();
   const bool isLong = std::max({log2.x, log2.y, log2.z}) >= kLog2LongSide;
-  if (plan.query == Query::Occupancy || plan.precision != Precision::Exact ||
-      plan.arithmetic != Arithmetic::Ieee)
+  if (plan.isOfPoints() || !plan.isExact() || plan.arithmetic != Arithmetic::Ieee)
     return;
   if (plan.packing == Packing::Packets)
     plan.steps = Steps::Refined;

@@ -7,12 +7,11 @@ namespace voxc {
 
 /// A step over one voxel needs neither the gap's faces nor a search for the cell behind them.
 void chooseVoxelSteps(Plan &plan) {
-  if (plan.walk != Walk::Nested)
+  if (!kindOf(plan.walk).nests)
     return;
   for (std::size_t i = 0; i < plan.traversals.size(); ++i) {
     const Stratum &stratum = plan.layout.strata[i];
-    plan.traversals[i].voxelSteps =
-        plan.traversals[i].descent == Descent::Index && stratum.log2Cell == 0 && !reportsEmptyRegion(stratum);
+    plan.traversals[i].voxelSteps = stratum.isGrid() && stratum.log2Cell == 0 && !reportsEmptyRegion(stratum);
   }
 }
 

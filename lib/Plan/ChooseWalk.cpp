@@ -37,24 +37,21 @@ bool isTreeOfGrids(const Layout &layout) {
 } // namespace
 
 void chooseWalk(Plan &plan) {
-  if (plan.query == Query::Occupancy)
+  if (plan.isOfPoints())
     return;
-  const auto goesItsOwnWay = [](const Traversal &traversal) {
-    return traversal.descent == Descent::Restart || traversal.descent == Descent::Unrolled;
-  };
+  const auto goesItsOwnWay = [](const Traversal &traversal) { return kindOf(traversal.descent).nestsAlone; };
   // Of one descent a ray can wait for all pages; of a walk that keeps its place, for none that it has left.
   if (plan.addressing == Addressing::Paged) {
     plan.walk = Walk::Direct;
-    for (Traversal &traversal : plan.traversals)
-      if (goesItsOwnWay(traversal))
-        traversal.descent = Descent::Stack;
+    for (std::size_t i = 0; i < plan.traversals.size(); ++i)
+      if (goesItsOwnWay(plan.traversals[i]))
+        plan.traversals[i].descent = usualDescent(plan.layout.strata[i]);
     return;
   }
-  const bool needsNesting =
-      plan.detail == Detail::Cone || std::ranges::any_of(plan.traversals, goesItsOwnWay);
+  const bool needsNesting = plan.stopsAboveVoxels() || std::ranges::any_of(plan.traversals, goesItsOwnWay);
   if (needsNesting)
     plan.walk = Walk::Nested;
-  if (plan.walk != Walk::Auto)
+  if (!kindOf(plan.walk).isOpen)
     return;
   const bool isBestFromTheTop =
       plan.layout.strata.size() >= kManyLevels || leapsFromTheTop(plan.layout) || isTreeOfGrids(plan.layout);

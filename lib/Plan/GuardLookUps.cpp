@@ -8,7 +8,7 @@ namespace voxc {
 /// A look-up that loops may be cut short where the device cuts loops: it has so many turns for all of a walk,
 /// which are enough for a single point.
 void guardLookUps(Plan &plan) {
-  if (plan.loops != Loops::Cut || plan.query == Query::Occupancy)
+  if (plan.loops != Loops::Cut || plan.isOfPoints())
     return;
   for (std::size_t i = 0; i < plan.traversals.size(); ++i)
     if (plan.layout.strata[i].slots->lookUpLoops)

@@ -15,16 +15,16 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.outputs = question.outputs;
   plan.bounded = question.bounds;
   for (const Level &level : format.levels)
-    plan.traversals.push_back({.descent = level.kind->isTree() ? level.get(kWalkAttribute) : Descent::Index});
+    plan.traversals.push_back({.descent = level.kind->isTree() ? level.get(kWalkAttribute) : Descent{}});
   plan.constructions.resize(format.levels.size());
-  if (plan.query == Query::Occupancy) // There is no walk to choose.
+  if (plan.isOfPoints()) // There is no walk to choose.
     return plan;
   plan.precision = format.attributes.get(kPrecisionAttribute);
   plan.detail = format.attributes.get(kDetailAttribute);
   if (options.inGroups)
     plan.stack = format.attributes.get(kStackAttribute);
   // One loop stops at voxels alone: cones leave no choice.
-  if (plan.detail == Detail::Full)
+  if (!plan.stopsAboveVoxels())
     plan.walk = format.attributes.get(kLevelsAttribute);
   return plan;
 }

@@ -5,6 +5,9 @@
 
 namespace voxc {
 
+/// The descent that a stratum has where nothing else is asked for.
+Descent usualDescent(const Stratum &stratum);
+
 void chooseDescents(Plan &plan);
 void chooseWalk(Plan &plan);
 void chooseSteps(Plan &plan);

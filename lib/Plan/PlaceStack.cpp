@@ -7,9 +7,9 @@ namespace voxc {
 namespace {
 
 bool keepsStack(const Plan &plan) {
-  const auto keepsNodes = [](const Traversal &traversal) { return traversal.descent == Descent::Stack; };
-  return plan.walk == Walk::Flat ||
-         (plan.walk == Walk::Nested && std::ranges::any_of(plan.traversals, keepsNodes));
+  const auto keepsNodes = [](const Traversal &traversal) { return kindOf(traversal.descent).keepsNodes; };
+  const WalkKind &walk = kindOf(plan.walk);
+  return walk.keepsNodes || (walk.nests && std::ranges::any_of(plan.traversals, keepsNodes));
 }
 
 } // namespace

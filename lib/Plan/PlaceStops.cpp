@@ -18,7 +18,7 @@ bool isSearchable(const Stratum &stratum) {
 } // namespace
 
 void placeStops(Plan &plan) {
-  if (plan.detail == Detail::Full)
+  if (!plan.stopsAboveVoxels())
     return;
   bool searchableBelow = true;
   for (std::size_t i = plan.traversals.size(); i-- > 0;) {

@@ -42,34 +42,33 @@ private:
       diagnostics_.error(ranges_.of(index_), "stratum " + std::to_string(index_ + 1) + ": " + otherwise);
   }
 
-  bool isOneLoop() const { return plan_.walk == Walk::Flat || plan_.walk == Walk::Direct; }
+  bool isOneLoop() const { return kindOf(plan_.walk).isOneLoop; }
 
   void question() {
     const std::string_view problem = problemOf({plan_.query, plan_.outputs, plan_.bounded});
     rule(problem.empty(), "the plan " + std::string(problem));
-    rule(plan_.query != Query::Occupancy ||
-             (plan_.walk == Walk::Auto && plan_.steps == Steps::Float32 && plan_.detail == Detail::Full),
+    rule(!plan_.isOfPoints() ||
+             (kindOf(plan_.walk).isOpen && plan_.steps == Steps::Float32 && !plan_.stopsAboveVoxels()),
          "a point is looked up without a walk, its steps and its detail");
-    rule(!plan_.outputs.index || (plan_.layout.ranksVoxels() && plan_.detail == Detail::Full),
+    rule(!plan_.outputs.index || (plan_.layout.ranksVoxels() && !plan_.stopsAboveVoxels()),
          "the numbers of voxels are counted where their values stand apart, with detail=full");
-    rule(plan_.addressing != Addressing::Paged || plan_.query != Query::Occupancy,
+    rule(plan_.addressing != Addressing::Paged || !plan_.isOfPoints(),
          "pages that are not here are what rays wait for, not points");
-    rule(!plan_.bounded || plan_.detail != Detail::Cone, "a walk between bounds stops at voxels alone");
+    rule(!plan_.bounded || !plan_.stopsAboveVoxels(), "a walk between bounds stops at voxels alone");
   }
 
   void walk() {
-    rule(plan_.stack != Stack::Shared || plan_.packing != Packing::Packets,
+    rule(!plan_.sharesStack() || plan_.packing != Packing::Packets,
          "rays in packets have no memory of a group: their stack is private");
-    rule(!isOneLoop() || plan_.detail != Detail::Cone, "one loop for all levels stops at voxels alone");
-    rule(plan_.steps == Steps::Float32 ||
-             (plan_.arithmetic == Arithmetic::Ieee && plan_.precision == Precision::Exact),
+    rule(!isOneLoop() || !plan_.stopsAboveVoxels(), "one loop for all levels stops at voxels alone");
+    rule(plan_.steps == Steps::Float32 || (plan_.arithmetic == Arithmetic::Ieee && plan_.isExact()),
          "exact walks alone take doubles, with arithmetic=ieee");
   }
 
   /// What passes choose for speed alone.
   void choices() {
-    const bool isDirect = plan_.walk == Walk::Direct;
-    rule(!plan_.speculative || (isDirect && plan_.precision == Precision::Exact),
+    const bool isDirect = kindOf(plan_.walk).fromRoot;
+    rule(!plan_.speculative || (isDirect && plan_.isExact()),
          "a walk looks back at its last step with levels=direct and precision=exact alone");
     rule(plan_.gapFaces == GapFaces::Step || isDirect,
          "look-ups make the faces of gaps with levels=direct alone");
@@ -78,27 +77,25 @@ private:
   }
 
   void descent(const Stratum &stratum, const Traversal &traversal) {
-    stratumRule(stratum.isGrid() == (traversal.descent == Descent::Index),
+    stratumRule(stratum.isGrid() == (kindOf(traversal.descent).ofGrids),
                 "a grid is walked by index, and nothing else is");
-    stratumRule(!isOneLoop() ||
-                    (traversal.descent != Descent::Restart && traversal.descent != Descent::Unrolled),
+    stratumRule(!isOneLoop() || !kindOf(traversal.descent).nestsAlone,
                 "one loop for all levels goes down trees in its own way");
-    stratumRule(traversal.descent != Descent::Single || stratum.depth == 0,
+    stratumRule(!kindOf(traversal.descent).ofCells || stratum.depth == 0,
                 "a tree with layers is more than a single cell");
-    stratumRule((!traversal.stops && !traversal.sampled) || plan_.detail == Detail::Cone,
+    stratumRule((!traversal.stops && !traversal.sampled) || plan_.stopsAboveVoxels(),
                 "walks stop above voxels with detail=cone alone");
     stratumRule(!traversal.sampled || plan_.outputs.colour, "a colour is searched where one is asked for");
   }
 
   void lookUps(const Stratum &stratum, const Traversal &traversal) {
-    stratumRule(
-        traversal.lookUp == Loops::Whole ||
-            (plan_.loops == Loops::Cut && stratum.slots->lookUpLoops && plan_.query != Query::Occupancy),
-        "look-ups of walks can be cut where they loop, with loops=cut");
+    stratumRule(traversal.lookUp == Loops::Whole ||
+                    (plan_.loops == Loops::Cut && stratum.slots->lookUpLoops && !plan_.isOfPoints()),
+                "look-ups of walks can be cut where they loop, with loops=cut");
     stratumRule(traversal.readsValues || (plan_.layout.holdsVoxels(index_) && !storesValue(plan_.outputs)),
                 "values are left unread where they are those of voxels and nobody asks for them");
     stratumRule(!traversal.voxelSteps ||
-                    (plan_.walk == Walk::Nested && stratum.isGrid() && stratum.log2Cell == 0),
+                    (kindOf(plan_.walk).nests && stratum.isGrid() && stratum.log2Cell == 0),
                 "a nested walk steps over voxels in grids of such");
   }
 

@@ -53,22 +53,22 @@ private:
   }
 
   void walk() {
-    rule(plan_.query == Query::Occupancy || plan_.walk != Walk::Auto,
+    rule(plan_.isOfPoints() || !kindOf(plan_.walk).isOpen,
          "levels=auto is not chosen yet: write levels=nested, flat or direct, or run voxc-opt on it");
-    rule(plan_.addressing != Addressing::Paged || plan_.walk == Walk::Direct,
+    rule(plan_.addressing != Addressing::Paged || kindOf(plan_.walk).fromRoot,
          "rays wait for pages with levels=direct alone");
     rule(plan_.steps != Steps::Float64 || plan_.compare == Compare::Numbers,
          "doubles are compared as numbers: compare=numbers");
-    rule(plan_.detail != Detail::Cone || !storesValue(plan_.outputs) || !plan_.defersValues,
+    rule(!plan_.stopsAboveVoxels() || !storesValue(plan_.outputs) || !plan_.defersValues,
          "a walk that stops above voxels has a colour from each stop: defers-values=no");
   }
 
   void descent() {
     const Stratum &stratum = plan_.layout.strata[index_];
-    stratumRule(stratum.isGrid() || stratum.depth > 0 || plan_.traversals[index_].descent == Descent::Single,
+    stratumRule(stratum.isGrid() || stratum.depth > 0 || kindOf(plan_.traversals[index_].descent).ofCells,
                 "a tree without layers is one leaf: walk=single");
-    stratumRule(plan_.loops == Loops::Whole || !stratum.slots->lookUpLoops ||
-                    plan_.query == Query::Occupancy || plan_.traversals[index_].lookUp == Loops::Cut,
+    stratumRule(plan_.loops == Loops::Whole || !stratum.slots->lookUpLoops || plan_.isOfPoints() ||
+                    plan_.traversals[index_].lookUp == Loops::Cut,
                 "with loops=cut the device may cut its look-ups: lookup=cut");
   }
 

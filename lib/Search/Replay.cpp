@@ -38,7 +38,7 @@ struct Packet {
   bool isPlain; ///< All levels are grids that one loop walks: of their turns nothing is counted.
 
   Packet(const std::vector<LevelView> &levels, const Plan &plan)
-      : isPlain((plan.walk == Walk::Direct || levels.size() == 1) &&
+      : isPlain((kindOf(plan.walk).fromRoot || levels.size() == 1) &&
                 std::ranges::all_of(plan.layout.strata, &Stratum::isGrid)) {
     path.loops.resize(levels.size());
     path.places.resize(levels.size());
@@ -55,8 +55,8 @@ class ReplayedWalk {
 public:
   ReplayedWalk(const SceneDag &dag, Packet &packet, const Plan &plan, const std::vector<LevelView> &levels,
                const Ray &ray, RayCost &cost)
-      : packet_(packet), levels_(levels), isDirect_(plan.walk == Walk::Direct),
-        countsVisits_(plan.walk == Walk::Nested),
+      : packet_(packet), levels_(levels), isDirect_(kindOf(plan.walk).fromRoot),
+        countsVisits_(kindOf(plan.walk).nests),
         isApart_(plan.layout.ranksVoxels() && kindOf(plan.layout.payload).varies),
         at_(ray, 1 << levels.front().top), path_(dag, levels.front().top), height_(levels.front().top),
         cost_(cost) {
@@ -90,7 +90,7 @@ private:
       const LevelView &level = levels_[i];
       const bool isEmpty = empty >= level.bottom;
       const bool isVoxel = !isEmpty && i + 1 == levels_.size();
-      const bool resumes = !isDirect_ && i == level_ && level.descent != Descent::Restart;
+      const bool resumes = !isDirect_ && i == level_ && !kindOf(level.descent).restarts;
       const int from = resumes ? std::min(height_, level.top) : level.top;
       const int layers = level.layers(from, isEmpty ? empty : level.bottom);
       cost_.layers += layers;

@@ -157,7 +157,7 @@ Expected<Expectation> expect(const Machine &machine, const Calibration &calibrat
     const std::vector<Ray> moved = movedToBounds(some);
     RayCost cost = replayed.cost(moved);
     const double share =
-        situation.query == Query::Occupancy ? 1 / std::max(cost.turns, 1.0) : shareOfWay(stage, some, moved);
+        isOfPoints(situation.query) ? 1 / std::max(cost.turns, 1.0) : shareOfWay(stage, some, moved);
     expected.lookups = share * cost.lookups + (share < 1 ? 1 : 0);
     ray = replayed.nanoseconds(cost, share);
     // Scattered rays may be sorted first, as is faster.

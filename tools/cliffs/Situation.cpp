@@ -123,7 +123,7 @@ constexpr std::array<std::pair<Interval, int>, 6> kIntervals = {{{Interval::None
 /// What kernels of another kind are asked; only some situations have one, for each is compiled.
 void drawQuestion(RandomSource &random, Situation &situation) {
   situation.query = weighted(random, kQueries);
-  if (situation.query != Query::Occupancy)
+  if (!isOfPoints(situation.query))
     situation.interval = weighted(random, kIntervals);
 }
 
@@ -174,10 +174,10 @@ Situation drawSituation(std::uint64_t seed, std::uint64_t number, const DrawLimi
 
 Format askedFormat(const Place &place, const Situation &situation) {
   Format format = place.format;
-  if (situation.query != Query::Closest)
+  if (!isOfHits(situation.query))
     format.setAttribute(kQueryAttribute, kEnumNames<Query>[static_cast<std::size_t>(situation.query)]);
   if (situation.interval != Interval::None)
-    format.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(format);
   return format;
 }
 
@@ -191,7 +191,7 @@ std::string describe(const Place &place) {
 
 std::string describe(const Situation &situation) {
   std::string text = std::to_string(situation.count) + " " + situation.rays;
-  if (situation.query != Query::Closest)
+  if (!isOfHits(situation.query))
     text += " " + std::string(kEnumNames<Query>[static_cast<std::size_t>(situation.query)]);
   if (situation.interval != Interval::None)
     text += " " + std::string(nameOf(situation.interval));

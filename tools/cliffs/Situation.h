@@ -37,7 +37,7 @@ struct Situation {
   std::uint64_t number = 0;
   std::string rays; ///< The name of a `RayKind`.
   std::size_t count = 0;
-  Query query = Query::Closest;
+  Query query{}; ///< The closest hit.
   Interval interval = Interval::None;
   unsigned threads = 1;
   unsigned instances = 0; ///< Of the volume in one world; 0: the rays are those of its voxels.

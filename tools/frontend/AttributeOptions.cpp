@@ -72,14 +72,14 @@ Expected<void> AttributeOptions::apply(Format &format) const {
     if (!value.empty())
       format.setAttribute(*kind, value);
   if (bounds_)
-    format.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(format);
   for (const auto &[list, names] : listed_)
     for (const AttributeKind *kind : formatAttributes())
       if (kind->list == list && !names.empty())
         format.setAttribute(*kind, std::ranges::find(names, kind->name) != names.end() ? "yes" : "no");
   // What is usual can be listed too, and leaves no trace in the format.
   const bool lists = std::ranges::any_of(listed_, [](const auto &entry) { return !entry.second.empty(); });
-  if (lists && questionOf(format).query != Query::Closest)
+  if (lists && !isOfHits(questionOf(format).query))
     return Error::usage("--outputs chooses what --query closest stores; another query leaves no choice");
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     return Error::usage("the format " + std::string(problem));

@@ -2,6 +2,7 @@
 #include "page/FirstPages.h"
 
 #include "voxc/IR/Attribute.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Trace/CpuKernel.h"
 
@@ -39,7 +40,7 @@ std::vector<Ray> raysOf(const PictureView &view, int height) {
 Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const PictureView &view,
                                                 const Clip &clip, std::uint32_t pageBytes) {
   Format format = volume.format();
-  format.setAttribute(kBoundsAttribute, "yes");
+  askForBounds(format);
   const Expected<CpuKernel> kernel = compileCpuKernel(format, false, nullptr, Addressing::Paged);
   if (!kernel)
     return kernel.error();

@@ -61,7 +61,7 @@ std::string terse(std::string_view text) {
 /// The functions that trace rays of a format, by one of the values of `precision`.
 Expected<std::string> functionsOf(Format format, Addressing addressing, bool isCut,
                                   std::string_view precision) {
-  format.setAttribute(kPrecisionAttribute, precision);
+  askForPrecision(format, precision);
   PlanOptions options = isCut ? kHeaderPlan : kFirstHitPlan;
   options.addressing = addressing;
   const Expected<Plan> plan = makePlan(format, options);

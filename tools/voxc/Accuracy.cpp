@@ -9,6 +9,7 @@
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "voxc/IR/Query.h"
 
 #include <filesystem>
 
@@ -23,9 +24,7 @@ struct Rays {
   bool arePicture() const { return camera.width > 0; }
 };
 
-std::vector<std::string> valuesOf(const AttributeKind &kind) {
-  return {kind.values.begin(), kind.values.end()};
-}
+std::vector<std::string> precisions() { return {precisionNames().begin(), precisionNames().end()}; }
 
 class AccuracyCommand final : public Subcommand {
 public:
@@ -49,7 +48,7 @@ private:
   std::string raysPath_;
   CameraOptions camera_;
   std::string folder_;
-  VariantChoice choice_{valuesOf(kPrecisionAttribute), valuesOf(kWalkAttribute), {""}};
+  VariantChoice choice_{precisions(), walksOfTrees(), {""}};
   std::vector<double> lods_;
   unsigned rounds_ = 5;
   std::size_t check_ = 20000;
@@ -59,16 +58,11 @@ private:
 };
 
 void declareValues(const CommandLine &command, const char *name, std::vector<std::string> &values,
-                   const char *summary, const AttributeKind &kind) {
+                   const char *summary) {
   std::string defaults;
   for (const std::string &value : values)
     defaults += (defaults.empty() ? "" : ",") + value;
-  command.add(name, values, summary)
-      .list()
-      .takes("A,B")
-      .oneOf(valuesOf(kind))
-      .showsDefault(defaults)
-      .repeated();
+  command.add(name, values, summary).list().takes("A,B").oneOf(values).showsDefault(defaults).repeated();
 }
 
 void AccuracyCommand::declareChoice(const CommandLine &command) {
@@ -81,10 +75,8 @@ void AccuracyCommand::declareChoice(const CommandLine &command) {
   command.add("--threads", choice_.threads, "Threads of a device that is this processor; default: all")
       .takes("N")
       .between(1u, 1024u);
-  declareValues(command, "--precisions", choice_.precisions, "Precisions to compare, separated by commas",
-                kPrecisionAttribute);
-  declareValues(command, "--walks", choice_.walks, "Walks of trees to compare, separated by commas",
-                kWalkAttribute);
+  declareValues(command, "--precisions", choice_.precisions, "Precisions to compare, separated by commas");
+  declareValues(command, "--walks", choice_.walks, "Walks of trees to compare, separated by commas");
   command
       .add("--lods", lods_,
            "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "

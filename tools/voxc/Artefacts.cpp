@@ -89,7 +89,7 @@ public:
     const Expected<const Plan *> asked = plans_.given() ? plans_.given() : plans_.device();
     if (!asked)
       return asked;
-    if ((*asked)->detail != Detail::Full)
+    if ((*asked)->stopsAboveVoxels())
       return Error::input("the functions of a header stop at voxels alone: leave out --detail cone");
     return plans_.functions(target);
   }

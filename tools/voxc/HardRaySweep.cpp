@@ -3,6 +3,7 @@
 #include "testing/HardRays.h"
 
 #include "HardRaySweep.h"
+#include "voxc/IR/Query.h"
 
 #include <algorithm>
 #include <array>
@@ -194,7 +195,7 @@ Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, s
     return volume.error();
   Format asked = formats_[format];
   if (set.isBounded())
-    asked.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(asked);
   if (const std::string_view problem = problemOfQuestion(asked); !problem.empty())
     return withFormat(asked, Error::usage("the format " + std::string(problem)));
   const std::vector<BoundedRay> boundedRays = set.isBounded() ? set.boundedRays() : std::vector<BoundedRay>();

@@ -9,6 +9,7 @@
 #include "page/CheckRays.h"
 #include "page/FirstPages.h"
 #include "voxc/IR/Attribute.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Trace/PagedTracer.h"
 #include "voxc/Volume/PagedVolume.h"
@@ -43,7 +44,7 @@ bool isUpright(const Camera &camera) {
 Expected<std::vector<Hit>> hitsOf(const Volume &volume, std::string_view precision,
                                   std::span<const Ray> rays) {
   Format format = volume.format();
-  format.setAttribute(kPrecisionAttribute, precision);
+  askForPrecision(format, precision);
   Tracing tracing;
   tracing.choose(cpuDeviceInfo().name, 0);
   Json unused;
@@ -85,7 +86,7 @@ Expected<TakenPicture> takePoster(const PictureOptions &options, const Volume &v
                                   const Progress &progress, Json &figures) {
   Format format = volume.format();
   if (!clip.cutsNothing())
-    format.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(format);
   Tracing tracing;
   tracing.choose(cpuDeviceInfo().name, 0);
   if (Expected<void> prepared = tracing.prepare(volume, format, figures); !prepared)

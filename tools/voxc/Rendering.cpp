@@ -99,9 +99,9 @@ Expected<void> Rendering::applyTo(Format &format) const {
         "a picture is made of the voxel, t and colour of hits; leave out --query and --outputs, or ask "
         "for --style heatmap");
   if (picture_.lod > 0)
-    format.setAttribute(kDetailAttribute, "cone");
+    askForCones(format);
   if (clip_.isGiven())
-    format.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(format);
   return {};
 }
 

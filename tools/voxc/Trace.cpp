@@ -10,6 +10,7 @@
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "voxc/IR/Query.h"
 
 #include <optional>
 #include <vector>
@@ -99,10 +100,10 @@ private:
   /// Asks the kernel for what rays and hits have.
   Expected<void> ask(Format &format, int rayVersion, bool bounds) {
     if (options_.spread > 0)
-      format.setAttribute(kDetailAttribute, "cone");
+      askForCones(format);
     if (bounds)
-      format.setAttribute(kBoundsAttribute, "yes");
-    const bool isClosest = questionOf(format).query == Query::Closest;
+      askForBounds(format);
+    const bool isClosest = isOfHits(questionOf(format).query);
     if (hitVersion_ == 2 && !isClosest)
       return Error::usage("hits of version 2 have faces, which --query closest alone tells");
     if (hitVersion_ == 0)

@@ -4,6 +4,8 @@
 
 #include "voxc/Support/EnumText.h"
 
+#include <cstddef>
+
 namespace voxc {
 
 /// How a kernel goes from level to level.
@@ -35,6 +37,43 @@ enum class Detail {
   Full, ///< At voxels.
   Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
+
+/// What there is to know of a way from level to level.
+struct WalkKind {
+  bool isOpen = false;     ///< It is still to be chosen.
+  bool nests = false;      ///< Each level has a loop, in which that of the next is called.
+  bool isOneLoop = false;  ///< For all levels, which go down trees in its way.
+  bool fromRoot = false;   ///< Each turn goes down from the root.
+  bool keepsNodes = false; ///< Those above the current cell, whatever the levels are.
+};
+
+/// The same of the way to a cell.
+struct DescentKind {
+  bool ofGrids = false;    ///< Of one node, whose cells have numbers.
+  bool ofCells = false;    ///< Of sub-volumes that are one cell.
+  bool keepsNodes = false; ///< Those above the current cell.
+  bool restarts = false;   ///< At the root of the sub-volume, each time.
+  bool byLayers = false;   ///< By a function for each.
+  bool nestsAlone = false; ///< Only a walk that nests can have it.
+};
+
+/// In the order of `Walk`.
+inline constexpr std::array<WalkKind, 4> kWalkKinds = {{{.isOpen = true},
+                                                        {.nests = true},
+                                                        {.isOneLoop = true, .keepsNodes = true},
+                                                        {.isOneLoop = true, .fromRoot = true}}};
+
+/// In the order of `Descent`.
+inline constexpr std::array<DescentKind, 5> kDescentKinds = {{{.ofGrids = true},
+                                                              {.ofCells = true},
+                                                              {.keepsNodes = true},
+                                                              {.restarts = true, .nestsAlone = true},
+                                                              {.byLayers = true, .nestsAlone = true}}};
+
+constexpr const WalkKind &kindOf(Walk walk) { return kWalkKinds[static_cast<std::size_t>(walk)]; }
+constexpr const DescentKind &kindOf(Descent descent) {
+  return kDescentKinds[static_cast<std::size_t>(descent)];
+}
 
 template <>
 inline constexpr std::array<std::string_view, 5> kEnumNames<Descent> = {"index", "single", "stack", "restart",

@@ -27,6 +27,8 @@ struct Level {
   /// The value of the parameter with this role, or 0 if the kind has none.
   std::uint32_t parameter(ParameterRole role) const;
   bool isCubic() const;
+  /// True for a tree whose walk keeps the nodes above a cell.
+  bool keepsNodes() const;
   /// The value of an attribute: its default if it was not set or does not apply.
   std::string_view attribute(const AttributeKind &kind) const { return attributes.value(kind); }
   template <typename T> T get(const TypedAttribute<T> &attribute) const { return attributes.get(attribute); }

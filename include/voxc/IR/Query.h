@@ -4,6 +4,9 @@
 #include "voxc/IR/Format.h"
 #include "voxc/Support/EnumText.h"
 
+#include <span>
+#include <string_view>
+
 namespace voxc {
 
 /// What is asked of a ray.
@@ -13,6 +16,12 @@ enum class Query {
   Occupancy, ///< Whether there is a voxel where it begins. Its direction does not count.
   Distance,  ///< The t of its hit.
 };
+
+/// True if points are looked up, where rays begin, and no ray is followed.
+constexpr bool isOfPoints(Query query) { return query == Query::Occupancy; }
+
+/// True if hits are answered, of which outputs can be chosen.
+constexpr bool isOfHits(Query query) { return query == Query::Closest; }
 
 template <>
 inline constexpr std::array<std::string_view, 4> kEnumNames<Query> = {"closest", "any", "occupancy",
@@ -56,6 +65,16 @@ constexpr Outputs outputsOf(Query query) {
 
 /// What the attributes of a verified format ask.
 Question questionOf(const Format &format);
+
+/// Asks for a kernel whose rays have bounds.
+void askForBounds(Format &format);
+
+/// Asks for a kernel that stops at what looks smaller than a cone around the ray, or at voxels alone.
+void askForCones(Format &format, bool stops = true);
+
+/// Asks for hits of this precision, which is one of `precisionNames`.
+void askForPrecision(Format &format, std::string_view precision);
+std::span<const std::string_view> precisionNames();
 
 /// Whether the kernel stores something that the voxel has: its colour or its number.
 constexpr bool storesValue(const Outputs &outputs) { return outputs.colour || outputs.index; }

@@ -62,8 +62,8 @@ template <> inline constexpr std::array<std::string_view, 2> kEnumNames<PacketWi
 
 /// How a kernel goes through one stratum; one that looks at points alone goes down from the root.
 struct Traversal {
-  Descent descent = Descent::Index;
-  bool stops = false; ///< `Detail::Cone`: the walk may stop at nodes and cells of this stratum.
+  Descent descent{};  ///< By index.
+  bool stops = false; ///< `stopsAboveVoxels`: the walk may stop at nodes and cells of this stratum.
   bool sampled =
       false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this stratum.
   Loops lookUp = Loops::Whole; ///< `Cut`: a device may end a look-up early, and the kernel asks if it has.
@@ -84,12 +84,12 @@ struct Construction {
 struct Plan {
   Layout layout;
   Addressing addressing = Addressing::Buffer;
-  Walk walk = Walk::Auto;
+  Walk walk{};                  ///< Still to be chosen.
   Stack stack = Stack::Private; ///< Of a walk that keeps one.
-  Precision precision = Precision::Exact;
+  Precision precision{};        ///< Exact.
   Steps steps = Steps::Float32;
-  Detail detail = Detail::Full;
-  Query query = Query::Closest;
+  Detail detail{}; ///< Down to voxels.
+  Query query{};   ///< The closest hit.
   Outputs outputs; ///< Those of the query.
   Loops loops = Loops::Whole;
   Arithmetic arithmetic = Arithmetic::Any;
@@ -106,6 +106,11 @@ struct Plan {
   std::vector<Construction> constructions; ///< The same.
 
   bool operator==(const Plan &) const = default;
+
+  bool isOfPoints() const { return voxc::isOfPoints(query); }
+  bool isExact() const { return precision == Precision::Exact; }
+  bool stopsAboveVoxels() const { return detail == Detail::Cone; }
+  bool sharesStack() const { return stack == Stack::Shared; }
 };
 
 /// What a kernel is made for.

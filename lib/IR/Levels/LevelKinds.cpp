@@ -111,6 +111,10 @@ bool LevelKind::isTree() const {
                              [](const ParameterKind &kind) { return kind.role == ParameterRole::Side; });
 }
 
+bool Level::keepsNodes() const {
+  return kind->isTree() && log2Size() != Int3{} && kindOf(get(kWalkAttribute)).keepsNodes;
+}
+
 std::span<const LevelKind *const> levelKinds() { return kKinds; }
 
 const LevelKind *findLevelKind(char letter) {

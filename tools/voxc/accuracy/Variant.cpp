@@ -1,5 +1,6 @@
 // Variants traced in turn.
 #include "accuracy/Variant.h"
+#include "voxc/IR/Query.h"
 
 #include <algorithm>
 
@@ -7,15 +8,13 @@ namespace voxc::tool {
 namespace {
 
 bool hasTrees(const Format &format) {
-  return std::ranges::any_of(format.levels, [](const Level &level) {
-    return std::ranges::find(level.kind->attributes, &kWalkAttribute) != level.kind->attributes.end();
-  });
+  return std::ranges::any_of(format.levels, [](const Level &level) { return level.kind->isTree(); });
 }
 
 Variant makeVariant(const Format &format, const std::string &precision, const std::string &walk,
                     const std::string &device) {
   Variant variant{precision, walk, device, 0, format};
-  variant.format.setAttribute(kPrecisionAttribute, precision);
+  askForPrecision(variant.format, precision);
   if (!walk.empty())
     for (Level &level : variant.format.levels)
       level.setAttribute(kWalkAttribute, walk);
@@ -23,6 +22,10 @@ Variant makeVariant(const Format &format, const std::string &precision, const st
 }
 
 } // namespace
+
+std::vector<std::string> walksOfTrees() {
+  return {kWalkAttribute.values.begin(), kWalkAttribute.values.end()};
+}
 
 std::string Variant::label(bool severalDevices) const {
   std::string text = precision;
@@ -51,7 +54,7 @@ std::vector<Variant> makeVariants(const Format &format, const VariantChoice &cho
 Variant withLod(const Variant &variant, double pixels) {
   Variant coarse = variant;
   coarse.lod = pixels;
-  coarse.format.setAttribute(kDetailAttribute, pixels > 0 ? "cone" : "full");
+  askForCones(coarse.format, pixels > 0);
   return coarse;
 }
 

@@ -24,6 +24,9 @@ struct VariantChoice {
   unsigned threads = 0; ///< 0: each device's own choice.
 };
 
+/// The walks that trees can have.
+std::vector<std::string> walksOfTrees();
+
 /// One kernel on one device.
 struct Variant {
   std::string precision;

@@ -10,6 +10,7 @@
 #include "search/SearchCells.h"
 #include "sweep/Group.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Search/SceneSource.h"
 #include "voxc/Support/File.h"
 #include "voxc/Support/Stopwatch.h"
@@ -169,7 +170,7 @@ Expected<void> Arena::prepare(Entrant &entrant, const Heat &heat, const Progress
   }
   entrant.volume = std::move(*volume);
   Format kernel = entrant.format->candidate.format;
-  kernel.setAttribute(kPrecisionAttribute, axes_->precisions.front());
+  askForPrecision(kernel, axes_->precisions.front());
   const Stopwatch watch;
   auto contestant = tool::prepare({.precision = axes_->precisions.front(),
                                    .device = axes_->devices.front().asked,

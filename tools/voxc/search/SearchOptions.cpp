@@ -5,6 +5,7 @@
 #include "search/ObjectiveOption.h"
 #include "sweep/Machine.h"
 #include "sweep/Model.h"
+#include "voxc/IR/Query.h"
 
 #include <algorithm>
 #include <map>
@@ -44,7 +45,7 @@ void SearchOptions::declare(const CommandLine &command) {
   command.add("--device", device, "Device whose name contains this, or cpu; default: the best").takes("NAME");
   command.add("--precision", precision, "exact or fast")
       .takes("P")
-      .oneOf(std::vector<std::string>(kPrecisionAttribute.values.begin(), kPrecisionAttribute.values.end()))
+      .oneOf(std::vector<std::string>(precisionNames().begin(), precisionNames().end()))
       .showsDefault();
   addObjectiveArgument(command, objective_, "Whose command is told");
   addMaxBytesArgument(command, building);

@@ -4,6 +4,7 @@
 #include "Tracing.h"
 
 #include "bench/Digest.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &
               const std::string &precision, const SweepDevice &device) {
   Cell cell{{}, &model, &format, &device, &rays, format.format, {}, true, false};
   if (format.problem.empty()) {
-    cell.kernelFormat.setAttribute(kPrecisionAttribute, precision);
+    askForPrecision(cell.kernelFormat, precision);
     cell.record.resolution = longestAxis(format.format);
   }
   cell.record.model = partOf(model.model);

@@ -6,6 +6,7 @@
 
 #include "bench/Digest.h"
 #include "common/Files.h"
+#include "voxc/IR/Query.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Support/EmbeddedFile.h"
@@ -109,7 +110,7 @@ Expected<Format> formatOf(const Record &record) {
     return format;
   if (Expected<void> passed = runPasses(*format, record.format.passes); !passed)
     return passed.error();
-  format->setAttribute(kPrecisionAttribute, record.precision);
+  askForPrecision(*format, record.precision);
   if (Digest().add(printIr(*format)).hex() != record.format.digest)
     return Error::input("the format of cell " + record.cell + ", " + record.format.name +
                         ", is not the one that was measured: it was given as IR, or passes have changed");

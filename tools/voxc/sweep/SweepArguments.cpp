@@ -2,6 +2,7 @@
 #include "sweep/SweepArguments.h"
 
 #include "sweep/Machine.h"
+#include "voxc/IR/Query.h"
 
 #include <algorithm>
 #include <cctype>
@@ -57,7 +58,7 @@ void SweepArguments::declareAxes(const CommandLine &command) {
       .repeated()
       .list()
       .takes("A,B")
-      .oneOf(std::vector<std::string>(kPrecisionAttribute.values.begin(), kPrecisionAttribute.values.end()))
+      .oneOf(std::vector<std::string>(precisionNames().begin(), precisionNames().end()))
       .showsDefault("exact");
   command
       .add("--devices", devices_,

@@ -8,6 +8,7 @@
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/IR/Attribute.h"
+#include "voxc/IR/Query.h"
 
 #include <algorithm>
 
@@ -185,7 +186,7 @@ Expected<Tracing> SceneSource::openTracing(const std::string &device, unsigned t
 Format SceneSource::kernelFormat(const view::Model &model) const {
   Format format = model.format;
   if (hasBounds_)
-    format.setAttribute(kBoundsAttribute, "yes");
+    askForBounds(format);
   return format;
 }
 
