@@ -90,7 +90,7 @@ std::uint64_t Layout::maxWords() const {
   int log2 = 32;
   for (const Stratum &stratum : strata)
     log2 = std::min({log2, stratum.log2Reach(), stratum.slots->placeBits});
-  return std::uint64_t{1} << (log2 + log2UnitOf(0));
+  return granuleAfter(1) << log2;
 }
 
 std::size_t Layout::stratumOfPart(int log2Side) const {
