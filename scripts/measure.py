@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the nested and the restart walk on given rays, one core, and prints docs/performance.md's table.
+"""Measures the nested and the restart walk on given rays, one core, and prints the table of docs/notes/2026-11-22-walks.md.
 
   measure.py VOXC INPUT FORMATS RAYS...    FORMATS: a list, label<TAB>format
 

@@ -75,7 +75,7 @@ bool relocate(std::span<std::uint32_t> words, const Stratum &, bool holdsVoxels,
 EmptyRegion region(const Stratum &) { return EmptyRegion::Octants; }
 
 /// Words tell what is read of masks, and not the work to find a place in them: 1.1 to 1.4 where it was
-/// measured (docs/performance.md).
+/// measured (docs/notes/2026-11-23-sizes.md).
 constexpr double kCost = 1.2;
 
 /// The array's begin, the head, octants, and cells where the octant has some.

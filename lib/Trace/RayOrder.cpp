@@ -13,7 +13,7 @@ namespace {
 
 /// A bin's number, from the high bits down: the octant, the Morton number of the cell of origin in a grid of
 /// 16^3, and that of the direction's place in its octant, in a grid of 4x4. Finer cells and directions were
-/// no faster, coarser ones slower (docs/performance.md).
+/// no faster, coarser ones slower (docs/notes/2026-11-22-walks.md).
 constexpr unsigned kOriginBits = 4;
 constexpr unsigned kDirectionBits = 2;
 constexpr unsigned kBinBits = 3 + 3 * kOriginBits + 2 * kDirectionBits;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tells what a kernel costs where no GPU is at hand, and prints docs/performance.md's table of it.
+"""Tells what a kernel costs where no GPU is at hand, and prints the table of docs/notes/2026-11-23-devices.md.
 
   kernel-costs.py VOXC EVERY VOLUME.hvx... -- RAYS...      volumes as voxc build wrote them; every EVERY-th ray of each file
   kernel-costs.py KERNEL.spv...                            the first columns alone, of any compute shader

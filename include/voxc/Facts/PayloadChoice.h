@@ -16,7 +16,7 @@ struct PayloadChoice {
 };
 
 /// The payloads that are worth trying, the smallest first: the first that a format allows is the one to take.
-/// The last, rgba8 in place, suits every format. The rules are measured (docs/performance.md).
+/// The last, rgba8 in place, suits every format. The rules are measured (docs/notes/2026-11-23-sizes.md).
 std::vector<PayloadChoice> choosePayload(const Facts &facts);
 
 } // namespace voxc

@@ -12,7 +12,7 @@ enum class Addressing {
   Buffer,   ///< One storage buffer: the smallest code, up to the device's maxStorageBufferRange.
   Segments, ///< Device addresses of segments of 2^28 words each, as many as the volume has.
   Texels,   ///< A texel buffer of one word each, up to the device's maxTexelBufferElements
-            ///< (docs/performance.md).
+            ///< (docs/notes/2026-11-23-devices.md).
   Paged, ///< By a table of pages, some of which are here; a ray waits for one that is not (docs/paging.md).
 };
 
