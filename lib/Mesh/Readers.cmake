@@ -45,7 +45,8 @@ set(VOXC_MESH_READERS
   Stl/StlColours.cpp
   Stl/StlReader.cpp
   Stl/StlText.cpp
-  TriangleScene.cpp)
+  TriangleScene.cpp
+  UnusedVertices.cpp)
 # What they are built on, beside stb_image, a header.
 set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> png turbojpeg draco meshoptimizer
                                 webp)

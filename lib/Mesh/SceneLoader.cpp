@@ -7,6 +7,7 @@
 #include "Mesh/Obj/ObjReader.h"
 #include "Mesh/Ply/PlyScene.h"
 #include "Mesh/Stl/StlReader.h"
+#include "Mesh/UnusedVertices.h"
 
 #include <algorithm>
 #include <array>
@@ -20,13 +21,14 @@ struct ReaderRow {
   std::string_view ending;
   std::string_view kind;
   Expected<TriangleScene> (*read)(const MeshInput &input);
+  bool keepsUnused; ///< Vertices that nothing uses are in the scene.
 };
 
-constexpr std::array<ReaderRow, 5> kReaders{{{".obj", "OBJ", readObj},
-                                             {".ply", "PLY", readPlyScene},
-                                             {".glb", "glTF", readGltf},
-                                             {".gltf", "glTF", readGltf},
-                                             {".stl", "STL", readStl}}};
+constexpr std::array<ReaderRow, 5> kReaders{{{".obj", "OBJ", readObj, false},
+                                             {".ply", "PLY", readPlyScene, true},
+                                             {".glb", "glTF", readGltf, true},
+                                             {".gltf", "glTF", readGltf, true},
+                                             {".stl", "STL", readStl, false}}};
 
 /// Says of which file an error is, unless it says so itself.
 Error named(const Error &error, const ReaderRow &reader, const std::string &path) {
@@ -42,6 +44,9 @@ Expected<TriangleScene> readAndCheck(const ReaderRow &reader, const MeshInput &i
     return named(scene.error(), reader, input.path);
   if (auto checked = checkNumbers(*scene, input); !checked)
     return named(checked.error(), reader, input.path);
+  if (reader.keepsUnused)
+    if (auto warned = warnOfUnused(*scene, input); !warned)
+      return named(warned.error(), reader, input.path);
   return scene;
 }
 

@@ -111,11 +111,14 @@ std::string isWideText(std::string_view encoding) {
 
 std::string_view TextLines::takeLine() {
   ++number_;
-  const std::size_t length = std::min(rest_.find('\n'), rest_.size());
-  std::string_view line = rest_.substr(0, length);
-  rest_.remove_prefix(std::min(length + 1, rest_.size()));
-  if (line.ends_with('\r'))
-    line.remove_suffix(1);
+  const std::size_t begin = text_.size() - rest_.size();
+  // A text without line feeds is searched for one once.
+  if (lineFeed_ < begin || number_ == 1)
+    lineFeed_ = std::min(text_.find('\n', begin), text_.size());
+  std::string_view line = text_.substr(begin, lineFeed_ - begin);
+  line = line.substr(0, line.find('\r'));
+  rest_.remove_prefix(line.size());
+  rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, rest_.size()));
   return line;
 }
 

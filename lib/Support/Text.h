@@ -38,7 +38,8 @@ std::string_view wideEncoding(std::string_view text);
 /// The sentence that says so of a file.
 std::string isWideText(std::string_view encoding);
 
-/// Lines of a text. A backslash at the end of a line joins it with the next.
+/// Lines of a text, which end by a line feed, a carriage return or both. A backslash at the end of a line
+/// joins it with the next.
 class TextLines {
 public:
   /// A mark of UTF-8 at the beginning is passed over.
@@ -59,6 +60,7 @@ private:
 
   std::string_view text_;
   std::string_view rest_;
+  std::size_t lineFeed_ = 0; ///< Where the next is in the text, if it is not behind.
   std::uint64_t number_ = 0;
   std::string joined_;
 };

@@ -67,6 +67,84 @@ TEST_F(GltfLeftOut, HiddenNodesAreHiddenWithAllBelow) {
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("are left out: 2 nodes")));
 }
 
+TEST_F(GltfLeftOut, AttributesThatAreNotKnownAreTold) {
+  EXPECT_THAT(model(kPlain, R"(,"_HEAT":1,"COLOR_2":0,"NORMAL":0,"TEXCOORD_1":1)").warnings,
+              ElementsAre("of the model these are not used: COLOR_2, _HEAT"));
+}
+
+TEST_F(GltfLeftOut, AttributesOfInstancesAreTold) {
+  EXPECT_THAT(model(R"("materials":[{}],"nodes":[{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":
+    {"attributes":{"TRANSLATION":0,"_COLOUR":0}}}}])")
+                  .warnings,
+              ElementsAre("of the model these are not used: _COLOUR of instances"));
+}
+
+TEST_F(GltfLeftOut, AlphaModesThatAreNotKnownAreTold) {
+  EXPECT_THAT(model(R"("nodes":[{"mesh":0}],"materials":[{"alphaMode":"OPAQUE"}])").warnings, IsEmpty());
+  EXPECT_THAT(model(R"("nodes":[{"mesh":0}],"materials":[{"alphaMode":"HASHED"}])").warnings,
+              ElementsAre(HasSubstr("has the alphaMode 'HASHED', which is not known")));
+}
+
+TEST_F(GltfLeftOut, LaterVersionsAreRefused) {
+  EXPECT_THAT(problem("m.gltf", R"({"asset":{"version":"2.1","minVersion":"2.1"}})"),
+              HasSubstr("it needs a reader of glTF 2.1; glTF 2.0 is read"));
+}
+
+TEST_F(GltfLeftOut, MeshesThatNoNodeHasAreTold) {
+  EXPECT_THAT(load("m.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"b.bin"}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"nodes":[{"mesh":1}],
+    "meshes":[{"primitives":[]},{"primitives":[{"attributes":{"POSITION":0}}]},{"primitives":[]}]})")
+                  .warnings,
+              ElementsAre("2 meshes are left out, which no node has"));
+}
+
+TEST_F(GltfLeftOut, CornersBehindTheLastTriangleAreTold) {
+  const auto warningsOf = [&](const std::string &mode, int count) {
+    folder_.file("i.bin", bytesOf<std::uint16_t>({0, 1, 2, 0, 2, 1}));
+    return load("m.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+    "buffers":[{"byteLength":36,"uri":"b.bin"},{"byteLength":12,"uri":"i.bin"}],
+    "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":1,"byteLength":12}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+      {"bufferView":1,"componentType":5123,"count":)" +
+                              std::to_string(count) + R"(,"type":"SCALAR"}],
+    "meshes":[{"primitives":[{"mode":)" +
+                              mode + R"(,"attributes":{"POSITION":0},"indices":1}]}]})")
+        .warnings;
+  };
+  EXPECT_THAT(warningsOf("4", 6), IsEmpty());
+  EXPECT_THAT(warningsOf("4", 5), ElementsAre(HasSubstr("5 corners; those behind its last whole triangle")));
+  EXPECT_THAT(warningsOf("1", 5), ElementsAre(HasSubstr("5 corners; those behind its last whole line")));
+  EXPECT_THAT(warningsOf("5", 5), IsEmpty());
+  EXPECT_THAT(warningsOf("1", 2), ElementsAre(HasSubstr("1 vertex is left out")));
+}
+
+TEST_F(GltfLeftOut, ColoursAboveOneAreTold) {
+  EXPECT_THAT(model(kPlain, R"(,"COLOR_0":0)").warnings, IsEmpty());
+  folder_.file("b.bin", bytesOf({0.f, 0.f, 0.f, 255.f, 0.f, 0.f, 1.f, 1.f, 0.f}));
+  EXPECT_THAT(model(kPlain, R"(,"COLOR_0":0)").warnings, ElementsAre(HasSubstr("COLOR_0 above 1")));
+}
+
+TEST_F(GltfLeftOut, ChunksAndBytesBehindAreTold) {
+  std::string json = R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+    "buffers":[{"byteLength":36,"uri":"b.bin"}],"bufferViews":[{"buffer":0,"byteLength":36}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto glb = [&](const std::string &chunks, const std::string &behind) {
+    const auto size = static_cast<std::uint32_t>(20 + json.size() + chunks.size());
+    return load("m.glb", "glTF" + bytesOf<std::uint32_t>({2, size, static_cast<std::uint32_t>(json.size())}) +
+                             "JSON" + json + chunks + behind)
+        .warnings;
+  };
+  EXPECT_THAT(glb("", ""), IsEmpty());
+  EXPECT_THAT(glb("", "12345"), ElementsAre(HasSubstr("5 bytes are left out")));
+  const std::string chunk = bytesOf<std::uint32_t>({4}) + "MINEdata";
+  EXPECT_THAT(glb(chunk, ""), ElementsAre(HasSubstr("12 bytes are left out")));
+  EXPECT_THAT(glb(bytesOf<std::uint32_t>({4}) + std::string("BIN\0data", 8) + chunk, "1"),
+              ElementsAre(HasSubstr("13 bytes are left out")));
+}
+
 TEST_F(GltfLeftOut, FilesAreFoundBesideTheModel) {
   const auto textured = [&](const std::string &uri, const std::string &buffer) {
     return model(R"("nodes":[{"mesh":0}],"textures":[{"source":0}],"images":[{"uri":")" + uri +

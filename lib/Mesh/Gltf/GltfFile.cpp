@@ -55,7 +55,7 @@ Expected<GltfFile> splitGltf(std::span<const std::byte> bytes) {
   if (bytes.size() < 4 || wordAt(bytes, 0) != kMagic) {
     if (!mayBeJson(bytes))
       return Error::input("it begins neither with 'glTF', as a .glb file does, nor with a JSON object");
-    return GltfFile{bytes, std::nullopt};
+    return GltfFile{bytes, std::nullopt, 0};
   }
   if (bytes.size() < kHeaderBytes)
     return Error::input("its header is cut short");
@@ -69,15 +69,18 @@ Expected<GltfFile> splitGltf(std::span<const std::byte> bytes) {
   const auto json = takeChunk(rest);
   if (!json || json->type != kJson)
     return Error::input("its first chunk is not JSON, or is cut short");
-  GltfFile file{json->bytes, std::nullopt};
+  const std::uint64_t behind = bytes.size() - length;
+  GltfFile file{json->bytes, std::nullopt, behind + rest.size()};
   // Chunks of other types may follow; a binary one is the second.
   if (rest.size() < kChunkHeaderBytes)
     return file;
   const auto binary = takeChunk(rest);
   if (!binary)
     return Error::input("its second chunk is cut short");
-  if (binary->type == kBinary)
+  if (binary->type == kBinary) {
     file.binary = binary->bytes;
+    file.others = behind + rest.size();
+  }
   return file;
 }
 

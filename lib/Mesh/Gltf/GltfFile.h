@@ -4,6 +4,7 @@
 #include "voxc/Support/Error.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -13,6 +14,7 @@ namespace voxc {
 struct GltfFile {
   std::span<const std::byte> json;
   std::optional<std::span<const std::byte>> binary;
+  std::uint64_t others = 0; ///< Bytes of chunks of other kinds, and behind the last.
 };
 
 /// Finds the parts. Errors: a .glb of another version, or one that is cut short.

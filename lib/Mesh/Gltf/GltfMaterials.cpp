@@ -68,6 +68,10 @@ GltfMaterials::Use GltfMaterials::read(const GltfObject &json) {
   material.isLinear = true;
   material.texture = readTexture(base.object(glossiness ? "diffuseTexture" : "baseColorTexture"), use.uvSet);
   readAlpha(json, material);
+  if (const std::string mode(json.text("alphaMode"));
+      material.alpha == AlphaRule::Opaque && !mode.empty() && mode != "OPAQUE")
+    context_.warnings.add(json.name() + " has the alphaMode '" + mode.substr(0, 40) +
+                          "', which is not known, and is taken for opaque");
   for (const char *texture : {"normalTexture", "occlusionTexture"})
     if (json.has(texture))
       context_.unused.insert(texture);

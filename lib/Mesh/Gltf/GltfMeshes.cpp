@@ -2,6 +2,7 @@
 #include "Mesh/Gltf/GltfMeshes.h"
 
 #include <algorithm>
+#include <array>
 
 namespace voxc {
 
@@ -15,8 +16,19 @@ constexpr std::uint64_t kTriangles = 4;
 /// To read a primitive again takes about as long as to move so many vertices.
 constexpr std::uint64_t kRowsOfPrimitive = 64;
 
+/// What rounding leaves of a colour of 1.
+constexpr double kMostLight = 1.001;
+
 /// What may stand in an index.
 bool isIndexType(Type type) { return type == Type::Uint8 || type == Type::Uint16 || type == Type::Uint32; }
+
+/// Normals are of every model, and mean nothing; the other attributes are used where something asks for them.
+bool isKnownAttribute(std::string_view name) {
+  static constexpr std::array<std::string_view, 3> kPlain{"POSITION", "NORMAL", "TANGENT"};
+  static constexpr std::array<std::string_view, 3> kNumbered{"TEXCOORD_", "JOINTS_", "WEIGHTS_"};
+  return name == "COLOR_0" || std::ranges::find(kPlain, name) != kPlain.end() ||
+         std::ranges::any_of(kNumbered, [&](std::string_view known) { return name.starts_with(known); });
+}
 
 bool isFloat(Type type) { return type == Type::Float32 || type == Type::Float64; }
 
@@ -48,6 +60,23 @@ GltfMeshes::Parts GltfMeshes::readParts(std::size_t mesh, const GltfPose *pose) 
   return parts;
 }
 
+void GltfMeshes::noteAttributes(const GltfObject &attributes) {
+  for (const std::string_view name : attributes.keys())
+    if (!isKnownAttribute(name))
+      context_.unused.insert(std::string(name));
+}
+
+void GltfMeshes::checkSurplus(const GltfObject &primitive, const MeshPart &part) {
+  const std::uint64_t corners = (part.indices ? part.indices : part.positions).count;
+  const std::uint64_t each = part.mode == PrimitiveMode::Triangles ? 3
+                             : part.mode == PrimitiveMode::Lines   ? 2
+                                                                   : 1;
+  if (corners % each != 0)
+    context_.warnings.add(primitive.name() + " has " + std::to_string(corners) +
+                          " corners; those behind its last whole " + (each == 3 ? "triangle" : "line") +
+                          " are left out");
+}
+
 void GltfMeshes::readPrimitive(const GltfObject &primitive, const GltfPose *pose) {
   MeshPart part;
   const std::uint64_t mode = primitive.count("mode").value_or(kTriangles);
@@ -68,8 +97,10 @@ void GltfMeshes::readPrimitive(const GltfObject &primitive, const GltfPose *pose
     if (!draco_)
       return;
   }
+  noteAttributes(attributes);
   part.positions = attribute(attributes, "POSITION", 3, 3, part);
   part.indices = draco_ ? draco_->indices() : readIndices(primitive);
+  checkSurplus(primitive, part);
   const GltfMaterials::Use use = materials_.use(primitive);
   part.material = use.material;
   const Material &material = context_.scene.materials[use.material];
@@ -140,10 +171,20 @@ std::vector<GltfJointSet> GltfMeshes::jointSetsOf(const GltfObject &attributes, 
 
 void GltfMeshes::readColours(const GltfObject &attributes, MeshPart &part) {
   part.colours = attribute(attributes, "COLOR_0", 3, 4, part);
-  if (attributes.has("COLOR_1"))
-    context_.unused.insert("COLOR_1");
+  if (isFloat(part.colours.type) && areAboveOne(attributes, part.colours))
+    context_.warnings.add(attributes.name() + " has a COLOR_0 above 1, which is cut there");
   // Integers of colours are fractions whether the accessor says so or not.
   part.colours.normalized = !isFloat(part.colours.type);
+}
+
+bool GltfMeshes::areAboveOne(const GltfObject &attributes, const AttributeView &colours) {
+  const auto accessor = attributes.index("COLOR_0", accessors_.list());
+  if (!colours || !accessor || !aboveOne_.insert(*accessor).second)
+    return false;
+  for (std::uint64_t row = 0; row < colours.count; ++row)
+    if (std::ranges::max(readRow<3>(colours, row)) > kMostLight)
+      return true;
+  return false;
 }
 
 AttributeView GltfMeshes::rowsOf(const std::string &name, std::size_t index) const {

@@ -7,6 +7,7 @@
 #include "Mesh/Gltf/GltfPoses.h"
 
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace voxc {
@@ -31,6 +32,10 @@ public:
 
 private:
   Parts readParts(std::size_t mesh, const GltfPose *pose);
+  /// Names attributes that have no place in voxels.
+  void noteAttributes(const GltfObject &attributes);
+  /// Warns of corners behind the last whole triangle or line.
+  void checkSurplus(const GltfObject &primitive, const MeshPart &part);
   void readPrimitive(const GltfObject &primitive, const GltfPose *pose);
   void applyPose(const GltfObject &primitive, const GltfPose &pose, MeshPart &part);
   std::vector<GltfMorph> morphsOf(const GltfObject &primitive, const GltfPose &pose, const MeshPart &part);
@@ -39,6 +44,8 @@ private:
   AttributeView readUvs(const GltfObject &attributes, const TextureUse &texture, std::uint64_t set,
                         const MeshPart &part);
   void readColours(const GltfObject &attributes, MeshPart &part);
+  /// True if a number is above 1; once for each accessor.
+  bool areAboveOne(const GltfObject &attributes, const AttributeView &colours);
   /// The rows of an attribute, of Draco's mesh if there is one that has it. `index` is that of its accessor.
   AttributeView rowsOf(const std::string &name, std::size_t index) const;
   AttributeView attribute(const GltfObject &attributes, const std::string &name, std::uint8_t fewest,
@@ -52,6 +59,7 @@ private:
   GltfList list_;
   GltfPoses &poses_;
   std::vector<std::optional<Parts>> known_;
+  std::set<std::size_t> aboveOne_; ///< Accessors of colours of which that was looked for.
   std::optional<DracoMesh> draco_; ///< Of the primitive that is being read.
 };
 

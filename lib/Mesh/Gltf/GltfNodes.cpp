@@ -5,6 +5,7 @@
 #include "Support/Text.h"
 
 #include <algorithm>
+#include <set>
 
 namespace voxc {
 
@@ -52,9 +53,23 @@ private:
     for (std::size_t node = 0; node < nodes_.size(); ++node)
       if (!wasReached_[node] && nodes_[node].has("mesh"))
         ++others;
+    warnOfMeshes();
     if (others != 0)
       context_.warnings.add("meshes that are hidden or outside of the scene that is shown are left out: " +
                             counted(others, "node"));
+  }
+
+  /// Meshes that no node has, hidden or not.
+  void warnOfMeshes() {
+    std::set<std::uint64_t> named;
+    for (std::size_t node = 0; node < nodes_.size(); ++node)
+      if (const auto mesh = nodes_[node].count("mesh"))
+        named.insert(*mesh);
+    const std::uint64_t meshes = meshes_.list().size();
+    const std::uint64_t others = meshes - std::min<std::uint64_t>(meshes, named.size());
+    if (others != 0)
+      context_.warnings.add((others == 1 ? "1 mesh is" : std::to_string(others) + " meshes are") +
+                            " left out, which no node has");
   }
 
   /// Of a node and all below it.
@@ -117,6 +132,9 @@ private:
     }
     if (!instancing)
       return addInstance(node, parts, toModel);
+    for (const std::string_view name : instancing.object("attributes").keys())
+      if (name != "TRANSLATION" && name != "ROTATION" && name != "SCALE")
+        context_.unused.insert(std::string(name) + " of instances");
     const InstanceTransforms transforms(instancing, accessors_);
     for (std::uint64_t i = 0; i < transforms.count() && !context_.problem; ++i)
       addInstance(node, parts, compose(toModel, transforms.at(i)));

@@ -38,6 +38,8 @@ public:
     return numbers;
   }
 
+  /// The names of all fields.
+  std::vector<std::string_view> keys() const { return json_.keys(); }
   bool has(std::string_view key) const { return static_cast<bool>(json_[key]); }
   GltfObject object(std::string_view key) const;
   /// The extension of this name that the object has, or nothing.

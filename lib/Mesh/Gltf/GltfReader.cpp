@@ -5,6 +5,7 @@
 #include "Mesh/Gltf/GltfFile.h"
 #include "Mesh/Gltf/GltfNodes.h"
 #include "Support/ResidentGrowth.h"
+#include "Support/Text.h"
 
 namespace voxc {
 
@@ -17,6 +18,8 @@ void checkVersion(GltfContext &context) {
     context.problem.set("it has no asset.version, so it is no glTF");
   else if (!version.starts_with("2."))
     context.problem.set("it is glTF " + version + "; only glTF 2 is read");
+  else if (const std::string least(asset.text("minVersion")); !least.empty() && least != "2.0")
+    context.problem.set("it needs a reader of glTF " + least + "; glTF 2.0 is read");
 }
 
 /// One sentence for all that has no place in voxels.
@@ -70,6 +73,9 @@ Expected<TriangleScene> readGltf(const MeshInput &input) {
                       warnings,
                       problem,
                       input.wantsMetal};
+  if (parts->others != 0)
+    warnings.add(countedAre(parts->others, "byte") +
+                 " left out, of chunks that are not known or behind the last chunk");
   readModel(context);
   if (problem)
     return problem.error();

@@ -46,6 +46,14 @@ Json Json::operator[](std::string_view key) const {
   return found == members.end() ? Json() : Json(&found->second);
 }
 
+std::vector<std::string_view> Json::keys() const {
+  std::vector<std::string_view> names;
+  if (isObject())
+    for (const auto &[name, value] : valueOf(value_).get_ref<const Value::object_t &>())
+      names.push_back(name);
+  return names;
+}
+
 std::optional<double> Json::number() const {
   if (!value_ || !valueOf(value_).is_number())
     return std::nullopt;

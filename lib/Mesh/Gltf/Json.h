@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace voxc {
 
@@ -27,6 +28,8 @@ public:
   Json operator[](std::size_t index) const;
   /// A member of an object, or nothing.
   Json operator[](std::string_view key) const;
+  /// The names of an object's members, in order.
+  std::vector<std::string_view> keys() const;
 
   std::optional<double> number() const;
   /// A whole number from 0 to 2^53, however it is written.

@@ -40,6 +40,9 @@ public:
     for (const MtlMaterial *material : read_)
       if (!material->ambientImage.empty() && material->ambientImage != material->texture.image)
         unused_.insert("map_Ka");
+    if (!repeated_.empty())
+      warnings_.add("the material library '" + library_ +
+                    "' says again what was said before; the last holds of " + listed(repeated_));
     if (!unused_.empty())
       warnings_.add("of the material library '" + library_ + "' these are not used: " + listed(unused_));
   }
@@ -47,6 +50,7 @@ public:
 private:
   static constexpr std::size_t kLongestWord = 32;
   static constexpr std::size_t kMostUnused = 16;
+  static constexpr std::size_t kMostRepeated = 8;
 
   struct Statement {
     std::string_view word;
@@ -71,11 +75,12 @@ private:
     const std::string lower = lowerCase(word.substr(0, kLongestWord));
     const auto *statement = std::ranges::find(kStatements, lower, &Statement::word);
     if (statement == kStatements.end())
-      passOver(word, lower);
-    else if (material_ || lower == "newmtl")
-      (this->*statement->read)();
-    else
-      warn("stands before any newmtl");
+      return passOver(word, lower);
+    if (!material_ && lower != "newmtl")
+      return warn("stands before any newmtl");
+    if (lower != "newmtl" && !said_.insert(lower).second)
+      noteRepeated(std::string(word.substr(0, kLongestWord)) + " of '" + name_ + "'");
+    (this->*statement->read)();
   }
 
   /// Shares of which there are none mean nothing.
@@ -90,9 +95,18 @@ private:
   }
 
   void beginMaterial() {
-    material_ = &(materials_[std::string(trimmed(rest_))] = {});
+    name_ = trimmed(rest_);
+    said_.clear();
+    if (materials_.contains(name_))
+      noteRepeated("'" + name_ + "'");
+    material_ = &(materials_[name_] = {});
     material_->folder = folder_;
     read_.insert(material_);
+  }
+
+  void noteRepeated(std::string what) {
+    if (repeated_.size() < kMostRepeated)
+      repeated_.insert(std::move(what));
   }
 
   /// One number is grey.
@@ -185,7 +199,10 @@ private:
   Warnings &warnings_;
   MtlMaterial *material_ = nullptr;
   std::set<const MtlMaterial *> read_;
-  std::set<std::string> unused_; ///< Statements and options.
+  std::set<std::string> unused_;   ///< Statements and options.
+  std::set<std::string> repeated_; ///< Materials, and statements of one, that were there before.
+  std::string name_;               ///< Of the material,
+  std::set<std::string> said_;     ///< and its statements.
   std::string_view rest_;
   std::uint64_t line_ = 0;
 };

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace voxc {
@@ -78,6 +77,7 @@ void ObjGeometry::paint(const Colour &colour) {
 
 void ObjGeometry::add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material) {
   vertices_.clear();
+  hasUvs_ = true;
   for (const ObjCorner &corner : corners)
     vertices_.push_back(vertexOf(corner));
   if (problem_)
@@ -98,6 +98,10 @@ void ObjGeometry::addAllAsPoints(std::uint32_t material) {
     add(PrimitiveMode::Points, std::array{ObjCorner{number, 0}}, material);
 }
 
+std::uint64_t ObjGeometry::unusedPositions() const {
+  return static_cast<std::uint64_t>(std::ranges::count(latest_.span(), false, &Latest::isMade));
+}
+
 std::uint32_t ObjGeometry::vertexOf(const ObjCorner &corner) {
   const auto position = resolve(corner.position, positions_.size());
   const auto uv = resolve(corner.uv, uvs_.size());
@@ -107,6 +111,7 @@ std::uint32_t ObjGeometry::vertexOf(const ObjCorner &corner) {
   if (!position)
     return 0;
   badUvs_ += !uv && corner.uv != 0;
+  hasUvs_ = hasUvs_ && uv.has_value();
   const std::uint32_t uvNumber = uv ? static_cast<std::uint32_t>(*uv) + 1 : 0;
   Latest &latest = latest_[*position];
   if (!latest.isMade || latest.uv != uvNumber)
@@ -129,8 +134,9 @@ std::uint32_t ObjGeometry::makeVertex(std::uint64_t position, std::uint32_t uv) 
 }
 
 void ObjGeometry::beginRun(PrimitiveMode mode, std::uint32_t material) {
-  if (runs_.empty() || runs_.back().mode != mode || runs_.back().material != material)
-    runs_.push_back({mode, material, indices_.size()});
+  const Run run{mode, material, hasUvs_, indices_.size()};
+  if (runs_.empty() || runs_.back().kind() != run.kind())
+    runs_.push_back(run);
 }
 
 void ObjGeometry::addFace() {
@@ -156,14 +162,13 @@ std::uint64_t ObjGeometry::endOf(std::size_t run) const {
 void ObjGeometry::groupRuns() {
   std::vector<std::size_t> order(runs_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {},
-                    [&](std::size_t run) { return std::tuple(runs_[run].material, runs_[run].mode, run); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t run) { return runs_[run].kind(); });
   ScratchArray<std::uint32_t> grouped(memory_);
   std::vector<Run> groups;
   for (const std::size_t run : order) {
     const Run &from = runs_[run];
-    if (groups.empty() || groups.back().mode != from.mode || groups.back().material != from.material)
-      groups.push_back({from.mode, from.material, grouped.size()});
+    if (groups.empty() || groups.back().kind() != from.kind())
+      groups.push_back({from.mode, from.material, from.hasUvs, grouped.size()});
     problem_.check(grouped.append(indices_.span().subspan(from.begin, endOf(run) - from.begin)));
   }
   runs_ = std::move(groups);
@@ -186,14 +191,14 @@ void ObjGeometry::finish(TriangleScene &scene) {
   if (runs_.size() > kMostRuns)
     groupRuns();
   MeshPart part;
-  const bool hasUvs = !uvs_.empty();
+  AttributeView uvs;
   std::vector<std::uint64_t> ends;
   ends.reserve(runs_.size());
   for (std::size_t i = 0; i < runs_.size(); ++i)
     ends.push_back(endOf(i));
   part.positions = keep(std::move(vertexPositions_), kDoubleRows3, scene);
-  if (hasUvs)
-    part.uvs = keep(std::move(vertexUvs_), kFloatRows2, scene);
+  if (!uvs_.empty())
+    uvs = keep(std::move(vertexUvs_), kFloatRows2, scene);
   keepColours(part, scene);
   const AttributeView indices = keep(std::move(indices_), kIndexRows, scene);
   for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -201,6 +206,7 @@ void ObjGeometry::finish(TriangleScene &scene) {
       continue;
     part.mode = runs_[i].mode;
     part.material = runs_[i].material;
+    part.uvs = runs_[i].hasUvs ? uvs : AttributeView();
     part.indices = indices;
     part.indices.data += runs_[i].begin * sizeof(std::uint32_t);
     part.indices.count = ends[i] - runs_[i].begin;

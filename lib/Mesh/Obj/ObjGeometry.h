@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace voxc {
@@ -34,8 +35,8 @@ public:
   void paint(const Colour &colour);
   void addUv(const Uv &uv) { problem_.check(uvs_.push(uv)); }
 
-  /// Adds a face, a polyline or points. A texture coordinate that does not exist is none. Problems: a vertex
-  /// that does not exist.
+  /// Adds a face, a polyline or points. A texture coordinate that does not exist is none, and what lacks one
+  /// of them has none. Problems: a vertex that does not exist.
   void add(PrimitiveMode mode, std::span<const ObjCorner> corners, std::uint32_t material);
 
   /// True if there are vertices, and nothing that uses one.
@@ -47,6 +48,8 @@ public:
   /// than 65536 times: there those of one material come together.
   void finish(TriangleScene &scene);
 
+  /// Vertices that nothing uses.
+  std::uint64_t unusedPositions() const;
   std::uint64_t shortFaces() const { return shortFaces_; }
   std::uint64_t badFans() const { return cutter_.badFans(); }
   std::uint64_t positions() const { return positions_.size(); }
@@ -64,11 +67,14 @@ private:
     bool isMade = false;
   };
 
-  /// Primitives of one kind and material that stand together.
+  /// Primitives of one kind and material that stand together; all have texture coordinates, or none has.
   struct Run {
     PrimitiveMode mode;
     std::uint32_t material;
+    bool hasUvs;
     std::uint64_t begin; ///< The first of `indices_`.
+
+    auto kind() const { return std::tuple(material, mode, hasUvs); }
   };
 
   void keepColours(MeshPart &part, TriangleScene &scene);
@@ -95,6 +101,7 @@ private:
   std::vector<Run> runs_;
 
   std::vector<std::uint32_t> vertices_; ///< Of the primitive that is being added.
+  bool hasUvs_ = false;                 ///< It, for all its corners.
   std::vector<PolygonCutter::Point> points_;
   PolygonCutter cutter_;
   std::uint64_t shortFaces_ = 0;

@@ -133,6 +133,9 @@ std::string ObjMaterials::imagePath(const MtlTexture &texture, const std::string
       if (found->isElsewhere)
         warnings_.add("the texture '" + name + "' is not there; '" + found->path +
                       "' beside the model is taken");
+      if (const std::size_t mark = name.find(" -");
+          mark != std::string::npos && found->path.find(name.substr(mark)) == std::string::npos)
+        warnings_.add("the texture '" + name + "' has options behind its name, which are not used");
       return entry->second = found->path;
     }
   return entry->second;

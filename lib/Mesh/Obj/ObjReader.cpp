@@ -4,6 +4,7 @@
 #include "Mesh/Obj/ObjGeometry.h"
 #include "Mesh/Obj/ObjMaterials.h"
 #include "Mesh/Obj/VertexNumbers.h"
+#include "Mesh/UnusedVertices.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -124,8 +125,10 @@ private:
 
   /// x y z, then w, a colour, a colour with alpha, or w and a colour.
   void readPosition() {
-    std::array<double, 7> numbers{};
-    const std::size_t count = readNumbers(numbers);
+    std::array<double, 8> numbers{};
+    const std::size_t there = readNumbers(numbers), count = std::min<std::size_t>(there, 7);
+    // A weight is for curves; that of all else is 1.
+    hasSurplus_ = hasSurplus_ || there > 7 || there == 5 || (there == 4 && numbers[3] != 1);
     if (count < 3)
       return problem_.set("a vertex has " + std::to_string(count) + " numbers, fewer than three");
     if (count == 7 && !haveWeights_)
@@ -197,6 +200,8 @@ private:
   void warnAboutFaces() {
     if (geometry_.shortFaces() != 0)
       warnings_.add(countedAre(geometry_.shortFaces(), "face") + " left out, of fewer than three corners");
+    if (const std::uint64_t unused = geometry_.unusedPositions(); unused != 0)
+      warnings_.add(saysUnused(unused));
     if (geometry_.badFans() != 0)
       warnings_.add(countedAre(geometry_.badFans(), "face") +
                     " cut into fans, which may cover more, as the corners lie in too tangled a way");
@@ -206,6 +211,8 @@ private:
   }
 
   void warnAboutColours() {
+    if (hasSurplus_)
+      warnings_.add("vertices have numbers beside x, y, z and a colour, which are not used");
     if (haveWeights_ == false)
       warnings_.add(
           "vertices have seven numbers, which are taken as x, y, z, red, green, blue and alpha; the "
@@ -223,11 +230,23 @@ private:
       warnings_.add("some colours of comments #MRGB stand behind faces or have no vertex, and are not used");
   }
 
+  bool hasTexture(const MeshPart &part) const {
+    const Material &material = scene_.materials[part.material];
+    return material.texture.texture >= 0 || material.alphaMask.texture >= 0 ||
+           material.emissionTexture.texture >= 0;
+  }
+
   void warnAboutTextures() {
     const bool hasUvs =
         std::ranges::any_of(scene_.parts, [](const MeshPart &part) { return bool(part.uvs); });
     if (!hasUvs && !scene_.textures.empty())
-      warnings_.add("the model has no texture coordinates, and its textures are not used");
+      return warnings_.add("the model has no texture coordinates, and its textures are not used");
+    std::uint64_t bare = 0;
+    for (const MeshPart &part : scene_.parts)
+      bare += !part.uvs && hasTexture(part) ? part.triangles() : 0;
+    if (bare != 0)
+      warnings_.add(counted(bare, "triangle") + " of materials with textures " +
+                    (bare == 1 ? "has" : "have") + " no texture coordinates, and no texture");
   }
 
   void warnAboutStatements() {
@@ -249,6 +268,7 @@ private:
   std::vector<ObjCorner> corners_;
   std::set<std::string> unknown_; ///< Statements.
   bool sawFreeForm_ = false;
+  bool hasSurplus_ = false;         ///< Numbers of vertices.
   std::optional<bool> haveWeights_; ///< Known where a vertex has seven numbers.
 };
 

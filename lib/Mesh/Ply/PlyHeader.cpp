@@ -47,15 +47,22 @@ std::optional<PlyType> parseType(std::string_view name) {
   return std::nullopt;
 }
 
-/// Takes the next line off the front of `text`.
-std::optional<std::string> readLine(std::string_view &text) {
-  const std::size_t length = text.substr(0, kMaxLine).find('\n');
+/// What ends the lines: a carriage return where the first line ends by that alone. Data may begin with a line
+/// feed.
+char lineEndOf(std::string_view text) {
+  const std::size_t end = text.substr(0, kMaxLine).find_first_of("\r\n");
+  return end != std::string_view::npos && text[end] == '\r' && !text.substr(end).starts_with("\r\n") ? '\r'
+                                                                                                     : '\n';
+}
+
+/// Takes the next line off the front of `text`, without blanks behind it.
+std::optional<std::string> readLine(std::string_view &text, char lineEnd) {
+  const std::size_t length = text.substr(0, kMaxLine).find(lineEnd);
   if (length == std::string_view::npos)
     return std::nullopt;
   std::string line(text.substr(0, length));
   text.remove_prefix(length + 1);
-  if (line.ends_with('\r'))
-    line.pop_back();
+  line.erase(line.find_last_not_of(" \t\r") + 1);
   return line;
 }
 
@@ -148,7 +155,7 @@ std::optional<std::size_t> PlyElement::find(std::string_view property) const {
 
 const PlyElement *PlyHeader::find(std::string_view element) const {
   for (const PlyElement &e : elements)
-    if (e.name == element)
+    if (lowerCase(e.name) == element)
       return &e;
   return nullptr;
 }
@@ -184,12 +191,13 @@ std::string quoted(const std::string &line) {
 Expected<PlyHeader> readPlyHeader(std::string_view &text) {
   if (const auto encoding = wideEncoding(text); !encoding.empty())
     return Error::input(isWideText(encoding));
-  if (readLine(text) != "ply")
+  const char lineEnd = lineEndOf(text);
+  if (readLine(text, lineEnd) != "ply")
     return Error::input("it does not start with the line 'ply'");
   PlyHeader header;
   bool sawFormat = false;
   for (;;) {
-    const std::optional<std::string> line = readLine(text);
+    const std::optional<std::string> line = readLine(text, lineEnd);
     if (!line)
       return Error::input("its header has no line 'end_header'");
     if (*line == "end_header")

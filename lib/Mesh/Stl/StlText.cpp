@@ -88,11 +88,12 @@ private:
 
   void skipWord() { takeWord(rest_); }
 
-  void skipLine() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
+  void skipLine() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
 
   void wrong(const std::string &what) {
     const std::string_view done = text_.substr(0, text_.size() - rest_.size());
-    problem_.set("line " + std::to_string(std::count(done.begin(), done.end(), '\n') + 1) + ": " + what);
+    const char end = text_.find('\n') == std::string_view::npos ? '\r' : '\n';
+    problem_.set("line " + std::to_string(std::count(done.begin(), done.end(), end) + 1) + ": " + what);
   }
 
   const MeshInput &input_;
