@@ -135,6 +135,14 @@ TEST_F(Las, WhatIsWithheldIsNoPoint) {
   }
 }
 
+TEST_F(Las, BytesBehindThePointsAreTold) {
+  const std::string file = las(2, 0, {{{0, 0, 0}}, {{1, 1, 1}}}, kOne, {0, 0, 0});
+  voxels("a.las", file + "123");
+  EXPECT_THAT(warnings_, Contains("3 bytes are left out, which lie behind the 2 points that its head says"));
+  voxels("a.las", las(2, 4, {{{0, 0, 0}}, {{1, 1, 1}}}, kOne, {0, 0, 0}) + "waves");
+  EXPECT_THAT(warnings_, testing::Not(Contains(HasSubstr("lie behind"))));
+}
+
 TEST_F(Las, WhatIsNotReadIsRefused) {
   const std::string file = las(2, 0, {{{0, 0, 0}}, {{1, 1, 1}}}, kOne, {0, 0, 0});
   const auto with = [&](std::size_t at, std::uint8_t byte) {

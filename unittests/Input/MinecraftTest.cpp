@@ -100,6 +100,26 @@ std::uint32_t wordOf(const std::string &name) { return blockLook(name).word; }
 
 class Minecraft : public OpenedInputs {};
 
+TEST_F(Minecraft, WhatItsTagsSayBesideIsTold) {
+  const std::vector<std::string> names{"minecraft:air", "minecraft:stone"};
+  const std::string data("\0\1\1\1\0\0", 6);
+  words("a.schem", sponge(2, data, names));
+  EXPECT_THAT(warnings_, IsEmpty());
+  words("a.schem", sponge(2, data + "\1", names, intTag("Weather", 1)));
+  EXPECT_THAT(warnings_, ElementsAre("1 number of blocks is left out, behind those of its box",
+                                     "tags that are not known are left out: Weather"));
+  const auto old = [&](const std::string &materials, const std::string &more) {
+    words("a.schematic", compound("Schematic", sizeTags(3, 1, 2) + tag(8, "Materials", text(materials)) +
+                                                   bytesTag("Blocks", data) +
+                                                   bytesTag("Data", std::string(6, '\0')) + more));
+    return warnings_;
+  };
+  EXPECT_THAT(old("Alpha", ""), IsEmpty());
+  EXPECT_THAT(old("Classic", compound("SchematicaMapping", "")),
+              ElementsAre("its numbers are those of 'Classic', and are taken for those of 'Alpha'",
+                          "tags that are not known are left out: SchematicaMapping"));
+}
+
 TEST_F(Minecraft, SpongeSchematicsOfThreeVersions) {
   const std::uint32_t stone = wordOf("stone"), red = wordOf("red_wool");
   const std::vector<std::string> names{"minecraft:air", "minecraft:stone", "minecraft:red_wool[a=b]"};

@@ -105,6 +105,32 @@ TEST_F(TiffSlices, GreySamplesOfAllKinds) {
   EXPECT_EQ(page(3, 2, {.bits = 4}, std::string("\x12\x30\x45\x60", 4)), expected);
 }
 
+TEST_F(TiffSlices, WhatPagesHaveIsTold) {
+  const auto warningsOf = [&](std::uint16_t samples, std::uint16_t orientation, float yResolution,
+                              const char *description) {
+    TIFF *const tiff = TIFFOpen(folder_.path("a.tif").c_str(), "w");
+    TIFFSetField(tiff, TIFFTAG_ORIENTATION, orientation);
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 10.f);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, yResolution);
+    TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description);
+    const std::vector<std::uint16_t> kinds(samples, EXTRASAMPLE_UNSPECIFIED);
+    if (samples > 1)
+      TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, samples - 1, kinds.data());
+    writePage(tiff, 2, 1, {.samples = samples}, "\1\2\3\4\5\6");
+    TIFFClose(tiff);
+    words("a.tif");
+    return warnings_;
+  };
+  constexpr std::uint16_t kUpperLeft = ORIENTATION_TOPLEFT;
+  EXPECT_THAT(warningsOf(1, kUpperLeft, 10, "by hand"), ::testing::IsEmpty());
+  EXPECT_THAT(warningsOf(3, kUpperLeft, 10, "by hand"),
+              ElementsAre("its pixels have 3 samples; those behind the first are left out"));
+  EXPECT_THAT(warningsOf(1, ORIENTATION_BOTLEFT, 10, "by hand"), ElementsAre(HasSubstr("(orientation 4)")));
+  EXPECT_THAT(warningsOf(1, kUpperLeft, 5, "by hand"), ElementsAre(HasSubstr("its pixels are no squares")));
+  EXPECT_THAT(warningsOf(1, kUpperLeft, 10, "ImageJ=1.53\nimages=3\n"),
+              ElementsAre("its description tells of 3 images, but it has 1 page; the others are left out"));
+}
+
 TEST_F(TiffSlices, Colours) {
   const Words expected{rgba(1, 2, 3), 0, rgba(4, 5, 6)};
   const Layout rgb{.samples = 3, .photometric = PHOTOMETRIC_RGB};

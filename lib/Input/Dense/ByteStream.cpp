@@ -4,6 +4,7 @@
 #include "Input/Dense/GzipReader.h"
 
 #include <algorithm>
+#include <array>
 #include <bzlib.h>
 #include <cstring>
 #include <limits>
@@ -160,6 +161,16 @@ Expected<void> skipBytes(ByteStream &stream, std::uint64_t count, const Progress
       return Error::input("its data end within the " + std::to_string(count) + " bytes that it skips");
   }
   return {};
+}
+
+std::vector<std::string> saysBehind(ByteStream &stream) {
+  std::array<std::byte, 64> some;
+  const auto more = stream.readSome(some);
+  if (!more)
+    return {"behind the samples " + more.error().message};
+  if (*more == 0)
+    return {};
+  return {"more is packed behind the samples, and is left out"};
 }
 
 Expected<void> appendBytes(ByteStream &stream, std::uint64_t count, ScratchArray<std::byte> &target,

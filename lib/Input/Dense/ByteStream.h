@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace voxc {
 
@@ -40,6 +42,9 @@ Expected<std::uint64_t> countBytes(ByteStream &stream, std::uint64_t most, const
 
 /// Leaves out bytes. Errors: there are fewer; the stream's; interrupted.
 Expected<void> skipBytes(ByteStream &stream, std::uint64_t count, const Progress &progress);
+
+/// A sentence about what follows the samples that were read: more of them, or damage; else nothing.
+std::vector<std::string> saysBehind(ByteStream &stream);
 
 /// Appends `count` bytes to `target`, which grows with what is read, not with what was promised. Errors:
 /// there are fewer; the stream's; no memory; interrupted.

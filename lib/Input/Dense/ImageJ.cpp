@@ -35,6 +35,12 @@ bool isStep(double step) { return std::isnormal(step) && step > 1e-30 && step < 
 
 } // namespace
 
+std::uint64_t imageJImages(std::string_view description) {
+  const auto images =
+      description.starts_with("ImageJ") ? parseInteger(lineValue(description, "images")) : std::nullopt;
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(images.value_or(0), 0));
+}
+
 std::optional<StackSpacing> imageJSpacing(std::string_view description,
                                           const std::array<double, 2> &pixelsAUnit) {
   if (!description.starts_with("ImageJ"))

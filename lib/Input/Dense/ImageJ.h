@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -14,6 +15,9 @@ struct StackSpacing {
 
   bool operator==(const StackSpacing &) const = default;
 };
+
+/// How many pictures the description tells, or 0. Of stacks above 4 GB only the first is a page.
+std::uint64_t imageJImages(std::string_view description);
 
 /// The spacing that ImageJ's description tells, with the pixels a unit of the page's resolution (0: not
 /// said); nothing where it says none: neither `spacing` nor a unit that is no pixel.

@@ -140,6 +140,19 @@ Transform mapByMatrix(const Reader &reader) {
   return mapOfSteps(steps, origin);
 }
 
+/// Two maps that tell different places: the matrix is taken.
+void compareMaps(const Reader &reader, const Vector &sizes, NiftiHeader &header) {
+  constexpr double kSame = 1e-3;
+  const Transform other = mapByRotation(reader, sizes);
+  const double size = std::max({sizes[0], sizes[1], sizes[2]});
+  double most = 0;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row)
+      most = std::max(most, std::abs(other[column][row] - header.sampleToModel[column][row]));
+  if (!(most <= kSame * size))
+    header.warnings.emplace_back("its qform puts the samples elsewhere than its sform, which is taken");
+}
+
 void readMap(const Reader &reader, NiftiHeader &header) {
   Vector sizes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -160,6 +173,8 @@ void readMap(const Reader &reader, NiftiHeader &header) {
   if (!isFinite(header.sampleToModel)) {
     header.sampleToModel = Transform();
     header.hasOrientation = false;
+  } else if (hasMatrix && hasRotation) {
+    compareMaps(reader, sizes, header);
   }
 }
 
@@ -225,7 +240,16 @@ Expected<void> readDataOffset(const Reader &reader, NiftiHeader &header) {
   return {};
 }
 
-Expected<NiftiHeader> readFields(const Reader &reader, bool isBigEndian, NiftiHeader header) {
+/// Four bytes behind the header say whether others follow, of which each program knows its own.
+void readExtensions(std::span<const std::byte> bytes, const Reader &reader, NiftiHeader &header) {
+  const std::size_t mark = reader.at().bytes;
+  if (!header.isAnalyze && bytes.size() > mark && bytes[mark] != std::byte{0} &&
+      (header.isPair || header.dataOffset > mark + 4))
+    header.warnings.emplace_back("extensions of its header are not used");
+}
+
+Expected<NiftiHeader> readFields(std::span<const std::byte> bytes, const Reader &reader, bool isBigEndian,
+                                 NiftiHeader header) {
   const std::int64_t code = reader.datatype();
   const auto *const type = std::ranges::find(kTypes, code, &TypeCode::code);
   if (type == kTypes.end())
@@ -242,6 +266,7 @@ Expected<NiftiHeader> readFields(const Reader &reader, bool isBigEndian, NiftiHe
     return read.error();
   readMap(reader, header);
   readIntent(reader, header);
+  readExtensions(bytes, reader, header);
   return header;
 }
 
@@ -273,7 +298,7 @@ Expected<NiftiHeader> readNiftiHeader(std::span<const std::byte> bytes, bool all
     header.isPair = true;
   else if (!header.isPair && !hasMagic({"n+1\0", 4}, {"n+2\0\r\n\x1a\n", 8}))
     return Error::input("it does not begin with a NIfTI header");
-  return readFields(reader, swaps == (std::endian::native == std::endian::little), header);
+  return readFields(bytes, reader, swaps == (std::endian::native == std::endian::little), header);
 }
 
 } // namespace voxc

@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace voxc {
 
 struct NiftiHeader {
-  /// Bytes of the longer version.
-  static constexpr std::size_t kMaxBytes = 540;
+  /// Bytes of the longer version, with those that say whether extensions follow.
+  static constexpr std::size_t kMaxBytes = 544;
 
   Int3 extent;
   std::uint64_t volumes = 1; ///< Of this extent, one after the other.
@@ -29,6 +31,7 @@ struct NiftiHeader {
   bool isAnalyze = false;       ///< The older format, which says of no axis where it goes.
   bool hasOrientation = false;  ///< It is said how the axes lie: +x is right, +y front, +z up.
   bool areLabels = false;
+  std::vector<std::string> warnings;
   double unit = 0; ///< Metres of a step of length 1; 0: not said.
   Transform sampleToModel;
 

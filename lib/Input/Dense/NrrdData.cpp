@@ -2,6 +2,7 @@
 #include "Input/Dense/NrrdData.h"
 
 #include "Input/Dense/ByteStream.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -65,28 +66,36 @@ Expected<NrrdData> mapSamples(const NrrdHeader &header, std::span<const std::byt
   if (skip > data.size() || header.bytes > data.size() - skip)
     return Error::input("its data have " + std::to_string(data.size()) + " bytes, but it needs " +
                         std::to_string(header.bytes) + " behind a skip of " + std::to_string(skip));
-  return NrrdData{data.data() + skip, std::move(file), data.size() - skip - header.bytes};
+  NrrdData samples{data.data() + skip, std::move(file), {}};
+  if (const std::uint64_t behind = data.size() - skip - header.bytes; behind != 0)
+    samples.warnings.push_back(countedAre(behind, "byte") + " left out, which lie behind the samples");
+  return samples;
 }
 
 /// Appends the samples of one file.
 Expected<void> appendFile(const NrrdHeader &header, std::span<const std::byte> data, std::uint64_t size,
-                          const InputOptions &options, Cells &cells) {
+                          const InputOptions &options, Cells &cells, std::vector<std::string> &warnings) {
   const bool isDigits = header.encoding == NrrdEncoding::Text || header.encoding == NrrdEncoding::Hex;
   if (isDigits && static_cast<std::uint64_t>(header.byteSkip) > data.size())
     return Error::input("its data end within the " + std::to_string(header.byteSkip) +
                         " bytes that it skips");
-  if (isDigits)
-    return appendBytes(*streamOf(header, data.subspan(static_cast<std::size_t>(header.byteSkip))), size,
-                       cells, *options.memory, options.progress);
-  const auto skip = skipOf(header, data, size, options);
+  const auto skip =
+      isDigits ? Expected<std::uint64_t>(std::uint64_t{0}) : skipOf(header, data, size, options);
   if (!skip)
     return skip.error();
+  if (isDigits)
+    data = data.subspan(static_cast<std::size_t>(header.byteSkip));
   const auto stream = streamOf(header, data);
   if (*skip > stream->mostBytes())
     return Error::input("its data cannot have the " + std::to_string(*skip) + " bytes that it skips");
   if (auto skipped = skipBytes(*stream, *skip, options.progress); !skipped)
     return skipped;
-  return appendBytes(*stream, size, cells, *options.memory, options.progress);
+  if (auto appended = appendBytes(*stream, size, cells, *options.memory, options.progress); !appended)
+    return appended;
+  // Of many files that all have more, once is enough.
+  if (warnings.empty())
+    warnings = saysBehind(*stream);
+  return {};
 }
 
 } // namespace
@@ -96,6 +105,7 @@ Expected<NrrdData> readNrrdData(const NrrdHeader &header, std::shared_ptr<const 
                                 const InputOptions &options) {
   const std::size_t files = std::max<std::size_t>(header.dataFiles.size(), 1);
   Cells cells(options.memory);
+  std::vector<std::string> warnings;
   for (std::size_t i = 0; i < files; ++i) {
     std::span<const std::byte> data = behind;
     if (!header.dataFiles.empty()) {
@@ -109,11 +119,11 @@ Expected<NrrdData> readNrrdData(const NrrdHeader &header, std::shared_ptr<const 
       return Error::input("its data have fewer lines than it skips");
     if (files == 1 && header.encoding == NrrdEncoding::Raw)
       return mapSamples(header, data, std::move(file));
-    if (auto appended = appendFile(header, data, header.bytes / files, options, cells); !appended)
+    if (auto appended = appendFile(header, data, header.bytes / files, options, cells, warnings); !appended)
       return appended.error();
   }
   const std::byte *const samples = cells.data();
-  return NrrdData{samples, std::make_shared<const Cells>(std::move(cells)), 0};
+  return NrrdData{samples, std::make_shared<const Cells>(std::move(cells)), std::move(warnings)};
 }
 
 } // namespace voxc

@@ -9,13 +9,14 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace voxc {
 
 struct NrrdData {
   const std::byte *samples = nullptr;
   std::shared_ptr<const void> storage; ///< What `samples` points into.
-  std::uint64_t behind = 0;            ///< Bytes behind samples that lie in one file as they are.
+  std::vector<std::string> warnings;   ///< Of what lies behind the samples.
 };
 
 /// All samples of a header: `behind` is what follows it in its own file, and `folder` has the files that it

@@ -258,6 +258,7 @@ Expected<void> readField(Fields &fields, std::string_view line) {
   // "key:=value" is for people, but for the segments that 3D Slicer lists.
   if (line.substr(colon).starts_with(":=")) {
     fields.hasSegments |= line.starts_with("Segment0_") || line.starts_with("Segmentation_");
+    fields.keys.emplace_back(line.substr(0, std::min<std::size_t>(colon, 80)));
     return {};
   }
   std::string name = lowerCase(line.substr(0, colon));
@@ -272,18 +273,26 @@ Expected<void> readField(Fields &fields, std::string_view line) {
   return {};
 }
 
+/// What ends the lines: a carriage return where the first line ends by that alone. Samples may begin with a
+/// line feed.
+char lineEndOf(std::string_view text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view rest = text.substr(end);
+  return rest.starts_with('\r') && !rest.starts_with("\r\n") ? '\r' : '\n';
+}
+
 /// Takes a line off the front.
-std::string_view takeLine(std::string_view &text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
+std::string_view takeLine(std::string_view &text, char lineEnd) {
+  const std::size_t end = std::min(text.find(lineEnd), text.size());
   const std::string_view line = trimmed(text.substr(0, end));
   text.remove_prefix(std::min(end + 1, text.size()));
   return line;
 }
 
 /// The names of files, one a line, up to the end of the header.
-void readList(Fields &fields, std::string_view &text) {
+void readList(Fields &fields, std::string_view &text, char lineEnd) {
   while (!text.empty()) {
-    const std::string_view line = takeLine(text);
+    const std::string_view line = takeLine(text, lineEnd);
     if (line.empty())
       return;
     fields.dataFiles.emplace_back(line);
@@ -296,15 +305,16 @@ Expected<NrrdFields> readNrrdFields(std::string_view &text) {
   if (!text.starts_with("NRRD000"))
     return Error::input("it does not begin with 'NRRD000'");
   Fields fields;
-  takeLine(text);
+  const char lineEnd = lineEndOf(text);
+  takeLine(text, lineEnd);
   while (!text.empty()) {
-    const std::string_view line = takeLine(text);
+    const std::string_view line = takeLine(text, lineEnd);
     if (line.empty())
       return fields;
     if (auto read = readField(fields, line); !read)
       return read.error();
     if (fields.dataFile.starts_with("LIST") && fields.dataFiles.empty()) {
-      readList(fields, text);
+      readList(fields, text, lineEnd);
       return fields;
     }
   }

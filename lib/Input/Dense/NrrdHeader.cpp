@@ -147,6 +147,17 @@ Expected<void> readFiles(const NrrdFields &fields, NrrdHeader &header) {
   return {};
 }
 
+/// What programs write for themselves, such as the names and colours of segments.
+std::string saysKeys(const std::vector<std::string> &keys) {
+  constexpr std::size_t kMostNames = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(keys.size(), kMostNames); ++i)
+    names += (i == 0 ? "'" : ", '") + keys[i] + "'";
+  const bool hasMore = keys.size() > kMostNames;
+  return "of its key/value pairs nothing is used but that there are segments: " + names +
+         (hasMore ? " and " + std::to_string(keys.size() - kMostNames) + " more" : "");
+}
+
 } // namespace
 
 Expected<NrrdHeader> readNrrdHeader(std::string_view &text, bool picksVolume) {
@@ -174,6 +185,8 @@ Expected<NrrdHeader> readNrrdHeader(std::string_view &text, bool picksVolume) {
   readPlace(*fields, order, header);
   if (auto read = readFiles(*fields, header); !read)
     return read.error();
+  if (!fields->keys.empty())
+    header.warnings.push_back(saysKeys(fields->keys));
   for (const std::string &name : fields->unknown)
     header.warnings.push_back("its field '" + name + "' is not known to voxc, and is left out");
   return header;

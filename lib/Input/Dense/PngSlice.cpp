@@ -1,14 +1,19 @@
 // Slices through libpng, whose errors leave by longjmp: functions that they leave have nothing to destroy.
 #include "Input/Dense/Slice.h"
 
+#include "Support/Text.h"
+
 #include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <csetjmp>
+#include <cstdio>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace voxc {
@@ -79,9 +84,37 @@ bool readRows(png_structp png, png_infop info, const Slice &slice, std::byte *ta
   return true;
 }
 
+/// What libpng does not tell.
+struct PngEnd {
+  bool hasFrames = false;
+  std::uint64_t behind = 0; ///< Bytes behind the last chunk.
+};
+
+PngEnd findEnd(std::span<const std::byte> bytes) {
+  constexpr std::size_t kSignature = 8, kAround = 12; // Length, type and checksum of a chunk.
+  PngEnd end;
+  std::span<const std::byte> rest = bytes.subspan(std::min(kSignature, bytes.size()));
+  while (rest.size() >= kAround) {
+    std::array<std::uint8_t, 8> head;
+    std::memcpy(head.data(), rest.data(), head.size());
+    const std::uint32_t length =
+        std::uint32_t{head[0]} << 24 | head[1] << 16u | head[2] << 8u | std::uint32_t{head[3]};
+    const std::string_view type(reinterpret_cast<const char *>(rest.data()) + 4, 4);
+    if (length > rest.size() - kAround)
+      break;
+    rest = rest.subspan(kAround + length);
+    end.hasFrames |= type == "acTL";
+    if (type == "IEND") {
+      end.behind = rest.size();
+      break;
+    }
+  }
+  return end;
+}
+
 class PngSlice final : public SliceReader {
 public:
-  explicit PngSlice(std::span<const std::byte> bytes) : source_{bytes}, size_(bytes.size()) {
+  explicit PngSlice(std::span<const std::byte> bytes) : all_(bytes), source_{bytes}, size_(bytes.size()) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, fail, ignore);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
   }
@@ -114,6 +147,7 @@ public:
               png_get_bit_depth(png_, info_) == 16 ? SampleType::Uint16 : SampleType::Uint8};
     if (!slice_.isGrey)
       slice_.type = SampleType::Uint8;
+    tellLeftOut();
     return {};
   }
 
@@ -131,6 +165,21 @@ public:
   }
 
 private:
+  void tellLeftOut() {
+    png_uint_32 x = 0, y = 0;
+    int unit = 0;
+    if (png_get_pHYs(png_, info_, &x, &y, &unit) != 0)
+      if (auto sentence = saysOblong({static_cast<double>(x), static_cast<double>(y)}))
+        warnings.push_back(std::move(*sentence));
+    const PngEnd end = findEnd(all_);
+    if (end.hasFrames)
+      warnings.emplace_back("it is an animation, of which the first picture is taken");
+    if (end.behind != 0)
+      warnings.push_back(countedAre(end.behind, "byte") + " left out, which lie behind the picture");
+  }
+
+  std::span<const std::byte> all_;
+
   Source source_;
   std::uint64_t size_;
   png_structp png_ = nullptr;
@@ -153,6 +202,17 @@ Expected<void> checkSlice(std::uint64_t width, std::uint64_t height, std::uint64
   return Error::input("it has " + std::to_string(width) + "x" + std::to_string(height) +
                       " cells, more than the 2^26 that a slice may have, or than its " +
                       std::to_string(bytes) + " bytes can hold");
+}
+
+std::optional<std::string> saysOblong(const std::array<double, 2> &pixelsAUnit) {
+  const auto [x, y] = pixelsAUnit;
+  constexpr double kSame = 1e-3;
+  if (!(x > 0 && y > 0) || std::abs(x / y - 1) <= kSame)
+    return std::nullopt;
+  std::array<char, 64> sides;
+  std::snprintf(sides.data(), sides.size(), "1 : %.4g", x / y);
+  return "its pixels are no squares (" + std::string(sides.data()) +
+         ", width to height), which is left out: voxels are cubes";
 }
 
 void clearBlack(std::span<std::byte> cells) {

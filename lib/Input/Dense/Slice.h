@@ -5,6 +5,7 @@
 #include "Input/Dense/Samples.h"
 #include "voxc/Support/Error.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,6 +32,10 @@ struct Slice {
 
 /// Error: larger than a slice may be: 2^26 cells, and no more than `bytes` of a compressed picture can hold.
 Expected<void> checkSlice(std::uint64_t width, std::uint64_t height, std::uint64_t bytes);
+
+/// A sentence about pixels that are no squares by what a picture says, so many a unit of length; nothing if
+/// they are, or if it says nothing (0).
+std::optional<std::string> saysOblong(const std::array<double, 2> &pixelsAUnit);
 
 /// Of words without alpha, black is empty: the word 0.
 void clearBlack(std::span<std::byte> cells);

@@ -75,8 +75,10 @@ public:
       }
       page_ = tiffPage(tiff_);
     } while ((tiffTag<std::uint32_t>(tiff_, TIFFTAG_SUBFILETYPE, 0) & kNoSlice) != 0 && ++leftOut_ > 0);
+    ++pages_;
     if (auto checked = checkPage(); !checked)
       return checked.error();
+    tellPage();
     slice = slice_;
     return true;
   }
@@ -193,18 +195,39 @@ private:
 
   /// What programs of microscopes say in words about pages that are not all slices.
   void tellDescription() {
+    const std::array<double, 2> pixelsAUnit{tiffTag<float>(tiff_, TIFFTAG_XRESOLUTION, 0),
+                                            tiffTag<float>(tiff_, TIFFTAG_YRESOLUTION, 0)};
     const char *text = nullptr;
-    if (TIFFGetField(tiff_, TIFFTAG_IMAGEDESCRIPTION, &text) != 1 || !text)
-      return;
-    const std::string_view description = std::string_view(text).substr(0, 1 << 16);
+    const bool isDescribed = TIFFGetField(tiff_, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text;
+    const std::string_view description =
+        isDescribed ? std::string_view(text).substr(0, 1 << 16) : std::string_view();
+    images_ = imageJImages(description);
     const auto has = [&](std::string_view word) { return description.find(word) != std::string_view::npos; };
     if (has("<OME") || (description.starts_with("ImageJ") && (has("channels=") || has("frames="))))
       warnings.emplace_back("it may have channels or times beside slices; every page is taken as a slice");
-    spacing = imageJSpacing(description, {tiffTag<float>(tiff_, TIFFTAG_XRESOLUTION, 0),
-                                          tiffTag<float>(tiff_, TIFFTAG_YRESOLUTION, 0)});
+    spacing = imageJSpacing(description, pixelsAUnit);
+    if (!spacing)
+      if (auto sentence = saysOblong(pixelsAUnit))
+        warnings.push_back(std::move(*sentence));
+  }
+
+  /// What a page has that is not taken, of each kind once.
+  void tellPage() {
+    const bool hasMore =
+        slice_.isGrey ? page_.samples > 1 : isPlainColour(page_) && page_.extra > (page_.hasAlpha ? 1 : 0);
+    if (hasMore && !std::exchange(toldSamples_, true))
+      warnings.push_back("its pixels have " + std::to_string(page_.samples) + " samples; those behind the " +
+                         (slice_.isGrey ? "first" : "colour") + " are left out");
+    const auto orientation = tiffTag<std::uint16_t>(tiff_, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+    if (orientation != ORIENTATION_TOPLEFT && !std::exchange(toldOrientation_, true))
+      warnings.push_back("its pages begin at another corner than the upper left (orientation " +
+                         std::to_string(orientation) + "), which is left out: rows lie as they are stored");
   }
 
   void tellLeftOut() {
+    if (images_ > pages_)
+      warnings.push_back("its description tells of " + std::to_string(images_) + " images, but it has " +
+                         counted(pages_, "page") + "; the others are left out");
     if (leftOut_ > 0)
       warnings.push_back(countedAre(leftOut_, "page") + " left out, as masks or smaller copies of others");
   }
@@ -216,6 +239,10 @@ private:
   bool isFirst_ = true;
   std::uint64_t cells_ = 0;
   std::uint64_t leftOut_ = 0;
+  std::uint64_t pages_ = 0;
+  std::uint64_t images_ = 0; ///< By ImageJ's description.
+  bool toldSamples_ = false;
+  bool toldOrientation_ = false;
 };
 
 } // namespace

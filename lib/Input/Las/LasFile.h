@@ -18,6 +18,7 @@ struct LasHeader {
   std::uint64_t count = 0;             ///< Of points, which are all there.
   std::uint64_t stride = 0;            ///< Bytes of a point.
   std::uint64_t records = 0;           ///< Of variable length, before and behind the points.
+  std::uint64_t behind = 0;            ///< Bytes behind the last point, where nothing may stand.
   std::span<const std::byte> points{}; ///< The first of `count * stride` bytes.
   std::array<double, 3> scale{};
   std::array<double, 3> offset{};

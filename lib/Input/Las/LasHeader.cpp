@@ -54,6 +54,11 @@ Expected<LasHeader> readLasHeader(std::span<const std::byte> bytes) {
   if (header.count > room / header.stride)
     return Error::input("it has " + std::to_string(header.count) + " points by its head, but only " +
                         std::to_string(room / header.stride) + " are there");
+  // Records may stand behind the points, and waveforms.
+  constexpr std::uint32_t kWaves = 1u << 4 | 1u << 5 | 1u << 9 | 1u << 10;
+  const bool mayHaveMore =
+      (isNew && lasNumber<std::uint32_t>(bytes, kLateRecords) > 0) || (kWaves >> format & 1) != 0;
+  header.behind = mayHaveMore ? 0 : room - header.count * header.stride;
   if (header.count > 0)
     header.points = bytes.subspan(begin, header.count * header.stride);
   for (std::size_t axis = 0; axis < 3; ++axis) {

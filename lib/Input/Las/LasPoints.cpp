@@ -79,6 +79,9 @@ public:
     if (areBytes())
       sentences.push_back("its colours are at most " + std::to_string(brightest_) +
                           ", and are taken as bytes, though the format has 16 bits");
+    if (header_.behind > 0)
+      sentences.push_back(countedAre(header_.behind, "byte") + " left out, which lie behind the " +
+                          counted(header_.count, "point") + " that its head says");
     if (header_.count == 0)
       return sentences;
     std::string rest = "what else its points have is left out: returns, classes, angles";

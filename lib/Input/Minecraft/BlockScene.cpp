@@ -79,6 +79,9 @@ private:
 /// What else a file has, all regions together.
 struct Beside {
   std::uint64_t entities = 0, blockEntities = 0, biomes = 0;
+  std::uint64_t surplus = 0;     ///< Numbers of blocks behind those of a box.
+  std::string materials;         ///< Whose numbers blocks have, if not those of the game.
+  std::set<std::string> unknown; ///< Tags.
 
   void warn(std::vector<std::string> &warnings) const {
     if (blockEntities > 0)
@@ -88,8 +91,35 @@ struct Beside {
       warnings.push_back("entities such as animals and paintings are left out: " + std::to_string(entities));
     if (biomes > 0)
       warnings.push_back("biomes are left out: grass, leaves and water have the colours of plains");
+    if (surplus > 0)
+      warnings.push_back(counted(surplus, "number") + " of blocks " + (surplus == 1 ? "is" : "are") +
+                         " left out, behind those of its box");
+    if (!materials.empty())
+      warnings.push_back("its numbers are those of '" + materials + "', and are taken for those of 'Alpha'");
+    std::string names;
+    for (const std::string &name : unknown)
+      names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty())
+      warnings.push_back("tags that are not known are left out: " + names);
   }
 };
+
+/// Tags of a schematic that are read, or say nothing of blocks: where a program copied it, and for whom.
+constexpr auto kKnownTags = std::to_array<std::string_view>(
+    {"Version",   "DataVersion", "Width",         "Height",       "Length",          "Offset",
+     "Metadata",  "Palette",     "PaletteMax",    "BlockData",    "Blocks",          "Data",
+     "AddBlocks", "Materials",   "BlockEntities", "Entities",     "BiomeData",       "Biomes",
+     "WEOffsetX", "WEOffsetY",   "WEOffsetZ",     "TileEntities", "WEOriginX",       "WEOriginY",
+     "WEOriginZ", "Icon",        "Platform",      "BiomePalette", "BiomePaletteMax", "itemStackVersion"});
+
+void noteTags(const NbtTag &schematic, Beside &beside) {
+  constexpr std::size_t kMost = 8;
+  schematic.forEach([&](const NbtTag &tag) {
+    if (std::ranges::find(kKnownTags, tag.name()) == kKnownTags.end())
+      beside.unknown.emplace(tag.name().substr(0, 40));
+    return beside.unknown.size() < kMost;
+  });
+}
 
 /// Error: no blocks, or more than any file has.
 Expected<void> checkSize(const BlockBox &size) {
@@ -162,6 +192,10 @@ Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, BlockPalet
     return words.error();
   BlockRegion region{.low = offsetOf(schematic["Offset"]), .size = *size, .words = std::move(*words)};
   region.data = blocks[version == 3 ? "Data" : "BlockData"].array(NbtKind::ByteArray);
+  noteTags(schematic, beside);
+  const auto numbers = static_cast<std::uint64_t>(std::ranges::count_if(
+      region.data, [](std::byte byte) { return (byte & std::byte{0x80}) == std::byte{}; }));
+  beside.surplus += numbers - std::min(numbers, region.count());
   beside.blockEntities += blocks["BlockEntities"].size() + blocks["TileEntities"].size();
   beside.entities += schematic["Entities"].size();
   beside.biomes += schematic["BiomeData"].size() + schematic["Biomes"].size();
@@ -240,6 +274,9 @@ Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, BlockPalette 
     if (isUsed[i])
       region.words[i] =
           names.wordOf(oldBlockName(i >> 4, i & 15).value_or("number:" + std::to_string(i >> 4)));
+  noteTags(schematic, beside);
+  if (const auto materials = schematic["Materials"].text(); materials && *materials != "Alpha")
+    beside.materials = materials->substr(0, 40);
   beside.blockEntities += schematic["TileEntities"].size();
   beside.entities += schematic["Entities"].size();
   scene.regions.push_back(std::move(region));

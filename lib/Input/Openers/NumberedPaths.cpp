@@ -1,6 +1,7 @@
 // Which files a pattern names.
 #include "voxc/Input/NumberedPaths.h"
 
+#include "Support/Text.h"
 #include "voxc/Support/NumberedPath.h"
 
 #include <algorithm>
@@ -14,18 +15,36 @@ namespace voxc {
 
 namespace {
 
-/// The number of a file's name by a pattern: what stands between its two texts, with as many digits as the
-/// pattern writes.
-std::optional<std::uint64_t> numberOf(const NumberedPath &pattern, const std::string &path) {
-  const std::string_view before = pattern.before(), after = pattern.after();
-  if (path.size() <= before.size() + after.size() || !path.starts_with(before) || !path.ends_with(after))
+/// The number that stands between the two texts of a pattern, in any digits and letters.
+std::optional<std::uint64_t> looseNumberOf(const NumberedPath &pattern, const std::string &path) {
+  const std::size_t before = pattern.before().size(), after = pattern.after().size();
+  if (path.size() <= before + after)
     return std::nullopt;
-  const char *const begin = path.data() + before.size();
-  const char *const end = path.data() + path.size() - after.size();
+  const auto isSame = [](std::string_view a, std::string_view b) { return lowerCase(a) == lowerCase(b); };
+  const std::string_view name = path;
+  if (!isSame(name.substr(0, before), pattern.before()) ||
+      !isSame(name.substr(name.size() - after), pattern.after()))
+    return std::nullopt;
+  const char *const end = path.data() + path.size() - after;
   std::uint64_t number = 0;
-  const auto parsed = std::from_chars(begin, end, number);
-  const bool isNumber = parsed.ec == std::errc() && parsed.ptr == end;
-  return isNumber && pattern(number) == path ? std::optional(number) : std::nullopt;
+  const auto parsed = std::from_chars(path.data() + before, end, number);
+  return parsed.ec == std::errc() && parsed.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+/// The number of a file's name by a pattern: with as many digits as it writes.
+std::optional<std::uint64_t> numberOf(const NumberedPath &pattern, const std::string &path) {
+  const auto number = looseNumberOf(pattern, path);
+  return number && pattern(*number) == path ? number : std::nullopt;
+}
+
+/// Calls `look(path)` for all files of the folder in which those of a pattern lie.
+template <typename Look> void forFiles(const NumberedPath &pattern, const Look &look) {
+  const std::size_t slash = pattern.before().rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : pattern.before().substr(0, slash + 1);
+  std::error_code ignored;
+  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, ignored), end;
+  for (; !ignored && entry != end; entry.increment(ignored))
+    look(folder + entry->path().filename().string());
 }
 
 /// The numbers of all files that are there, in order.
@@ -39,12 +58,10 @@ std::vector<std::uint64_t> numbersOf(const NumberedPath &pattern) {
       numbers.push_back(number);
     return numbers;
   }
-  const std::size_t slash = pattern.before().rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : pattern.before().substr(0, slash + 1);
-  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, ignored), end;
-  for (; !ignored && entry != end; entry.increment(ignored))
-    if (const auto number = numberOf(pattern, folder + entry->path().filename().string()))
+  forFiles(pattern, [&](const std::string &path) {
+    if (const auto number = numberOf(pattern, path))
       numbers.push_back(*number);
+  });
   std::ranges::sort(numbers);
   return numbers;
 }
@@ -74,6 +91,24 @@ Expected<std::vector<std::string>> numberedPaths(const std::string &path, std::s
     paths.push_back((*pattern)(numbers[i]));
   }
   return paths;
+}
+
+std::vector<std::string> saysBesides(const std::string &path) {
+  const auto pattern = NumberedPath::parse(path);
+  if (!pattern || pattern->after().find('/') != std::string::npos)
+    return {};
+  std::uint64_t count = 0;
+  std::string first;
+  forFiles(*pattern, [&](const std::string &file) {
+    if (!looseNumberOf(*pattern, file) || numberOf(*pattern, file))
+      return;
+    ++count;
+    first = first.empty() ? file : std::min(first, file);
+  });
+  if (count == 0)
+    return {};
+  return {countedAre(count, "file") + " left out that " + (count == 1 ? "differs" : "differ") + " from '" +
+          path + "' in digits or letters alone: '" + first + "'" + (count > 1 ? " and others" : "")};
 }
 
 bool namesFiles(const std::string &path) {

@@ -4,6 +4,7 @@
 #include "Input/Openers/InputText.h"
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
+#include "Support/Text.h"
 #include "Support/WatchedFile.h"
 #include "voxc/Support/Stopwatch.h"
 
@@ -24,6 +25,7 @@ struct BinvoxHeader {
   Int3 extent;
   std::array<double, 3> translation{};
   double scale = 1;
+  std::vector<std::string> warnings;
 };
 
 class BitRows final : public DenseRows {
@@ -51,6 +53,8 @@ bool takeNumber(std::string_view &line, double &number) {
   return parsed.ec == std::errc() && std::isfinite(number);
 }
 
+constexpr std::size_t kMostUnknown = 4;
+
 bool readLine(std::string_view line, BinvoxHeader &header) {
   const std::string_view name = line.substr(0, line.find(' '));
   line.remove_prefix(name.size());
@@ -66,7 +70,12 @@ bool readLine(std::string_view line, BinvoxHeader &header) {
   if (name == "translate")
     return takeNumber(line, header.translation[0]) && takeNumber(line, header.translation[1]) &&
            takeNumber(line, header.translation[2]);
-  return name != "scale" || takeNumber(line, header.scale);
+  if (name == "scale")
+    return takeNumber(line, header.scale);
+  if (!name.empty() && !name.starts_with('#') && header.warnings.size() < kMostUnknown)
+    header.warnings.push_back("its line '" + std::string(name.substr(0, 40)) +
+                              "' is not known, and is left out");
+  return true;
 }
 
 /// Reads up to and including the line "data", and takes that off the front of `text`.
@@ -100,7 +109,8 @@ void setBits(std::span<std::uint64_t> bits, std::uint64_t begin, std::uint64_t e
   }
 }
 
-Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, const InputOptions &options) {
+Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, const InputOptions &options,
+                        std::vector<std::string> &warnings) {
   // A run takes two bytes and stands for 255 voxels at most.
   if (cells / 255 > runs.size() / 2)
     return Error::input("its " + std::to_string(runs.size()) + " bytes of runs cannot hold " +
@@ -108,10 +118,12 @@ Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, 
   if (auto sized = bits.resize(cells / 64 + 1); !sized)
     return sized;
   std::uint64_t done = 0;
+  bool hasOther = false;
   for (; runs.size() >= 2 && done < cells; runs.remove_prefix(2)) {
     const std::uint64_t count = static_cast<unsigned char>(runs[1]);
     if (count > cells - done)
       return Error::input("its last run reaches over its end");
+    hasOther |= runs[0] != 0 && runs[0] != 1;
     if (runs[0] != 0)
       setBits(bits.span(), done, done + count);
     done += count;
@@ -124,6 +136,10 @@ Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, 
   if (done < cells)
     return Error::input("its runs end after " + std::to_string(done) + " of " + std::to_string(cells) +
                         " voxels");
+  if (hasOther)
+    warnings.emplace_back("its runs have other numbers than 0 and 1, all of which are taken for voxels");
+  if (!runs.empty())
+    warnings.push_back(countedAre(runs.size(), "byte") + " left out, which lie behind the last voxel");
   return {};
 }
 
@@ -156,12 +172,12 @@ Expected<Input> openBinvox(const std::string &path, const InputOptions &options)
                : error;
   };
   std::string_view text = (*file)->text();
-  const auto header = readHeader(text);
+  auto header = readHeader(text);
   if (!header)
     return broken(header.error());
   const Int3 stored = header->extent;
   auto bits = std::make_shared<Bits>(options.memory);
-  if (auto read = readRuns(text, cellsOf(stored), *bits, options); !read)
+  if (auto read = readRuns(text, cellsOf(stored), *bits, options, header->warnings); !read)
     return broken(read.error());
   Input input;
   if (options.describe)
@@ -178,6 +194,7 @@ Expected<Input> openBinvox(const std::string &path, const InputOptions &options)
   if (!source)
     return source.error();
   input.source = std::move(*source);
+  input.warnings = std::move(header->warnings);
   input.loadSeconds = loading.seconds();
   input.provenance = "coverage=voxels" + upProvenance(options);
   return input;

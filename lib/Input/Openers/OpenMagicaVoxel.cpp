@@ -338,6 +338,8 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
     return Error::input("'" + path + "' " + input.error().message);
   if (!input)
     return broken(path, input.error());
+  for (std::string &sentence : saysBesides(withoutFrame(path)))
+    input->warnings.push_back(std::move(sentence));
   input->loadSeconds = loading.seconds();
   return input;
 }

@@ -103,6 +103,9 @@ Expected<void> takeSamples(const NiftiHeader &header, std::uint64_t number, File
   Cells cells(options.memory);
   if (auto read = appendBytes(*stream, *size, cells, *options.memory, options.progress); !read)
     return read;
+  if (number + 1 == header.volumes)
+    for (std::string &sentence : saysBehind(*stream))
+      volume.warnings.push_back(std::move(sentence));
   volume.samples = cells.data();
   volume.storage = std::make_shared<const Cells>(std::move(cells));
   return {};
@@ -135,6 +138,7 @@ Expected<DenseVolume> readVolume(File file, const std::string &path, const Input
   if (!samples)
     return samples.error();
   auto volume = volumeOf(*header);
+  volume->warnings = header->warnings;
   const auto number = chooseVolume(header->volumes, options, volume->warnings);
   if (!number)
     return number.error();

@@ -6,7 +6,6 @@
 #include "Input/Dense/Orientation.h"
 #include "Input/Dense/VolumeChoice.h"
 #include "Input/Openers/OpenDense.h"
-#include "Support/Text.h"
 
 #include <filesystem>
 #include <utility>
@@ -76,8 +75,7 @@ Expected<DenseVolume> readVolume(const std::string &path, std::shared_ptr<const 
                            std::filesystem::path(path).parent_path(), options);
   if (!data)
     return data.error();
-  if (data->behind != 0)
-    header->warnings.push_back(countedAre(data->behind, "byte") + " left out, which lie behind the samples");
+  header->warnings.insert(header->warnings.end(), data->warnings.begin(), data->warnings.end());
   if (header->isUpZ && options.isAutomatic && !options.isUpKnown)
     header->notes.push_back(
         "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "

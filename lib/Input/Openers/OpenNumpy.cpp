@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace voxc {
@@ -91,6 +92,8 @@ Expected<DenseVolume> readArray(std::span<const std::byte> whole, std::unique_pt
     if (header->dataOffset > whole.size() || bytes > whole.size() - header->dataOffset)
       return Error::input("its array of shape " + shapeText(*header) + " takes " + std::to_string(bytes) +
                           " bytes, but there are " + std::to_string(whole.size() - header->dataOffset));
+    if (const std::uint64_t behind = whole.size() - header->dataOffset - bytes; behind != 0)
+      volume->warnings.push_back(countedAre(behind, "byte") + " left out, which lie behind the array");
     volume->samples = whole.data() + header->dataOffset + offset;
     volume->storage = std::move(file);
     return volume;
@@ -101,6 +104,11 @@ Expected<DenseVolume> readArray(std::span<const std::byte> whole, std::unique_pt
     return added.error();
   if (auto added = appendBytes(*stream, bytes - here, cells, *options.memory, options.progress); !added)
     return added.error();
+  const bool hasMore = *count - header->dataOffset > bytes;
+  for (std::string &sentence :
+       hasMore ? std::vector<std::string>{"more is packed behind the array, and is left out"}
+               : saysBehind(*stream))
+    volume->warnings.push_back(std::move(sentence));
   volume->samples = cells.data() + offset;
   volume->storage = std::make_shared<const Cells>(std::move(cells));
   return volume;

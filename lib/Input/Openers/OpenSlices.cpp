@@ -196,6 +196,8 @@ Expected<Input> openSlices(const std::string &path, const InputOptions &options)
   if (!input)
     return input;
   input->warnings.insert(input->warnings.begin(), stack->warnings.begin(), stack->warnings.end());
+  for (std::string &sentence : saysBesides(path))
+    input->warnings.push_back(std::move(sentence));
   input->loadSeconds = loading.seconds();
   return input;
 }
