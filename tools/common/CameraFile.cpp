@@ -70,10 +70,14 @@ Expected<FileCamera> parseCamera(const Json &file, const std::string &name, cons
     if (!(camera.height > 0))
       return Error::input(where + " should have a height above 0, which makes it orthographic, or none");
   }
-  auto size = numbers<2>(file, "size");
-  if (size && (*size)[0] >= 1 && (*size)[0] <= kMaxPictureSide && (*size)[1] >= 1 &&
-      (*size)[1] <= kMaxPictureSide)
-    camera.size = {int((*size)[0]), int((*size)[1])};
+  if (!file.contains("size"))
+    return camera;
+  const auto size = numbers<2>(file, "size");
+  const auto isSide = [](double side) { return side >= 1 && side <= kMaxPictureSide; };
+  if (!size || !isSide((*size)[0]) || !isSide((*size)[1]))
+    return Error::input(path + " should have a size of two numbers from 1 to " +
+                        std::to_string(kMaxPictureSide) + ", or none");
+  camera.size = {int((*size)[0]), int((*size)[1])};
   return camera;
 }
 

@@ -169,6 +169,9 @@ private:
 
   Expected<void> tellVolume() const {
     const auto summary = summarizeVolume(path_);
+    // Of a kind that is known and not read there is more to say.
+    if (!summary && !path_.ends_with(".hvx") && summary.error().message.ends_with("is not a .hvx volume"))
+      return tellInput();
     if (!summary)
       return summary.error();
     Json figures = figuresOf(*summary);

@@ -14,9 +14,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Expected<Flight> flightOf(const std::string &cameras) {
+Expected<Flight> flightOf(const std::string &cameras, const std::string &size = "[64, 48]") {
   const auto path = std::filesystem::path(::testing::TempDir()) / "flight.json";
-  std::ofstream(path) << R"({"size": [64, 48], "cameras": {)" << cameras << "}}";
+  std::ofstream(path) << R"({"size": )" << size << R"(, "cameras": {)" << cameras << "}}";
   return Flight::through(path.string());
 }
 
@@ -40,6 +40,14 @@ TEST(Flight, IsAtEachCameraInItsTurn) {
       EXPECT_EQ(camera.size, (std::array{64, 48}));
     }
   EXPECT_EQ(flight->at(0, 1).position.x, 10);
+}
+
+TEST(Flight, SizesThatAreNoneAreErrors) {
+  for (const char *size : {"[0, 48]", "[64]", "\"64x48\"", "[64, 40000]", "null"}) {
+    const auto flight = flightOf(cameraAt("a", 0, 0) + "," + cameraAt("b", 1, 0), size);
+    ASSERT_FALSE(flight) << size;
+    EXPECT_THAT(flight.error().message, HasSubstr("should have a size of two numbers from 1 to 32768"));
+  }
 }
 
 TEST(Flight, NeverGoesBeyondTwoCamerasNorJumps) {
