@@ -184,9 +184,12 @@ TEST_F(ObjSpellings, TextureCoordinatesThatDoNotExistAreNone) {
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(has(scene.warnings, "texture coordinates that do not exist are named by 3 corners of faces"));
   }
-  const TriangleScene some = load("m.obj", vertices + "vt 0.5 0.25\nf 1/1 2/2 3/1\n");
+  // A face that lacks one has none; others keep theirs.
+  const TriangleScene some = load("m.obj", vertices + "vt 0.5 0.25\nf 1/1 2/2 3/1\nf 3/1 2/1 1/1\n");
   EXPECT_TRUE(has(some.warnings, "1 corner of faces"));
-  EXPECT_EQ(readRow<2>(some.parts[0].uvs, some.parts[0].corners(0)[2]), (std::array<double, 2>{0.5, 0.75}));
+  ASSERT_EQ(some.parts.size(), 2u);
+  EXPECT_FALSE(some.parts[0].uvs);
+  EXPECT_EQ(readRow<2>(some.parts[1].uvs, some.parts[1].corners(0)[0]), (std::array<double, 2>{0.5, 0.75}));
 }
 
 TEST_F(ObjSpellings, TexturesWithoutCoordinatesAreSaid) {
