@@ -114,6 +114,7 @@ TEST_F(TiffSlices, WhatPagesHaveIsTold) {
     TIFFSetField(tiff, TIFFTAG_YRESOLUTION, yResolution);
     TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description);
     const std::vector<std::uint16_t> kinds(samples, EXTRASAMPLE_UNSPECIFIED);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, samples); // Before those that are extra.
     if (samples > 1)
       TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, samples - 1, kinds.data());
     writePage(tiff, 2, 1, {.samples = samples}, "\1\2\3\4\5\6");
