@@ -233,7 +233,7 @@ TEST_F(TiffSlices, SpacingOfImageJ) {
   EXPECT_EQ(open(stack, 4, {}, "\1\2"), (std::array<double, 3>{1, 1, 1}));
   EXPECT_EQ(open(stack + "unit=pixel\nspacing=x\n", 4, {}, "\1\2"), (std::array<double, 3>{1, 1, 1}));
   EXPECT_EQ(open("spacing=3\nunit=mm\n", 4, {}, "\1\2"), (std::array<double, 3>{1, 1, 1}));
-  EXPECT_TRUE(warnings_.empty());
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("its pixels are no squares (1 : 0.5, width to height)")));
   // Cubes of a length, of colours too.
   options_.voxelSize = {0.125, 1e-3};
   open(stack + "unit=mm\nspacing=0.25\n", 4, rgb, "\1\2\3\4\5\6");

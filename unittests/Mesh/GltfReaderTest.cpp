@@ -39,7 +39,7 @@ protected:
 
   TriangleScene loadMaterial(const std::string &material, const std::string &rest = "") {
     return loadModel(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"material":0,
-      "attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":5}}]}],"materials":[)" +
+      "attributes":{"POSITION":0,"TEXCOORD_0":2,"TEXCOORD_1":5},"indices":1}]}],"materials":[)" +
                      material + "]" + rest);
   }
 };

@@ -13,8 +13,9 @@ TEST_F(ObjReader, ReadsMaterials) {
   std::filesystem::create_directory(folder_.path("sub"));
   folder_.file("sub/t x.tga", kImage);
   const TriangleScene scene = load(
-      "m.obj", "mtllib m.mtl\n" + kTriangle +
-                   "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 3 2 1\nusemtl a\nf 1 2 3\n");
+      "m.obj",
+      "mtllib m.mtl\n" + kTriangle +
+          "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 3 2 1\nusemtl a\nf 3/3 2/2 1/1\n");
   ASSERT_EQ(scene.parts.size(), 3u);
   EXPECT_TRUE(scene.warnings.empty());
   EXPECT_EQ(materialOf(scene, 0).colour, (std::array<float, 4>{0.5f, 0.25f, 1, 0.75f}));

@@ -245,7 +245,8 @@ TEST_F(PlyLooks, WhatIsNotUsedIsSaid) {
       text("", "property float nx\nproperty float quality\nproperty float s\nproperty float t\n",
            {"0 0 0 0", "0 0 0 0", "0 0 0 0", "0 0 0 0"}, "property int flags\n", {"3 0 1 2 7"});
   const std::vector<std::string> warnings = load("m.ply", content).warnings;
-  ASSERT_EQ(warnings.size(), 2u);
+  ASSERT_EQ(warnings.size(), 3u);
+  EXPECT_TRUE(has(warnings, "1 vertex is left out"));
   EXPECT_TRUE(has(warnings, "'vertex' these properties are not used: quality, s, t"));
   EXPECT_TRUE(has(warnings, "'face' these properties are not used: flags"));
   EXPECT_TRUE(has(load("m.ply", text("comment TextureFile a.tga\n", "", {}, "", {"3 0 1 2"})).warnings,
