@@ -25,6 +25,12 @@ float kinship(const FilmPixel &a, const FilmPixel &b) {
 
 } // namespace
 
+std::uint32_t skyPattern(int column, int row) {
+  constexpr std::uint32_t kOrder[kSkyPattern][kSkyPattern] = {
+      {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+  return kOrder[row % kSkyPattern][column % kSkyPattern];
+}
+
 std::vector<float> skyShares(const Film &film, int row, bool isSpread) {
   std::vector<float> shares(std::size_t(film.width), 0.0f);
   const int top = std::max(row - kFilmMargin, film.firstRow);

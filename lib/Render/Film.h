@@ -34,8 +34,15 @@ struct Film {
   }
 };
 
+/// From so many samples on, a pixel has looked at the sky in directions enough of its own; with fewer, it and
+/// its neighbours tell each other.
+inline constexpr unsigned kManySamples = 32;
+inline bool isSkySpread(unsigned samples) { return samples < kManySamples; }
+
 /// Pixels whose directions to the sky are different lie in squares of so many a side.
 inline constexpr int kSkyPattern = 4;
+/// Which of the directions to the sky a pixel takes: those of such a square are all different.
+std::uint32_t skyPattern(int column, int row);
 /// Rows that `smoothSky` looks at beyond those it is asked for, on either side.
 inline constexpr int kFilmMargin = kSkyPattern / 2;
 

@@ -2,11 +2,11 @@
 #include "voxc/Render/Render.h"
 
 #include "Exposure.h"
-#include "Film.h"
+#include "LightRays.h"
 #include "Lighting.h"
-#include "Surface.h"
 
 #include "Support/ParallelFor.h"
+#include "voxc/Trace/PixelRays.h"
 
 #include <glm/geometric.hpp>
 
@@ -19,16 +19,6 @@ namespace {
 
 /// Rays of a band: what is kept of it takes 200 MiB or so.
 constexpr std::int64_t kBandRays = std::int64_t{1} << 20;
-
-/// From so many samples on, a pixel has looked in directions enough of its own.
-constexpr unsigned kManySamples = 32;
-
-/// Which of the directions to the sky a pixel takes: those of a square of pixels are all different.
-std::uint32_t patternOf(int column, int row) {
-  constexpr std::uint32_t kOrder[kSkyPattern][kSkyPattern] = {
-      {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-  return kOrder[row % kSkyPattern][column % kSkyPattern];
-}
 
 class Renderer {
 public:
@@ -48,18 +38,16 @@ public:
 private:
   bool isMap() const { return !kind_.unit.empty(); }
   bool isSmooth() const { return options_.isSmooth && kind_.needsNormals; }
-  bool isSpread() const { return samples_ < kManySamples; }
   TraceOptions traceOptions() const;
   /// Calls `work(row)` for each of so many rows, on threads; not for all of them once it is to stop.
   Expected<void> forRows(int rows, FunctionRef<void(int row)> work) const;
 
   Expected<void> expose(Film &film, unsigned sample);
   Expected<void> gather(Film &film, const std::vector<Ray> &rays, const std::vector<Hit> &hits);
+  Expected<std::vector<Ray>> raysOf(const Film &film, unsigned sample) const;
   Picture shadedFaces(std::vector<Ray> rays, const std::vector<Hit> &hits, const Film &film) const;
   void gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, const Surface &surface) const;
-  Expected<void> light(Film &film, unsigned sample, const std::vector<Hit> &hits);
-  Expected<void> lightBySun(Film &film, const std::vector<Hit> &hits);
-  Expected<void> lightBySky(Film &film, unsigned sample, const std::vector<Hit> &hits);
+  Expected<void> light(Film &film, unsigned sample, const std::vector<Hit> &hits) const;
   void finishDistances();
   glm::vec3 exposed(const glm::vec3 &light, float share) const;
   Expected<void> develop(const Film &film, int first, int rows);
@@ -77,7 +65,7 @@ private:
   SurfaceNormals ownNormals_;
   SurfaceNormals *normals_;
   float openScale_;
-  std::vector<Surface> surfaces_; ///< Of the current band and sample; those of misses mean nothing.
+  std::vector<Surface> surfaces_; ///< Of the rays of a band and sample; those of misses mean nothing.
   std::vector<glm::vec3> backdrop_;
   std::vector<float> distances_; ///< Of the hits of the first sample.
   Rendering result_;
@@ -103,10 +91,25 @@ Expected<void> Renderer::forRows(int rows, FunctionRef<void(int row)> work) cons
   });
 }
 
+/// The rays of one sample, tile by tile.
+Expected<std::vector<Ray>> Renderer::raysOf(const Film &film, unsigned sample) const {
+  const PixelRays pixels(camera_, samples_ == 1 ? glm::vec2(0.5f) : evenNumbers(sample));
+  const Tiles tiles(film.width, film.rows);
+  std::vector<Ray> rays(film.pixels.size());
+  const Expected<void> made = forRows(tiles.strips(), [&](int strip) {
+    tiles.visitStrip<TileOrder::Near>(strip, [&](const TiledPixel &at) {
+      rays[at.ray] = pixels.through(at.column, film.firstRow + at.row);
+    });
+  });
+  return made ? Expected<std::vector<Ray>>(std::move(rays)) : made.error();
+}
+
 /// Adds one sample to each pixel of a band.
 Expected<void> Renderer::expose(Film &film, unsigned sample) {
-  const glm::vec2 place = samples_ == 1 ? glm::vec2(0.5f) : evenNumbers(sample);
-  const std::vector<Ray> rays = cameraRays(camera_, film.firstRow, film.rows, place);
+  const Expected<std::vector<Ray>> made = raysOf(film, sample);
+  if (!made)
+    return made.error();
+  const std::vector<Ray> &rays = *made;
   std::vector<Hit> hits(rays.size());
   if (Expected<void> traced = tracers_.camera(rays, hits, traceOptions()); !traced)
     return traced;
@@ -128,24 +131,25 @@ Expected<void> Renderer::gather(Film &film, const std::vector<Ray> &rays, const 
   surfaces_.resize(rays.size());
   // Colours of faces are those of a screen already.
   const Picture faces = options_.style == Style::Flat ? shadedFaces(rays, hits, film) : Picture{};
-  return forRows(film.rows, [&](int row) {
-    const std::size_t first = std::size_t(row) * std::size_t(film.width);
-    for (std::size_t i = first; i < first + std::size_t(film.width); ++i) {
-      FilmPixel &pixel = film.pixels[i];
+  const Tiles tiles(film.width, film.rows);
+  return forRows(tiles.strips(), [&](int strip) {
+    tiles.visitStrip<TileOrder::Near>(strip, [&](const TiledPixel &at) {
+      FilmPixel &pixel = film.pixels[at.pixel];
+      const std::uint32_t i = at.ray;
       if (options_.style == Style::Flat) {
         pixel.hits += 1;
         pixel.light += linearColour(faces.pixels[i]);
-        continue;
+        return;
       }
       if (hits[i].isHit())
         surfaces_[i] =
             spacedSurface(rays[i], hits[i], isSmooth() ? normals_ : nullptr, spacing_, options_.clip);
       gatherPixel(pixel, rays[i], hits[i], surfaces_[i]);
-    }
+    });
   });
 }
 
-/// Pixels of faces; the sky behind them is that of spaced space.
+/// Colours of faces, ray by ray; the sky behind them is that of spaced space.
 Picture Renderer::shadedFaces(std::vector<Ray> rays, const std::vector<Hit> &hits, const Film &film) const {
   for (std::size_t i = 0; i < rays.size(); ++i)
     for (int axis = 0; axis < 3 && !hits[i].isHit(); ++axis)
@@ -184,63 +188,21 @@ void Renderer::gatherPixel(FilmPixel &pixel, const Ray &ray, const Hit &hit, con
   }
 }
 
-Expected<void> Renderer::light(Film &film, unsigned sample, const std::vector<Hit> &hits) {
+Expected<void> Renderer::light(Film &film, unsigned sample, const std::vector<Hit> &hits) const {
+  const LightRays rays(tracers_.occlusion, sun_, spacing_, openScale_, samples_);
+  const MetSurfaces met{hits, surfaces_};
   if (options_.style == Style::Lit)
-    if (Expected<void> lit = lightBySun(film, hits); !lit)
+    if (Expected<void> lit = rays.addSun(film, met, traceOptions()); !lit)
       return lit;
-  return lightBySky(film, sample, hits);
-}
-
-/// The sun's light on what faces it and sees it.
-Expected<void> Renderer::lightBySun(Film &film, const std::vector<Hit> &hits) {
-  std::vector<Ray> rays;
-  std::vector<std::size_t> pixels;
-  for (std::size_t i = 0; i < hits.size(); ++i)
-    if (hits[i].isHit() && glm::dot(surfaces_[i].normal, sun_) > 0) {
-      rays.push_back(makeRay(surfaces_[i].start, sun_ / spacing_));
-      pixels.push_back(i);
-    }
-  std::vector<Hit> shadows(rays.size());
-  if (Expected<void> traced = tracers_.occlusion(rays, shadows, traceOptions()); !traced)
-    return traced;
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const std::size_t i = pixels[k];
-    if (!shadows[k].isHit())
-      film.pixels[i].light += linearColour(hits[i].rgba) * kSunLight * glm::dot(surfaces_[i].normal, sun_);
-  }
-  return {};
-}
-
-/// A ray from each hit to somewhere in the sky.
-Expected<void> Renderer::lightBySky(Film &film, unsigned sample, const std::vector<Hit> &hits) {
-  std::vector<Ray> rays;
-  std::vector<std::size_t> pixels;
-  constexpr std::uint32_t kDirections = kSkyPattern * kSkyPattern;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (!hits[i].isHit())
-      continue;
-    const int column = int(i % std::size_t(film.width));
-    const int row = film.firstRow + int(i / std::size_t(film.width));
-    const std::uint32_t pattern = patternOf(column, row);
-    const std::uint32_t number = isSpread() ? sample * kDirections + pattern : pattern * samples_ + sample;
-    rays.push_back(
-        makeRay(surfaces_[i].start, skyDirection(surfaces_[i].normal, evenNumbers(number)) / spacing_));
-    pixels.push_back(i);
-  }
-  std::vector<Hit> hidden(rays.size());
-  if (Expected<void> traced = tracers_.occlusion(rays, hidden, traceOptions()); !traced)
-    return traced;
-  for (std::size_t k = 0; k < pixels.size(); ++k)
-    film.pixels[pixels[k]].sky += openness(hidden[k], openScale_);
-  return {};
+  return rays.addSky(film, sample, met, traceOptions());
 }
 
 /// Writes the light of some rows of a band into the result.
 Expected<void> Renderer::develop(const Film &film, int first, int rows) {
   return forRows(rows, [&](int offset) {
     const int row = first + offset;
-    const std::vector<float> sky =
-        kind_.isLit ? skyShares(film, row, isSpread()) : std::vector<float>(std::size_t(film.width));
+    const std::vector<float> sky = kind_.isLit ? skyShares(film, row, isSkySpread(samples_))
+                                               : std::vector<float>(std::size_t(film.width));
     for (int column = 0; column < film.width; ++column) {
       const FilmPixel &pixel = film.pixels[film.index(column, row)];
       const glm::vec3 light = (pixel.light + pixel.skyLit * sky[std::size_t(column)]) / float(samples_);
@@ -309,7 +271,7 @@ Expected<Rendering> Renderer::run() {
       int(std::clamp<std::int64_t>(kBandRays / camera_.width, 4 * kFilmMargin, camera_.height));
   for (int row = 0; row < camera_.height; row += bandRows) {
     const int rows = std::min(bandRows, camera_.height - row);
-    const int margin = kind_.isLit && isSpread() ? kFilmMargin : 0;
+    const int margin = kind_.isLit && isSkySpread(samples_) ? kFilmMargin : 0;
     const int top = std::max(row - margin, 0);
     const int bottom = std::min(row + rows + margin, camera_.height);
     Film film(camera_.width, top, bottom - top);

@@ -1,5 +1,6 @@
 // Cameras in voxel space, and the rays through their pixels.
 #include "voxc/Trace/Camera.h"
+#include "voxc/Trace/PixelRays.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -134,24 +135,32 @@ Camera projected(const Camera &camera, bool isOrthographic) {
 
 std::vector<Ray> cameraRays(const Camera &camera) { return cameraRays(camera, 0, camera.height, {0.5, 0.5}); }
 
-std::vector<Ray> cameraRays(const Camera &camera, int firstRow, int rows, glm::dvec2 place) {
-  const CameraAxes view = axesOf(camera);
-  const double high = camera.isOrthographic() ? camera.orthographicHeight / 2 : tangentOf(camera);
+PixelRays::PixelRays(const Camera &camera, glm::dvec2 place)
+    : eye_(camera.eye), spacing_(camera.spacing), isOrthographic_(camera.isOrthographic()) {
+  const CameraAxes axes = axesOf(camera);
+  const double high = isOrthographic_ ? camera.orthographicHeight / 2 : tangentOf(camera);
   const double aspect = double(camera.width) / camera.height;
-  const glm::dvec3 ahead = view.front / camera.spacing;
+  front_ = axes.front;
+  for (int column = 0; column < camera.width; ++column)
+    across_.push_back(axes.right * (high * aspect * (2 * (column + place.x) / camera.width - 1)));
+  for (int row = 0; row < camera.height; ++row)
+    down_.push_back(axes.up * (high * (1 - 2 * (row + place.y) / camera.height)));
+}
+
+Ray PixelRays::through(int column, int row) const {
+  const glm::dvec3 &across = across_[std::size_t(column)], &down = down_[std::size_t(row)];
+  if (isOrthographic_)
+    return makeRay(eye_ + (across + down) / spacing_, front_ / spacing_);
+  return makeRay(eye_, normalized(front_ + across + down, front_) / spacing_);
+}
+
+std::vector<Ray> cameraRays(const Camera &camera, int firstRow, int rows, glm::dvec2 place) {
+  const PixelRays pixels(camera, place);
   std::vector<Ray> rays;
   rays.reserve(std::size_t(std::max(camera.width, 0)) * std::size_t(std::max(rows, 0)));
-  for (int row = firstRow; row < firstRow + rows; ++row) {
-    double y = high * (1 - 2 * (row + place.y) / camera.height);
-    for (int column = 0; column < camera.width; ++column) {
-      double x = high * aspect * (2 * (column + place.x) / camera.width - 1);
-      if (camera.isOrthographic())
-        rays.push_back(makeRay(camera.eye + (view.right * x + view.up * y) / camera.spacing, ahead));
-      else
-        rays.push_back(makeRay(camera.eye, normalized(view.front + view.right * x + view.up * y, view.front) /
-                                               camera.spacing));
-    }
-  }
+  for (int row = firstRow; row < firstRow + rows; ++row)
+    for (int column = 0; column < camera.width; ++column)
+      rays.push_back(pixels.through(column, row));
   return rays;
 }
 
