@@ -5,7 +5,7 @@ uint32_t lower_distance_level_${N}(uint32_t far, uint32_t near) { return near < 
 // A slot has a value, and then the distance of an empty cell.
 constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
 uint32_t distance_level_${N}(const uint32_t *slot) { return slot[1]; }
-void set_distance_level_${N}(uint32_t *slot, uint32_t distance) { slot[1] = distance; }
+void set_distance_level_${N}(uint32_t *slot, uint32_t distance) { slot[1] = distance; } // 0 of a cell that is not empty.
 %else
 // An empty cell's word holds its distance; a word of 0 is a cell whose distance is not known yet.
 constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
@@ -14,15 +14,20 @@ uint32_t distance_level_${N}(const uint32_t *slot) {
   const uint32_t word = *slot;
   return ${word-is-empty} ? word & ~LEVEL_${N}_EMPTY : 0;
 }
-void set_distance_level_${N}(uint32_t *slot, uint32_t distance) { *slot = LEVEL_${N}_EMPTY | distance; }
+void set_distance_level_${N}(uint32_t *slot, uint32_t distance) {
+  if (distance != 0)
+    *slot = LEVEL_${N}_EMPTY | distance;
+}
 %end
 
 // Lowers the distances of a run of slots to at most one more than those of their neighbours, which lie elsewhere.
 void lower_level_${N}(uint32_t *__restrict slots, const uint32_t *__restrict neighbours, uint64_t count) {
 %if distances-beside
   if (LEVEL_${N}_SLOT == 2) { // Every word, so that processors can take many at a time; but a value stays.
-    for (uint64_t i = 0; i < 2 * count; ++i)
-      slots[i] = i % 2 == 1 ? lower_distance_level_${N}(slots[i], neighbours[i]) : slots[i];
+    for (uint64_t i = 0; i < 2 * count; ++i) {
+      const uint32_t most = (neighbours[i] + 1) | (i % 2 == 1 ? 0 : ~uint32_t{0});
+      slots[i] = slots[i] < most ? slots[i] : most;
+    }
     return;
   }
 %end
@@ -37,20 +42,21 @@ void measure_level_${N}_row(uint32_t *row) {
   uint32_t before = LEVEL_${N}_REACH;
   for (uint32_t *slot = row; slot < row + kRow; slot += LEVEL_${N}_SLOT) {
     before = *slot == 0 ? lower_distance_level_${N}(LEVEL_${N}_REACH, before) : 0;
-    if (before != 0)
-      set_distance_level_${N}(slot, before);
+    set_distance_level_${N}(slot, before);
   }
   uint32_t behind = before;
   for (uint32_t *slot = row + kRow - LEVEL_${N}_SLOT; slot > row;) {
     slot -= LEVEL_${N}_SLOT;
     behind = lower_distance_level_${N}(distance_level_${N}(slot), behind);
-    if (behind != 0)
-      set_distance_level_${N}(slot, behind);
+    set_distance_level_${N}(slot, behind);
   }
 }
 
-// The distances within one plane of cells: a sweep forth and one back along x and along y.
+// The distances within one plane of cells; if it is too large for bytes, by a sweep forth and one back along x and along y.
 void measure_level_${N}_plane(uint32_t *plane) {
+  using Distances = PlaneDistances<LEVEL_${N}_SHAPE, LEVEL_${N}_REACH>;
+  if constexpr (Distances::kFits)
+    return Distances().measure(plane, LEVEL_${N}_SLOT, set_distance_level_${N});
   constexpr uint64_t kRow = LEVEL_${N}_SLOT << LEVEL_${N}_SHAPE.x;
   constexpr uint64_t kCells = uint64_t{1} << LEVEL_${N}_SHAPE.x;
   constexpr uint64_t kPlane = kRow << LEVEL_${N}_SHAPE.y;
