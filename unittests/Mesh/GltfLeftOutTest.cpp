@@ -119,6 +119,28 @@ TEST_F(GltfLeftOut, CornersBehindTheLastTriangleAreTold) {
   EXPECT_THAT(warningsOf("1", 2), ElementsAre(HasSubstr("1 vertex is left out")));
 }
 
+TEST_F(GltfLeftOut, SkinsOfMeshesThatNameNoJointsAreTold) {
+  EXPECT_THAT(model(R"("materials":[{}],"skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0},{}])").warnings,
+              ElementsAre("meshes[0].primitives[0] has a skin, but not both JOINTS_0 and WEIGHTS_0: the skin "
+                          "moves nothing"));
+}
+
+TEST_F(GltfLeftOut, ExtensionsThatAreNotListedCount) {
+  EXPECT_THAT(model(R"("nodes":[{"mesh":0,"extensions":{"MINE_nodes":{}},"extras":{"extensions":{"X":{}}}}],
+    "materials":[{"extensions":{"KHR_materials_ior":{"ior":1.3},"KHR_materials_unlit":{}}}])")
+                  .warnings,
+              ElementsAre("the model uses the extension 'MINE_nodes', which is not read",
+                          "of the model these are not used: KHR_materials_ior"));
+}
+
+TEST_F(GltfLeftOut, ModelsWhoseMeshesAreSeenNowhereAreRefused) {
+  const std::string mesh = R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[]}],)";
+  EXPECT_THAT(problem("m.gltf", mesh + R"("nodes":[{}]})"),
+              HasSubstr("its meshes are placed by no node; give each a node in the scene"));
+  EXPECT_THAT(problem("m.gltf", mesh + R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{},{"mesh":0}]})"),
+              HasSubstr("all its nodes that have a mesh are hidden or outside of the scene"));
+}
+
 TEST_F(GltfLeftOut, ColoursAboveOneAreTold) {
   EXPECT_THAT(model(kPlain, R"(,"COLOR_0":0)").warnings, IsEmpty());
   folder_.file("b.bin", bytesOf({0.f, 0.f, 0.f, 255.f, 0.f, 0.f, 1.f, 1.f, 0.f}));

@@ -48,9 +48,13 @@ void checkGltfExtensions(GltfContext &context) {
   for (std::size_t i = 0; i < required.size(); ++i)
     if (const std::string name(required.text(i)); !isRead(name) && !isHarmless(name))
       context.problem.set("it requires the extension '" + name + "', which is not read" + adviceOn(name));
+  // Those that are there count, though a file should list them too.
+  std::set<std::string, std::less<>> names = context.root.extensionNames();
   const GltfList used = context.root.list("extensionsUsed");
   for (std::size_t i = 0; i < used.size(); ++i)
-    if (const std::string name(used.text(i)); isHarmless(name) && !isRead(name))
+    names.emplace(used.text(i));
+  for (const std::string &name : names)
+    if (isHarmless(name) && !isRead(name))
       context.unused.insert(name);
     else if (!isRead(name))
       context.warnings.add("the model uses the extension '" + name + "', which is not read");

@@ -5,7 +5,8 @@
 
 namespace voxc {
 
-/// Problem: a required extension that a model cannot be read without. Warnings: others that are not known.
+/// Problem: a required extension that a model cannot be read without. Warnings: others that are not known,
+/// whether the file lists them or only has them.
 void checkGltfExtensions(GltfContext &context);
 
 } // namespace voxc

@@ -130,6 +130,9 @@ void GltfMeshes::applyPose(const GltfObject &primitive, const GltfPose &pose, Me
   const std::vector<GltfMorph> morphs = morphsOf(primitive, pose, part);
   const std::vector<GltfJointSet> sets =
       pose.joints ? jointSetsOf(primitive.object("attributes"), part) : std::vector<GltfJointSet>();
+  if (pose.joints && sets.empty() && !context_.problem)
+    context_.warnings.add(primitive.name() +
+                          " has a skin, but not both JOINTS_0 and WEIGHTS_0: the skin moves nothing");
   if (!context_.problem && part.positions && (pose.joints || !morphs.empty()))
     part.positions = poses_.positions(primitive, part.positions, pose, morphs, sets);
 }

@@ -29,6 +29,27 @@ GltfObject::GltfObject(Json json, std::string name, Problem &problem)
   }
 }
 
+std::set<std::string, std::less<>> GltfObject::extensionNames() const {
+  std::set<std::string, std::less<>> names;
+  // A list of what is still to do: a file may nest its values as deep as it likes.
+  std::vector<Json> pending{json_};
+  while (!pending.empty()) {
+    const Json next = pending.back();
+    pending.pop_back();
+    for (std::size_t i = 0; i < next.size(); ++i)
+      pending.push_back(next[i]);
+    for (const std::string_view key : next.keys()) {
+      if (key == "extras")
+        continue;
+      pending.push_back(next[key]);
+      if (key == "extensions")
+        for (const std::string_view name : next[key].keys())
+          names.emplace(name);
+    }
+  }
+  return names;
+}
+
 std::string GltfObject::nameOf(std::string_view key) const {
   return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
 }

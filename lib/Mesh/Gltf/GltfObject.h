@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,8 @@ public:
   /// The extension of this name that the object has, or nothing.
   GltfObject extension(std::string_view name) const { return object("extensions").object(name); }
   GltfList list(std::string_view key) const;
+  /// The names of all extensions that the object has, and what is below it but for `extras`.
+  std::set<std::string, std::less<>> extensionNames() const;
 
   /// Says that something is wrong with this object.
   void problem(const std::string &what) const { problem_->set(name_ + " " + what); }
