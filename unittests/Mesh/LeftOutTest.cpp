@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <bit>
+
 namespace voxc {
 namespace {
 
@@ -136,6 +138,33 @@ TEST_F(LeftOut, LinesOfStlThatEndByCarriageReturns) {
                             "vertex 0 1 0\nendloop\nendfacet\nendsolid a b\n";
   EXPECT_EQ(countTriangles(load("m.stl", withReturns(facet + facet))), 2u);
   EXPECT_THAT(problem("m.stl", withReturns(facet + "rubbish\n")), HasSubstr("line 10: 'rubbish'"));
+}
+
+TEST_F(LeftOut, CommentsOfStlAreNamed) {
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                            "endloop\nendfacet\n";
+  EXPECT_THAT(problem("m.stl", "solid a\n" + facet + "; by hand\nendsolid a\n"),
+              HasSubstr("line 9: ';' begins a comment, which STL does not have; take comments out"));
+  EXPECT_THAT(problem("m.stl", "; by hand\nsolid a\n" + facet + "endsolid a\n"),
+              HasSubstr("it begins with a comment, which STL does not have; take out the lines that begin "
+                        "with ';'"));
+}
+
+TEST_F(LeftOut, NumbersOfStlThatAreBigEndianAreNamed) {
+  const std::vector<float> rows{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const auto stl = [&](bool isBig) {
+    std::string bytes(80, ' ');
+    const auto put = [&](std::uint32_t word) {
+      for (int i = 0; i < 4; ++i)
+        bytes += static_cast<char>(word >> (isBig ? 24 - 8 * i : 8 * i));
+    };
+    put(1);
+    for (const float number : rows)
+      put(std::bit_cast<std::uint32_t>(number));
+    return bytes + std::string(2, '\0');
+  };
+  EXPECT_EQ(countTriangles(load("m.stl", stl(false))), 1u);
+  EXPECT_THAT(problem("m.stl", stl(true)), HasSubstr("its numbers are big-endian"));
 }
 
 } // namespace

@@ -32,15 +32,38 @@ std::uint32_t littleWord(const std::byte *at) {
   return bytes[0] | bytes[1] << 8u | bytes[2] << 16u | std::uint32_t{bytes[3]} << 24u;
 }
 
+std::uint32_t bigWord(const std::byte *at) {
+  const std::uint32_t word = littleWord(at);
+  return word >> 24 | (word >> 8 & 0xff00) | (word << 8 & 0xff0000) | word << 24;
+}
+
 StlCorner cornerAt(const std::byte *at) {
   return {std::bit_cast<float>(littleWord(at)), std::bit_cast<float>(littleWord(at + 4)),
           std::bit_cast<float>(littleWord(at + 8))};
 }
 
+bool isOfSize(std::span<const std::byte> bytes, std::uint64_t triangles) {
+  return kHeaderBytes + triangles * kTriangleBytes == bytes.size();
+}
+
 bool isOfBinarySize(std::span<const std::byte> bytes) {
-  return bytes.size() >= kHeaderBytes &&
-         kHeaderBytes + std::uint64_t{littleWord(bytes.data() + kCountOffset)} * kTriangleBytes ==
-             bytes.size();
+  return bytes.size() >= kHeaderBytes && isOfSize(bytes, littleWord(bytes.data() + kCountOffset));
+}
+
+/// What is wrong with a file that is neither binary nor text as STL has them, but nearly; empty if nothing
+/// is.
+std::string nearlyStl(std::span<const std::byte> bytes) {
+  if (isOfBinarySize(bytes))
+    return {};
+  if (bytes.size() >= kHeaderBytes && isOfSize(bytes, bigWord(bytes.data() + kCountOffset)))
+    return "its numbers are big-endian, and those of STL are little-endian; save it anew as STL, or as .ply";
+  const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const bool isComment = begin != std::string_view::npos && (text[begin] == ';' || text[begin] == '#');
+  if (isComment && text.substr(0, 512).find('\0') == std::string_view::npos)
+    return "it begins with a comment, which STL does not have; take out the lines that begin with '" +
+           std::string(1, text[begin]) + "'";
+  return {};
 }
 
 /// Many binary files begin with "solid" as the text does, so what follows decides.
@@ -98,6 +121,8 @@ void readBinary(const MeshInput &input, ScratchArray<StlCorner> &corners, StlCol
   const std::string_view encoding = wideEncoding(input.file->text());
   if (!encoding.empty() && !isOfBinarySize(bytes))
     return problem.set(isWideText(encoding));
+  if (std::string what = nearlyStl(bytes); !what.empty())
+    return problem.set(std::move(what));
   if (bytes.size() < kHeaderBytes)
     return problem.set("it is neither the text 'solid' nor has it the 84 bytes of a binary header");
   const std::uint64_t count = countOf(bytes, warnings);

@@ -50,7 +50,9 @@ private:
                                                            {"endsolid", &TextReader::skipLine}}};
     const auto *statement = std::find_if(kStatements.begin(), kStatements.end(),
                                          [&](const Statement &s) { return s.word == word; });
-    if (statement == kStatements.end())
+    if (statement == kStatements.end() && (word[0] == ';' || word[0] == '#' || word.starts_with("//")))
+      wrong("'" + word + "' begins a comment, which STL does not have; take comments out");
+    else if (statement == kStatements.end())
       wrong("'" + word + "' stands where a facet or its end should");
     else
       (this->*statement->read)();
