@@ -31,6 +31,7 @@ set(VOXC_INPUT_READERS
   MagicaVoxel/VoxFile.cpp
   MagicaVoxel/VoxMaterial.cpp
   MagicaVoxel/VoxScene.cpp
+  MagicaVoxel/VoxTwice.cpp
   Minecraft/BlockColours.cpp
   Minecraft/BlockGroups.cpp
   Minecraft/BlockNumbers.cpp

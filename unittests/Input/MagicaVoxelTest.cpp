@@ -287,7 +287,9 @@ TEST_F(MagicaVoxel, WhatIsLeftOutOfASceneIsTold) {
          chunkBytes("ABCD", "x") + chunkBytes("rCAM", wordBytes({0}) + dictionaryBytes({})));
   EXPECT_THAT(warnings_, ElementsAre("hidden parts of its scene are left out: 1 node",
                                      "1 model is left out, which its scene does not place",
-                                     "chunks that are not known are left out: ABCD"));
+                                     "chunks that are not known are left out: ABCD",
+                                     "chunks and attributes of its editor, which change no voxel, are not "
+                                     "used: rCAM"));
   voxels(models + graph + transformChunk(4, 5, {}) + shapeChunk(5, 1));
   EXPECT_THAT(warnings_, IsEmpty());
 }

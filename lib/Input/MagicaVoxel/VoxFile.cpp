@@ -1,6 +1,7 @@
 // The chunks of MagicaVoxel files, each with a reader of its own in a table.
 #include "Input/MagicaVoxel/VoxFile.h"
 
+#include "Input/MagicaVoxel/VoxCursor.h"
 #include "Input/MagicaVoxel/VoxMaterial.h"
 #include "Input/MagicaVoxel/VoxPalette.h"
 
@@ -17,65 +18,21 @@ namespace voxc {
 
 namespace {
 
-/// Reads little-endian words and texts from the front of bytes. What is not there is 0 and makes it fail.
-class Cursor {
-public:
-  explicit Cursor(std::span<const std::byte> bytes) : bytes_(bytes) {}
-
-  bool failed() const { return failed_; }
-  std::size_t size() const { return bytes_.size(); }
-
-  std::span<const std::byte> take(std::uint64_t count) {
-    if (count > bytes_.size()) {
-      failed_ = true;
-      bytes_ = {};
-      return {};
-    }
-    const auto taken = bytes_.first(count);
-    bytes_ = bytes_.subspan(count);
-    return taken;
-  }
-
-  std::uint32_t word() {
-    const auto bytes = take(4);
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-      value |= std::to_integer<std::uint32_t>(bytes[i]) << 8 * i;
-    return value;
-  }
-
-  std::string_view text() {
-    const auto bytes = take(word());
-    return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
-  }
-
-  /// A count of things that take `bytesEach` or more: 0 if they cannot all be there.
-  std::uint32_t count(std::uint32_t bytesEach) {
-    const std::uint32_t value = word();
-    if (value <= bytes_.size() / bytesEach)
-      return value;
-    failed_ = true;
-    return 0;
-  }
-
-private:
-  std::span<const std::byte> bytes_;
-  bool failed_ = false;
-};
-
-/// Calls `visit(key, value)` for each pair of a dictionary.
-template <typename Visit> void readDictionary(Cursor &cursor, Visit visit) {
-  for (std::uint32_t pairs = cursor.count(8); pairs > 0 && !cursor.failed(); --pairs) {
-    const std::string_view key = cursor.text();
-    visit(key, cursor.text());
-  }
+/// Notes a name, unless there are many already: a file could have any number of them.
+void note(std::set<std::string> &names, std::string_view name) {
+  constexpr std::size_t kMostNamed = 8, kLongest = 32;
+  if (names.size() < kMostNamed)
+    names.emplace(name.substr(0, kLongest));
 }
 
-/// A dictionary of which only "_hidden" matters.
-bool readHidden(Cursor &cursor) {
+/// A dictionary of which only "_hidden" matters; of the rest what says something is noted.
+bool readHidden(VoxCursor &cursor, VoxFile &file) {
   bool isHidden = false;
   readDictionary(cursor, [&](std::string_view key, std::string_view value) {
-    isHidden = isHidden || (key == "_hidden" && value == "1");
+    if (key == "_hidden")
+      isHidden = isHidden || value == "1";
+    else if (!value.empty())
+      note(file.unused, key);
   });
   return isHidden;
 }
@@ -96,7 +53,7 @@ struct Frame {
   Long3 translation{};
 };
 
-Frame readFrame(Cursor &cursor) {
+Frame readFrame(VoxCursor &cursor) {
   Frame frame;
   readDictionary(cursor, [&](std::string_view key, std::string_view value) {
     if (key == "_f")
@@ -150,13 +107,13 @@ Expected<void> addNode(VoxFile &file, std::uint32_t number, VoxNode &&node) {
   return Error::input("two nodes have the number " + std::to_string(number));
 }
 
-Expected<void> readSize(Cursor &cursor, Reading &reading) {
+Expected<void> readSize(VoxCursor &cursor, Reading &reading) {
   for (std::int64_t &size : reading.size)
     size = cursor.word();
   return {};
 }
 
-Expected<void> readVoxels(Cursor &cursor, Reading &reading) {
+Expected<void> readVoxels(VoxCursor &cursor, Reading &reading) {
   if (reading.size[0] < 0)
     return Error::input("it has voxels without a size");
   const std::uint32_t count = cursor.count(4);
@@ -169,17 +126,17 @@ Expected<void> readVoxels(Cursor &cursor, Reading &reading) {
   return {};
 }
 
-Expected<void> readColours(Cursor &cursor, Reading &reading) {
+Expected<void> readColours(VoxCursor &cursor, Reading &reading) {
   for (std::size_t i = 1; i < 256; ++i)
     reading.file.colours[i] = cursor.word();
   return {};
 }
 
-Expected<void> readTransform(Cursor &cursor, Reading &reading) {
+Expected<void> readTransform(VoxCursor &cursor, Reading &reading) {
   VoxNode node;
   node.kind = VoxNode::Kind::Transform;
   const std::uint32_t number = cursor.word();
-  node.isHidden = readHidden(cursor);
+  node.isHidden = readHidden(cursor, reading.file);
   node.children = {cursor.word()};
   cursor.word();
   node.layer = static_cast<std::int32_t>(cursor.word());
@@ -197,22 +154,22 @@ Expected<void> readTransform(Cursor &cursor, Reading &reading) {
   return addNode(reading.file, number, std::move(node));
 }
 
-Expected<void> readGroup(Cursor &cursor, Reading &reading) {
+Expected<void> readGroup(VoxCursor &cursor, Reading &reading) {
   VoxNode node;
   node.kind = VoxNode::Kind::Group;
   const std::uint32_t number = cursor.word();
-  node.isHidden = readHidden(cursor);
+  node.isHidden = readHidden(cursor, reading.file);
   node.children.resize(cursor.count(4));
   for (std::uint32_t &child : node.children)
     child = cursor.word();
   return addNode(reading.file, number, std::move(node));
 }
 
-Expected<void> readShape(Cursor &cursor, Reading &reading) {
+Expected<void> readShape(VoxCursor &cursor, Reading &reading) {
   VoxNode node;
   node.kind = VoxNode::Kind::Shape;
   const std::uint32_t number = cursor.word();
-  node.isHidden = readHidden(cursor);
+  node.isHidden = readHidden(cursor, reading.file);
   const std::uint32_t models = cursor.count(8);
   if (models == 0 && !cursor.failed())
     return Error::input("the shape " + std::to_string(number) + " has no model");
@@ -225,15 +182,15 @@ Expected<void> readShape(Cursor &cursor, Reading &reading) {
   return addNode(reading.file, number, std::move(node));
 }
 
-Expected<void> readLayer(Cursor &cursor, Reading &reading) {
+Expected<void> readLayer(VoxCursor &cursor, Reading &reading) {
   const auto number = static_cast<std::int32_t>(cursor.word());
-  if (readHidden(cursor))
+  if (readHidden(cursor, reading.file))
     reading.file.hiddenLayers.insert(number);
   return {};
 }
 
 /// A material of the colour of its number, of which 256 stands for 0.
-Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
+Expected<void> readMaterial(VoxCursor &cursor, Reading &reading) {
   const std::uint32_t number = cursor.word() % 256;
   VoxMaterial material;
   readDictionary(cursor, [&](std::string_view key, std::string_view value) { material.read(key, value); });
@@ -243,7 +200,7 @@ Expected<void> readMaterial(Cursor &cursor, Reading &reading) {
 
 /// A material as files had them at first: a type, its share, and of seven properties those that a bit says
 /// are there, of which roughness is the second.
-Expected<void> readOldMaterial(Cursor &cursor, Reading &reading) {
+Expected<void> readOldMaterial(VoxCursor &cursor, Reading &reading) {
   constexpr std::array<std::string_view, 4> kTypes{"_diffuse", "_metal", "_glass", "_emit"};
   constexpr unsigned kProperties = 7, kRoughness = 1;
   const std::uint32_t number = cursor.word() % 256, type = cursor.word();
@@ -261,12 +218,13 @@ Expected<void> readOldMaterial(Cursor &cursor, Reading &reading) {
   return {};
 }
 
-/// What says how a scene is lit, seen or sorted for display, which changes no voxel.
-Expected<void> passOver(Cursor &, Reading &) { return {}; }
+/// How many models there are, which their chunks say too.
+Expected<void> passOver(VoxCursor &, Reading &) { return {}; }
 
 struct ChunkKind {
   std::string_view name;
-  Expected<void> (*read)(Cursor &cursor, Reading &reading);
+  /// None for what says how a scene is lit, seen or sorted for display.
+  Expected<void> (*read)(VoxCursor &cursor, Reading &reading);
 };
 
 constexpr std::array<ChunkKind, 14> kChunks{{{"SIZE", readSize},
@@ -279,29 +237,31 @@ constexpr std::array<ChunkKind, 14> kChunks{{{"SIZE", readSize},
                                              {"MATL", readMaterial},
                                              {"MATT", readOldMaterial},
                                              {"PACK", passOver},
-                                             {"IMAP", passOver},
-                                             {"NOTE", passOver},
-                                             {"rCAM", passOver},
-                                             {"rOBJ", passOver}}};
+                                             {"IMAP", nullptr},
+                                             {"NOTE", nullptr},
+                                             {"rCAM", nullptr},
+                                             {"rOBJ", nullptr}}};
 
 Expected<void> readChunk(std::string_view name, std::span<const std::byte> content, Reading &reading) {
   for (const ChunkKind &kind : kChunks) {
     if (kind.name != name)
       continue;
-    Cursor cursor(content);
+    if (kind.read == nullptr) {
+      note(reading.file.unused, name);
+      return {};
+    }
+    VoxCursor cursor(content);
     auto read = kind.read(cursor, reading);
     if (cursor.failed())
       return Error::input("a chunk " + std::string(name) + " speaks of more than its " +
                           std::to_string(content.size()) + " bytes hold");
     return read;
   }
-  constexpr std::size_t kMostNamed = 8;
-  if (reading.file.unknown.size() < kMostNamed)
-    reading.file.unknown.emplace(name);
+  note(reading.file.unknown, name);
   return {};
 }
 
-std::string_view takeName(Cursor &cursor) {
+std::string_view takeName(VoxCursor &cursor) {
   const auto bytes = cursor.take(4);
   return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
 }
@@ -309,7 +269,7 @@ std::string_view takeName(Cursor &cursor) {
 } // namespace
 
 Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes, std::int32_t frame) {
-  Cursor cursor(bytes);
+  VoxCursor cursor(bytes);
   if (takeName(cursor) != "VOX ")
     return Error::input("it does not begin with 'VOX '");
   cursor.word(); // Versions differ in chunks that are left alone.

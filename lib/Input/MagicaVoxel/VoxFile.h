@@ -48,6 +48,7 @@ struct VoxFile {
   std::array<float, 256> clear{};         ///< how clear, if they are glass,
   std::array<float, 256> light{}; ///< and how many times as bright as their colour, if they give off light.
   std::set<std::string> unknown;  ///< Names of chunks, the first few.
+  std::set<std::string> unused;   ///< Names of chunks and attributes that change no voxel, the first few.
   std::int32_t frames = 1;        ///< Of the scene graph: one more than the time of its last key.
 };
 

@@ -123,6 +123,14 @@ Expected<void> findBox(VoxScene &scene) {
   return {};
 }
 
+void warnOfNames(const std::string &sentence, const std::set<std::string> &names, VoxScene &scene) {
+  std::string list;
+  for (const std::string &name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  if (!list.empty())
+    scene.warnings.push_back(sentence + list);
+}
+
 } // namespace
 
 Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t> frame) {
@@ -140,11 +148,9 @@ Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t>
   } else {
     scene.instances.push_back({&file.models[static_cast<std::size_t>(frame.value_or(0))], {}});
   }
-  std::string unknown;
-  for (const std::string &name : file.unknown)
-    unknown += (unknown.empty() ? "" : ", ") + name;
-  if (!unknown.empty())
-    scene.warnings.push_back("chunks that are not known are left out: " + unknown);
+  warnOfNames("chunks that are not known are left out: ", file.unknown, scene);
+  warnOfNames("chunks and attributes of its editor, which change no voxel, are not used: ", file.unused,
+              scene);
   if (!frame && scene.frames > 1) {
     const std::string count = std::to_string(scene.frames);
     scene.warnings.push_back(

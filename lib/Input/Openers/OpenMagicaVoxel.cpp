@@ -4,6 +4,7 @@
 
 #include "Input/Dense/ColourMap.h"
 #include "Input/MagicaVoxel/VoxScene.h"
+#include "Input/MagicaVoxel/VoxTwice.h"
 #include "Input/Openers/InputText.h"
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
@@ -18,7 +19,6 @@
 #include <bitset>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <utility>
 
 namespace voxc {
@@ -295,8 +295,11 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
     return all.error();
   Input input;
   input.words = isLabels ? MaterialWords::Colours : options.materialWords;
-  for (const ScenePart &part : parts)
+  for (const ScenePart &part : parts) {
     input.warnings.insert(input.warnings.end(), part.scene.warnings.begin(), part.scene.warnings.end());
+    if (auto warned = warnOfVoxelsTwice(part.scene, options.memory, input.warnings); !warned)
+      return warned.error();
+  }
   dropped.warn(input.warnings);
   used.warn(input.warnings);
   if (options.describe)
