@@ -249,7 +249,16 @@ constexpr std::array kFields{FieldKind{"type", readType},
                              FieldKind{"centerings", readCenters},
                              FieldKind{"measurementframe", leaveOut}};
 
-Expected<void> readField(Fields &fields, std::string_view line) {
+/// Which readers of fields had one; two names may have the same reader.
+using Seen = std::array<bool, kFields.size()>;
+
+/// Whether a field that is used was there before, under this name or another.
+bool wasSeen(const FieldKind &kind, Seen &seen) {
+  const auto row = std::ranges::find(kFields, kind.read, &FieldKind::read) - kFields.begin();
+  return kind.read != leaveOut && std::exchange(seen[static_cast<std::size_t>(row)], true);
+}
+
+Expected<void> readField(Fields &fields, std::string_view line, Seen &seen) {
   if (line.starts_with('#'))
     return {};
   const std::size_t colon = line.find(':');
@@ -268,6 +277,8 @@ Expected<void> readField(Fields &fields, std::string_view line) {
     fields.unknown.emplace_back(line.substr(0, std::min<std::size_t>(colon, 80)));
     return {};
   }
+  if (wasSeen(*kind, seen))
+    fields.twice.emplace_back(line.substr(0, colon));
   if (!kind->read(fields, trimmed(line.substr(colon + 1))))
     return Error::input("its field '" + std::string(line.substr(0, 80)) + "' is not one that voxc reads");
   return {};
@@ -305,13 +316,14 @@ Expected<NrrdFields> readNrrdFields(std::string_view &text) {
   if (!text.starts_with("NRRD000"))
     return Error::input("it does not begin with 'NRRD000'");
   Fields fields;
+  Seen seen{};
   const char lineEnd = lineEndOf(text);
   takeLine(text, lineEnd);
   while (!text.empty()) {
     const std::string_view line = takeLine(text, lineEnd);
     if (line.empty())
       return fields;
-    if (auto read = readField(fields, line); !read)
+    if (auto read = readField(fields, line, seen); !read)
       return read.error();
     if (fields.dataFile.starts_with("LIST") && fields.dataFiles.empty()) {
       readList(fields, text, lineEnd);

@@ -34,6 +34,7 @@ struct NrrdFields {
   std::int64_t byteSkip = 0;
   bool hasSegments = false;         ///< There are keys of a segmentation.
   std::vector<std::string> unknown; ///< Names of fields that are no part of the format.
+  std::vector<std::string> twice;   ///< Names of fields that are there again, of which the last holds.
   std::vector<std::string> keys;    ///< Those of lines "key:=value".
 };
 

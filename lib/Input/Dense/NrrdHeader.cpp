@@ -187,6 +187,8 @@ Expected<NrrdHeader> readNrrdHeader(std::string_view &text, bool picksVolume) {
     return read.error();
   if (!fields->keys.empty())
     header.warnings.push_back(saysKeys(fields->keys));
+  for (const std::string &name : fields->twice)
+    header.warnings.push_back("its field '" + name + "' is there more than once; the last holds");
   for (const std::string &name : fields->unknown)
     header.warnings.push_back("its field '" + name + "' is not known to voxc, and is left out");
   return header;
