@@ -1,5 +1,6 @@
 // What files of voxels have that is not used: each is one warning.
 #include "Input/DenseTesting.h"
+#include "Input/VoxBytes.h"
 
 #include "voxc/Input/Input.h"
 #include "voxc/Input/NumberedPaths.h"
@@ -37,6 +38,10 @@ TEST_F(LeftOut, WhatIsPackedBehindSamples) {
   EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData), "gzip")), IsEmpty());
   EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData + "7"), "gzip")),
               ElementsAre("more is packed behind the samples, and is left out"));
+  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData) + "78", "gzip")),
+              ElementsAre("2 bytes are left out behind the compressed data"));
+  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData.substr(0, 2)) + gzipped(kData.substr(2)), "gzip")),
+              IsEmpty());
   EXPECT_THAT(warningsOf("a.nrrd", nrrd("", "1 2 3 4 5 6\n", "ascii")), IsEmpty());
   EXPECT_THAT(warningsOf("a.nrrd", nrrd("", "1 2 3 4 5 6 7", "ascii")),
               ElementsAre(HasSubstr("more is packed")));
@@ -47,6 +52,15 @@ TEST_F(LeftOut, WhatIsPackedBehindSamples) {
 TEST_F(LeftOut, KeysOfNrrd) {
   EXPECT_THAT(warningsOf("a.nrrd", nrrd("Segment0_Name:=bone\nmine:=1\n", kData)),
               ElementsAre(HasSubstr("nothing is used but that there are segments: 'Segment0_Name', 'mine'")));
+}
+
+TEST_F(LeftOut, FieldsOfNrrdThatAreThereTwice) {
+  EXPECT_THAT(warningsOf("a.nrrd", nrrd("content: one\ncontent: two\n", kData)), IsEmpty());
+  EXPECT_THAT(warningsOf("a.nrrd", nrrd("sizes: 1 2 3\n", kData)),
+              ElementsAre("its field 'sizes' is there more than once; the last holds"));
+  EXPECT_EQ(extent_, (Int3{1, 2, 3}));
+  EXPECT_THAT(warningsOf("a.nrrd", nrrd("centers: cell cell cell\ncenterings: node node node\n", kData)),
+              ElementsAre(HasSubstr("its field 'centerings' is there more than once")));
 }
 
 TEST_F(LeftOut, LinesOfNrrdThatEndByCarriageReturns) {
@@ -75,6 +89,8 @@ TEST_F(LeftOut, ExtensionsAndSurplusOfNifti) {
   EXPECT_THAT(warningsOf("a.nii", nifti(bytesOf<std::int32_t>({16, 6}) + "a remark") + kData),
               ElementsAre("extensions of its header are not used"));
   EXPECT_THAT(warningsOf("a.nii.gz", gzipped(nifti("") + kData)), IsEmpty());
+  EXPECT_THAT(warningsOf("a.nii.gz", gzipped(nifti("") + kData) + "7"),
+              ElementsAre("1 byte is left out behind the compressed data"));
   EXPECT_THAT(warningsOf("a.nii.gz", gzipped(nifti("") + kData + "7")),
               ElementsAre(HasSubstr("more is packed")));
 }
@@ -113,6 +129,28 @@ TEST_F(LeftOut, WhatBinvoxDoesNotSay) {
               ElementsAre(HasSubstr("2 bytes are left out")));
   EXPECT_THAT(warningsOf("a.binvox", binvox("", "\7\4\1\4")),
               ElementsAre(HasSubstr("other numbers than 0 and 1")));
+}
+
+TEST_F(LeftOut, VoxelsOfAModelThatAreThereTwice) {
+  options_.colourMap = "";
+  const auto model = [&](std::initializer_list<VoxCell> cells) {
+    return warningsOf("a.vox", voxBytes(modelChunks(2, 2, 2, cells)));
+  };
+  EXPECT_THAT(model({{0, 0, 0, 1}, {1, 1, 1, 2}, {0, 0, 0, 1}}), IsEmpty());
+  EXPECT_THAT(model({{0, 0, 0, 1}, {1, 1, 1, 2}, {0, 0, 0, 3}, {1, 1, 1, 3}}),
+              ElementsAre("2 voxels are left out, which a model has before in another colour"));
+}
+
+TEST_F(LeftOut, WhatOnlyTheEditorOfAModelShows) {
+  options_.colourMap = "";
+  const std::string model = modelChunks(1, 1, 1, {{0, 0, 0, 1}});
+  const auto layer = [&](const char *key, const char *value) {
+    return chunkBytes("LAYR", wordBytes({0}) + dictionaryBytes({{key, value}}) + wordBytes({0xffffffff}));
+  };
+  EXPECT_THAT(warningsOf("a.vox", voxBytes(model + layer("_hidden", "0"))), IsEmpty());
+  EXPECT_THAT(warningsOf("a.vox", voxBytes(model + layer("_name", "walls") + chunkBytes("IMAP", "1") +
+                                           chunkBytes("NOTE", "") + chunkBytes("rOBJ", ""))),
+              ElementsAre(HasSubstr("are not used: IMAP, NOTE, _name, rOBJ")));
 }
 
 class LeftOutSlices : public LeftOut {

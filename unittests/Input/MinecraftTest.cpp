@@ -142,6 +142,19 @@ TEST_F(Minecraft, SpongeSchematicsOfThreeVersions) {
             (Words{dirt, stone, stone, dirt, stone, stone}));
 }
 
+TEST_F(Minecraft, BytesBehindTheTagsAreTold) {
+  const std::string file =
+      compound("Schematic", sizeTags(1, 1, 1) + tag(8, "Materials", text("Alpha")) +
+                                bytesTag("Blocks", "\1") + bytesTag("Data", std::string(1, '\0')));
+  const Words stone{wordOf("stone")};
+  EXPECT_EQ(words("a.schematic", file), stone);
+  EXPECT_THAT(warnings_, IsEmpty());
+  EXPECT_EQ(words("a.schematic", file + "12"), stone);
+  EXPECT_THAT(warnings_, ElementsAre("2 bytes are left out behind the end of its tags"));
+  EXPECT_EQ(words("a.schematic", gzipped(file + "12") + "3"), stone);
+  EXPECT_THAT(warnings_, ElementsAre("3 bytes are left out behind the end of its tags"));
+}
+
 TEST_F(Minecraft, RegionsOfLitematicaLieAtTheirPositions) {
   const std::vector<std::string> five{"minecraft:air", "minecraft:stone", "minecraft:dirt", "minecraft:sand",
                                       "minecraft:gravel"};

@@ -2,6 +2,7 @@
 #include "Input/Dense/ByteStream.h"
 
 #include "Input/Dense/GzipReader.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,7 @@ public:
 
   Expected<std::size_t> readSome(std::span<std::byte> target) override { return reader_.readSome(target); }
   std::uint64_t mostBytes() const override { return (bytes_ + kMostPerByte) * kMostPerByte; }
+  std::uint64_t bytesBehind() const override { return reader_.behind().size(); }
 
 private:
   static constexpr std::uint64_t kMostPerByte = 1032; ///< Deflate makes no more of a byte.
@@ -83,6 +85,7 @@ public:
   }
   /// A block of 900 kB, each byte of which may stand for 52, takes some 40 bytes.
   std::uint64_t mostBytes() const override { return (std::uint64_t{all_} + 64) << 21; }
+  std::uint64_t bytesBehind() const override { return bytes_.size(); }
 
 private:
   static constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;
@@ -168,8 +171,10 @@ std::vector<std::string> saysBehind(ByteStream &stream) {
   const auto more = stream.readSome(some);
   if (!more)
     return {"behind the samples " + more.error().message};
-  if (*more == 0)
+  if (*more == 0 && stream.bytesBehind() == 0)
     return {};
+  if (*more == 0)
+    return {countedAre(stream.bytesBehind(), "byte") + " left out behind the compressed data"};
   return {"more is packed behind the samples, and is left out"};
 }
 

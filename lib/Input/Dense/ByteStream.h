@@ -24,6 +24,9 @@ public:
 
   /// More bytes than this are in no such stream.
   virtual std::uint64_t mostBytes() const = 0;
+
+  /// Once the end was read: how many bytes lie behind what is compressed.
+  virtual std::uint64_t bytesBehind() const { return 0; }
 };
 
 /// Each reads `bytes`, which must outlive it: as they are; by gzip, whose members follow each other;

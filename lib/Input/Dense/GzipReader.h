@@ -40,6 +40,9 @@ public:
   Expected<std::shared_ptr<const InflatedBytes>>
   read(std::uint64_t count, const std::shared_ptr<WorkingMemory> &memory, const Progress &progress);
 
+  /// Once the end was read: the bytes behind it, which are no gzip data.
+  std::span<const std::byte> behind() const { return bytes_; }
+
 private:
   struct State;
 

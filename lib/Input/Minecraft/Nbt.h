@@ -39,6 +39,8 @@ public:
   explicit operator bool() const { return kind_ != NbtKind::End; }
   NbtKind kind() const { return kind_; }
   std::string_view name() const { return name_; }
+  /// Its bytes, from behind the name to its end.
+  std::span<const std::byte> payload() const { return payload_; }
 
   /// A tag of a compound by its name; none if this is no compound, or has none.
   NbtTag operator[](std::string_view name) const;
@@ -55,7 +57,7 @@ public:
 private:
   NbtKind kind_ = NbtKind::End;
   std::string_view name_;
-  std::span<const std::byte> payload_; ///< From behind the name to its end.
+  std::span<const std::byte> payload_;
 };
 
 /// The tag at the beginning of `bytes`, which it points into, and all in it proven. Errors: no compound; an

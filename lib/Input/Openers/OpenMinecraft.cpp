@@ -6,6 +6,7 @@
 #include "Input/Openers/InputText.h"
 #include "Source/BinnedVoxels.h"
 #include "Source/GridExtent.h"
+#include "Support/Text.h"
 #include "Support/WatchedFile.h"
 #include "voxc/Support/Stopwatch.h"
 
@@ -18,8 +19,8 @@ namespace {
 
 using BlockBox = std::array<std::int64_t, 3>;
 
-/// The bytes that gzip packed. How many there are nobody says before.
-Expected<InflatedBytes> inflate(std::span<const std::byte> packed, const InputOptions &options) {
+/// The bytes that gzip packed, `packed` becoming those behind. How many there are nobody says before.
+Expected<InflatedBytes> inflate(std::span<const std::byte> &packed, const InputOptions &options) {
   constexpr std::uint64_t kStep = std::uint64_t{1} << 20;
   constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
   GzipReader reader(packed);
@@ -40,6 +41,7 @@ Expected<InflatedBytes> inflate(std::span<const std::byte> packed, const InputOp
       continue;
     if (auto sized = bytes.resize(done); !sized)
       return sized.error();
+    packed = reader.behind();
     return bytes;
   }
 }
@@ -117,19 +119,25 @@ Expected<Input> openScene(BlockScene scene, const InputOptions &options) {
 
 Expected<Input> openBytes(std::span<const std::byte> bytes, const InputOptions &options) {
   InflatedBytes inflated(options.memory);
+  std::uint64_t behind = 0;
   if (isGzip(bytes)) {
     auto all = inflate(bytes, options);
     if (!all)
       return all.error();
+    behind = bytes.size();
     inflated = std::move(*all);
     bytes = std::as_const(inflated).span();
   }
   const auto tags = readNbt(bytes);
   if (!tags)
     return tags.error();
+  const std::span<const std::byte> payload = tags->payload();
+  behind += bytes.size() - static_cast<std::size_t>(payload.data() + payload.size() - bytes.data());
   auto scene = readBlockScene(*tags, options.progress);
   if (!scene)
     return scene.error();
+  if (behind != 0)
+    scene->warnings.push_back(countedAre(behind, "byte") + " left out behind the end of its tags");
   return openScene(std::move(*scene), options);
 }
 
