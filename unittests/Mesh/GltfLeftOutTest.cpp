@@ -138,7 +138,7 @@ TEST_F(GltfLeftOut, ModelsWhoseMeshesAreSeenNowhereAreRefused) {
   EXPECT_THAT(problem("m.gltf", mesh + R"("nodes":[{}]})"),
               HasSubstr("its meshes are placed by no node; give each a node in the scene"));
   EXPECT_THAT(problem("m.gltf", mesh + R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{},{"mesh":0}]})"),
-              HasSubstr("all its nodes that have a mesh are hidden or outside of the scene"));
+              HasSubstr("all its nodes that have a mesh are hidden, or are not reached from"));
 }
 
 TEST_F(GltfLeftOut, ColoursAboveOneAreTold) {
