@@ -6,6 +6,10 @@ uint32_t lower_distance_level_${N}(uint32_t far, uint32_t near) { return near < 
 constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
 uint32_t distance_level_${N}(const uint32_t *slot) { return slot[1]; }
 void set_distance_level_${N}(uint32_t *slot, uint32_t distance) { slot[1] = distance; } // 0 of a cell that is not empty.
+// One more than a distance, but for the greatest that a word can tell.
+uint32_t after_distance_level_${N}(uint32_t distance) {
+  return LEVEL_${N}_REACH == ~uint32_t{0} && distance == LEVEL_${N}_REACH ? distance : distance + 1;
+}
 %else
 // An empty cell's word holds its distance; a word of 0 is a cell whose distance is not known yet.
 constexpr uint64_t LEVEL_${N}_SLOT = ${slot-words};
@@ -25,7 +29,7 @@ void lower_level_${N}(uint32_t *__restrict slots, const uint32_t *__restrict nei
 %if distances-beside
   if (LEVEL_${N}_SLOT == 2) { // Every word, so that processors can take many at a time; but a value stays.
     for (uint64_t i = 0; i < 2 * count; ++i) {
-      const uint32_t most = (neighbours[i] + 1) | (i % 2 == 1 ? 0 : ~uint32_t{0});
+      const uint32_t most = after_distance_level_${N}(neighbours[i]) | (i % 2 == 1 ? 0 : ~uint32_t{0});
       slots[i] = slots[i] < most ? slots[i] : most;
     }
     return;
