@@ -120,9 +120,10 @@ TEST_F(GltfLeftOut, CornersBehindTheLastTriangleAreTold) {
 }
 
 TEST_F(GltfLeftOut, SkinsOfMeshesThatNameNoJointsAreTold) {
-  EXPECT_THAT(model(R"("materials":[{}],"skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0},{}])").warnings,
-              ElementsAre("meshes[0].primitives[0] has a skin, but not both JOINTS_0 and WEIGHTS_0: the skin "
-                          "moves nothing"));
+  EXPECT_THAT(
+      model(R"("materials":[{}],"skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0},{}])").warnings,
+      ElementsAre(
+          "meshes[0] has a skin, but no primitive with JOINTS_0 and WEIGHTS_0: the skin moves nothing"));
 }
 
 TEST_F(GltfLeftOut, ExtensionsThatAreNotListedCount) {

@@ -32,6 +32,15 @@ bool isKnownAttribute(std::string_view name) {
 
 bool isFloat(Type type) { return type == Type::Float32 || type == Type::Float64; }
 
+/// True if a skin moves one of them; others beside it stay where they are.
+bool hasJoints(const GltfList &primitives) {
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    if (const GltfObject attributes = primitives[i].object("attributes");
+        attributes.has("JOINTS_0") && attributes.has("WEIGHTS_0"))
+      return true;
+  return false;
+}
+
 } // namespace
 
 GltfMeshes::GltfMeshes(GltfContext &context, GltfBuffers &buffers, GltfAccessors &accessors,
@@ -56,6 +65,10 @@ GltfMeshes::Parts GltfMeshes::readParts(std::size_t mesh, const GltfPose *pose) 
   parts.begin = static_cast<std::uint32_t>(context_.scene.parts.size());
   for (std::size_t i = 0; i < primitives.size() && !context_.problem; ++i)
     readPrimitive(primitives[i], pose);
+  if (pose && pose->joints && !context_.problem && !hasJoints(primitives))
+    context_.warnings.add(
+        list_[mesh].name() +
+        " has a skin, but no primitive with JOINTS_0 and WEIGHTS_0: the skin moves nothing");
   parts.end = static_cast<std::uint32_t>(context_.scene.parts.size());
   return parts;
 }
@@ -130,9 +143,6 @@ void GltfMeshes::applyPose(const GltfObject &primitive, const GltfPose &pose, Me
   const std::vector<GltfMorph> morphs = morphsOf(primitive, pose, part);
   const std::vector<GltfJointSet> sets =
       pose.joints ? jointSetsOf(primitive.object("attributes"), part) : std::vector<GltfJointSet>();
-  if (pose.joints && sets.empty() && !context_.problem)
-    context_.warnings.add(primitive.name() +
-                          " has a skin, but not both JOINTS_0 and WEIGHTS_0: the skin moves nothing");
   if (!context_.problem && part.positions && (pose.joints || !morphs.empty()))
     part.positions = poses_.positions(primitive, part.positions, pose, morphs, sets);
 }
