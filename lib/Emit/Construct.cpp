@@ -4,6 +4,7 @@
 #include "voxc/Emit/Emit.h"
 #include "voxc/Layout/SlotKind.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace voxc {
@@ -75,6 +76,8 @@ std::string partChoice(const Plan &plan) {
 std::string emitConstruct(const Plan &plan) {
   TemplateNames names = planNames(plan);
   std::string levels;
+  if (std::ranges::any_of(plan.layout.strata, reportsBall)) // Once for all that measure them.
+    levels += "\n" + fillFile(constructFiles(), "distances/plane.cpp", names);
   for (std::size_t i = plan.layout.strata.size(); i-- > 0;)
     levels += levelComment(plan, i) + constants(plan, i) + functions(plan, i);
   names.holes["LEVELS"] = levels;

@@ -32,8 +32,8 @@ struct AttributeKind {
   AttributeEffect effect;
   std::span<const std::string_view> values;
   std::string_view summary;
-  const AttributeList *list = nullptr;  ///< Its values are then yes and no.
-  std::string_view byPasses = {};       ///< The passes that set it, where no option of its name shall.
+  const AttributeList *list = nullptr; ///< Its values are then yes and no.
+  std::string_view byPasses = {};      ///< The passes that set it; a format's has no option of its name then.
   const AttributeKind *needs = nullptr; ///< It can be chosen only beside one of this kind; null: always.
   std::span<const AttributeValue> excludes = {}; ///< Of levels: what their format cannot have beside it.
   bool amongSubVolumes = false; ///< It says what sub-volumes share: nothing of the first level, which is one.

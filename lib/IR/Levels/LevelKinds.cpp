@@ -75,7 +75,8 @@ const TypedAttribute<Metric> kMetricAttribute = {
 const TypedAttribute<int> kPointersAttribute = {
     {"pointers", AttributeEffect::Storage, kPointersValues,
      "what leads to a sub-volume: its offset, a word, or its number in an array of all of the level's, of so "
-     "many bits; of grids of 4 x 4 x 4 voxels that are masks alone, below a masked level"},
+     "many bits; of grids of 4 x 4 x 4 voxels that are masks alone, below a masked level",
+     nullptr, "--short-pointers"},
     [](std::size_t value) { return value == 0 ? 0 : static_cast<int>(value) + 7; }};
 
 const TypedAttribute<Counts> kCountsAttribute = {

@@ -49,9 +49,8 @@ private:
   }
 
   static std::string needText(const Level &level, const AttributeKind &kind) {
-    const std::string needed(kind.needs->name);
     return " has " + std::string(kind.name) + "=" + std::string(level.attribute(kind)) + ", which needs " +
-           needed + "; set " + needed + "=" + std::string(kind.needs->values.back()) + ", say";
+           std::string(kind.needs->name) + " (" + std::string(kind.needs->byPasses) + ")";
   }
 
   void refuse(std::size_t index, const std::string &problem) {
