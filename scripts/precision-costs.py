@@ -1,28 +1,25 @@
 #!/usr/bin/env python3
 """What exact hits cost beside fast ones, over many formats, for docs/performance.md.
 
-  precision-costs.py VOXC SCENE OUT [FORMATS...]   traces on both devices; SCENE is of 512 voxels an axis; FORMATS are lists, a line
-                                                   each: label<TAB>format, as those of the paper. OUT is a folder for volumes and
-                                                   costs.json, to which each format is added once
-  precision-costs.py --table OUT                   prints the table of costs.json
+  precision-costs.py VOXC SCENE EDGE OUT [FORMATS...]  traces on both devices; SCENE is of EDGE voxels an axis; FORMATS are lists, a line
+                                                       each: label<TAB>format, as those of the paper; without lists, the formats of
+                                                       docs/performance.md. OUT is a folder for volumes and costs.json, to which each
+                                                       format is added once
+  precision-costs.py --table OUT                       prints the table of costs.json
 
-Four kinds of rays: of a camera and in random directions, from near and from 300 edges away. A cost is the CPU time of `exact` over that
-of `fast`, one thread, medians of rounds in turn. Of each, 50 hits of `exact` are held against the oracle. Needs NumPy.
+The kinds of rays are those of measured_rays.py. A cost is the CPU time of `exact` over that of `fast`, one thread, medians of rounds in
+turn. Of each, 50 hits of `exact` are held against the oracle. Needs NumPy.
 """
 import json
-import os
 import statistics
-import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
+from measured_rays import run, write_kinds
 
-EDGE = 512
 RAYS = 40_000
 ROUNDS = 5
 CHECKED = 50
-FAR = 300
 DEVICES = ("cpu", "llvmpipe")
 OCTANTS = ("--octant-distances", "--df-packing")
 OF_PERFORMANCE = (
@@ -37,47 +34,6 @@ OF_PERFORMANCE = (
     ("R(1^3) M(2^3) M(2^3) M(2^3) M(2^3)", ("--share-grids", "--occupancy")),
     ("R(1^3) M(2^3) M(2^3) M(2^3) M(2^3)", ("--share-grids", "--payload=auto", "--short-pointers=auto")),
 )
-
-
-def unit(vectors):
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
-def camera(eye):
-    """A picture that the scene fills, from any distance."""
-    middle = np.full(3, EDGE / 2)
-    forward = unit(middle - eye)
-    right = unit(np.cross(forward, [0, 1, 0]))
-    up = np.cross(right, forward)
-    width = round(RAYS**0.5)
-    grid = np.stack(np.meshgrid(*2 * [np.linspace(-0.9, 0.9, width)]), -1).reshape(-1, 2)
-    half = 0.6 * EDGE / np.linalg.norm(middle - eye)
-    direction = forward + half * (grid[:, :1] * right + grid[:, 1:] * up)
-    return np.tile(eye, (len(direction), 1)), direction
-
-
-def scattered(origins, random):
-    """From these, by chance to a point of the scene, or, where they are in it, in any direction."""
-    to = random.uniform(0, EDGE, (len(origins), 3))
-    inside = np.all((origins >= 0) & (origins < EDGE), axis=1, keepdims=True)
-    return origins, np.where(inside, random.normal(size=to.shape), to - origins)
-
-
-def kinds():
-    random = np.random.default_rng(5)
-    aside = np.array([0.6, 0.35, 0.72]) * EDGE
-    sphere = EDGE / 2 + FAR * EDGE * unit(random.normal(size=(RAYS, 3)))
-    return {
-        "near, a camera": camera(EDGE / 2 + 1.5 * aside),
-        "near, scattered": scattered(random.uniform(0, EDGE, (RAYS, 3)), random),
-        "far, a camera": camera(EDGE / 2 + FAR * aside),
-        "far, scattered": scattered(sphere, random),
-    }
-
-
-def run(*command, folder):
-    environment = {**os.environ, "LP_NUM_THREADS": "1", "MESA_SHADER_CACHE_DIR": str(folder / "mesa")}
-    subprocess.run([str(part) for part in command], check=True, env=environment, stdout=subprocess.DEVNULL)
 
 
 def measure(voxc, volume, rays, folder):
@@ -97,22 +53,19 @@ def measure(voxc, volume, rays, folder):
 
 
 def formats(lists):
-    for form, options in OF_PERFORMANCE:
+    for form, options in () if lists else OF_PERFORMANCE:
         yield "performance", form, options
     for name in lists:
         for line in Path(name).read_text().splitlines():
             yield Path(name).stem, line.split("\t")[-1], ("--whole-level-dedup",)
 
 
-def measure_all(voxc, scene, out, lists):
+def measure_all(voxc, scene, edge, out, lists):
     folder = Path(out).resolve()
     folder.mkdir(exist_ok=True)
     results = folder / "costs.json"
     records = json.loads(results.read_text()) if results.exists() else []
-    files = {}
-    for number, (kind, (origins, directions)) in enumerate(kinds().items()):
-        files[kind] = folder / f"{number}.rays"
-        np.concatenate([origins, directions], 1).astype("<f4").tofile(files[kind])
+    files = write_kinds(folder, edge, RAYS)
     for group, form, options in formats(lists):
         if any((r["group"], r["format"], r["options"]) == (group, form, list(options)) for r in records):
             continue
@@ -149,4 +102,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "--table":
         table(sys.argv[2])
     else:
-        measure_all(sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4:])
+        measure_all(sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.argv[4], sys.argv[5:])

@@ -1,25 +1,27 @@
 // A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray as given.
 struct Ray {
-  uvec3 given_origin;    // The bits of six float32 taken as exact numbers.
+  uvec3 given_origin; // The bits of six float32 taken as exact numbers.
   uvec3 given_direction;
-  ${real3-wide} origin;          // Where walking counts from: the given origin, or where a ray from far away enters.
-  ${real3-wide} direction;       // Scaled so that the longest is in [1, 2); LEAST_COMPONENT where a coordinate never changes, so that
-  ${real3-wide} inverse;         // it passes no face before another does. All t are those of this direction, from this origin.
-  ${real3-wide} late;            // By how much each t comes late that is counted from there.
-  ${real} slack;           // What is wrong of a t, beside a few roundings.
-  ${real3-wide} lowest;          // The least that is certain of the coordinates at the origin,
-  ${real} doubt;           // and how much more any coordinate on the way may be, in voxels.
-  ${real} certain;         // A coordinate that is at least this far below the next whole number is in its cell.
-  bvec3 moves;           // False on an axis whose coordinate never changes.
-  bvec3 falls;           // The coordinate falls.
+  ${real3} origin; // Where the traversal counts from: the given origin, or where a ray from far away enters.
+  // Scaled so that the longest component is in [1, 2). Where a coordinate never changes it is LEAST_COMPONENT: that passes no face
+  // before another does. All t are those of this direction, from this origin.
+  ${real3} direction;
+  ${real3} inverse;
+  ${real3} late; // By how much each t comes late that is counted from there.
+  ${real} slack; // What is wrong of a t, beside a few roundings.
+  ${real3} lowest; // The least that is certain of the coordinates at the origin,
+  ${real} doubt; // and how much more any coordinate on the way may be, in voxels.
+  ${real} certain; // A coordinate that is at least this far below the next whole number is in its cell.
+  bvec3 moves; // False on an axis whose coordinate never changes.
+  bvec3 falls; // The coordinate falls.
 %if refines
-  bool is_moderate;      // No number as given but 0 is below 2^-40.
+  bool is_moderate; // No number as given but 0 is below 2^-40.
 %end
-  bool plain;            // As given, it has no numbers but 0 and those whose significand has all its bits.
-  ivec3 heading;         // -1 where the coordinate falls, else 1.
-  ${real3-wide} beyond;          // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
-  int octant;            // A bit for each coordinate that rises, that of x lowest.
-  ivec3 ahead;           // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
+  bool plain; // As given, it has no numbers but 0 and those whose significand has all its bits.
+  ivec3 heading; // -1 where the coordinate falls, else 1.
+  ${real3} beyond; // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+  int octant; // A bit for each coordinate that rises, that of x lowest.
+  ivec3 ahead; // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
 };
 
 // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
@@ -46,7 +48,7 @@ struct Walk {
 %end
   uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-  int open; // The step over a gap around ~cell is left to be settled: 32 times its count, and its log2_side. Else CLOSED.
+  int open; // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
 %if bounded
   ivec3 begin; // A walk ends where it leaves the box of `size` cells from `begin` on.
   ivec3 size;

@@ -1,8 +1,10 @@
 // Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text, or GLSL ES.
-#include "Embedded.h"
 #include "KernelFunctions.h"
 #include "Names.h"
-#include "Wrap.h"
+#include "SharedLanguage.h"
+
+#include "Glsl/Parse.h"
+#include "Glsl/Passes.h"
 
 #include "voxc/Emit/Emit.h"
 
@@ -61,7 +63,12 @@ std::string prefixed(const std::string &lacking, std::span<const std::string_vie
                           kernelFunctions(plan) + "\n" + runtime("walk_on", names);
   for (const std::string_view file : queries)
     functions += "\n" + runtime(file, names);
-  return embedded(functions, names.holes.at("prefix"));
+  auto module = glsl::parse(functions);
+  if (!module)
+    return "#error " + module.error().message + "\n";
+  glsl::addParameter(*module, "load_word", {glsl::Passing::In, "VOXC_VOLUME", "volume"});
+  glsl::addPrefix(*module, names.holes.at("prefix"));
+  return SharedLanguage().print(*module);
 }
 
 /// Of plans with bounds.
@@ -95,8 +102,7 @@ std::string headerFile(std::string_view name) { return "voxc_" + std::string(nam
 
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
-  return wrapped(runtime("header/begin", names) + prefixed("", kQueries, plan, names) +
-                 runtime("header/end", names));
+  return runtime("header/begin", names) + prefixed("", kQueries, plan, names) + runtime("header/end", names);
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {
@@ -111,10 +117,10 @@ std::string emitWebGl(const Plan &plan, std::string_view name) {
   TemplateNames names = headerNames(plan, name);
   names.conditions["keeps-sums"] = false; // It has no `precise`.
   const std::string builtins = runtime("webgl/builtins", names) + "\n" + runtime("carries", names);
-  return wrapped(
-      runtime("webgl/begin", names) +
-      prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan, names) +
-      runtime("webgl/end", names));
+  return runtime("webgl/begin", names) +
+         prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
+                  names) +
+         runtime("webgl/end", names);
 }
 
 std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "carries.glsl"); }

@@ -4,6 +4,9 @@
 
 #include "voxc/Emit/Emit.h"
 
+#include "Glsl/Parse.h"
+#include "Glsl/Print.h"
+
 namespace voxc {
 namespace {
 
@@ -30,10 +33,13 @@ std::string emitIntersect(const Plan &plan) {
              file("dispatch.glsl");
     return file("records.glsl") + file("buffers.glsl") + file("walk_on.glsl") + file("dispatch.glsl");
   };
-  return preamble(plan) + volumeSize(plan) + file("interface.glsl") +
-         (plan.stopsAboveVoxels() ? file("detail/spread.glsl") : "") +
-         file("memory/" + std::string(toString(plan.addressing)) + ".glsl") +
-         (plan.addressing == Addressing::Paged ? file("paging.glsl") : "") + kernelFunctions(plan) + around();
+  const std::string text = preamble(plan) + volumeSize(plan) + file("interface.glsl") +
+                           (plan.stopsAboveVoxels() ? file("detail/spread.glsl") : "") +
+                           file("memory/" + std::string(toString(plan.addressing)) + ".glsl") +
+                           (plan.addressing == Addressing::Paged ? file("paging.glsl") : "") +
+                           kernelFunctions(plan) + around();
+  const auto module = glsl::parse(text);
+  return module ? glsl::print(*module) : "#error " + module.error().message + "\n";
 }
 
 } // namespace voxc

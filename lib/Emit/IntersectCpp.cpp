@@ -1,7 +1,9 @@
 // Printing a plan as intersect.cpp: the same functions as in intersect.glsl, as members of a class.
-#include "GlslToCpp.h"
 #include "KernelFunctions.h"
 #include "Names.h"
+
+#include "Glsl/Cpp.h"
+#include "Glsl/Parse.h"
 
 #include "voxc/Emit/Emit.h"
 
@@ -30,6 +32,11 @@ std::string indented(std::string_view text) {
   return result;
 }
 
+std::string inCpp(const std::string &functions) {
+  const auto module = glsl::parse(functions);
+  return module ? "\n" + glsl::Cpp().print(*module) : "#error " + module.error().message + "\n";
+}
+
 std::string upperCase(std::string_view name) {
   std::string result(name);
   std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -48,7 +55,7 @@ std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool cou
   const std::string buffers = file("records.glsl") + file(isPoint ? "point/answer.glsl" : "buffers.glsl");
   const std::string paging = plan.addressing == Addressing::Paged ? file("paging.glsl") : "";
   const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
-                              glslToCpp(volumeSize(plan) + paging + kernelFunctions(plan) + bounds + buffers);
+                              inCpp(volumeSize(plan) + paging + kernelFunctions(plan) + bounds + buffers);
   std::string text = fillFile(cpuFiles(), "begin.inc", names) + indented(members);
   for (const char *path : isPoint ? std::span<const char *const>(kPointFiles) : kRayFiles)
     text += fillFile(cpuFiles(), path, names);

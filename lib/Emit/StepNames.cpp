@@ -10,7 +10,6 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   holes["real"] = inDoubles ? "double" : "float";
   holes["real-name"] = inDoubles ? "doubles" : "float32";
   holes["real3"] = real3;
-  holes["real3-wide"] = inDoubles ? real3 : real3 + " ";
   conditions["doubles"] = inDoubles;
   conditions["by-bits"] = plan.compare == Compare::Bits;
   conditions["refines"] = plan.steps == Steps::Refined;

@@ -1,5 +1,5 @@
 // Broken lines: they fit, and say the same.
-#include "Emit/Wrap.h"
+#include "Glsl/Wrap.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-namespace voxc {
+namespace voxc::glsl {
 namespace {
 
 /// Without blanks and line ends, and without the marks of comments.
@@ -70,4 +70,4 @@ TEST(Wrap, LinesOfThePreprocessorStay) {
 }
 
 } // namespace
-} // namespace voxc
+} // namespace voxc::glsl

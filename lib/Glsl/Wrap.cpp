@@ -1,13 +1,11 @@
 // Lines are broken at blanks, behind a comma if one is near, before an operator else; comments among words.
-#include "Wrap.h"
+#include "Glsl/Wrap.h"
 
 #include <algorithm>
 #include <array>
 
-namespace voxc {
+namespace voxc::glsl {
 namespace {
-
-constexpr std::size_t kMostColumns = 120;
 
 std::size_t indentOf(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
@@ -90,4 +88,4 @@ std::string wrapped(std::string_view text) {
   return result;
 }
 
-} // namespace voxc
+} // namespace voxc::glsl

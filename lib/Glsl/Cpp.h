@@ -1,0 +1,21 @@
+// C++, where functions are members of a class.
+#pragma once
+
+#include "Glsl/Printer.h"
+
+namespace voxc::glsl {
+
+/// Kernels as the body of a class, beside cpu-runtime/voxc_glsl.h: `inout` and `out` parameters are
+/// references, `const` ones references to const; constants are static members; numbers with a point or an
+/// exponent are floats. A module for it has no swizzles of several components, no arrays as parameters or
+/// results (a struct carries one) and no macros but OUT_OF_LINE.
+class Cpp : public Printer {
+protected:
+  std::string literal(const std::string &text) const override;
+  std::string parameter(const Parameter &parameter) const override;
+  /// C++ is compiled so that nothing is contracted or reordered: it has no word for `precise`.
+  std::string beforeLocal(const std::string &qualifiers) const override;
+  std::string beforeGlobal(const std::string &qualifiers) const override;
+};
+
+} // namespace voxc::glsl

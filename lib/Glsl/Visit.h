@@ -1,0 +1,58 @@
+// Every expression and every statement of a tree, each before those inside it.
+#pragma once
+
+#include "Glsl/Tree.h"
+
+namespace voxc::glsl {
+
+/// Calls `visit(expression)` for one and for all inside it. `Tree` is an Expression, const or not.
+template <typename Tree, typename Visit>
+void forEachExpression(Tree &expression, const Visit &visit)
+  requires requires { expression.operands; }
+{
+  visit(expression);
+  for (auto &operand : expression.operands)
+    forEachExpression(operand, visit);
+}
+
+/// Calls `visit(statement)` for one and for all inside it.
+template <typename Tree, typename Visit> void forEachStatement(Tree &statement, const Visit &visit) {
+  visit(statement);
+  for (auto *const inner : {&statement.begin, &statement.body, &statement.otherwise})
+    for (auto &one : *inner)
+      forEachStatement(one, visit);
+}
+
+/// Those of a variable: its sizes, and what it begins with.
+template <typename Tree, typename Visit> void forEachExpressionOf(Tree &variable, const Visit &visit) {
+  for (auto *const some : {&variable.sizes, &variable.initial})
+    for (auto &one : *some)
+      forEachExpression(one, visit);
+}
+
+/// Those of a statement, and of all inside it.
+template <typename Tree, typename Visit>
+void forEachExpression(Tree &statement, const Visit &visit)
+  requires requires { statement.otherwise; }
+{
+  forEachStatement(statement, [&](auto &inner) {
+    for (auto &variable : inner.variables)
+      forEachExpressionOf(variable, visit);
+    for (auto *const some : {&inner.expressions, &inner.step})
+      for (auto &one : *some)
+        forEachExpression(one, visit);
+  });
+}
+
+/// Those of a declaration.
+template <typename Tree, typename Visit>
+void forEachExpression(Tree &declaration, const Visit &visit)
+  requires requires { declaration.parameters; }
+{
+  for (auto &variable : declaration.variables)
+    forEachExpressionOf(variable, visit);
+  for (auto &statement : declaration.body)
+    forEachExpression(statement, visit);
+}
+
+} // namespace voxc::glsl
