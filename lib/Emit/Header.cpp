@@ -5,6 +5,7 @@
 
 #include "Glsl/Parse.h"
 #include "Glsl/Passes.h"
+#include "Glsl/Wrap.h"
 
 #include "voxc/Emit/Emit.h"
 
@@ -102,7 +103,8 @@ std::string headerFile(std::string_view name) { return "voxc_" + std::string(nam
 
 std::string emitHeader(const Plan &plan, std::string_view name) {
   const TemplateNames names = headerNames(plan, name);
-  return runtime("header/begin", names) + prefixed("", kQueries, plan, names) + runtime("header/end", names);
+  return glsl::wrapped(runtime("header/begin", names)) + prefixed("", kQueries, plan, names) +
+         runtime("header/end", names);
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {
@@ -117,7 +119,7 @@ std::string emitWebGl(const Plan &plan, std::string_view name) {
   TemplateNames names = headerNames(plan, name);
   names.conditions["keeps-sums"] = false; // It has no `precise`.
   const std::string builtins = runtime("webgl/builtins", names) + "\n" + runtime("carries", names);
-  return runtime("webgl/begin", names) +
+  return glsl::wrapped(runtime("webgl/begin", names)) +
          prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
                   names) +
          runtime("webgl/end", names);
