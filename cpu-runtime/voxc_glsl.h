@@ -14,16 +14,23 @@
 #define VOXC_END_INLINE
 #endif
 
+// A function of GCC's and Clang's, or what nvcc calls it on a device.
+#if defined(__CUDA_ARCH__) && !defined(__clang__)
+#define VOXC_BUILTIN(name, on_device) on_device
+#else
+#define VOXC_BUILTIN(name, on_device) __builtin_##name
+#endif
+
 namespace voxc::glsl {
 
 template <typename T>
 concept Number = __is_same(T, float) || __is_same(T, double) || __is_same(T, int) || __is_same(T, uint);
 
 // Scalars. A NaN gives way to a number, as on every device that we know.
-VOXC_INLINE float min(float a, float b) { return __builtin_fminf(a, b); }
-VOXC_INLINE float max(float a, float b) { return __builtin_fmaxf(a, b); }
-VOXC_INLINE double min(double a, double b) { return __builtin_fmin(a, b); }
-VOXC_INLINE double max(double a, double b) { return __builtin_fmax(a, b); }
+VOXC_INLINE float min(float a, float b) { return VOXC_BUILTIN(fminf, fminf)(a, b); }
+VOXC_INLINE float max(float a, float b) { return VOXC_BUILTIN(fmaxf, fmaxf)(a, b); }
+VOXC_INLINE double min(double a, double b) { return VOXC_BUILTIN(fmin, fmin)(a, b); }
+VOXC_INLINE double max(double a, double b) { return VOXC_BUILTIN(fmax, fmax)(a, b); }
 VOXC_INLINE int min(int a, int b) { return b < a ? b : a; }
 VOXC_INLINE int max(int a, int b) { return a < b ? b : a; }
 VOXC_INLINE uint min(uint a, uint b) { return b < a ? b : a; }
@@ -31,25 +38,25 @@ VOXC_INLINE uint max(uint a, uint b) { return a < b ? b : a; }
 template <Number T> VOXC_INLINE T clamp(T value, Scalar<T> least, Scalar<T> most) {
   return min(max(value, least), most);
 }
-VOXC_INLINE float abs(float a) { return __builtin_fabsf(a); }
-VOXC_INLINE double abs(double a) { return __builtin_fabs(a); }
+VOXC_INLINE float abs(float a) { return VOXC_BUILTIN(fabsf, fabsf)(a); }
+VOXC_INLINE double abs(double a) { return VOXC_BUILTIN(fabs, fabs)(a); }
 VOXC_INLINE int abs(int a) { return a < 0 ? -a : a; }
 template <Number T> VOXC_INLINE T sign(T a) { return T(T(0) < a) - T(a < T(0)); }
-VOXC_INLINE float floor(float a) { return __builtin_floorf(a); }
-VOXC_INLINE double floor(double a) { return __builtin_floor(a); }
-VOXC_INLINE float ceil(float a) { return __builtin_ceilf(a); }
-VOXC_INLINE float trunc(float a) { return __builtin_truncf(a); }
-VOXC_INLINE float roundEven(float a) { return __builtin_roundevenf(a); }
-VOXC_INLINE float sqrt(float a) { return __builtin_sqrtf(a); }
+VOXC_INLINE float floor(float a) { return VOXC_BUILTIN(floorf, floorf)(a); }
+VOXC_INLINE double floor(double a) { return VOXC_BUILTIN(floor, floor)(a); }
+VOXC_INLINE float ceil(float a) { return VOXC_BUILTIN(ceilf, ceilf)(a); }
+VOXC_INLINE float trunc(float a) { return VOXC_BUILTIN(truncf, truncf)(a); }
+VOXC_INLINE float roundEven(float a) { return VOXC_BUILTIN(roundevenf, rintf)(a); }
+VOXC_INLINE float sqrt(float a) { return VOXC_BUILTIN(sqrtf, sqrtf)(a); }
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
-VOXC_INLINE float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+VOXC_INLINE float fma(float a, float b, float c) { return VOXC_BUILTIN(fmaf, fmaf)(a, b, c); }
 #else
 // Where the sum is no float32, it may be rounded twice.
 VOXC_INLINE float fma(float a, float b, float c) { return float(double(a) * double(b) + double(c)); }
 #endif
-VOXC_INLINE bool isnan(float a) { return __builtin_isnan(a); }
-VOXC_INLINE bool isinf(float a) { return __builtin_isinf(a); }
-VOXC_INLINE float ldexp(float a, int exponent) { return __builtin_ldexpf(a, exponent); }
+VOXC_INLINE bool isnan(float a) { return VOXC_BUILTIN(isnan, isnan)(a); }
+VOXC_INLINE bool isinf(float a) { return VOXC_BUILTIN(isinf, isinf)(a); }
+VOXC_INLINE float ldexp(float a, int exponent) { return VOXC_BUILTIN(ldexpf, ldexpf)(a, exponent); }
 template <typename T> VOXC_INLINE T mix(T a, T b, bool takesB) { return takesB ? b : a; }
 
 VOXC_INLINE uint floatBitsToUint(float a) { return __builtin_bit_cast(uint, a); }
@@ -58,9 +65,9 @@ VOXC_INLINE float uintBitsToFloat(uint a) { return __builtin_bit_cast(float, a);
 VOXC_INLINE float intBitsToFloat(int a) { return __builtin_bit_cast(float, a); }
 
 // Bits. The position of a bit that is not there is -1.
-VOXC_INLINE int bitCount(uint a) { return __builtin_popcount(a); }
-VOXC_INLINE int findLSB(uint a) { return __builtin_ffs(int(a)) - 1; }
-VOXC_INLINE int findMSB(uint a) { return a == 0 ? -1 : 31 - __builtin_clz(a); }
+VOXC_INLINE int bitCount(uint a) { return VOXC_BUILTIN(popcount, __popc)(a); }
+VOXC_INLINE int findLSB(uint a) { return VOXC_BUILTIN(ffs, __ffs)(int(a)) - 1; }
+VOXC_INLINE int findMSB(uint a) { return a == 0 ? -1 : 31 - VOXC_BUILTIN(clz, __clz)(a); }
 VOXC_INLINE int findMSB(int a) { return findMSB(uint(a < 0 ? ~a : a)); }
 
 // Wide integers.
@@ -122,7 +129,7 @@ VOXC_COMPARISON(notEqual, !=)
 #undef VOXC_COMPARISON
 
 template <typename T, typename Bound>
-VOXC_INLINE Vector3<T> clamp(const Vector3<T> &value, const Bound &least, const Bound &most) {
+VOXC_INLINE Vector3<T> clamp(const Vector3<T> &value, Bound least, Bound most) {
   return min(max(value, least), most);
 }
 template <typename T> VOXC_INLINE Vector3<T> mix(const Vector3<T> &a, const Vector3<T> &b, const bvec3 &takesB) {

@@ -2,9 +2,13 @@
 // wide register of each component. Freestanding; for Clang 17 and GCC 12, or later ones.
 #pragma once
 
-#define VOXC_INLINE [[gnu::always_inline]] inline
+// What CUDA wants before a function that a device may call.
+#ifndef VOXC_DEVICE
+#define VOXC_DEVICE
+#endif
+#define VOXC_INLINE [[gnu::always_inline]] VOXC_DEVICE inline
 // Where constants are made.
-#define VOXC_CONSTANT [[gnu::always_inline]] constexpr
+#define VOXC_CONSTANT [[gnu::always_inline]] VOXC_DEVICE constexpr
 
 namespace voxc::glsl {
 

@@ -1,10 +1,11 @@
-// Printing a plan as functions for the shaders and programs of others: GLSL and C++ in one text, or GLSL ES.
+// Printing a plan as functions for the shaders and programs of others.
+#include "HeaderLanguages.h"
 #include "KernelFunctions.h"
 #include "Names.h"
-#include "SharedLanguage.h"
 
 #include "Glsl/Parse.h"
 #include "Glsl/Passes.h"
+#include "Glsl/Verify.h"
 #include "Glsl/Wrap.h"
 
 #include "voxc/Emit/Emit.h"
@@ -56,26 +57,41 @@ std::string runtime(std::string_view file, const TemplateNames &names) {
   return fillFile(shaderFiles(), std::string(file) + ".glsl", names);
 }
 
-/// All functions, with what a language lacks before them, by names that are a format's own. `queries`: the
-/// files of those that are called from outside.
-std::string prefixed(const std::string &lacking, std::span<const std::string_view> queries, const Plan &plan,
-                     const TemplateNames &names) {
-  std::string functions = volumeSize(plan) + "\n" + lacking + "\n" + runtime("header/load", names) +
-                          kernelFunctions(plan) + "\n" + runtime("walk_on", names);
-  for (const std::string_view file : queries)
-    functions += "\n" + runtime(file, names);
-  auto module = glsl::parse(functions);
-  if (!module)
-    return "#error " + module.error().message + "\n";
-  glsl::addParameter(*module, "load_word", {glsl::Passing::In, "VOXC_VOLUME", "volume"});
-  glsl::addPrefix(*module, names.holes.at("prefix"));
-  return SharedLanguage().print(*module);
-}
-
 /// Of plans with bounds.
 constexpr std::string_view kQueries[] = {"bounds", "header/hit", "header/queries"};
 /// Of plans without.
 constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
+
+/// Names that the text around the functions gives a meaning.
+constexpr glsl::External kExternals[] = {
+    {"VOXC_LOAD", "uint"}, {"VOXC_INDEX", "uint"}, {"VOXC_FIND", "bool"}, {"volume", "VOXC_VOLUME"}};
+
+/// All functions, after those that a language lacks.
+std::string functionsOf(const Plan &plan, const HeaderLanguageKind &language, const TemplateNames &names) {
+  std::string functions = volumeSize(plan);
+  for (const std::string_view file : language.lacking)
+    functions += "\n" + runtime(file, names);
+  functions +=
+      "\n" + runtime("header/load", names) + kernelFunctions(plan) + "\n" + runtime("walk_on", names);
+  for (const std::string_view file : plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst)
+    functions += "\n" + runtime(file, names);
+  return functions;
+}
+
+/// The same as a tree, by names that are a format's own.
+Expected<glsl::Module> moduleOf(const std::string &functions, const HeaderLanguageKind &language,
+                                const std::string &prefix) {
+  auto module = glsl::parse(functions);
+  if (!module)
+    return module;
+  if (const auto verified = glsl::verify(*module, kExternals); !verified)
+    return verified.error();
+  glsl::addParameter(*module, "load_word", {glsl::Passing::In, std::string(language.volume), "volume"});
+  glsl::addPrefix(*module, prefix);
+  if (language.makeReady)
+    language.makeReady(*module);
+  return module;
+}
 
 } // namespace
 
@@ -99,12 +115,19 @@ std::string headerName(const Layout &layout) {
 
 std::string headerPrefix(std::string_view name) { return "voxc_" + std::string(name) + "_"; }
 
-std::string headerFile(std::string_view name) { return "voxc_" + std::string(name) + ".h"; }
+std::string headerFile(std::string_view name, HeaderLanguage language) {
+  return "voxc_" + std::string(name) + std::string(kindOf(language).extension);
+}
 
-std::string emitHeader(const Plan &plan, std::string_view name) {
-  const TemplateNames names = headerNames(plan, name);
-  return glsl::wrapped(runtime("header/begin", names)) + prefixed("", kQueries, plan, names) +
-         runtime("header/end", names);
+std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage language) {
+  const HeaderLanguageKind &kind = kindOf(language);
+  TemplateNames names = headerNames(plan, name);
+  names.conditions["keeps-sums"] = kind.keepsSums;
+  const auto module = moduleOf(functionsOf(plan, kind, names), kind, names.holes.at("prefix"));
+  if (!module)
+    return "#error " + module.error().message + "\n";
+  return glsl::wrapped(fillFile(shaderFiles(), kind.begin, names)) + kind.printer()->print(*module) +
+         fillFile(shaderFiles(), kind.end, names);
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {
@@ -115,17 +138,7 @@ std::string emitCDefinitions(const Plan &plan, std::string_view name) {
   return fillFile(cpuFiles(), "functions.cpp", headerNames(plan, name));
 }
 
-std::string emitWebGl(const Plan &plan, std::string_view name) {
-  TemplateNames names = headerNames(plan, name);
-  names.conditions["keeps-sums"] = false; // It has no `precise`.
-  const std::string builtins = runtime("webgl/builtins", names) + "\n" + runtime("carries", names);
-  return glsl::wrapped(runtime("webgl/begin", names)) +
-         prefixed(builtins, plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst, plan,
-                  names) +
-         runtime("webgl/end", names);
-}
-
-std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "carries.glsl"); }
+std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "builtins/carries.glsl"); }
 
 std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {
   return fillFile(shaderFiles(), "header/" + std::string(toString(stage)) + ".glsl", headerNames(plan, name));

@@ -189,7 +189,7 @@ void addConditions(TemplateNames &names, const Plan &plan, std::size_t index) {
 /// The low half of a digest and the high one, since GLSL has no number of 64 bits.
 std::string halvesOf(std::uint64_t digest) {
   char text[32];
-  std::snprintf(text, sizeof text, "uvec2(0x%08xu, 0x%08xu)", static_cast<unsigned>(digest),
+  std::snprintf(text, sizeof text, "0x%08xu, 0x%08xu", static_cast<unsigned>(digest),
                 static_cast<unsigned>(digest >> 32));
   return text;
 }
@@ -214,7 +214,8 @@ TemplateNames planNames(const Plan &plan) {
   TemplateNames names;
   names.holes["FORMAT"] = plan.layout.format;
   names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
-  names.holes["digest-halves"] = halvesOf(plan.layout.storageDigest);
+  names.holes["digest-words"] = halvesOf(plan.layout.storageDigest);
+  names.holes["digest-halves"] = "uvec2(" + names.holes["digest-words"] + ")";
   names.holes["VOLUME_SIZE"] = intVector({1 << log2.x, 1 << log2.y, 1 << log2.z});
   names.holes["order-known"] = cut ? "order != CUT_SHORT && " : "";
   const Stratum &lowest = plan.layout.strata.back();

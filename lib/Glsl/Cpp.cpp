@@ -12,7 +12,9 @@ std::string Cpp::literal(const std::string &text) const {
 
 std::string Cpp::parameter(const Parameter &parameter) const {
   const std::string before = parameter.passing == Passing::Const ? "const " : "";
-  const std::string reference = parameter.passing == Passing::In ? " " : " &";
+  const std::string reference = parameter.passing != Passing::In ? " &"
+                                : parameter.type.ends_with('*')  ? ""
+                                                                 : " ";
   return before + type(parameter.type) + reference + parameter.name;
 }
 
@@ -22,6 +24,14 @@ std::string Cpp::beforeLocal(const std::string &qualifiers) const {
 
 std::string Cpp::beforeGlobal(const std::string &qualifiers) const {
   return qualifiers == "const" ? "static inline const " : Printer::beforeGlobal(qualifiers);
+}
+
+std::string CppHeader::beforeFunction(const Declaration &function) const {
+  return function.isSeldom ? "[[gnu::noinline, gnu::cold, maybe_unused]] static " : "static inline ";
+}
+
+std::string CppHeader::beforeGlobal(const std::string &qualifiers) const {
+  return Printer::beforeGlobal(qualifiers);
 }
 
 } // namespace voxc::glsl

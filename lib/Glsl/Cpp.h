@@ -1,4 +1,4 @@
-// C++, where functions are members of a class.
+// C++: functions as members of a class, or of a namespace.
 #pragma once
 
 #include "Glsl/Printer.h"
@@ -15,6 +15,13 @@ protected:
   std::string parameter(const Parameter &parameter) const override;
   /// C++ is compiled so that nothing is contracted or reordered: it has no word for `precise`.
   std::string beforeLocal(const std::string &qualifiers) const override;
+  std::string beforeGlobal(const std::string &qualifiers) const override;
+};
+
+/// The same as functions of a namespace.
+class CppHeader : public Cpp {
+protected:
+  std::string beforeFunction(const Declaration &function) const override;
   std::string beforeGlobal(const std::string &qualifiers) const override;
 };
 

@@ -3,10 +3,14 @@
 
 #include "Glsl/Tree.h"
 
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace voxc::glsl {
+
+using Names = std::set<std::string, std::less<>>;
 
 /// Puts a prefix before the names of all functions, structs, constants and variables that stand outermost,
 /// but those that have it. Members, parameters and variables of functions keep theirs.
@@ -15,5 +19,28 @@ void addPrefix(Module &module, std::string_view prefix);
 /// Gives the function of this name, and all that cannot do without it, one more parameter, the first, which
 /// they hand on.
 void addParameter(Module &module, std::string_view function, const Parameter &parameter);
+
+/// Which conditionals become statements: of a module that is verified, one of ?:, && and ||.
+enum class Unfolding {
+  Effects, ///< Those whose later operands do more than give a value: where languages evaluate all of them.
+  Calls, ///< ?: whose later operands call functions of the module, or give structs: where that is a function.
+};
+
+/// Makes statements of conditionals, so that no more is evaluated than before. Types are kept.
+void unfold(Module &module, Unfolding unfolding);
+
+/// Gives each function a name of its own: to that of the second and further ones of a name, the type of the
+/// last parameter is added. The module is verified.
+void renameOverloads(Module &module);
+
+/// Puts "_" behind members, parameters and variables that have one of these names, which a language keeps to
+/// itself.
+void renameReserved(Module &module, std::span<const std::string_view> reserved);
+
+/// Where functions write to a parameter that comes in alone, they get a variable of its name to write to.
+void copyParameters(Module &module);
+
+/// The functions that do more than give a value: they write to an argument, or to what stands outermost.
+Names functionsWithEffects(const Module &module);
 
 } // namespace voxc::glsl

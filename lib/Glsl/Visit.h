@@ -3,6 +3,8 @@
 
 #include "Glsl/Tree.h"
 
+#include <string_view>
+
 namespace voxc::glsl {
 
 /// Calls `visit(expression)` for one and for all inside it. `Tree` is an Expression, const or not.
@@ -53,6 +55,23 @@ void forEachExpression(Tree &declaration, const Visit &visit)
     forEachExpressionOf(variable, visit);
   for (auto &statement : declaration.body)
     forEachExpression(statement, visit);
+}
+
+/// The variable that an expression is or is a part of: `walk` of walk.cell.x; "" if it is another value.
+inline std::string_view rootOf(const Expression &expression) {
+  const Expression *at = &expression;
+  while (at->kind == Expression::Kind::Member || at->kind == Expression::Kind::Index)
+    at = &at->operands[0];
+  return at->kind == Expression::Kind::Name ? std::string_view(at->text) : "";
+}
+
+/// Calls `visit(root)` for each variable that an expression writes to by itself, not by what it calls.
+template <typename Visit> void forEachWritten(const Expression &expression, const Visit &visit) {
+  forEachExpression(expression, [&](const Expression &inner) {
+    const bool steps = inner.kind == Expression::Kind::Postfix || inner.text == "++" || inner.text == "--";
+    if (inner.kind == Expression::Kind::Assignment || (steps && !inner.operands.empty()))
+      visit(rootOf(inner.operands[0]));
+  });
 }
 
 } // namespace voxc::glsl

@@ -16,6 +16,8 @@
 #endif
 #undef VOXC_INLINE
 #undef VOXC_CONSTANT
+#undef VOXC_DEVICE
+#undef VOXC_BUILTIN
 #undef VOXC_OPERATOR
 #undef OUT_OF_LINE
 #undef VOXC_BEGIN_INLINE

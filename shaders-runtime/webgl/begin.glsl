@@ -39,13 +39,7 @@
 #error define VOXC_VOLUME as the type of a volume and VOXC_LOAD(volume, index) as a word of one
 #endif
 %end
-#define VOXC_IN(type) const type
-#define VOXC_INOUT(type) inout type
-#define VOXC_OUT(type) out type
-#define VOXC_FUNCTION
-#define VOXC_SELDOM
 #define VOXC_INDEX uint
-#define VOXC_PRECISE
 
 precision highp float;
 precision highp int;

@@ -67,7 +67,7 @@ Expected<std::string> functionsOf(Format format, Addressing addressing, bool isC
   const Expected<Plan> plan = makePlan(format, options);
   if (!plan)
     return plan.error();
-  return terse(emitWebGl(*plan, kName));
+  return terse(emitHeader(*plan, kName, HeaderLanguage::GlslEs));
 }
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }

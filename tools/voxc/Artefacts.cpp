@@ -190,8 +190,9 @@ Expected<std::string> makeCpuObject(Generator &generator) {
 }
 
 Expected<std::string> makeHeader(Generator &generator) {
-  return printed(generator.headerPlan(),
-                 [&](const Plan &plan) { return emitHeader(plan, generator.name()); });
+  return printed(generator.headerPlan(), [&](const Plan &plan) {
+    return emitHeader(plan, generator.name(), generator.choices().language);
+  });
 }
 
 Expected<std::string> makeC(Generator &generator) {
@@ -200,8 +201,9 @@ Expected<std::string> makeC(Generator &generator) {
 }
 
 Expected<std::string> makeWebGl(Generator &generator) {
-  return printed(generator.headerPlan(EmitTarget::FirstHits),
-                 [&](const Plan &plan) { return emitWebGl(plan, generator.name()); });
+  return printed(generator.headerPlan(EmitTarget::FirstHits), [&](const Plan &plan) {
+    return emitHeader(plan, generator.name(), HeaderLanguage::GlslEs);
+  });
 }
 
 Expected<std::string> makeIntersection(Generator &generator) {
@@ -277,7 +279,11 @@ const ArtefactKind &findArtefact(const std::string &name) {
   return *std::ranges::find_if(kArtefacts, [&](const ArtefactKind &kind) { return name == kind.name; });
 }
 
-std::string fileOf(const ArtefactKind &kind, const std::string &name) {
+/// A header's name ends as its language has it.
+std::string fileOf(const ArtefactKind &kind, const Generator &generator) {
+  const std::string &name = generator.name();
+  if (kind.make == makeHeader)
+    return headerFile(name, generator.choices().language);
   std::string file = kind.file;
   if (const std::size_t star = file.find('*'); star != std::string::npos)
     file.replace(star, 1, name);
@@ -305,7 +311,7 @@ Expected<std::vector<Artefact>> makeArtefacts(const std::variant<Format, Plan> &
     Expected<std::string> contents = kind.make(*generator);
     if (!contents)
       return contents.error();
-    artefacts.push_back({fileOf(kind, generator->name()), std::move(*contents)});
+    artefacts.push_back({fileOf(kind, *generator), std::move(*contents)});
     if (!alone)
       std::ranges::move(kind.companions(*generator), std::back_inserter(artefacts));
   }

@@ -1,6 +1,7 @@
 // What `voxc compile` can write: one row a kind.
 #pragma once
 
+#include "voxc/Emit/Emit.h"
 #include "voxc/IR/Format.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Plan/Plan.h"
@@ -19,6 +20,7 @@ struct KernelChoices {
   bool optimise = false; ///< spirv-opt.
   CpuObjectOptions cpu;
   std::string name; ///< Of the functions in a header; "" takes one made of the format.
+  HeaderLanguage language = HeaderLanguage::Shared;
 };
 
 struct Artefact {

@@ -32,6 +32,10 @@ std::vector<std::string> addressingNames() {
   return names;
 }
 
+std::vector<std::string> languageNames() {
+  return {kEnumNames<HeaderLanguage>.begin(), kEnumNames<HeaderLanguage>.end()};
+}
+
 class CompileCommand final : public Subcommand {
 public:
   void declare(const CommandLine &command) override;
@@ -52,6 +56,7 @@ private:
   std::string folder_ = ".";
   std::vector<std::string> kinds_{"construct", "glsl"};
   std::string addressing_{toString(Addressing::Buffer)};
+  std::string language_{toString(HeaderLanguage::Shared)};
   bool optimise_ = false;
   CpuObjectOptions cpu_;
   std::string name_;
@@ -93,6 +98,13 @@ void CompileCommand::declare(const CommandLine &command) {
       .add("--name", name_,
            "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
       .takes("NAME");
+  command
+      .add("--language", language_,
+           "Language of a header: GLSL, GLSL ES of WebGL 2, C++20, CUDA or HLSL; shared is GLSL and C++ in "
+           "one text")
+      .takes("shared|glsl|essl|cpp|cuda|hlsl")
+      .oneOf(languageNames())
+      .showsDefault();
   planOptions_ = {addressing.name()};
   const std::size_t before = command.options().size();
   attributes_.declare(command);
@@ -130,7 +142,8 @@ Expected<std::variant<Format, Plan>> CompileCommand::readSource() const {
 Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Format, Plan> &source) const {
   const auto *addressing =
       std::ranges::find(kAddressings, addressing_, [](Addressing each) { return toString(each); });
-  const KernelChoices choices = {*addressing, optimise_, cpu_, name_};
+  const HeaderLanguage language = *fromString<HeaderLanguage>(language_);
+  const KernelChoices choices = {*addressing, optimise_, cpu_, name_, language};
   return makeArtefacts(source, kinds_, choices, folder_ == "-");
 }
 

@@ -37,7 +37,7 @@ int expectWholeCode(const Plan &plan) {
   expectWhole(EmitTarget::Device, [&] { return emitIntersect(plan); });
   expectWhole(EmitTarget::Processor, [&] { return emitIntersectCpp(plan, "kernel"); });
   expectWhole(EmitTarget::Functions, [&] { return emitHeader(plan, "name"); });
-  expectWhole(EmitTarget::FirstHits, [&] { return emitWebGl(plan, "name"); });
+  expectWhole(EmitTarget::FirstHits, [&] { return emitHeader(plan, "name", HeaderLanguage::GlslEs); });
   return printed;
 }
 

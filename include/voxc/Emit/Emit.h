@@ -13,7 +13,7 @@ enum class EmitTarget {
   Device,    ///< A device of Vulkan: `emitIntersect`.
   Processor, ///< This processor: `emitIntersectCpp` and `emitIntersectHeader`.
   Functions, ///< The shaders and programs of others: `emitHeader`, `emitCHeader`, `emitRayShader`.
-  FirstHits, ///< The same where rays may have no bounds: `emitWebGl`.
+  FirstHits, ///< The same in GLSL ES, where rays may have no bounds.
 };
 
 /// Why a finished plan is not one for a target, and what would be right; "" if it is. Emitters ask for one
@@ -39,19 +39,31 @@ std::string emitDispatchCpp(std::string_view symbol);
 /// intersect.h: declares that function in C, with the format and its storage digest.
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol);
 
-/// Functions that trace rays, for the shaders and programs of others: GLSL and C++20 in one text, which says
-/// how it is used. All that it declares has a name that begins with `headerPrefix(name)`. `plan` is made with
-/// `kHeaderPlan`, of a format that stops at voxels alone; `name` is one that `isHeaderName` takes.
-std::string emitHeader(const Plan &plan, std::string_view name);
+/// What functions for the shaders and programs of others are written in.
+enum class HeaderLanguage {
+  Shared, ///< GLSL 4.50 and C++20 in one text.
+  Glsl,   ///< GLSL 4.50.
+  GlslEs, ///< GLSL ES 3.00, the language of WebGL 2.
+  Cpp,    ///< C++20.
+  Cuda,   ///< CUDA C++20, for devices and hosts.
+  Hlsl,   ///< HLSL of shader model 5.
+};
+
+template <>
+inline constexpr std::array<std::string_view, 6> kEnumNames<HeaderLanguage> = {"shared", "glsl", "essl",
+                                                                               "cpp",    "cuda", "hlsl"};
+
+/// Functions that trace rays, for the shaders and programs of others, in a text that says how it is used. All
+/// that it declares has a name that begins with `headerPrefix(name)`. `plan` is made with `kHeaderPlan`, of a
+/// format that stops at voxels alone; `name` is one that `isHeaderName` takes. In GLSL ES `plan` may be made
+/// with `kFirstHitPlan`, and then `first` is the only query.
+std::string emitHeader(const Plan &plan, std::string_view name,
+                       HeaderLanguage language = HeaderLanguage::Shared);
 
 /// voxc_NAME_c.h: the same functions as declarations in C99; and voxc_NAME_c.cpp, which defines them by what
 /// `emitHeader` makes of the same plan and name, as "voxc_NAME.h".
 std::string emitCHeader(const Plan &plan, std::string_view name);
 std::string emitCDefinitions(const Plan &plan, std::string_view name);
-
-/// voxc_NAME.glsl: the same functions for GLSL ES 3.00, the language of WebGL 2, with what that lacks. Takes
-/// what `emitHeader` takes; or a plan made with `kFirstHitPlan`, and then `first` is the only query.
-std::string emitWebGl(const Plan &plan, std::string_view name);
 
 /// Functions of GLSL on words with carries that HLSL lacks, which kernels in HLSL begin with.
 std::string_view carryFunctions();
@@ -74,7 +86,7 @@ std::string headerName(const Layout &layout);
 /// "voxc_r4_4_4_g8_".
 std::string headerPrefix(std::string_view name);
 
-/// "voxc_r4_4_4_g8.h".
-std::string headerFile(std::string_view name);
+/// "voxc_r4_4_4_g8.h", with the extension of the language.
+std::string headerFile(std::string_view name, HeaderLanguage language = HeaderLanguage::Shared);
 
 } // namespace voxc

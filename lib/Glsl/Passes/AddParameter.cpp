@@ -2,12 +2,8 @@
 #include "Glsl/Passes.h"
 #include "Glsl/Visit.h"
 
-#include <set>
-
 namespace voxc::glsl {
 namespace {
-
-using Names = std::set<std::string, std::less<>>;
 
 bool callsAny(const Declaration &function, const Names &names) {
   bool calls = false;
@@ -38,7 +34,8 @@ void addParameter(Module &module, std::string_view function, const Parameter &pa
       declaration.parameters.insert(declaration.parameters.begin(), parameter);
     forEachExpression(declaration, [&](Expression &expression) {
       if (expression.kind == Expression::Kind::Call && takers.contains(expression.text))
-        expression.operands.insert(expression.operands.begin(), {Expression::Kind::Name, parameter.name});
+        expression.operands.insert(expression.operands.begin(),
+                                   {Expression::Kind::Name, parameter.name, {}, false, parameter.type});
     });
   }
 }

@@ -2,12 +2,8 @@
 #include "Glsl/Passes.h"
 #include "Glsl/Visit.h"
 
-#include <set>
-
 namespace voxc::glsl {
 namespace {
-
-using Names = std::set<std::string, std::less<>>;
 
 class PrefixAdder {
 public:
@@ -66,6 +62,7 @@ private:
     const bool isName = expression.kind == Expression::Kind::Name && !locals_.contains(expression.text);
     if (isName || expression.kind == Expression::Kind::Call)
       replace(expression.text);
+    replace(expression.type);
   }
 
   void replace(std::string &name) const {

@@ -1,4 +1,4 @@
-// What later languages have built in, and this one has not; the names are those of the whole text, so that nothing is built in twice.
+// Functions of GLSL on the bits of words that GLSL ES lacks.
 
 int bitCount(uint bits) {
   bits -= bits >> 1 & 0x55555555u;
@@ -19,11 +19,3 @@ int findMSB(uint bits) {
 
 // The place of the lowest bit that is set; -1 if none is.
 int findLSB(uint bits) { return bits == 0u ? -1 : bitCount(~bits & (bits - 1u)); }
-
-vec3 mix(vec3 a, vec3 b, bvec3 takes_b) {
-  return vec3(takes_b.x ? b.x : a.x, takes_b.y ? b.y : a.y, takes_b.z ? b.z : a.z);
-}
-
-ivec3 mix(ivec3 a, ivec3 b, bvec3 takes_b) {
-  return ivec3(takes_b.x ? b.x : a.x, takes_b.y ? b.y : a.y, takes_b.z ? b.z : a.z);
-}

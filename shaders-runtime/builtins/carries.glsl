@@ -1,4 +1,4 @@
-// Functions of GLSL that GLSL ES and HLSL lack, in text that is both.
+// Functions of GLSL on words with carries that other languages lack.
 
 uint uaddCarry(uint a, uint b, out uint carry) {
   uint sum = a + b;

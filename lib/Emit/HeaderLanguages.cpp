@@ -1,0 +1,82 @@
+// The languages of headers.
+#include "Emit/HeaderLanguages.h"
+
+#include "Emit/SharedLanguage.h"
+
+#include "Glsl/Cpp.h"
+#include "Glsl/Cuda.h"
+#include "Glsl/Hlsl.h"
+
+#include <array>
+
+namespace voxc {
+namespace {
+
+constexpr std::array<std::string_view, 3> kLackingInGlslEs = {"builtins/bits", "builtins/mix",
+                                                              "builtins/carries"};
+constexpr std::array<std::string_view, 2> kLackingInHlsl = {"builtins/mix", "builtins/carries"};
+
+template <typename Printer> std::unique_ptr<glsl::Printer> make() { return std::make_unique<Printer>(); }
+
+/// GLSL ES has no `precise`.
+class GlslEs : public glsl::Printer {
+protected:
+  std::string beforeLocal(const std::string &qualifiers) const override {
+    return qualifiers == "precise" ? "" : Printer::beforeLocal(qualifiers);
+  }
+  std::string beforeFunction(const glsl::Declaration &) const override { return ""; }
+};
+
+class Glsl : public glsl::Printer {
+protected:
+  std::string beforeFunction(const glsl::Declaration &) const override { return ""; }
+};
+
+/// In the order of `HeaderLanguage`.
+constexpr std::string_view kMacro = "VOXC_VOLUME", kPointer = "const unsigned int *";
+
+constexpr std::array<HeaderLanguageKind, 6> kLanguages = {{
+    {.extension = ".h",
+     .begin = "header/begin.glsl",
+     .end = "header/end.glsl",
+     .volume = kMacro,
+     .printer = make<SharedLanguage>},
+    {.extension = ".glsl",
+     .begin = "header/languages/glsl.begin",
+     .end = "header/languages/glsl.end",
+     .volume = kMacro,
+     .printer = make<Glsl>},
+    {.extension = ".essl",
+     .begin = "webgl/begin.glsl",
+     .end = "webgl/end.glsl",
+     .volume = kMacro,
+     .printer = make<GlslEs>,
+     .lacking = kLackingInGlslEs,
+     .keepsSums = false},
+    {.extension = ".hpp",
+     .begin = "header/languages/cpp.begin",
+     .end = "header/languages/cpp.end",
+     .volume = kPointer,
+     .printer = make<glsl::CppHeader>},
+    {.extension = ".cuh",
+     .begin = "header/languages/cuda.begin",
+     .end = "header/languages/cuda.end",
+     .volume = kPointer,
+     .printer = make<glsl::Cuda>,
+     .makeReady = glsl::forCuda},
+    {.extension = ".hlsl",
+     .begin = "header/languages/hlsl.begin",
+     .end = "header/languages/hlsl.end",
+     .volume = kMacro,
+     .printer = make<glsl::Hlsl>,
+     .makeReady = glsl::forHlsl,
+     .lacking = kLackingInHlsl},
+}};
+
+} // namespace
+
+const HeaderLanguageKind &kindOf(HeaderLanguage language) {
+  return kLanguages[static_cast<std::size_t>(language)];
+}
+
+} // namespace voxc
