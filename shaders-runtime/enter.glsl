@@ -75,7 +75,8 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   crossing.face = face;
   crossing.rising = !ray.falls[axis];
   Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
-  range.least[axis] = range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
+  range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
+  range.least[axis] = range.most[axis];
 %if bounded
   range = approximate_cell(ray, crossing, range);
   ivec3 behind = range.least;

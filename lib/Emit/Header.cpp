@@ -126,8 +126,8 @@ std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage l
   const auto module = moduleOf(functionsOf(plan, kind, names), kind, names.holes.at("prefix"));
   if (!module)
     return "#error " + module.error().message + "\n";
-  return glsl::wrapped(fillFile(shaderFiles(), kind.begin, names)) + kind.printer()->print(*module) +
-         fillFile(shaderFiles(), kind.end, names);
+  return glsl::wrapped(fillFile(shaderFiles(), kind.begin, names)) +
+         kind.printer(names.holes.at("prefix"))->print(*module) + fillFile(shaderFiles(), kind.end, names);
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {

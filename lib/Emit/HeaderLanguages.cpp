@@ -6,6 +6,7 @@
 #include "Glsl/Cpp.h"
 #include "Glsl/Cuda.h"
 #include "Glsl/Hlsl.h"
+#include "Glsl/Wgsl.h"
 
 #include <array>
 
@@ -15,8 +16,15 @@ namespace {
 constexpr std::array<std::string_view, 3> kLackingInGlslEs = {"builtins/bits", "builtins/mix",
                                                               "builtins/carries"};
 constexpr std::array<std::string_view, 2> kLackingInHlsl = {"builtins/mix", "builtins/carries"};
+constexpr std::array<std::string_view, 1> kLackingInWgsl = {"builtins/carries"};
 
-template <typename Printer> std::unique_ptr<glsl::Printer> make() { return std::make_unique<Printer>(); }
+template <typename Printer> std::unique_ptr<glsl::Printer> make(const std::string &) {
+  return std::make_unique<Printer>();
+}
+
+std::unique_ptr<glsl::Printer> makeWgsl(const std::string &prefix) {
+  return std::make_unique<glsl::Wgsl>(prefix + "word");
+}
 
 /// GLSL ES has no `precise`.
 class GlslEs : public glsl::Printer {
@@ -35,7 +43,7 @@ protected:
 /// In the order of `HeaderLanguage`.
 constexpr std::string_view kMacro = "VOXC_VOLUME", kPointer = "const unsigned int *";
 
-constexpr std::array<HeaderLanguageKind, 6> kLanguages = {{
+constexpr std::array<HeaderLanguageKind, 7> kLanguages = {{
     {.extension = ".h",
      .begin = "header/begin.glsl",
      .end = "header/end.glsl",
@@ -71,6 +79,14 @@ constexpr std::array<HeaderLanguageKind, 6> kLanguages = {{
      .printer = make<glsl::Hlsl>,
      .makeReady = glsl::forHlsl,
      .lacking = kLackingInHlsl},
+    {.extension = ".wgsl",
+     .begin = "header/languages/wgsl.begin",
+     .end = "header/languages/wgsl.end",
+     .volume = "uint",
+     .printer = makeWgsl,
+     .makeReady = glsl::forWgsl,
+     .lacking = kLackingInWgsl,
+     .keepsSums = false},
 }};
 
 } // namespace

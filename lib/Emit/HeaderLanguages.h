@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace voxc {
@@ -18,7 +19,8 @@ struct HeaderLanguageKind {
   std::string_view end;
   /// The type of a volume, which all functions that load words hand on.
   std::string_view volume;
-  std::unique_ptr<glsl::Printer> (*printer)();
+  /// `prefix`: that of all names.
+  std::unique_ptr<glsl::Printer> (*printer)(const std::string &prefix);
   /// What the module has to become; null: it stays as it is.
   void (*makeReady)(glsl::Module &module) = nullptr;
   /// The runtime files of functions that GLSL has and this language has not.

@@ -3,6 +3,7 @@
 
 #include "Glsl/Tree.h"
 
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -26,7 +27,8 @@ enum class Unfolding {
   Calls, ///< ?: whose later operands call functions of the module, or give structs: where that is a function.
 };
 
-/// Makes statements of conditionals, so that no more is evaluated than before. Types are kept.
+/// Makes statements of conditionals, so that no more is evaluated than before. What stands beside one in an
+/// expression does not depend on what it writes: leaves have no such expressions.
 void unfold(Module &module, Unfolding unfolding);
 
 /// Gives each function a name of its own: to that of the second and further ones of a name, the type of the
@@ -39,6 +41,10 @@ void renameReserved(Module &module, std::span<const std::string_view> reserved);
 
 /// Where functions write to a parameter that comes in alone, they get a variable of its name to write to.
 void copyParameters(Module &module);
+
+/// The variables that a function writes to, by itself or by what it calls.
+Names writtenIn(const Declaration &function,
+                const std::map<std::string, const Declaration *, std::less<>> &functions);
 
 /// The functions that do more than give a value: they write to an argument, or to what stands outermost.
 Names functionsWithEffects(const Module &module);

@@ -17,6 +17,7 @@ std::string joined(const std::vector<std::string> &parts) {
 
 std::string Printer::print(const Module &module) {
   text_.clear();
+  begin(module);
   for (const Declaration &part : module.declarations)
     declaration(part);
   return wrapped(text_);
@@ -59,7 +60,7 @@ void Printer::declaration(const Declaration &declaration) {
   case Declaration::Kind::Remark:
     return;
   case Declaration::Kind::Variable:
-    return line(0, beforeGlobal(declaration.qualifiers) + variables(declaration.variables) + ";", behind);
+    return line(0, global(declaration), behind);
   case Declaration::Kind::Layout:
     return line(0, declaration.qualifiers + ";", behind);
   case Declaration::Kind::Block:
@@ -74,7 +75,7 @@ void Printer::declaration(const Declaration &declaration) {
 void Printer::block(const Declaration &declaration) {
   std::string members;
   for (const Variable &member : declaration.variables)
-    members += variables({member}) + "; ";
+    members += this->member(member) + " ";
   line(0, beforeGlobal(declaration.qualifiers) + declaration.name + " { " + members + "};",
        declaration.notes.behind);
 }
@@ -85,15 +86,21 @@ void Printer::structure(const Declaration &declaration) {
   std::size_t width = 0;
   for (const Variable &member : declaration.variables)
     if (!member.notes.behind.empty())
-      width = std::max(width, (variables({member}) + memberEnd()).size());
+      width = std::max(width, this->member(member).size());
   for (const Variable &member : declaration.variables) {
     above(member.notes, 1);
-    std::string text = variables({member}) + memberEnd();
+    std::string text = this->member(member);
     if (!member.notes.behind.empty())
       text.resize(width, ' ');
     line(1, text, member.notes.behind);
   }
   line(0, structureEnd(), declaration.notes.behind);
+}
+
+std::string Printer::member(const Variable &member) const { return Printer::variables({member}) + ";"; }
+
+std::string Printer::global(const Declaration &variable) const {
+  return beforeGlobal(variable.qualifiers) + variables(variable.variables) + ";";
 }
 
 std::string Printer::head(const Declaration &function) const {
@@ -105,6 +112,7 @@ std::string Printer::head(const Declaration &function) const {
 }
 
 void Printer::function(const Declaration &declaration) {
+  beginFunction(declaration);
   const std::string head = this->head(declaration);
   if (declaration.isPrototype)
     return line(0, head + ";");

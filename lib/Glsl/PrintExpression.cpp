@@ -51,7 +51,7 @@ std::string Printer::bare(const Expression &expression) const {
     return text(operands[0], 1) + " ? " + text(operands[1], kConditionalRank) + " : " +
            text(operands[2], kConditionalRank);
   case Kind::Assignment:
-    return text(operands[0], kPostfixRank) + " " + expression.text + " " + text(operands[1], kAssignmentRank);
+    return text(operands[0], kPrefixRank) + " " + expression.text + " " + text(operands[1], kAssignmentRank);
   }
   return "";
 }

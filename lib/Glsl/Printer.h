@@ -23,6 +23,9 @@ public:
 protected:
   // What languages spell in ways of their own.
 
+  /// Called before anything of a module, and before anything of a function, is printed.
+  virtual void begin(const Module &) {}
+  virtual void beginFunction(const Declaration &) {}
   /// A type by its name in GLSL.
   virtual std::string type(const std::string &name) const { return name; }
   /// A number, true, or false.
@@ -40,10 +43,11 @@ protected:
   virtual std::string beforeLocal(const std::string &qualifiers) const;
   /// The same of one outside of functions.
   virtual std::string beforeGlobal(const std::string &qualifiers) const;
-  /// Variables of one type, as a struct, a function or a module declares them, without a semicolon.
+  /// Variables of one type as a function declares them, without the semicolon behind them.
   virtual std::string variables(const std::vector<Variable> &variables) const;
-  /// What ends a member of a struct, and a struct.
-  virtual std::string memberEnd() const { return ";"; }
+  /// A member of a struct, and a variable outside of functions, with what ends them.
+  virtual std::string member(const Variable &member) const;
+  virtual std::string global(const Declaration &variable) const;
   virtual std::string structureEnd() const { return "};"; }
   virtual void statement(const Statement &statement, int depth);
 

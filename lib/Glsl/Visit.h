@@ -65,13 +65,4 @@ inline std::string_view rootOf(const Expression &expression) {
   return at->kind == Expression::Kind::Name ? std::string_view(at->text) : "";
 }
 
-/// Calls `visit(root)` for each variable that an expression writes to by itself, not by what it calls.
-template <typename Visit> void forEachWritten(const Expression &expression, const Visit &visit) {
-  forEachExpression(expression, [&](const Expression &inner) {
-    const bool steps = inner.kind == Expression::Kind::Postfix || inner.text == "++" || inner.text == "--";
-    if (inner.kind == Expression::Kind::Assignment || (steps && !inner.operands.empty()))
-      visit(rootOf(inner.operands[0]));
-  });
-}
-
 } // namespace voxc::glsl

@@ -100,9 +100,10 @@ void CompileCommand::declare(const CommandLine &command) {
       .takes("NAME");
   command
       .add("--language", language_,
-           "Language of a header: GLSL, GLSL ES of WebGL 2, C++20, CUDA or HLSL; shared is GLSL and C++ in "
+           "Language of a header: GLSL, that of WebGL 2, C++20, CUDA, HLSL, or that of WebGPU; shared is "
+           "GLSL and C++ in "
            "one text")
-      .takes("shared|glsl|essl|cpp|cuda|hlsl")
+      .takes("shared|glsl|essl|cpp|cuda|hlsl|wgsl")
       .oneOf(languageNames())
       .showsDefault();
   planOptions_ = {addressing.name()};

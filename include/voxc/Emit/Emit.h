@@ -47,11 +47,12 @@ enum class HeaderLanguage {
   Cpp,    ///< C++20.
   Cuda,   ///< CUDA C++20, for devices and hosts.
   Hlsl,   ///< HLSL of shader model 5.
+  Wgsl,   ///< WGSL, the language of WebGPU.
 };
 
 template <>
-inline constexpr std::array<std::string_view, 6> kEnumNames<HeaderLanguage> = {"shared", "glsl", "essl",
-                                                                               "cpp",    "cuda", "hlsl"};
+inline constexpr std::array<std::string_view, 7> kEnumNames<HeaderLanguage> = {
+    "shared", "glsl", "essl", "cpp", "cuda", "hlsl", "wgsl"};
 
 /// Functions that trace rays, for the shaders and programs of others, in a text that says how it is used. All
 /// that it declares has a name that begins with `headerPrefix(name)`. `plan` is made with `kHeaderPlan`, of a

@@ -3,33 +3,33 @@
 #include "Glsl/Visit.h"
 
 namespace voxc::glsl {
-namespace {
-
-/// What a function writes to, by itself or by what it calls.
-Names writtenIn(const Declaration &function, const Module &module) {
+Names writtenIn(const Declaration &function,
+                const std::map<std::string, const Declaration *, std::less<>> &functions) {
   Names written;
   forEachExpression(function, [&](const Expression &expression) {
     const bool steps = expression.text == "++" || expression.text == "--";
     if (expression.kind == Expression::Kind::Assignment || (steps && !expression.operands.empty()))
       written.emplace(rootOf(expression.operands[0]));
-    if (expression.kind != Expression::Kind::Call)
+    const auto called = functions.find(expression.text);
+    if (expression.kind != Expression::Kind::Call || called == functions.end())
       return;
-    for (const Declaration &called : module.declarations)
-      for (std::size_t i = 0; called.name == expression.text && i < called.parameters.size(); ++i)
-        if (const Passing passing = called.parameters[i].passing;
-            passing == Passing::Out || passing == Passing::InOut)
-          written.emplace(rootOf(expression.operands[i]));
+    for (std::size_t i = 0; i < expression.operands.size(); ++i)
+      if (const Passing passing = called->second->parameters[i].passing;
+          passing == Passing::Out || passing == Passing::InOut)
+        written.emplace(rootOf(expression.operands[i]));
   });
   return written;
 }
 
-} // namespace
-
 void copyParameters(Module &module) {
+  std::map<std::string, const Declaration *, std::less<>> functions;
+  for (const Declaration &declaration : module.declarations)
+    if (declaration.kind == Declaration::Kind::Function)
+      functions[declaration.name] = &declaration;
   for (Declaration &function : module.declarations) {
     if (function.parameters.empty())
       continue;
-    const Names written = writtenIn(function, module);
+    const Names written = writtenIn(function, functions);
     std::vector<Statement> copies;
     for (Parameter &parameter : function.parameters) {
       if (parameter.passing != Passing::In || !written.contains(parameter.name))
