@@ -1,5 +1,6 @@
 // The functions of headers, as C++ and as GLSL: what they find of a ray between two moments, to the bit.
 #include "HeaderDefinition.h"
+#include "HeaderQueries.h"
 #include "TestLength.h"
 
 #include "Emit/Names.h"
@@ -44,6 +45,13 @@ constexpr const char *kKindsOfSlots[] = {
     "format payload=palette(16) values=apart { level 1: raw(1, 1, 1) level 2: svdag(3) }",
     "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }"};
 
+/// With most of what a header may have: steps by distances, masks, ranks, numbers, reflections and granules.
+constexpr const char *kFewFormats[] = {
+    "format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
+    "masked(2, 2, 2) }",
+    "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }",
+    "format granule=4 { level 1: raw(2, 2, 2) level 2: svdag(2) }"};
+
 Volume build(const Format &format, const test::HardScene &scene) {
   const auto constructor = Constructor::compile(format);
   EXPECT_TRUE(constructor) << constructor.error().message;
@@ -52,16 +60,17 @@ Volume build(const Format &format, const test::HardScene &scene) {
   return std::move(built->volume);
 }
 
-std::string headerOf(const Format &format) {
+std::string headerOf(const Format &format, HeaderLanguage language) {
   const auto plan = makePlan(format, kHeaderPlan);
   EXPECT_TRUE(plan) << plan.error().message;
-  return emitHeader(*plan, "test");
+  return emitHeader(*plan, "test", language);
 }
 
 /// A header's functions in this process.
 class Functions {
 public:
-  explicit Functions(const Format &format) : code_(compiled(format)) {
+  explicit Functions(const Format &format, HeaderLanguage language = HeaderLanguage::Shared)
+      : code_(compiled(format, language)) {
     all_ = reinterpret_cast<All>(*code_.find("all"));
     any_ = reinterpret_cast<Any>(*code_.find("any"));
     outside_ = reinterpret_cast<Outside>(*code_.find("outside"));
@@ -88,8 +97,8 @@ private:
   using Any = bool (*)(const std::uint32_t *, const HeaderQuery *);
   using Outside = void (*)(const HeaderQuery *, const HeaderHit *, float *);
 
-  static JitCode compiled(const Format &format) {
-    const std::string header = headerOf(format);
+  static JitCode compiled(const Format &format, HeaderLanguage language) {
+    const std::string header = headerOf(format, language);
     constexpr const char *kText = R"(
 #include "header.h"
 struct HeaderQuery { float o[3], d[3], tmin, tmax; };
@@ -141,10 +150,11 @@ Int3 cellBefore(const HeaderHit &hit) {
   return cell;
 }
 
-void expectDefinedHits(const Format &format, std::uint32_t seed) {
-  SCOPED_TRACE(printIr(format));
+void expectDefinedHits(const Format &format, std::uint32_t seed,
+                       HeaderLanguage language = HeaderLanguage::Shared) {
+  SCOPED_TRACE(std::string(toString(language)) + ", " + printIr(format));
   std::mt19937 random(seed);
-  const Functions functions(format);
+  const Functions functions(format, language);
   const auto scenes = test::hardScenes(format.extent());
   const test::HardScene &scene = scenes[random() % scenes.size()];
   const Volume volume = build(format, scene);
@@ -174,6 +184,14 @@ TEST(Header, FindsWhatIsDefinedInEveryKindOfLevel) {
     expectDefinedHits(*parseFormat(text), seed++);
 }
 
+/// Of CUDA this is what its host compiles.
+TEST(Header, FindsWhatIsDefinedInEveryLanguageOfAProcessor) {
+  std::uint32_t seed = 50;
+  for (const HeaderLanguage language : {HeaderLanguage::Cpp, HeaderLanguage::Cuda})
+    for (const char *text : kFewFormats)
+      expectDefinedHits(*parseFormat(text), seed++, language);
+}
+
 TEST(Header, FindsWhatIsDefinedInRandomFormats) {
   for (int i = 0; i < test::rounds(6); ++i) {
     std::mt19937 random(100 + i);
@@ -183,46 +201,19 @@ TEST(Header, FindsWhatIsDefinedInRandomFormats) {
 
 /// A kernel as tracers take it, around a header: of two records of rays it makes a query, and of that the
 /// first hit, and beside it whether there is any, how many there are, and a number made of all of them.
-Kernel queryKernel(const Format &format) {
+Kernel queryKernel(const Format &format, HeaderLanguage language) {
   Plan plan = *makePlan(format, kHeaderPlan);
-  plan.bounded = false; // Its rays are records of six numbers, whatever the header takes.
-  const std::string text = "#version 460\n" + fillFile(shaderFiles(), "interface.glsl", planNames(plan)) + R"(
-layout(std430, set = 0, binding = 2) readonly buffer Words { uint words[]; };
-#define VOXC_VOLUME uint
-#define VOXC_LOAD(volume, index) words[index]
-)" + headerOf(format) + R"(
-uint mixed(uint a, uint b) { return (a ^ b) * 0x01000193u; }
-float number(uint at) { return uintBitsToFloat(ray_pairs[at / 2u][at & 1u]); }
-void put(uint at, uint word) { hit_pairs[at / 2u][at & 1u] = word; }
-
-void main() {
-  if (task != ALL || gl_GlobalInvocationID.x >= ray_count || (first_ray + gl_GlobalInvocationID.x) % 2u != 0u)
-    return;
-  uint at = 6u * (first_ray + gl_GlobalInvocationID.x);
-  vec3 origin = vec3(number(at), number(at + 1u), number(at + 2u));
-  vec3 direction = vec3(number(at + 3u), number(at + 4u), number(at + 5u));
-  float tmin = number(at + 6u), tmax = number(at + 7u);
-  voxc_test_Hit hit;
-  bool found = voxc_test_closest(0u, origin, direction, tmin, tmax, hit);
-  put(at, uint(hit.voxel.x));
-  put(at + 1u, uint(hit.voxel.y));
-  put(at + 2u, uint(hit.voxel.z));
-  put(at + 3u, hit.colour);
-  put(at + 4u, floatBitsToUint(hit.t));
-  put(at + 5u, uint(4 * hit.axis + hit.side));
-  put(at + 6u, voxc_test_any(0u, origin, direction, tmin, tmax) ? 1u : 0u);
-  uint count = 0u, all = 0u;
-  for (; found; found = voxc_test_next(0u, origin, direction, tmax, hit)) {
-    count++;
-    all = mixed(mixed(all, uint(hit.voxel.x + 16 * hit.voxel.y + 256 * hit.voxel.z)), floatBitsToUint(hit.t));
-  }
-  put(at + 7u, count);
-  put(at + 8u, all & 0x7fffffffu);
-}
-)";
+  plan.bounded = false;    // Its rays are records of six numbers, whatever the header takes.
   plan.loops = Loops::Cut; // The scenes are so small that no device cuts anything.
-  auto kernel = compileGlsl(text, plan);
+  const std::string interface = "#version 460\n" + fillFile(shaderFiles(), "interface.glsl", planNames(plan));
+  const bool isHlsl = language == HeaderLanguage::Hlsl;
+  const std::string header = headerOf(format, language);
+  auto kernel = compileGlsl(isHlsl ? interface + "void main() {}\n"
+                                   : interface + kQueriesInGlsl[0] + header + kQueriesInGlsl[1],
+                            plan);
   EXPECT_TRUE(kernel) << kernel.error().message;
+  if (isHlsl)
+    kernel->spirv = test::compileHlsl(kQueriesInHlsl[0] + header + kQueriesInHlsl[1]);
   return std::move(*kernel);
 }
 
@@ -244,8 +235,8 @@ std::vector<Hit> answers(const std::vector<HeaderHit> &hits) {
        0}};
 }
 
-void expectTheHitsOfCpp(Device &device, const Format &format, std::uint32_t seed) {
-  SCOPED_TRACE(printIr(format));
+void expectTheHitsOfCpp(Device &device, const Format &format, HeaderLanguage language, std::uint32_t seed) {
+  SCOPED_TRACE(std::string(toString(language)) + ", " + printIr(format));
   std::mt19937 random(seed);
   const Volume volume = build(format, test::hardScenes(format.extent())[7]);
   const Oracle oracle = *Oracle::of(volume);
@@ -262,7 +253,7 @@ void expectTheHitsOfCpp(Device &device, const Format &format, std::uint32_t seed
     expected.insert(expected.end(), answer.begin(), answer.end());
   }
   std::vector<Hit> hits(expected.size());
-  auto tracer = createTracer(device, queryKernel(format), volume);
+  auto tracer = createTracer(device, queryKernel(format, language), volume);
   ASSERT_TRUE(tracer) << tracer.error().message;
   const std::span<const Ray> records(reinterpret_cast<const Ray *>(queries.data()), hits.size());
   const auto report = (*tracer)->trace(records, hits, {.order = RayOrder::Given});
@@ -279,9 +270,9 @@ TEST(Header, FindsTheSameOnADevice) {
   if (!device)
     GTEST_SKIP() << device.error().message;
   std::uint32_t seed = 30;
-  for (const char *text :
-       {"R(1,2,0) G(2)", "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }"})
-    expectTheHitsOfCpp(*device, *parseFormat(text), seed++);
+  for (const HeaderLanguage language : {HeaderLanguage::Shared, HeaderLanguage::Glsl, HeaderLanguage::Hlsl})
+    for (const char *text : kFewFormats)
+      expectTheHitsOfCpp(*device, *parseFormat(text), language, seed++);
 }
 
 } // namespace
