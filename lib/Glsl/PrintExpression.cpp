@@ -59,7 +59,7 @@ std::string Printer::bare(const Expression &expression) const {
 std::string Printer::list(const std::vector<Expression> &expressions) const {
   std::string list;
   for (const Expression &expression : expressions)
-    list += (list.empty() ? "" : ", ") + text(expression, kAssignmentRank);
+    list += (list.empty() ? "" : ", ") + alone(expression);
   return list;
 }
 

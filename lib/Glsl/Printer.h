@@ -17,6 +17,9 @@ public:
 
   std::string print(const Module &module);
 
+  /// An expression to which nothing is near, without parentheses around it.
+  std::string alone(const Expression &expression) const { return bare(expression); }
+
   /// An expression, in parentheses where something that binds closer stands around it.
   std::string text(const Expression &expression, int leastRank = kAssignmentRank) const;
 

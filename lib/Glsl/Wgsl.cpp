@@ -51,6 +51,12 @@ bool isComparison(const Expression &expression) {
   return expression.kind == Kind::Call && !spelled(kComparisons, expression.text).empty();
 }
 
+/// uint(bitCount(a)) of a uint, which a count of bits is here without being asked.
+bool isCountAsItIs(const Expression &call) {
+  return call.operands.size() == 1 && call.operands[0].kind == Kind::Call &&
+         !spelled(kBits, call.operands[0].text).empty() && call.operands[0].operands[0].type == call.text;
+}
+
 bool isBitwise(std::string_view sign) { return sign == "&" || sign == "|" || sign == "^"; }
 bool isShift(std::string_view sign) { return sign == "<<" || sign == ">>"; }
 bool isEquality(std::string_view sign) { return sign == "==" || sign == "!="; }
@@ -151,7 +157,7 @@ std::string Wgsl::bare(const Expression &expression) const {
 /// A value beside one of another size: a number becomes a vector.
 std::string Wgsl::beside(const Expression &expression, const std::string &type, int leastRank) const {
   const bool isNumber = shapeOf(expression.type).size == 1 && shapeOf(type).size > 1;
-  return isNumber ? this->type(type) + "(" + text(expression) + ")" : text(expression, leastRank);
+  return isNumber ? this->type(type) + "(" + alone(expression) + ")" : text(expression, leastRank);
 }
 
 std::string Wgsl::call(const Expression &call) const {
@@ -162,8 +168,12 @@ std::string Wgsl::call(const Expression &call) const {
     return text(operands[0]);
   if (const std::string_view sign = spelled(kComparisons, call.text); !sign.empty())
     return text(operands[0], kPostfixRank) + " " + std::string(sign) + " " + text(operands[1], kPostfixRank);
-  if (const std::string_view name = spelled(kBits, call.text); !name.empty())
-    return type(call.type) + "(" + std::string(name) + "(" + list(operands) + "))";
+  if (const std::string_view name = spelled(kBits, call.text); !name.empty()) {
+    const std::string count = std::string(name) + "(" + list(operands) + ")";
+    return operands[0].type == call.type ? count : type(call.type) + "(" + count + ")";
+  }
+  if (isCountAsItIs(call))
+    return std::string(spelled(kBits, operands[0].text)) + "(" + list(operands[0].operands) + ")";
   if (std::ranges::find(kCasts, call.text) != kCasts.end())
     return "bitcast<" + type(call.type) + ">(" + list(operands) + ")";
   if (call.text == "mix")
@@ -179,14 +189,14 @@ std::string Wgsl::call(const Expression &call) const {
   std::vector<std::string> arguments; // Of a function of the language all have one type.
   const bool isBuiltin = !builtinType(call.text, call.type).empty();
   for (const Expression &operand : operands)
-    arguments.push_back(isBuiltin ? beside(operand, call.type, kAssignmentRank) : text(operand));
+    arguments.push_back(isBuiltin ? beside(operand, call.type, kAssignmentRank) : alone(operand));
   return type(call.text) + "(" + joined(arguments) + ")";
 }
 
 /// Of a pointer the pointer, and else the address of what is written to.
 std::string Wgsl::argument(const Expression &argument, const Parameter &parameter) const {
   if (parameter.passing != Passing::Out && parameter.passing != Passing::InOut)
-    return text(argument);
+    return alone(argument);
   const bool isPointer = argument.kind == Kind::Name && pointers_.contains(argument.text);
   return isPointer ? argument.text : "&" + text(argument, kPrefixRank);
 }
@@ -220,14 +230,15 @@ std::string Wgsl::shiftOf(const Expression &by, const std::string &shifted) cons
   if (by.kind == Kind::Literal)
     number += number.ends_with('u') ? "" : "u";
   else if (shapeOf(by.type).component != "uint")
-    number = type(glsl::typeOf("uint", size)) + "(" + text(by) + ")";
+    number = type(glsl::typeOf("uint", size)) + "(" + alone(by) + ")";
   return size < wanted ? type(glsl::typeOf("uint", wanted)) + "(" + number + ")" : number;
 }
 
 std::string Wgsl::assignment(const Expression &expression) const {
   const Expression &to = expression.operands[0], &value = expression.operands[1];
   const bool isShifted = expression.text == "<<=" || expression.text == ">>=";
-  return text(to, kPrefixRank) + " " + expression.text + " " + (isShifted ? shiftOf(value, to.type) : text(value));
+  return text(to, kPrefixRank) + " " + expression.text + " " +
+         (isShifted ? shiftOf(value, to.type) : text(value));
 }
 
 namespace {
