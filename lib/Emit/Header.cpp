@@ -3,7 +3,6 @@
 #include "KernelFunctions.h"
 #include "Names.h"
 
-#include "Glsl/Parse.h"
 #include "Glsl/Passes.h"
 #include "Glsl/Verify.h"
 #include "Glsl/Wrap.h"
@@ -41,8 +40,7 @@ std::string upperCase(std::string_view text) {
   return result;
 }
 
-TemplateNames headerNames(const Plan &plan, std::string_view name) {
-  TemplateNames names = planNames(plan);
+void addHeaderNames(TemplateNames &names, const Plan &plan, std::string_view name) {
   const std::string prefix = headerPrefix(name);
   names.holes["prefix"] = prefix;
   names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
@@ -50,11 +48,12 @@ TemplateNames headerNames(const Plan &plan, std::string_view name) {
   names.holes["glsl-in-cpp"] = glslInCpp();
   names.holes["what-colour-is"] =
       plan.layout.hasLabels() ? "a label" : "R in the lowest byte, then G, B and A";
-  return names;
 }
 
-std::string runtime(std::string_view file, const TemplateNames &names) {
-  return fillFile(shaderFiles(), std::string(file) + ".glsl", names);
+TemplateNames headerNames(const Plan &plan, std::string_view name) {
+  TemplateNames names = planNames(plan);
+  addHeaderNames(names, plan, name);
+  return names;
 }
 
 /// Of plans with bounds.
@@ -66,22 +65,26 @@ constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
 constexpr glsl::External kExternals[] = {
     {"VOXC_LOAD", "uint"}, {"VOXC_INDEX", "uint"}, {"VOXC_FIND", "bool"}, {"volume", "VOXC_VOLUME"}};
 
-/// All functions, after those that a language lacks.
-std::string functionsOf(const Plan &plan, const HeaderLanguageKind &language, const TemplateNames &names) {
-  std::string functions = volumeSize(plan);
-  for (const std::string_view file : language.lacking)
-    functions += "\n" + runtime(file, names);
-  functions +=
-      "\n" + runtime("header/load", names) + kernelFunctions(plan) + "\n" + runtime("walk_on", names);
-  for (const std::string_view file : plan.bounded ? std::span<const std::string_view>(kQueries) : kFirst)
-    functions += "\n" + runtime(file, names);
-  return functions;
-}
+/// What is called from outside.
+const glsl::Names kRoots = {"VOLUME_SIZE", "load_word", "lacks_page"};
+constexpr std::string_view kCalled[] = {"Hit", "closest", "next", "any", "first", "normal", "outside"};
 
-/// The same as a tree, by names that are a format's own.
-Expected<glsl::Module> moduleOf(const std::string &functions, const HeaderLanguageKind &language,
-                                const std::string &prefix) {
-  auto module = glsl::parse(functions);
+/// All functions, after those that a language lacks, by names that are a format's own.
+Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind &language) {
+  const std::string prefix = builder.names().holes.at("prefix");
+  addVolumeSize(builder);
+  for (const std::string_view file : language.lacking)
+    builder.add(file);
+  builder.add("header/load");
+  addKernelFunctions(builder);
+  builder.add("walk_on");
+  for (const std::string_view file :
+       builder.plan().bounded ? std::span<const std::string_view>(kQueries) : kFirst)
+    builder.add(file);
+  glsl::Names roots = kRoots;
+  for (const std::string_view name : kCalled)
+    roots.insert(prefix + std::string(name));
+  auto module = std::move(builder).specialised(roots);
   if (!module)
     return module;
   if (const auto verified = glsl::verify(*module, kExternals); !verified)
@@ -121,13 +124,15 @@ std::string headerFile(std::string_view name, HeaderLanguage language) {
 
 std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage language) {
   const HeaderLanguageKind &kind = kindOf(language);
-  TemplateNames names = headerNames(plan, name);
-  names.conditions["keeps-sums"] = kind.keepsSums;
-  const auto module = moduleOf(functionsOf(plan, kind, names), kind, names.holes.at("prefix"));
+  KernelBuilder builder(plan);
+  addHeaderNames(builder.names(), plan, name);
+  builder.names().conditions["keeps-sums"] = kind.keepsSums;
+  const TemplateNames names = builder.names();
+  const auto module = moduleOf(std::move(builder), kind);
   if (!module)
     return "#error " + module.error().message + "\n";
-  return glsl::wrapped(fillFile(shaderFiles(), kind.begin, names)) +
-         kind.printer(names.holes.at("prefix"))->print(*module) + fillFile(shaderFiles(), kind.end, names);
+  return glsl::wrapped(fillFile(shaderFiles(), kind.begin, names)) + "\n" +
+         kind.printer(headerPrefix(name))->print(*module) + fillFile(shaderFiles(), kind.end, names);
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {

@@ -4,8 +4,9 @@
 
 #include "voxc/Emit/Emit.h"
 
-#include "Glsl/Parse.h"
 #include "Glsl/Print.h"
+
+#include <vector>
 
 namespace voxc {
 namespace {
@@ -20,26 +21,31 @@ std::string preamble(const Plan &plan) {
   return text;
 }
 
+/// What stands behind the functions: how a ray, or a point, is taken from its buffer and answered.
+std::vector<const char *> around(const Plan &plan) {
+  if (plan.isOfPoints())
+    return {"records", "point/answer", "point/dispatch"};
+  if (plan.bounded)
+    return {"walk_on", "bounds", "records", "buffers", "dispatch"};
+  return {"records", "buffers", "walk_on", "dispatch"};
+}
+
 } // namespace
 
 std::string emitIntersect(const Plan &plan) {
-  const TemplateNames names = planNames(plan);
-  const auto file = [&](const std::string &path) { return "\n" + fillFile(shaderFiles(), path, names); };
-  const auto around = [&] {
-    if (plan.isOfPoints())
-      return file("records.glsl") + file("point/answer.glsl") + file("point/dispatch.glsl");
-    if (plan.bounded)
-      return file("walk_on.glsl") + file("bounds.glsl") + file("records.glsl") + file("buffers.glsl") +
-             file("dispatch.glsl");
-    return file("records.glsl") + file("buffers.glsl") + file("walk_on.glsl") + file("dispatch.glsl");
-  };
-  const std::string text = preamble(plan) + volumeSize(plan) + file("interface.glsl") +
-                           (plan.stopsAboveVoxels() ? file("detail/spread.glsl") : "") +
-                           file("memory/" + std::string(toString(plan.addressing)) + ".glsl") +
-                           (plan.addressing == Addressing::Paged ? file("paging.glsl") : "") +
-                           kernelFunctions(plan) + around();
-  const auto module = glsl::parse(text);
-  return module ? glsl::print(*module) : "#error " + module.error().message + "\n";
+  KernelBuilder builder(plan);
+  addVolumeSize(builder);
+  builder.add("interface");
+  if (plan.stopsAboveVoxels())
+    builder.add("detail/spread");
+  builder.add("memory/" + std::string(toString(plan.addressing)));
+  if (plan.addressing == Addressing::Paged)
+    builder.add("paging");
+  addKernelFunctions(builder);
+  for (const char *const path : around(plan))
+    builder.add(path);
+  const auto module = std::move(builder).specialised({"main"});
+  return module ? preamble(plan) + glsl::print(*module) : "#error " + module.error().message + "\n";
 }
 
 } // namespace voxc

@@ -3,7 +3,6 @@
 #include "Names.h"
 
 #include "Glsl/Cpp.h"
-#include "Glsl/Parse.h"
 
 #include "voxc/Emit/Emit.h"
 
@@ -32,32 +31,81 @@ std::string indented(std::string_view text) {
   return result;
 }
 
-std::string inCpp(const std::string &functions) {
-  const auto module = glsl::parse(functions);
-  return module ? "\n" + glsl::Cpp().print(*module) : "#error " + module.error().message + "\n";
-}
-
 std::string upperCase(std::string_view name) {
   std::string result(name);
   std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::toupper(c); });
   return result;
 }
 
+/// What the files of cpu-runtime call, and the structs whose members they look at.
+const glsl::Names kCalledFromPackets = {"AGAIN",
+                                        "Arrival",
+                                        "Bounds",
+                                        "CLOSED",
+                                        "Ray",
+                                        "VOLUME_SIZE",
+                                        "Walk",
+                                        "answer",
+                                        "arrival_at",
+                                        "begin_walk",
+                                        "bound_walk",
+                                        "bounds_of",
+                                        "colour_of",
+                                        "end_walk",
+                                        "entered_face",
+                                        "first_axis",
+                                        "goes_on",
+                                        "intersect_level_1",
+                                        "is_in_volume",
+                                        "left_walk",
+                                        "load_direction",
+                                        "load_origin",
+                                        "narrow",
+                                        "place_of_entry",
+                                        "settle",
+                                        "settle_step",
+                                        "settled",
+                                        "skip_to",
+                                        "step_over_voxel",
+                                        "store",
+                                        "store_hit",
+                                        "time_exactly",
+                                        "walk_at",
+                                        "walk_on",
+                                        "walk_within",
+                                        "words_of",
+                                        "words_of_left"};
+
+/// The members of the kernel's class, behind those of interface.inc.
+Expected<glsl::Module> members(KernelBuilder builder) {
+  const Plan &plan = builder.plan();
+  addVolumeSize(builder);
+  if (plan.addressing == Addressing::Paged)
+    builder.add("paging");
+  addKernelFunctions(builder);
+  if (plan.bounded) {
+    builder.add("walk_on");
+    builder.add("bounds");
+  }
+  builder.add("records");
+  builder.add(plan.isOfPoints() ? "point/answer" : "buffers");
+  return std::move(builder).specialised(kCalledFromPackets);
+}
+
 } // namespace
 
 std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords) {
-  TemplateNames names = planNames(plan);
-  names.holes["symbol"] = symbol;
-  names.holes["count-words"] = countWords ? "true" : "false";
-  const bool isPoint = plan.isOfPoints();
-  const auto file = [&](const char *path) { return "\n" + fillFile(shaderFiles(), path, names); };
-  const std::string bounds = plan.bounded ? file("walk_on.glsl") + file("bounds.glsl") : "";
-  const std::string buffers = file("records.glsl") + file(isPoint ? "point/answer.glsl" : "buffers.glsl");
-  const std::string paging = plan.addressing == Addressing::Paged ? file("paging.glsl") : "";
-  const std::string members = fillFile(cpuFiles(), "interface.inc", names) +
-                              inCpp(volumeSize(plan) + paging + kernelFunctions(plan) + bounds + buffers);
-  std::string text = fillFile(cpuFiles(), "begin.inc", names) + indented(members);
-  for (const char *path : isPoint ? std::span<const char *const>(kPointFiles) : kRayFiles)
+  KernelBuilder builder(plan);
+  builder.names().holes["symbol"] = symbol;
+  builder.names().holes["count-words"] = countWords ? "true" : "false";
+  const TemplateNames names = builder.names();
+  const auto module = members(std::move(builder));
+  if (!module)
+    return "#error " + module.error().message + "\n";
+  std::string text =
+      fillFile(cpuFiles(), "begin.inc", names) +
+      indented(fillFile(cpuFiles(), "interface.inc", names) + "\n" + glsl::Cpp().print(*module));
+  for (const char *path : plan.isOfPoints() ? std::span<const char *const>(kPointFiles) : kRayFiles)
     text += fillFile(cpuFiles(), path, names);
   return text;
 }

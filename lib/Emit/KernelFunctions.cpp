@@ -4,6 +4,8 @@
 
 #include "Names.h"
 
+#include "voxc/Emit/Emit.h"
+
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
@@ -12,21 +14,20 @@
 namespace voxc {
 namespace {
 
-constexpr const char *kBeforeStep[] = {"ray.glsl", "number.glsl", "products.glsl", "crossing.glsl"};
-constexpr const char *kAfterStep[] = {"step.glsl", "near.glsl", "enter.glsl", "prepare.glsl", "root.glsl"};
+constexpr const char *kBeforeStep[] = {"ray", "number", "products", "crossing"};
+constexpr const char *kAfterStep[] = {"step", "near", "enter", "prepare", "root"};
 
 class FunctionEmitter {
 public:
-  explicit FunctionEmitter(const Plan &plan)
-      : plan_(plan), walk_(kindOf(plan.walk)), names_(planNames(plan)) {}
+  explicit FunctionEmitter(KernelBuilder &builder)
+      : builder_(builder), plan_(builder.plan()), walk_(kindOf(plan_.walk)) {}
 
-  std::string emit() {
+  void emit() {
     if (plan_.isOfPoints())
       pointFunctions();
     else
       walkFunctions();
-    text_ += "\n// ---- To here; what follows is the same in every kernel again ----\n";
-    return std::move(text_);
+    builder_.addText("// ---- To here; what follows is the same in every kernel again ----\n");
   }
 
 private:
@@ -35,39 +36,38 @@ private:
     for (const char *path : kBeforeStep)
       file(path);
     if (plan_.steps == Steps::Refined)
-      file("step/compensated.glsl");
+      file("step/compensated");
     else if (plan_.arithmetic == Arithmetic::Ieee)
-      file("step/doubles.glsl");
-    file("step/" + std::string(toString(plan_.precision)) + ".glsl");
+      file("step/doubles");
+    file("step/" + std::string(toString(plan_.precision)));
     for (const char *path : kAfterStep)
       file(path);
     if (plan_.outputs.t)
-      file("time.glsl");
+      file("time");
     if (plan_.outputs.t || plan_.outputs.face)
-      file("arrival.glsl");
+      file("arrival");
     if (walk_.nests)
-      file("unit.glsl");
+      file("unit");
     if (plan_.stopsAboveVoxels())
-      file("detail/cone.glsl");
+      file("detail/cone");
     beginFormat();
     const bool looksUpValues = plan_.layout.ranksVoxels() && storesValue(plan_.outputs);
     if (looksUpValues)
-      file("rank/order.glsl");
+      file("rank/order");
     levels(&FunctionEmitter::level);
     if (isFlat())
       flatWalk();
     if (walk_.fromRoot)
-      file("walk/direct.glsl");
+      file("walk/direct");
     if (looksUpValues)
       ranks();
     if (storesValue(plan_.outputs))
-      file("payload/" + std::string(plan_.outputs.index ? "index" : kindOf(plan_.layout.payload).hit) +
-           ".glsl");
+      file("payload/" + std::string(plan_.outputs.index ? "index" : kindOf(plan_.layout.payload).hit));
   }
 
   /// One way down from the root.
   void pointFunctions() {
-    file("number.glsl");
+    file("number");
     beginFormat();
     levels(&FunctionEmitter::pointLevel);
   }
@@ -75,12 +75,12 @@ private:
   bool isFlat() const { return walk_.isOneLoop && !walk_.fromRoot; }
 
   void beginFormat() {
-    text_ += "\n// ---- From here on: " + plan_.layout.format + " ----\n";
+    builder_.addText("// ---- From here on: " + plan_.layout.format + " ----\n");
     if (hasLayers())
-      file("walk/tree.glsl");
+      file("walk/tree");
     const bool hasFields = plan_.layout.ranksVoxels() && plan_.outputs.colour;
     if (hasFields || plan_.layout.hasArray())
-      file("field.glsl");
+      file("field");
   }
 
   /// A function stands before its callers: the last level first.
@@ -95,46 +95,38 @@ private:
   }
 
   /// A file that is written once.
-  void file(const std::string &path) { text_ += "\n" + fillFile(shaderFiles(), path, names_); }
+  void file(const std::string &path) { builder_.add(path); }
 
   /// A file that is written for each level.
-  void leaf(std::size_t index, const std::string &path) {
-    text_ += fillFile(shaderFiles(), path, stratumNames(plan_, index));
-  }
+  void leaf(std::size_t index, const std::string &path) { builder_.addLevel(path, index); }
 
   /// A file that is written for each layer of a tree, from the lowest nodes up.
   void layers(std::size_t index, const std::string &path) {
     for (int layer = 1; layer <= plan_.layout.strata[index].depth; ++layer)
-      text_ += fillFile(shaderFiles(), path, layerNames(plan_, index, layer));
+      builder_.addLevel(path, index, layerNames(plan_, index, layer));
   }
 
-  void constants(std::size_t index) {
+  std::string constants(std::size_t index) {
     const Stratum &stratum = plan_.layout.strata[index];
     const std::string prefix = "LEVEL_" + std::to_string(index + 1) + "_";
     const auto number = [&](const char *name, int value) {
-      text_ += "const int " + prefix + name + " = " + std::to_string(value) + ";\n";
+      return "const int " + prefix + name + " = " + std::to_string(value) + ";\n";
     };
-    if (stratum.isGrid()) {
-      text_ += "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(stratum.log2Size()) + ";\n";
-    } else {
-      number("DEPTH", stratum.depth);
-      number("BRANCH", stratum.log2Shape.x);
-    }
-    number("LOG2_CELL", stratum.log2Cell);
-    number("LOG2_SIDE", longest(stratum.log2Size()) + stratum.log2Cell);
-    text_ += "\n";
+    const std::string own =
+        stratum.isGrid() ? "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(stratum.log2Size()) + ";\n"
+                         : number("DEPTH", stratum.depth) + number("BRANCH", stratum.log2Shape.x);
+    return own + number("LOG2_CELL", stratum.log2Cell) +
+           number("LOG2_SIDE", longest(stratum.log2Size()) + stratum.log2Cell);
   }
 
   /// What a level's functions speak of: its size, and how a node keeps its children, if there are nodes.
   void beginLevel(std::size_t index) {
     const Stratum &stratum = plan_.layout.strata[index];
-    text_ += levelComment(plan_, index);
-    constants(index);
+    builder_.addText(levelComment(plan_, index) + "\n" + constants(index));
     if (kindOf(plan_.traversals[index].descent).ofCells)
       return;
     for (const std::string_view file : stratum.slots->accessor(stratum))
-      leaf(index, "slots/" + std::string(file) + ".glsl");
-    text_ += "\n";
+      leaf(index, "slots/" + std::string(file));
   }
 
   void level(std::size_t index) {
@@ -144,20 +136,18 @@ private:
     const bool isSingle = descent.ofCells;
     beginLevel(index);
     if (traversal.sampled)
-      leaf(index, isSingle           ? "detail/single.glsl"
-                  : stratum.isGrid() ? "detail/grid.glsl"
-                                     : "detail/tree.glsl");
+      leaf(index, isSingle ? "detail/single" : stratum.isGrid() ? "detail/grid" : "detail/tree");
     if (walk_.fromRoot)
       return locate(index);
     if (isFlat() ? reportsBall(stratum) : !descent.keepsNodes && !isSingle)
-      leaf(index, "walk/within.glsl");
+      leaf(index, "walk/within");
     if (reportsBall(stratum))
-      leaf(index, "walk/march.glsl");
+      leaf(index, "walk/march");
     if (isFlat())
       return;
     if (descent.byLayers)
-      layers(index, "walk/unrolled_node.glsl");
-    leaf(index, "walk/" + std::string(toString(traversal.descent)) + ".glsl");
+      layers(index, "walk/unrolled_node");
+    leaf(index, "walk/" + std::string(toString(traversal.descent)));
   }
 
   void pointLevel(std::size_t index) {
@@ -170,13 +160,12 @@ private:
 
   /// From a voxel to its rank, level by level, and from there to its value if that is asked.
   void ranks() {
-    for (std::size_t i = plan_.layout.strata.size(); i-- > 0;) {
-      text_ += "\n";
-      down(i, "rank");
-    }
+    levels(&FunctionEmitter::rank);
     if (plan_.outputs.colour)
-      file("values/" + std::string(kindOf(plan_.layout.payload).blocks) + ".glsl");
+      file("values/" + std::string(kindOf(plan_.layout.payload).blocks));
   }
+
+  void rank(std::size_t index) { down(index, "rank"); }
 
   /// A function that goes straight down through the level, layer by layer, from the files of a folder.
   void down(std::size_t index, const std::string &folder) {
@@ -186,35 +175,34 @@ private:
     for (int layer = stratum.depth; isTree && layer > 0; --layer)
       names.holes["LAYERS_DOWN"] +=
           fillFile(shaderFiles(), folder + "/layer.glsl", layerNames(plan_, index, layer));
-    const char *const shape = isTree ? "/tree.glsl" : stratum.isGrid() ? "/grid.glsl" : "/single.glsl";
-    text_ += fillFile(shaderFiles(), folder + shape, names);
+    const char *const shape = isTree ? "/tree" : stratum.isGrid() ? "/grid" : "/single";
+    builder_.addLevel(folder + shape, index, names);
   }
 
   /// One loop, with what each level adds to its parts.
   void flatWalk() {
-    TemplateNames names = names_;
+    TemplateNames &names = builder_.names();
     const std::pair<const char *, const char *> parts[] = {
         {"FLAT_BEGIN", "begin"}, {"FLAT_LEVELS", "level"}, {"FLAT_STEP", "step"}, {"FLAT_CLIMB", "climb"}};
     for (const auto &[hole, file] : parts)
       for (std::size_t i = 0; i < plan_.layout.strata.size(); ++i)
         names.holes[hole] +=
             fillFile(shaderFiles(), "walk/flat/" + std::string(file) + ".glsl", stratumNames(plan_, i));
-    text_ += "\n" + fillFile(shaderFiles(), "walk/flat.glsl", names);
+    file("walk/flat");
   }
 
+  KernelBuilder &builder_;
   const Plan &plan_;
   const WalkKind &walk_;
-  TemplateNames names_;
-  std::string text_;
 };
 
 } // namespace
 
-std::string kernelFunctions(const Plan &plan) { return FunctionEmitter(plan).emit(); }
+void addKernelFunctions(KernelBuilder &builder) { FunctionEmitter(builder).emit(); }
 
-std::string volumeSize(const Plan &plan) {
-  return "\n// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " + planNames(plan).holes["VOLUME_SIZE"] +
-         ";\n";
+void addVolumeSize(KernelBuilder &builder) {
+  builder.addText("// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " +
+                  builder.names().holes["VOLUME_SIZE"] + ";\n");
 }
 
 } // namespace voxc

@@ -1,17 +1,15 @@
 // The functions of an intersection kernel: all but what ties it to a target's memory and dispatch.
 #pragma once
 
-#include "voxc/Plan/Plan.h"
-
-#include <string>
+#include "KernelBuilder.h"
 
 namespace voxc {
 
-/// GLSL from the ray to the root: the runtime files that the plan names, in order of use, with each level's
-/// constants. They call `load_word`.
-std::string kernelFunctions(const Plan &plan);
+/// From the ray to the root: the leaves that the plan names, in order of use, with each level's constants.
+/// They call `load_word`.
+void addKernelFunctions(KernelBuilder &builder);
 
-/// "// Voxels along each axis." and the constant, with an empty line before it.
-std::string volumeSize(const Plan &plan);
+/// The constant VOLUME_SIZE, voxels along each axis.
+void addVolumeSize(KernelBuilder &builder);
 
 } // namespace voxc

@@ -13,6 +13,18 @@ namespace voxc::glsl {
 
 using Names = std::set<std::string, std::less<>>;
 
+/// Names of constants, and their values: whole numbers, true, or false.
+using Constants = std::map<std::string, std::string, std::less<>>;
+
+/// Puts values in place of constants, and takes away what these decide: conditions and what they do not lead
+/// to, and numbers that change nothing. What is written with numbers alone stays as it is written.
+void fold(Module &module, const Constants &constants);
+
+/// Takes away functions, structs, constants and variables that nothing from `roots` on names; parameters,
+/// members and variables of functions that nothing reads; and what is written to them. Roots keep their
+/// parameters and members.
+void dropUnused(Module &module, const Names &roots);
+
 /// Puts a prefix before the names of all functions, structs, constants and variables that stand outermost,
 /// but those that have it. Members, parameters and variables of functions keep theirs.
 void addPrefix(Module &module, std::string_view prefix);

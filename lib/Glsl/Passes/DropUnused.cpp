@@ -1,0 +1,260 @@
+// What nothing comes to: functions, structs, constants; parameters, members and variables that nothing reads.
+#include "Glsl/Passes.h"
+#include "Glsl/Visit.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace voxc::glsl {
+namespace {
+
+using Kind = Expression::Kind;
+using Outer = Declaration::Kind;
+
+class Dropper {
+public:
+  Dropper(Module &module, const Names &roots) : module_(module), roots_(roots) {}
+
+  void run() {
+    for (bool changed = true; changed;) {
+      effects_ = functionsWithEffects(module_);
+      changed = dropVariables();
+      changed |= dropMembers();
+      changed |= dropParameters();
+      changed |= dropDeclarations();
+    }
+  }
+
+private:
+  bool isKept(const std::string &name) const { return roots_.contains(name); }
+
+  bool isPure(const Expression &expression) const {
+    bool pure = true;
+    forEachExpression(expression, [&](const Expression &inner) {
+      pure &= inner.kind != Kind::Assignment && inner.kind != Kind::Postfix && inner.text != "++" &&
+              inner.text != "--" && !(inner.kind == Kind::Call && effects_.contains(inner.text));
+    });
+    return pure;
+  }
+
+  /// Those of functions, structs, constants and blocks that are kept or named by what is.
+  Names named() const {
+    Names names = roots_;
+    for (auto at = module_.declarations.rbegin(); at != module_.declarations.rend(); ++at)
+      if (isReached(*at, names))
+        addNames(*at, names);
+    return names;
+  }
+
+  static bool isReached(const Declaration &declaration, const Names &names) {
+    switch (declaration.kind) {
+    case Outer::Function:
+    case Outer::Structure:
+      return names.contains(declaration.name);
+    case Outer::Variable:
+      return names.contains(declaration.variables[0].name);
+    default:
+      return true;
+    }
+  }
+
+  static void addNames(const Declaration &declaration, Names &names) {
+    names.insert(declaration.type);
+    for (const Parameter &parameter : declaration.parameters)
+      names.insert(parameter.type);
+    for (const Variable &variable : declaration.variables)
+      names.insert(variable.type);
+    for (const Statement &statement : declaration.body)
+      forEachStatement(statement, [&](const Statement &inner) {
+        for (const Variable &variable : inner.variables)
+          names.insert(variable.type);
+      });
+    forEachExpression(declaration, [&](const Expression &expression) {
+      if (expression.kind == Kind::Name || expression.kind == Kind::Call)
+        names.insert(expression.text);
+    });
+  }
+
+  bool dropDeclarations() {
+    const Names names = named();
+    return std::erase_if(module_.declarations,
+                         [&](const Declaration &declaration) { return !isReached(declaration, names); }) > 0;
+  }
+
+  /// How often each variable of a function is named.
+  static std::map<std::string, int, std::less<>> usesIn(const Declaration &function) {
+    std::map<std::string, int, std::less<>> uses;
+    forEachExpression(function, [&](const Expression &expression) {
+      if (expression.kind == Kind::Name)
+        ++uses[expression.text];
+    });
+    return uses;
+  }
+
+  bool dropVariables() {
+    bool changed = false;
+    for (Declaration &declaration : module_.declarations) {
+      const auto uses = usesIn(declaration);
+      const auto isUnused = [&](const Variable &variable) {
+        return !uses.contains(variable.name) && (variable.initial.empty() || isPure(variable.initial[0]));
+      };
+      const auto drop = [&](Statement &statement) {
+        changed |= std::erase_if(statement.variables, isUnused) > 0;
+        return statement.kind == Statement::Kind::Declaration && statement.variables.empty();
+      };
+      dropIn(declaration.body, drop);
+    }
+    return changed;
+  }
+
+  /// Erases the statements, of all that are inside others too, for which `drop` holds.
+  template <typename Drop> static void dropIn(std::vector<Statement> &statements, const Drop &drop) {
+    std::erase_if(statements, drop);
+    for (Statement &statement : statements) {
+      dropIn(statement.body, drop);
+      dropIn(statement.otherwise, drop);
+      statement.isBraced |= statement.body.empty() && statement.kind != Statement::Kind::Block;
+    }
+  }
+
+  /// Parameters that come in, of functions that nobody outside calls. Overloads have one fate.
+  bool dropParameters() {
+    std::map<std::string, std::vector<bool>, std::less<>> unused;
+    for (const Declaration &declaration : module_.declarations)
+      if (declaration.kind == Outer::Function && !isKept(declaration.name)) {
+        const auto uses = usesIn(declaration);
+        std::vector<bool> flags;
+        for (const Parameter &parameter : declaration.parameters)
+          flags.push_back((parameter.passing == Passing::In || parameter.passing == Passing::Const) &&
+                          !uses.contains(parameter.name));
+        if (const auto [at, isNew] = unused.emplace(declaration.name, flags); !isNew)
+          at->second.assign(at->second.size(), false);
+      }
+    forEachCall([&](const Expression &call) {
+      if (const auto found = unused.find(call.text); found != unused.end())
+        for (std::size_t i = 0; i < call.operands.size() && i < found->second.size(); ++i)
+          found->second[i] = found->second[i] && isPure(call.operands[i]);
+    });
+    std::erase_if(unused, [](const auto &entry) {
+      return std::ranges::find(entry.second, true) == entry.second.end();
+    });
+    if (unused.empty())
+      return false;
+    const auto erase = [](auto &list, const std::vector<bool> &flags) {
+      std::size_t i = 0;
+      std::erase_if(list, [&](const auto &) { return flags[i++]; });
+    };
+    for (Declaration &declaration : module_.declarations)
+      if (const auto found = unused.find(declaration.name);
+          declaration.kind == Outer::Function && found != unused.end())
+        erase(declaration.parameters, found->second);
+    forEachCall([&](Expression &call) {
+      if (const auto found = unused.find(call.text); found != unused.end())
+        erase(call.operands, found->second);
+    });
+    return true;
+  }
+
+  template <typename Visit> void forEachCall(const Visit &visit) {
+    for (Declaration &declaration : module_.declarations)
+      forEachExpression(declaration, [&](Expression &expression) {
+        if (expression.kind == Kind::Call)
+          visit(expression);
+      });
+  }
+
+  /// Members of structs that are written alone. A name that several structs have is read if one of them is.
+  bool dropMembers() {
+    Names read = readMembers();
+    std::map<std::string, std::vector<bool>, std::less<>> unread; // Of each struct.
+    Names dropped;
+    for (Declaration &declaration : module_.declarations) {
+      if (declaration.kind != Outer::Structure || isKept(declaration.name))
+        continue;
+      std::vector<bool> flags;
+      for (const Variable &member : declaration.variables)
+        flags.push_back(!read.contains(member.name));
+      if (std::ranges::find(flags, true) == flags.end() || std::ranges::find(flags, false) == flags.end())
+        continue; // Nothing, or all of it, which a language may not have.
+      for (std::size_t i = 0; i < flags.size(); ++i)
+        if (flags[i])
+          dropped.insert(declaration.variables[i].name);
+      unread[declaration.name] = std::move(flags);
+    }
+    if (unread.empty() || !areConstructorsPure(unread))
+      return false;
+    for (Declaration &declaration : module_.declarations)
+      dropMembers(declaration, unread, dropped);
+    return true;
+  }
+
+  bool areConstructorsPure(const std::map<std::string, std::vector<bool>, std::less<>> &unread) {
+    bool pure = true;
+    forEachCall([&](const Expression &call) {
+      if (const auto found = unread.find(call.text); found != unread.end())
+        for (std::size_t i = 0; i < call.operands.size(); ++i)
+          pure &= !found->second[i] || isPure(call.operands[i]);
+    });
+    return pure;
+  }
+
+  void dropMembers(Declaration &declaration,
+                   const std::map<std::string, std::vector<bool>, std::less<>> &unread,
+                   const Names &dropped) {
+    const auto isWrite = [&](Statement &statement) {
+      if (statement.kind != Statement::Kind::Expression || statement.expressions[0].kind != Kind::Assignment)
+        return false;
+      const Expression &to = statement.expressions[0].operands[0];
+      return to.kind == Kind::Member && dropped.contains(to.text) &&
+             isPure(statement.expressions[0].operands[1]);
+    };
+    dropIn(declaration.body, isWrite);
+    if (const auto found = unread.find(declaration.name);
+        declaration.kind == Outer::Structure && found != unread.end()) {
+      std::size_t i = 0;
+      std::erase_if(declaration.variables, [&](const Variable &) { return found->second[i++]; });
+    }
+    forEachExpression(declaration, [&](Expression &expression) {
+      const auto found = unread.find(expression.text);
+      if (expression.kind != Kind::Call || found == unread.end())
+        return;
+      std::size_t i = 0;
+      std::erase_if(expression.operands, [&](const Expression &) { return found->second[i++]; });
+    });
+  }
+
+  /// Those that are more than the left side of an assignment that is a statement of its own.
+  Names readMembers() const {
+    std::map<std::string, int, std::less<>> uses;
+    for (const Declaration &declaration : module_.declarations) {
+      forEachExpression(declaration, [&](const Expression &expression) {
+        if (expression.kind == Kind::Member)
+          ++uses[expression.text];
+      });
+      for (const Statement &statement : declaration.body)
+        forEachStatement(statement, [&](const Statement &inner) {
+          if (inner.kind != Statement::Kind::Expression || !inner.expressions[0].is(Kind::Assignment, "="))
+            return;
+          const Expression &to = inner.expressions[0].operands[0];
+          if (to.kind == Kind::Member && isPure(inner.expressions[0].operands[1]))
+            --uses[to.text];
+        });
+    }
+    Names read;
+    for (const auto &[name, count] : uses)
+      if (count > 0)
+        read.insert(name);
+    return read;
+  }
+
+  Module &module_;
+  const Names &roots_;
+  Names effects_;
+};
+
+} // namespace
+
+void dropUnused(Module &module, const Names &roots) { Dropper(module, roots).run(); }
+
+} // namespace voxc::glsl
