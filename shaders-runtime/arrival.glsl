@@ -1,31 +1,28 @@
 // How a ray comes to the voxel that it hits.
 struct Arrival {
-%if t
   uint t; // The bits of a float32.
-%end
-%if face
   uint face; // Twice the axis on which the ray enters, and 1 more where its coordinate falls.
-%end
 };
-%if face
 
 const uint BEGINS_INSIDE = 6u; // No face.
 
-%if exact
 // True if the ray comes into its cell on two axes at one moment.
 bool enters_together(const Ray ray, ivec3 face, int a, int b) {
   return ray.moves[a] && ray.falls[a] == ray.falls[b] && compare_crossings(ray, a, face[a], b, face[b]) == 0;
 }
 
-// The first axis on which the ray comes into the walk's cell as it enters that. Not sure if ${real-name} cannot tell.
+// The first axis on which the ray comes into the walk's cell as it enters that. Not sure if steps cannot tell. Without exactness, of several,
+// at an edge, the one that the walk has met.
 int first_axis(const Ray ray, const Walk walk, out bool sure) {
-  ivec3 face = walk.cell + ivec3(ray.falls);
-  ${real3} t = times_of(ray, ${real3}(face));
-  int first = walk.axis;
   sure = true;
+  int first = walk.axis;
+  if (!EXACT)
+    return first;
+  ivec3 face = walk.cell + ivec3(ray.falls);
+  real3 t = times_of(ray, real3(face));
   for (int axis = 0; axis < 2; axis++) {
-    ${real} apart = abs(t[axis] - t[walk.axis]);
-    ${real} doubt = min(abs(t[axis]), abs(t[walk.axis])) * ROUNDINGS + ray.slack;
+    real apart = abs(t[axis] - t[walk.axis]);
+    real doubt = min(abs(t[axis]), abs(t[walk.axis])) * ROUNDINGS + ray.slack;
     if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt))
       sure = false;
   }
@@ -36,42 +33,22 @@ int first_axis(const Ray ray, const Walk walk, out bool sure) {
   }
   return first;
 }
-%else
-// The axis on which the ray entered the walk's cell: of several, at an edge, the one that the walk has met.
-int first_axis(const Ray ray, const Walk walk, out bool sure) {
-  sure = true;
-  return walk.axis;
-}
-%end
-%end
 
-%if t
-// The face through which the ray entered its cell.
-int entered_face(const Ray ray, const Walk walk) {
-  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
-}
-
-%end
 // How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
 Arrival arrival_at(const Ray ray, const Walk walk, bool hit, out bool sure) {
   Arrival arrival;
-%if t
   arrival.t = 0u;
-%end
-%if face
   arrival.face = BEGINS_INSIDE;
-%end
   sure = true;
   if (!hit || walk.axis < 0)
     return arrival;
-%if t
-  arrival.t = crossing_time(ray, walk.axis, entered_face(ray, walk), sure);
-%end
-%if face
-  bool sure_of_axis;
-  int axis = first_axis(ray, walk, sure_of_axis);
-  arrival.face = 2u * uint(axis) + uint(ray.falls[axis]);
-  sure = sure && sure_of_axis;
-%end
+  if (T)
+    arrival.t = crossing_time(ray, walk.axis, entered_face(ray, walk), sure);
+  if (FACE) {
+    bool sure_of_axis;
+    int axis = first_axis(ray, walk, sure_of_axis);
+    arrival.face = 2u * uint(axis) + uint(ray.falls[axis]);
+    sure = sure && sure_of_axis;
+  }
   return arrival;
 }

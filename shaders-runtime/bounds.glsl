@@ -18,14 +18,6 @@ Bounds bounds_between(uint tmin, uint tmax) {
   return bounds;
 }
 
-%if t
-%else
-// The face through which the ray entered its cell.
-int entered_face(const Ray ray, const Walk walk) {
-  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
-}
-
-%end
 const int UNTOLD = 2; // No order: it cannot be told here.
 
 // The order of the moment at which a coordinate passes a face and another moment, where
@@ -38,33 +30,34 @@ OUT_OF_LINE int compare_moment_exactly(const Ray ray, int axis, int face, uint m
   uint one = floatBitsToUint(1.0f);
   Sum difference = sum_of_products(uvec4(floatBitsToUint(float(face)), ray.given_origin[axis] ^ SIGN_BIT, moment ^ SIGN_BIT, 0u),
                                    uvec4(one, one, ray.given_direction[axis], 0u));
-%if cut
-  return difference.complete ? order_by_sign(ray, axis, sign_of(difference)) : UNTOLD;
-%else
-  return order_by_sign(ray, axis, sign_of(difference));
-%end
+  return !CUT || difference.complete ? order_by_sign(ray, axis, sign_of(difference)) : UNTOLD;
 }
 
-%if ieee
-// The same by doubles, of which the product is exact and the distance is rounded once, if at all; four roundings of 2^-53 are far more.
-int compare_moment(const Ray ray, int axis, int face, uint moment) {
-  Way to_face = way_to(double(face), exactly(ray.given_origin[axis]));
-  bool is_exact = to_face.is_exact;
-  double distance = to_face.distance;
-  double way = exactly(moment) * exactly(ray.given_direction[axis]);
-  double doubt = is_exact ? 0.0 : (abs(distance) + abs(way)) * double(1.0f / 1125899906842624.0f); // 2^-50.
-%else
-// The same by float32, whose distance and way are rounded once each.
-int compare_moment(const Ray ray, int axis, int face, uint moment) {
-  float distance = float(face) - uintBitsToFloat(ray.given_origin[axis]);
-  float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
-  float doubt = (abs(distance) + abs(way)) * ROUNDINGS;
-  const bool is_exact = false;
-%end
-  bool later = distance - way > doubt;
-  bool sooner = distance - way < -doubt;
+// What is known of the order of two moments: that one is later or sooner, or, of neither, that they are the same.
+int order_told(const Ray ray, int axis, uint moment, bool later, bool sooner, bool is_exact) {
   bool told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu; // Devices may not keep a denormal moment.
   return told ? order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : UNTOLD;
+}
+
+// The same by doubles, of which the product is exact and the distance is rounded once, if at all; four roundings of 2^-53 are far more.
+int compare_moment_by_doubles(const Ray ray, int axis, int face, uint moment) {
+  Way to_face = way_to(double(face), exactly(ray.given_origin[axis]));
+  double way = exactly(moment) * exactly(ray.given_direction[axis]);
+  double doubt = to_face.is_exact ? double(0.0f) : (abs(to_face.distance) + abs(way)) * double(1.0f / 1125899906842624.0f); // 2^-50.
+  double apart = to_face.distance - way;
+  return order_told(ray, axis, moment, apart > doubt, apart < -doubt, to_face.is_exact);
+}
+
+// The same by float32, whose distance and way are rounded once each.
+int compare_moment_by_floats(const Ray ray, int axis, int face, uint moment) {
+  float distance = float(face) - uintBitsToFloat(ray.given_origin[axis]);
+  float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
+  float doubt = (abs(distance) + abs(way)) * float(ROUNDINGS);
+  return order_told(ray, axis, moment, distance - way > doubt, distance - way < -doubt, false);
+}
+
+int compare_moment(const Ray ray, int axis, int face, uint moment) {
+  return IEEE ? compare_moment_by_doubles(ray, axis, face, moment) : compare_moment_by_floats(ray, axis, face, moment);
 }
 
 // Whether the ray enters the walk's cell before a moment, -1, at it, 0, or after it, 1. UNTOLD if only exact arithmetic can
@@ -81,10 +74,8 @@ int compare_entry(const Ray ray, const Walk walk, uint moment) {
 
 // Where the entry of the walk's cell lies: before the bounds, -1, within them, 0, or after them, 1. UNTOLD as above.
 int place_of_entry(const Ray ray, const Walk walk, const Bounds bounds) {
-%if packets
-  if (walk.is_within)
+  if (PACKETS && walk.is_within)
     return 0;
-%end
   int order = bounds.tmin == 0u ? 0 : compare_entry(ray, walk, bounds.tmin);
   if (order < 0 || order == UNTOLD)
     return order;

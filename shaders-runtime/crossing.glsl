@@ -3,7 +3,7 @@
 
 // A change of cell.
 struct Crossing {
-  ${real} t;     // Approximate.
+  real t;     // Approximate.
   int axis;    // One that changes,
   int face;    // and the face that it passes.
   ivec3 step;  // The change, a cell at most on each axis.
@@ -12,7 +12,7 @@ struct Crossing {
 
 // The change of cell where a ray leaves a cube through the faces ahead: `crossed` tells the axes whose coordinates pass
 // them first, about at t.
-Crossing crossing_of(const Ray ray, ivec3 face, ${real} t, bvec3 crossed) {
+Crossing crossing_of(const Ray ray, ivec3 face, real t, bvec3 crossed) {
   ivec3 changes = mix(ivec3(0), ray.heading, crossed);
   ivec3 risen = max(changes, ivec3(0));
   Crossing crossing;
@@ -40,11 +40,8 @@ Sum crossing_difference(const Ray ray, int a, float at_a, int b, float at_b) {
                          uvec4(speed_b, speed_b, speed_a, speed_a));
 }
 
-%if cut
 const int CUT_SHORT = 2; // No order: the device did not let it be found.
-%end
 
-%if ieee
 // A float32 number that a device might not keep is 0 here, and is not looked at.
 double exactly(uint bits) { return double(uintBitsToFloat(bits)); }
 
@@ -94,30 +91,24 @@ bool meet_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
   Way way_b = way_to(double(face_b), exactly(ray.given_origin[b]));
   return ray.plain && meet(way_a, exactly(ray.given_direction[a]), way_b, exactly(ray.given_direction[b]));
 }
-%end
 
 // -1 if coordinate a passes its face first, 0 if both pass theirs at the same t, else 1. Both move.
 OUT_OF_LINE int compare_exactly(const Ray ray, int a, int face_a, int b, int face_b) {
   Sum difference = crossing_difference(ray, a, float(face_a), b, float(face_b));
   int order = sign_of(difference);
-%if cut
-  order = difference.complete ? order : CUT_SHORT;
-  return order == CUT_SHORT || ray.falls[a] == ray.falls[b] ? order : -order;
-%else
-  return ray.falls[a] == ray.falls[b] ? order : -order;
-%end
+  if (CUT)
+    order = difference.complete ? order : CUT_SHORT;
+  return (CUT && order == CUT_SHORT) || ray.falls[a] == ray.falls[b] ? order : -order;
 }
 
 // The same, by doubles where they can tell.
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
-%if ieee
+  if (!IEEE)
+    return compare_exactly(ray, a, face_a, b, face_b);
   int order = compare_by_doubles(ray, a, face_a, b, face_b);
   if (order == 0 && meet_by_doubles(ray, a, face_a, b, face_b))
     return 0;
   return order != 0 ? order : compare_exactly(ray, a, face_a, b, face_b);
-%else
-  return compare_exactly(ray, a, face_a, b, face_b);
-%end
 }
 
 int undecided_axis(const Range range) {
@@ -151,9 +142,9 @@ OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range can
 
 // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 Range approximate_cell(const Ray ray, const Crossing crossing, const Range range) {
-  ${real3} point = ray.lowest + crossing.t * ray.direction;
-  ${real3} doubt = mix(${real3}(0.0f), ${real3}(ray.doubt), ray.moves);
-  ${real3} least = ${real3}(range.least);
-  ${real3} most = ${real3}(range.most);
+  real3 point = ray.lowest + crossing.t * ray.direction;
+  real3 doubt = mix(real3(0.0f), real3(ray.doubt), ray.moves);
+  real3 least = real3(range.least);
+  real3 most = real3(range.most);
   return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
 }

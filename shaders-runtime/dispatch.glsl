@@ -1,6 +1,5 @@
 // One invocation a ray.
 
-%if cut
 // False if the device has begun to end loops early (Mesa's llvmpipe does after 65535 turns in all). No compiler knows
 // ray_count, and so how often this one ought to turn.
 bool loops_are_whole() {
@@ -11,7 +10,6 @@ bool loops_are_whole() {
   return turns == wanted;
 }
 
-%end
 // Traces a ray, from where it was left if it `goes_on`. True if it is left, again.
 bool trace_ray(uint ray_number, bool goes_on) {
   uint at = 6u * ray_number;
@@ -21,42 +19,36 @@ bool trace_ray(uint ray_number, bool goes_on) {
   uvec3 direction = load_direction(at);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
-%if bounded
-  Bounds bounds = bounds_of(at);
-  bool hit = begin_walk(load_origin(at), direction, root, ray, walk) && bound_walk(ray, walk, bounds);
-  if (hit) {
-    skip_to(ray, walk, bounds.tmin);
-    hit = walk_within(ray, walk, root, bounds);
+  bool hit = false;
+  if (BOUNDED) {
+    Bounds bounds = bounds_of(at);
+    hit = begin_walk(load_origin(at), direction, root, ray, walk) && bound_walk(ray, walk, bounds);
+    if (hit) {
+      skip_to(ray, walk, bounds.tmin);
+      hit = walk_within(ray, walk, root, bounds);
+    }
+  } else {
+    hit = begin_walk(load_origin(at), direction, root, ray, walk) && walk_on(ray, walk, root);
   }
-%else
-  bool hit = begin_walk(load_origin(at), direction, root, ray, walk) && walk_on(ray, walk, root);
-%end
   hit = end_walk(load_origin(at), direction, walk, hit);
-%if paged
-%if colour
-  if (hit)
-    walk.voxel = colour_of(walk);
-%end
-  hit = hit && !lacks_page; // Else it waits where it is.
-%end
-%if arrival
-  bool sure;
-  Arrival arrival = arrival_at(ray, walk, hit, sure);
-  walk.open = sure ? walk.open : AGAIN;
-%end
-%if cut
+  if (PAGED) {
+    if (COLOUR && hit)
+      walk.voxel = colour_of(walk);
+    hit = hit && !lacks_page; // Else it waits where it is.
+  }
+  Arrival arrival;
+  if (ARRIVAL) {
+    bool sure;
+    arrival = arrival_at(ray, walk, hit, sure);
+    walk.open = sure ? walk.open : AGAIN;
+  }
   // A walk that is still inside the volume without a hit, or whose arrival may not be whole, was cut off by the device.
-  if (SETTLES && hit && !loops_are_whole())
+  if (CUT && SETTLES && hit && !loops_are_whole())
     hit = false;
-  bool is_left = walk.open != CLOSED || (!hit && ${is-inside});
-%else
-%if paged
-  bool is_left = walk.open != CLOSED || (!hit && ${is-inside});
-%else
   bool is_left = walk.open != CLOSED;
-%end
-%end
-  HitWords words = words_of(walk, hit${and-arrival});
+  if (RESUMES)
+    is_left = is_left || (!hit && (BOUNDED ? is_in_reach(walk) : is_in_volume(walk.cell)));
+  HitWords words = words_of(walk, hit, arrival);
   if (is_left)
     words = words_of_left(walk);
   store_hit(at, words);
@@ -78,15 +70,8 @@ void main() {
   if (number >= (is_listed ? left_count : ray_count))
     return;
   uint ray_number = is_listed ? left_rays[number] : first_ray + number;
-%if resumes
-  if (goes_on && task == CUT_OFF && int(load_hit(6u * ray_number).voxel.x) > -2)
+  if (RESUMES && goes_on && task == CUT_OFF && int(load_hit(6u * ray_number).voxel.x) > -2)
     return;
-%end
-%if paged
-  if (trace_ray(ray_number, goes_on) && !SETTLES && !lacks_page)
+  if (trace_ray(ray_number, goes_on) && !SETTLES && !(PAGED && lacks_page))
     leave(ray_number);
-%else
-  if (trace_ray(ray_number, goes_on) && !SETTLES)
-    leave(ray_number);
-%end
 }

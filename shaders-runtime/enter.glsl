@@ -4,12 +4,12 @@ const float CLOSE = 1.0f / 2048.0f; // In voxels.
 
 // Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
 // by `slack`. A coordinate that never changes stays in its cell.
-void bound_errors(inout Ray ray, ${real3} cell, float of_origin, float slack) {
-  ${real3} half_size = 0.5f * ${real3}(VOLUME_SIZE);
-  ${real3} reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
-  ${real} error = greatest_of(reach) * ROUNDINGS + ${real}(of_origin);
+void bound_errors(inout Ray ray, real3 cell, float of_origin, float slack) {
+  real3 half_size = 0.5f * real3(VOLUME_SIZE);
+  real3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
+  real error = greatest_of(reach) * ROUNDINGS + real(of_origin);
   if (COMES_NEAR || SETTLES)
-    error = min(error + 2.0f * slack, ${real}(NEVER));
+    error = min(error + 2.0f * slack, real(NEVER));
   ray.slack = slack;
   ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
   ray.doubt = 2.0f * error;
@@ -62,8 +62,8 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
     }
   }
   vec3 steep = mix(vec3(0.0f), abs(vec3(ray.inverse)), ray.moves);
-  ray.late = ${real3}(0.0f);
-  bound_errors(ray, ${real3}(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
+  ray.late = real3(0.0f);
+  bound_errors(ray, real3(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
 }
 
 // Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the coordinates that
@@ -77,25 +77,21 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
   range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
   range.least[axis] = range.most[axis];
-%if bounded
-  range = approximate_cell(ray, crossing, range);
-  ivec3 behind = range.least;
-  bool sure = range.least == range.most;
-%if refines
-  if (!sure)
-    behind = cell_behind(ray, axis, face, sure);
-%end
-  if (SETTLES)
-    behind = settle(ray, crossing, range);
-  else if (!sure)
-    return walk; // It stays, which is not wrong: only later cells are skipped to.
-  walk.cell = behind;
-%else
-  walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
-%end
-%if axis
+  if (BOUNDED) {
+    range = approximate_cell(ray, crossing, range);
+    ivec3 behind = range.least;
+    bool sure = range.least == range.most;
+    if (REFINES && !sure)
+      behind = cell_behind(ray, axis, face, sure);
+    if (SETTLES)
+      behind = settle(ray, crossing, range);
+    else if (!sure)
+      return walk; // It stays, which is not wrong: only later cells are skipped to.
+    walk.cell = behind;
+  } else {
+    walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
+  }
   walk.axis = axis;
-%end
   return walk;
 }
 
@@ -116,38 +112,36 @@ OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, bool starts_far) {
   return behind_face(ray, walk, cell, axis, face[axis]);
 }
 
-// The same by ${real-name}, of an ordinary ray: it passes the last of these faces, or is past all of them. Not sure if that cannot tell
+// The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not sure if that cannot tell
 // which face is the last, or which cell is behind it.
-Walk entered(const Ray ray, Walk walk, ${real3} face, inout bool sure) {
+Walk entered(const Ray ray, Walk walk, real3 face, inout bool sure) {
   const float LATEST = 281474976710656.0f; // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
-  ${real3} t = mix(${real3}(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
+  real3 t = mix(real3(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
   bool is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
   // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
-  ${real3} last_face = mix(${real3}(NEVER), face, ray.falls);
-  bvec3 on_face = equal(ray.origin, is_as_given ? last_face : ${real3}(NEVER));
-  t = mix(t, ${real3}(0.0f), on_face);
-  ${real} latest = min(greatest_of(t), ${real}(LATEST));
-  ${real} before = second_least_of(t);
-  bvec3 passed = equal(t, ${real3}(latest));
+  real3 last_face = mix(real3(NEVER), face, ray.falls);
+  bvec3 on_face = equal(ray.origin, is_as_given ? last_face : real3(NEVER));
+  t = mix(t, real3(0.0f), on_face);
+  real latest = min(greatest_of(t), real(LATEST));
+  real before = second_least_of(t);
+  bvec3 passed = equal(t, real3(latest));
   bool begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
-  ${real3} point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  real3 point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
   point = begins_here ? ray.origin : point;
-  ${real3} whole = floor(point);
+  real3 whole = floor(point);
   bool is_last = before < latest - (latest * ROUNDINGS + ray.slack);
   bool is_certain = greatest_of(point - whole) < ray.certain;
   bool is_sure = begins_here || (is_last && is_certain);
   sure = sure && is_sure;
   walk.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
-%if axis
   walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
-%end
   return walk;
 }
 
 // True if a coordinate is past the volume, and goes on.
 bool leaves_volume(const Ray ray) {
-  ivec3 below = ivec3(lessThan(ray.origin, ${real3}(0.0f)));
-  ivec3 above = ivec3(greaterThanEqual(ray.origin, ${real3}(VOLUME_SIZE)));
+  ivec3 below = ivec3(lessThan(ray.origin, real3(0.0f)));
+  ivec3 above = ivec3(greaterThanEqual(ray.origin, real3(VOLUME_SIZE)));
   return mix(above, below, ray.falls) != ivec3(0);
 }
 
@@ -155,8 +149,8 @@ bool leaves_volume(const Ray ray) {
 bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
   if (COMES_NEAR && ordinary && leaves_volume(ray))
     return false;
-  ${real3} face = mix(${real3}(0.0f), ${real3}(VOLUME_SIZE), ray.falls);
-  ${real3} cell = floor(ray.origin);
+  real3 face = mix(real3(0.0f), real3(VOLUME_SIZE), ray.falls);
+  real3 cell = floor(ray.origin);
   Start near = come_near(ray, face);
   if (SETTLES && !ordinary && any(starts_tiny(ray)))
     near.slack = NEVER;
@@ -166,15 +160,10 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   Walk start = entered(ray, walk, face, sure);
-%if refines
-  if (!SETTLES && !sure && ordinary && !near.is_far)
+  if (REFINES && !SETTLES && !sure && ordinary && !near.is_far)
     start = entered_compensated(ray, walk, sure);
-%else
-%if ieee
-  if (SETTLES && !sure && ordinary && !near.is_far)
+  if (IEEE && !REFINES && SETTLES && !sure && ordinary && !near.is_far)
     start = entered_by_doubles(ray, walk, sure);
-%end
-%end
   if (SETTLES && !sure)
     start = entered_exactly(ray, walk, near.is_far);
   if (!SETTLES && !sure) {

@@ -9,14 +9,11 @@ layout(constant_id = 0) const bool COUNT_LOOKUPS = false;
 layout(constant_id = 2) const bool COUNT_WORDS = false;
 uint words_read = 0u;
 
-%if bounded
-// Eight words a ray, the bits of float32: origin, tmin, direction, tmax.
-layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uvec4 ray_halves[]; };
-%else
-// Six words a ray, the bits of float32: origin, direction.
+// Eight words a ray with bounds, the bits of float32: origin, tmin, direction, tmax.
+layout(std430, set = 0, binding = 0) readonly restrict buffer BoundedRays { uvec4 ray_halves[]; };
+// Six words a ray without: origin, direction.
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uvec2 ray_pairs[]; };
-%end
-// Six words a hit: voxel, rgba, t, ${sixth-word}.
+// Six words a hit: voxel, rgba, t, and lookups or words read, else a face.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uvec2 hit_pairs[]; };
 // A dispatch that does not settle leaves the rays which exact arithmetic has to look at to one that does, over these alone:
 // what that is started with, how many they are, and their numbers.
@@ -28,6 +25,4 @@ layout(constant_id = 6) const bool COMES_NEAR = true;
 layout(push_constant) uniform Tile { uint first_ray; uint ray_count; uint task; };
 const uint ALL = 0u;
 const uint LEFT_OVER = 1u; // Those of the list.
-%if resumes
 const uint CUT_OFF = 2u; // Those that are unfinished.
-%end

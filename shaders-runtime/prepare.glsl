@@ -19,7 +19,6 @@ bool is_ordinary(uvec3 origin, uint longest, vec3 component) {
   return is_scaled && is_large && is_near;
 }
 
-%if refines
 // Whether no number of a ray but 0 is so small that products of its numbers are rounded by what is no float32.
 bool are_moderate(bvec3 moves, uvec3 origin, vec3 component) {
   const float LEAST = 1.0f / 1099511627776.0f; // 2^-40.
@@ -27,7 +26,6 @@ bool are_moderate(bvec3 moves, uvec3 origin, vec3 component) {
   return min(min(least.x, least.y), least.z) >= floatBitsToUint(LEAST);
 }
 
-%end
 // The magnitudes of a direction, divided by a power of two that leaves the largest in [1, 2), for numbers of any size.
 OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
   ivec3 exponent;
@@ -57,22 +55,20 @@ Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
   ordinary = is_ordinary(origin, longest, component);
   ray.plain = ordinary;
-%if refines
   ray.is_moderate = ordinary && are_moderate(ray.moves, origin, component);
-%end
   if (SETTLES && !ordinary) {
     ray.plain = are_plain(origin) && are_plain(direction);
     component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction, uvec3(SIGN_BIT))) * scaled_exactly(size);
     component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
   }
   ivec3 sign = floatBitsToInt(component) >> 31;
-  ray.origin = ${real3}(uintBitsToFloat(origin));
-  ray.direction = ${real3}(component);
+  ray.origin = real3(uintBitsToFloat(origin));
+  ray.direction = real3(component);
   ray.inverse = 1.0f / ray.direction;
-  ray.late = ${real3}(0.0f);
+  ray.late = real3(0.0f);
   ray.falls = lessThan(sign, ivec3(0));
   ray.heading = sign | 1;
-  ray.beyond = ${real3}(sign);
+  ray.beyond = real3(sign);
   ray.ahead = ~sign;
   ray.octant = octant_of(ray.ahead);
   return ray;

@@ -5,9 +5,7 @@ struct Sum {
   int high;
   uint low;
   int exponent;
-%if cut
   bool complete; // Unless the device cut the work short.
-%end
 };
 
 int sign_of(const Sum sum) { return sum.high < 0 ? -1 : (uint(sum.high) | sum.low) != 0u ? 1 : 0; }
@@ -47,11 +45,7 @@ void add(inout Sum sum, uint high, uint low, bool negative) {
 OUT_OF_LINE Sum sum_of_products(uvec4 a, uvec4 b) {
   ivec4 exponent = ivec4(exponent_of(a.x) + exponent_of(b.x), exponent_of(a.y) + exponent_of(b.y),
                          exponent_of(a.z) + exponent_of(b.z), exponent_of(a.w) + exponent_of(b.w));
-%if cut
   Sum sum = Sum(0, 0u, 0, false);
-%else
-  Sum sum = Sum(0, 0u, 0);
-%end
   int left = 4;
   while (left > 0) {
     int largest = max(max(exponent.x, exponent.y), max(exponent.z, exponent.w));
@@ -70,20 +64,14 @@ OUT_OF_LINE Sum sum_of_products(uvec4 a, uvec4 b) {
       add(sum, high, low, (a[next] ^ b[next]) >= SIGN_BIT);
     }
   }
-%if cut
   sum.complete = left == 0;
-%end
   return sum;
 }
 
 // sum / divisor in plain float32.
 float quotient(const Sum sum, uint divisor) {
   bool negative = sum.high < 0;
-%if cut
   Sum magnitude = Sum(0, 0u, sum.exponent, true);
-%else
-  Sum magnitude = Sum(0, 0u, sum.exponent);
-%end
   add(magnitude, uint(sum.high), sum.low, negative);
   float value = float(magnitude.high) * 4294967296.0f + float(magnitude.low);
   float size = value / float(significand_of(divisor)) * power_of_two(sum.exponent - exponent_of(divisor) - 150);

@@ -2,24 +2,22 @@
 struct Ray {
   uvec3 given_origin; // The bits of six float32 taken as exact numbers.
   uvec3 given_direction;
-  ${real3} origin; // Where the traversal counts from: the given origin, or where a ray from far away enters.
+  real3 origin; // Where the traversal counts from: the given origin, or where a ray from far away enters.
   // Scaled so that the longest component is in [1, 2). Where a coordinate never changes it is LEAST_COMPONENT: that passes no face
   // before another does. All t are those of this direction, from this origin.
-  ${real3} direction;
-  ${real3} inverse;
-  ${real3} late; // By how much each t comes late that is counted from there.
-  ${real} slack; // What is wrong of a t, beside a few roundings.
-  ${real3} lowest; // The least that is certain of the coordinates at the origin,
-  ${real} doubt; // and how much more any coordinate on the way may be, in voxels.
-  ${real} certain; // A coordinate that is at least this far below the next whole number is in its cell.
+  real3 direction;
+  real3 inverse;
+  real3 late; // By how much each t comes late that is counted from there.
+  real slack; // What is wrong of a t, beside a few roundings.
+  real3 lowest; // The least that is certain of the coordinates at the origin,
+  real doubt; // and how much more any coordinate on the way may be, in voxels.
+  real certain; // A coordinate that is at least this far below the next whole number is in its cell.
   bvec3 moves; // False on an axis whose coordinate never changes.
   bvec3 falls; // The coordinate falls.
-%if refines
   bool is_moderate; // No number as given but 0 is below 2^-40.
-%end
   bool plain; // As given, it has no numbers but 0 and those whose significand has all its bits.
   ivec3 heading; // -1 where the coordinate falls, else 1.
-  ${real3} beyond; // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+  real3 beyond; // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
   int octant; // A bit for each coordinate that rises, that of x lowest.
   ivec3 ahead; // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
 };
@@ -32,7 +30,7 @@ struct Gap {
 
 // How a ray leaves cells through the faces ahead.
 struct Exit {
-  ${real} t;       // About when.
+  real t;       // About when.
   bvec3 passed;  // The axes whose faces it passes.
   bool sure;     // It is known to pass that one first.
 };
@@ -40,54 +38,32 @@ struct Exit {
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
 struct Walk {
   ivec3 cell; // In voxels; outside the volume before and after the walk.
-%if axis
   int axis;   // The axis on which the ray entered the cell; -1 where it started.
-%end
-%if colour
   uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
-%end
   uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
   int open; // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
-%if bounded
   ivec3 begin; // A walk ends where it leaves the box of `size` cells from `begin` on.
   ivec3 size;
-%if packets
   bool is_within; // It is known to enter its cell within the ray's bounds.
-%end
-%end
 };
 
 const int CLOSED = -1;
 const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
-%if bounded
-%if packets
 const int WITHIN = -3; // Who settles has found that it enters its cell within the ray's bounds.
-%end
-%end
 
 const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
 
-%if doubles
-// Eight roundings to nearest, of 2^-53 each. A t is a difference, an inverse and a product; the order of two t is certain
-// beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin.
-const double ROUNDINGS = double(8.0f / 16777216.0f) / 536870912.0;
-%else
-%if ieee
-// Eight roundings to nearest, of 2^-24 each. A t is a difference, an inverse and a product; the order of two t is certain
-// beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin.
-const float ROUNDINGS = 8.0f / 16777216.0f;
-%else
-// Twelve roundings of 2^-23, whichever way each goes. A t is a difference, an inverse (2.5 roundings) and a product; the
-// order of two t is certain beyond 11 roundings of the earlier, and a coordinate within 9.5 of how far it may be from the
-// origin.
-const float ROUNDINGS = 12.0f / 8388608.0f;
-%end
-%end
+// What is rounded on the way to a t, which is a difference, an inverse and a product. Where devices round to nearest, eight roundings:
+// the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin. Else
+// twelve roundings of 2^-23, whichever way each goes: an inverse takes 2.5 of them, the order of two t is certain beyond 11, and a
+// coordinate within 9.5.
+const real ROUNDINGS = DOUBLES ? real(8.0f / 16777216.0f) / real(536870912.0f) : real(IEEE ? 8.0f / 16777216.0f : 12.0f / 8388608.0f);
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell) {
-  return Walk(cell, ${no-axis}${no-voxel}0u, VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z, CLOSED${and-all-of-the-volume});
+  int most_steps = VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z;
+  return Walk(cell, -1, 0u, 0u, most_steps, CLOSED, ivec3(0), VOLUME_SIZE, false);
 }
 
 // Ends a walk that takes more steps than any can.
@@ -103,18 +79,13 @@ void count_lookup(inout Walk walk) {
 
 bool is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(VOLUME_SIZE))); }
 
-%if bounded
 // Whether a walk is in the box in which it may find something.
 bool is_in_reach(const Walk walk) { return all(lessThan(uvec3(walk.cell - walk.begin), uvec3(walk.size))); }
 
-%end
 // Whether a walk has more to see here.
 bool goes_on(const Walk walk) {
-%if packets
-  return ${is-inside}${and-is-closed} && lanes_at_work(walk.steps_left) >= FEWEST_LANES;
-%else
-  return ${is-inside}${and-is-closed};
-%end
+  return (BOUNDED ? is_in_reach(walk) : is_in_volume(walk.cell)) && (!KEEPS_CELL || walk.open == CLOSED) &&
+         (!PACKETS || lanes_at_work(walk.steps_left) >= FEWEST_LANES);
 }
 
 // True if two cells lie in one aligned cube of 2^log2_side voxels a side.
@@ -142,34 +113,35 @@ ivec3 faces_ahead(const Ray ray, ivec3 cell, const Gap gap) {
 }
 
 // About when each coordinate passes its face.
-${real3} times_of(const Ray ray, ${real3} face) {
-  ${real3} t = (face - ray.origin) * ray.inverse;
+real3 times_of(const Ray ray, real3 face) {
+  real3 t = (face - ray.origin) * ray.inverse;
   return COMES_NEAR ? t - ray.late : t;
 }
 
-%if by-bits
-// The order of float32 numbers by their bits: one instruction where others would look for NaN. Negative ones are below all others, but of
-// two of them the order is the other one: no t of a face ahead is negative but by rounding.
-float least_of(vec3 of) {
+// The less and the greater of two numbers, none of which is NaN.
+real lesser(real a, real b) { return b < a ? b : a; }
+real greater(real a, real b) { return a < b ? b : a; }
+
+// The order of float32 numbers by their bits is one instruction where others would look for NaN. Negative ones are below all others, but
+// of two of them the order is the other one: no t of a face ahead is negative but by rounding.
+
+real least_of(real3 of) {
+  if (!BY_BITS)
+    return lesser(lesser(of.x, of.y), of.z);
   ivec3 bits = floatBitsToInt(of);
   return intBitsToFloat(min(min(bits.x, bits.y), bits.z));
 }
 
-float second_least_of(vec3 of) {
+real second_least_of(real3 of) {
+  if (!BY_BITS)
+    return greater(lesser(of.x, of.y), lesser(greater(of.x, of.y), of.z));
   ivec3 bits = floatBitsToInt(of);
   return intBitsToFloat(max(min(bits.x, bits.y), min(max(bits.x, bits.y), bits.z)));
 }
 
-float greatest_of(vec3 of) {
+real greatest_of(real3 of) {
+  if (!BY_BITS)
+    return greater(greater(of.x, of.y), of.z);
   ivec3 bits = floatBitsToInt(of);
   return intBitsToFloat(max(max(bits.x, bits.y), bits.z));
 }
-%else
-// The less and the greater of two numbers, none of which is NaN.
-${real} lesser(${real} a, ${real} b) { return b < a ? b : a; }
-${real} greater(${real} a, ${real} b) { return a < b ? b : a; }
-
-${real} least_of(${real3} of) { return lesser(lesser(of.x, of.y), of.z); }
-${real} second_least_of(${real3} of) { return greater(lesser(of.x, of.y), lesser(greater(of.x, of.y), of.z)); }
-${real} greatest_of(${real3} of) { return greater(greater(of.x, of.y), of.z); }
-%end

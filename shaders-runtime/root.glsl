@@ -14,18 +14,13 @@ bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Wal
     return false;
   Walk start = walk;
   bool enters = enter_volume(ray, start, ordinary);
-%if paged
   // One that has waited for a page keeps its cell, where only who settles can tell how it entered.
-  if (start.open == AGAIN && is_in_volume(walk.cell)) {
+  if (PAGED && start.open == AGAIN && is_in_volume(walk.cell)) {
     walk.open = AGAIN;
     return false;
   }
-%end
-%if packets
-  bool has_begun = is_in_volume(walk.cell) || walk.open != CLOSED;
-%else
-  bool has_begun = SETTLES && (is_in_volume(walk.cell) || walk.open != CLOSED); // Who does not settle begins all its rays.
-%end
+  bool may_have_begun = PACKETS || SETTLES; // A dispatch that does not settle begins all its rays.
+  bool has_begun = may_have_begun && (is_in_volume(walk.cell) || walk.open != CLOSED);
   if (!enters || !has_begun)
     walk = start;
   return enters;
@@ -33,11 +28,7 @@ bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Wal
 
 // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
 bool end_walk(uvec3 origin, uvec3 direction, inout Walk walk, bool hit) {
-%if packets
-  bool may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
-%else
-  bool may_stay = SETTLES;
-%end
+  bool may_stay = PACKETS || SETTLES; // Packets go on with rays that exact arithmetic has prepared.
   if (!may_stay || !goes_nowhere(direction) || walk.open == AGAIN || walk.cell == floor_of(origin))
     return hit;
   walk.cell = ivec3(-1);

@@ -120,7 +120,6 @@ OUT_OF_LINE uint time_exactly(const Ray ray, int axis, int face) {
   return rounded(value, exponent, distance.inexact || rest != 0);
 }
 
-%if ieee
 // The same, by doubles. Not sure where what they get wrong could be rounded to another float32.
 uint time_by_doubles(const Ray ray, int axis, int face, out bool sure) {
   double t = abs((double(face) - exactly(ray.given_origin[axis])) / exactly(ray.given_direction[axis]));
@@ -134,9 +133,6 @@ uint time_by_doubles(const Ray ray, int axis, int face, out bool sure) {
   sure = ray.plain && (exact || least == most) && (value == 0.0f || (value > 1e-30f && value < 1e30f));
   return floatBitsToUint(value);
 }
-%end
-%if exact
-%else
 
 // The same, by float32, whose three roundings may be wrong in the last places.
 uint time_by_floats(const Ray ray, int axis, int face, out bool sure) {
@@ -144,20 +140,15 @@ uint time_by_floats(const Ray ray, int axis, int face, out bool sure) {
   sure = ray.plain && t > 1e-30f && t < 1e30f;
   return floatBitsToUint(t);
 }
-%end
 
 // The same, as fast as it can be told.
 uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
-%if ieee
-  bits = time_by_doubles(ray, axis, face, sure);
-%else
-%if exact
-%else
-  bits = time_by_floats(ray, axis, face, sure);
-%end
-%end
+  if (IEEE)
+    bits = time_by_doubles(ray, axis, face, sure);
+  else if (!EXACT)
+    bits = time_by_floats(ray, axis, face, sure);
   if (SETTLES && !sure) {
     bits = time_exactly(ray, axis, face);
     sure = true;

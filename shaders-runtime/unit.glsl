@@ -1,7 +1,5 @@
 // A single voxel: the walk has arrived.
 bool intersect_voxel(const Ray ray, inout Walk walk, uint voxel) {
-%if colour
   walk.voxel = voxel;
-%end
   return true;
 }

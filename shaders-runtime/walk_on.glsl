@@ -1,6 +1,7 @@
 // Goes on with a walk to its end, or until it is left.
 bool walk_on(const Ray ray, inout Walk walk, uint root) {
-%if exact
+  if (!EXACT)
+    return intersect_level_1(ray, walk, root);
   if (!SETTLES)
     return is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
   bool hit = false;
@@ -13,7 +14,4 @@ bool walk_on(const Ray ray, inout Walk walk, uint root) {
     is_under_way = walk.open >= 0;
   }
   return hit;
-%else
-  return intersect_level_1(ray, walk, root);
-%end
 }

@@ -4,7 +4,6 @@
 #include "Names.h"
 
 #include "Glsl/Passes.h"
-#include "Glsl/Verify.h"
 #include "Glsl/Wrap.h"
 
 #include "voxc/Emit/Emit.h"
@@ -61,10 +60,6 @@ constexpr std::string_view kQueries[] = {"bounds", "header/hit", "header/queries
 /// Of plans without.
 constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
 
-/// Names that the text around the functions gives a meaning.
-constexpr glsl::External kExternals[] = {
-    {"VOXC_LOAD", "uint"}, {"VOXC_INDEX", "uint"}, {"VOXC_FIND", "bool"}, {"volume", "VOXC_VOLUME"}};
-
 /// What is called from outside.
 const glsl::Names kRoots = {"VOLUME_SIZE", "load_word", "lacks_page"};
 constexpr std::string_view kCalled[] = {"Hit", "closest", "next", "any", "first", "normal", "outside"};
@@ -87,8 +82,6 @@ Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind 
   auto module = std::move(builder).specialised(roots);
   if (!module)
     return module;
-  if (const auto verified = glsl::verify(*module, kExternals); !verified)
-    return verified.error();
   glsl::addParameter(*module, "load_word", {glsl::Passing::In, std::string(language.volume), "volume"});
   glsl::addPrefix(*module, prefix);
   if (language.makeReady)

@@ -24,10 +24,8 @@ std::string preamble(const Plan &plan) {
 /// What stands behind the functions: how a ray, or a point, is taken from its buffer and answered.
 std::vector<const char *> around(const Plan &plan) {
   if (plan.isOfPoints())
-    return {"records", "point/answer", "point/dispatch"};
-  if (plan.bounded)
-    return {"walk_on", "bounds", "records", "buffers", "dispatch"};
-  return {"records", "buffers", "walk_on", "dispatch"};
+    return {"records/device", "point/answer", "point/dispatch"};
+  return {"walk_on", "bounds", "records/device", "buffers", "dispatch"};
 }
 
 } // namespace

@@ -83,11 +83,11 @@ Expected<glsl::Module> members(KernelBuilder builder) {
   if (plan.addressing == Addressing::Paged)
     builder.add("paging");
   addKernelFunctions(builder);
-  if (plan.bounded) {
+  if (!plan.isOfPoints()) {
     builder.add("walk_on");
     builder.add("bounds");
   }
-  builder.add("records");
+  builder.add("records/packets");
   builder.add(plan.isOfPoints() ? "point/answer" : "buffers");
   return std::move(builder).specialised(kCalledFromPackets);
 }

@@ -2,6 +2,7 @@
 #include "KernelBuilder.h"
 
 #include "Glsl/Parse.h"
+#include "Glsl/Verify.h"
 #include "Glsl/Visit.h"
 
 #include "voxc/Emit/Emit.h"
@@ -11,6 +12,32 @@
 
 namespace voxc {
 namespace {
+
+/// What devices, and the text around a module, have.
+constexpr glsl::External kExternals[] = {{"gl_GlobalInvocationID", "uvec3"},
+                                         {"gl_LocalInvocationIndex", "uint"},
+                                         {"gl_WorkGroupSize", "uvec3"},
+                                         {"texelFetch", "uvec4"},
+                                         {"VOXC_LOAD", "uint"},
+                                         {"VOXC_INDEX", "uint"},
+                                         {"VOXC_FIND", "bool"},
+                                         {"volume", "VOXC_VOLUME"},
+                                         {"lanes_at_work", "uint"},
+                                         {"words", "uint[]"},
+                                         {"ray_words", "uint[]"},
+                                         {"hit_words", "uint[]"},
+                                         {"words_read", "uint"},
+                                         {"lacks_page", "bool"},
+                                         {"page_table", "uint[]"},
+                                         {"LOG2_PAGE_WORDS", "uint"},
+                                         {"PAGES", "uint"},
+                                         {"FEWEST_LANES", "uint"},
+                                         {"SPREAD", "float"},
+                                         {"SETTLES", "bool"},
+                                         {"COMES_NEAR", "bool"},
+                                         {"COUNT_WORDS", "bool"},
+                                         {"COUNT_LOOKUPS", "bool"},
+                                         {"load_word", "uint"}};
 
 /// "values-apart" as VALUES_APART, which leaves have in place of a condition.
 std::string constantOf(std::string_view prefix, std::string_view condition) {
@@ -46,10 +73,16 @@ public:
 
 private:
   void rename(std::string &name) const {
-    if (name.starts_with("LEVEL_") && !std::isdigit(static_cast<unsigned char>(name[6])))
+    const auto isDigit = [&](std::size_t at) {
+      return at < name.size() && std::isdigit(static_cast<unsigned char>(name[at]));
+    };
+    constexpr std::string_view kLevel = "_level";
+    const std::size_t level = name.find(kLevel), behind = level + kLevel.size();
+    if (name.starts_with("LEVEL_") && !isDigit(6))
       name.insert(6, number_ + "_");
-    else if (name.ends_with("_level"))
-      name += "_" + number_;
+    else if (level != std::string::npos && (behind == name.size() || name[behind] == '_') &&
+             !isDigit(behind + 1))
+      name.insert(behind, "_" + number_);
     else if (name.ends_with("_next"))
       name.replace(name.size() - 4, 4, next_);
   }
@@ -104,11 +137,17 @@ Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots,
                                                   const glsl::Constants &constants) && {
   if (problem_)
     return std::move(*problem_);
+  const bool inDoubles = plan_.steps == Steps::Float64;
+  glsl::renameTypes(module_,
+                    {{"real", inDoubles ? "double" : "float"}, {"real3", inDoubles ? "dvec3" : "vec3"}});
   glsl::Constants all = constantsOf(names_, "");
   for (const auto &[name, value] : constants)
     all[name] = value;
   glsl::fold(module_, all);
   glsl::dropUnused(module_, roots);
+  if (const auto verified = glsl::verify(module_, kExternals); !verified)
+    return verified.error();
+  glsl::fold(module_, {}); // Conversions that types show to be none.
   return std::move(module_);
 }
 

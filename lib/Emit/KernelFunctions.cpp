@@ -42,10 +42,9 @@ private:
     file("step/" + std::string(toString(plan_.precision)));
     for (const char *path : kAfterStep)
       file(path);
-    if (plan_.outputs.t)
-      file("time");
-    if (plan_.outputs.t || plan_.outputs.face)
-      file("arrival");
+    file("time");
+    file("entered_face");
+    file("arrival");
     if (walk_.nests)
       file("unit");
     if (plan_.stopsAboveVoxels())

@@ -19,11 +19,6 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
   const bool isPoint = plan.isOfPoints();
   const bool hasArrival = outputs.t || outputs.face;
   names.holes["answers"] = kAnswers[static_cast<std::size_t>(plan.query)];
-  names.holes["and-an-arrival"] = hasArrival ? ", const Arrival arrival" : "";
-  names.holes["and-arrival"] = hasArrival ? ", arrival" : "";
-  names.holes["and-no-arrival"] = hasArrival ? ", {}" : "";
-  names.holes["no-axis"] = hasArrival || plan.bounded ? "-1, " : "";
-  names.holes["no-voxel"] = storesValue(outputs) ? "0u, " : "";
   names.holes["sixth-word"] = outputs.face ? "lookups or words read, else a face" : "lookups or words read";
   names.conditions["point"] = isPoint;
   names.conditions["arrival"] = hasArrival;
@@ -37,12 +32,8 @@ void addQuestion(TemplateNames &names, const Plan &plan) {
 /// Where a ray lies, and how its bounds are kept.
 void addBounds(TemplateNames &names, const Plan &plan) {
   const bool bounded = plan.bounded;
-  const bool isLetGo = plan.packing == Packing::Packets;
   auto &holes = names.holes;
   names.conditions["bounded"] = bounded;
-  holes["and-all-of-the-volume"] = !bounded  ? ""
-                                   : isLetGo ? ", ivec3(0), VOLUME_SIZE, false"
-                                             : ", ivec3(0), VOLUME_SIZE";
   holes["is-inside"] = bounded ? "is_in_reach(walk)" : "is_in_volume(walk.cell)";
   holes["ray-words"] = bounded ? "8" : "6";
 }

@@ -22,7 +22,6 @@ void addStepNames(TemplateNames &names, const Plan &plan) {
   conditions["keeps-sums"] = true; // Of every language but that of WebGL.
 
   conditions["keeps-cell"] = plan.speculative;
-  holes["and-is-closed"] = plan.speculative ? " && walk.open == CLOSED" : "";
 
   const bool tells = plan.gapFaces == GapFaces::Lookup;
   conditions["tells-faces"] = tells;

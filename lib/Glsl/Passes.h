@@ -47,6 +47,9 @@ void unfold(Module &module, Unfolding unfolding);
 /// last parameter is added. The module is verified.
 void renameOverloads(Module &module);
 
+/// Puts other names in place of types.
+void renameTypes(Module &module, const std::map<std::string, std::string, std::less<>> &names);
+
 /// Puts "_" behind members, parameters and variables that have one of these names, which a language keeps to
 /// itself.
 void renameReserved(Module &module, std::span<const std::string_view> reserved);

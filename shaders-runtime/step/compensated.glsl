@@ -98,9 +98,7 @@ bool step_compensated(const Ray ray, inout Walk walk, const Gap gap) {
                      cell_at(first, rises, origin.z, speed.z, corner.z, side, sure));
   cell = mix(cell, mix(corner, corner + (side - 1), ray.falls), changes);
   walk.cell = sure ? cell : walk.cell;
-%if axis
   walk.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : walk.axis;
-%end
   return sure;
 }
 
@@ -152,9 +150,7 @@ Walk entered_compensated(const Ray ray, Walk walk, out bool sure) {
   cell = mix(cell, mix(ivec3(0), VOLUME_SIZE - 1, ray.falls), passed);
   walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
   sure = sure || begins_here || misses;
-%if axis
   ivec3 entry = rises ? ivec3(passed) : falling;
   walk.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
-%end
   return walk;
 }

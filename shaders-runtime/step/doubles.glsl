@@ -25,7 +25,7 @@ Passage passage_of(int axis, double t, const Way x, const Way y, const Way z, dv
   passage.axis = axis;
   passage.way = axis == 0 ? x : axis == 1 ? y : z;
   passage.speed = axis == 0 ? speed.x : axis == 1 ? speed.y : speed.z;
-  passage.rises = passage.speed > 0.0;
+  passage.rises = passage.speed > double(0.0f);
   return passage;
 }
 
@@ -41,16 +41,15 @@ bool is_passed(const Passage passage, int axis, double t, const Way way, double 
 int cell_by_doubles(const Passage passage, double origin, double speed, int corner, int side, inout bool sure) {
   double way = passage.t * speed;
   double place = origin + way;
-  double whole = floor(place + 0.5);
-  bool is_close = speed != 0.0 && abs(place - whole) <= (abs(origin) + abs(way)) * FEW_ROUNDINGS;
+  double whole = floor(place + double(0.5f));
+  bool is_close = speed != double(0.0f) && abs(place - whole) <= (abs(origin) + abs(way)) * FEW_ROUNDINGS;
   bool meets = meet(passage.way, passage.speed, way_to(whole, origin), speed);
   sure = sure && (meets || !is_close || side == 1);
-  bool is_below = is_close && speed < 0.0 && !passage.rises; // It falls through that face with the others.
+  bool is_below = is_close && speed < double(0.0f) && !passage.rises; // It falls through that face with the others.
   double cell = is_close ? whole - double(is_below) : floor(place);
   return int(clamp(cell, double(corner), double(corner + side - 1)));
 }
 
-%if exact
 // Steps over the gap around the walk's cell. False, and no step, if doubles cannot tell either.
 bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
   int side = gap.count << gap.log2_side;
@@ -77,13 +76,10 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
                      cell_by_doubles(first, origin.z, speed.z, corner.z, side, sure));
   cell = mix(cell, mix(corner, corner + (side - 1), ray.falls), changes);
   walk.cell = sure ? cell : walk.cell;
-%if axis
   walk.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : walk.axis;
-%end
   return sure;
 }
 
-%end
 // The cell that the ray is in once a passage has happened, of all of the volume and those beside it.
 ivec3 cell_after(const Passage passage, dvec3 origin, dvec3 speed, inout bool sure) {
   ivec3 size = VOLUME_SIZE + 2;
@@ -96,7 +92,7 @@ ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
   dvec3 origin = exactly(ray.given_origin);
   dvec3 speed = exactly(ray.given_direction);
   Way way = way_to(double(face), axis == 0 ? origin.x : axis == 1 ? origin.y : origin.z);
-  Passage passage = passage_of(axis, 0.0, way, way, way, speed);
+  Passage passage = passage_of(axis, double(0.0f), way, way, way, speed);
   passage.t = way.distance / passage.speed;
   sure = ray.plain;
   ivec3 cell = cell_after(passage, origin, speed, sure);
@@ -109,7 +105,7 @@ ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
 Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
   dvec3 origin = exactly(ray.given_origin);
   dvec3 speed = exactly(ray.given_direction);
-  bvec3 below = lessThan(origin, dvec3(0.0));
+  bvec3 below = lessThan(origin, dvec3(0.0f));
   bvec3 above = greaterThanEqual(origin, dvec3(VOLUME_SIZE));
   ivec3 is_outside = ivec3(below) | ivec3(above);
   ivec3 enters = (ivec3(below) & ray.ahead) | (ivec3(above) & ~ray.ahead);
@@ -118,8 +114,8 @@ Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
   Way x = way_to(double(face.x), origin.x);
   Way y = way_to(double(face.y), origin.y);
   Way z = way_to(double(face.z), origin.z);
-  dvec3 t = dvec3(enters.x != 0 ? x.distance / speed.x : -1.0, enters.y != 0 ? y.distance / speed.y : -1.0,
-                  enters.z != 0 ? z.distance / speed.z : -1.0);
+  dvec3 t = dvec3(enters.x != 0 ? x.distance / speed.x : double(-1.0f), enters.y != 0 ? y.distance / speed.y : double(-1.0f),
+                  enters.z != 0 ? z.distance / speed.z : double(-1.0f));
   double latest = max(max(t.x, t.y), t.z);
   Passage last = passage_of(t.x == latest ? 0 : t.y == latest ? 1 : 2, latest, x, y, z, speed);
   bool begins_here = is_outside == ivec3(0);
@@ -133,9 +129,7 @@ Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
   bool misses = is_outside != enters;
   walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
   sure = sure || begins_here || misses;
-%if axis
   ivec3 entry = last.rises ? ivec3(passed) : falling;
   walk.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
-%end
   return walk;
 }

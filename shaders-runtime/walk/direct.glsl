@@ -7,7 +7,7 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
     count_lookup(walk);
     Gap gap = Gap(0, 1);
 %if tells-faces
-    ${real3} face = ${real3}(0);
+    real3 face = real3(0);
 %end
     uint value = locate_level_1(ray, root, walk.cell, gap${and-face});
 %if paged

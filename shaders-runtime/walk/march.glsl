@@ -8,13 +8,13 @@ void march_level_${N}(const Ray ray, inout Walk walk, int left) {
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
   while (leaving.sure && left > 0) {
     face += side * mix(ivec3(0), ray.heading, leaving.passed);
-    leaving = leave(ray, ${real3}(face));
+    leaving = leave(ray, real3(face));
     ivec3 step = mix(ivec3(0), ray.heading, leaving.passed);
     corner = face + side * (step - (ray.ahead & 1));
     left = within_level_${N}(walk.cell, corner) ? left - (abs(step.x) + abs(step.y) + abs(step.z)) : 0;
   }
   if (side > 1)
-    corner = cell_beyond(ray, walk.cell, ${real3}(face), leaving);
+    corner = cell_beyond(ray, walk.cell, real3(face), leaving);
   end_step(ray, walk, leaving, corner, Gap(LEVEL_${N}_LOG2_CELL, 1));
 }
 

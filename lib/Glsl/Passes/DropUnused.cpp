@@ -38,22 +38,16 @@ private:
     return pure;
   }
 
-  /// Those of functions, structs, constants and blocks that are kept or named by what is.
-  Names named() const {
-    Names names = roots_;
-    for (auto at = module_.declarations.rbegin(); at != module_.declarations.rend(); ++at)
-      if (isReached(*at, names))
-        addNames(*at, names);
-    return names;
-  }
-
   static bool isReached(const Declaration &declaration, const Names &names) {
+    const auto isNamed = [&](const Variable &variable) { return names.contains(variable.name); };
     switch (declaration.kind) {
     case Outer::Function:
     case Outer::Structure:
       return names.contains(declaration.name);
     case Outer::Variable:
-      return names.contains(declaration.variables[0].name);
+      return isNamed(declaration.variables[0]);
+    case Outer::Block:
+      return names.contains(declaration.name) || std::ranges::any_of(declaration.variables, isNamed);
     default:
       return true;
     }
@@ -76,10 +70,20 @@ private:
     });
   }
 
+  /// What is used stands before its users, so that one way from the end to the begin finds all of it.
   bool dropDeclarations() {
-    const Names names = named();
-    return std::erase_if(module_.declarations,
-                         [&](const Declaration &declaration) { return !isReached(declaration, names); }) > 0;
+    Names names = roots_;
+    std::vector<Declaration> kept;
+    for (auto at = module_.declarations.rbegin(); at != module_.declarations.rend(); ++at) {
+      if (!isReached(*at, names))
+        continue;
+      addNames(*at, names);
+      kept.push_back(std::move(*at));
+    }
+    const bool changed = kept.size() != module_.declarations.size();
+    std::ranges::reverse(kept);
+    module_.declarations = std::move(kept);
+    return changed;
   }
 
   /// How often each variable of a function is named.
@@ -237,8 +241,12 @@ private:
           if (inner.kind != Statement::Kind::Expression || !inner.expressions[0].is(Kind::Assignment, "="))
             return;
           const Expression &to = inner.expressions[0].operands[0];
-          if (to.kind == Kind::Member && isPure(inner.expressions[0].operands[1]))
-            --uses[to.text];
+          if (to.kind != Kind::Member || !isPure(inner.expressions[0].operands[1]))
+            return;
+          forEachExpression(inner.expressions[0], [&](const Expression &expression) {
+            if (expression.is(Kind::Member, to.text)) // Also where it is read to be written alone.
+              --uses[to.text];
+          });
         });
     }
     Names read;

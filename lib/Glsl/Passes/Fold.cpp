@@ -1,5 +1,6 @@
 // Constants get their values, and what follows from these is gone through.
 #include "Glsl/Passes.h"
+#include "Glsl/Types.h"
 #include "Glsl/Visit.h"
 
 #include <algorithm>
@@ -53,6 +54,9 @@ public:
     for (Variable &variable : declaration.variables)
       fold(variable);
     declaration.body = folded(std::move(declaration.body));
+    if (!declaration.body.empty() && declaration.type == "void" &&
+        declaration.body.back().kind == Statement::Kind::Return)
+      declaration.body.pop_back();
   }
 
 private:
@@ -138,6 +142,8 @@ private:
     bool changed = false;
     for (Expression &operand : expression.operands)
       changed |= fold(operand);
+    if (isConversionToItself(expression))
+      take(expression, 0);
     if (expression.kind == Kind::Name)
       if (const auto constant = constants_.find(expression.text); constant != constants_.end()) {
         expression = {Kind::Literal, constant->second, {}, false, expression.type};
@@ -151,7 +157,10 @@ private:
     std::vector<Expression> &operands = expression.operands;
     if (expression.is(Kind::Prefix, "!") && isConstant(operands[0]))
       expression = truth(isFalse(operands[0]));
-    else if (expression.kind == Kind::Conditional && isConstant(operands[0]))
+    else if (expression.is(Kind::Prefix, "!") && operands[0].is(Kind::Binary, "==")) {
+      operands[0].text = "!=";
+      take(expression, 0);
+    } else if (expression.kind == Kind::Conditional && isConstant(operands[0]))
       take(expression, isTrue(operands[0]) ? 1 : 2);
     else if (expression.kind == Kind::Binary && (expression.text == "&&" || expression.text == "||"))
       simplifyLogic(expression, expression.text == "&&");
@@ -160,10 +169,16 @@ private:
     return true;
   }
 
+  /// float(a) of what is a float is a.
+  static bool isConversionToItself(const Expression &expression) {
+    return expression.kind == Kind::Call && expression.operands.size() == 1 &&
+           shapeOf(expression.text).isNumeric() && expression.operands[0].type == expression.text;
+  }
+
   /// An expression becomes one of its operands.
   static void take(Expression &expression, std::size_t index) {
     Expression operand = std::move(expression.operands[index]);
-    operand.isGrouped = expression.isGrouped && !operand.operands.empty() && operand.kind != Kind::Call;
+    operand.isGrouped = false; // The printer puts parentheses where they are needed.
     expression = std::move(operand);
   }
 

@@ -2,13 +2,13 @@
 %if chooses-faces
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the mask
 // comes late: to choose is then all that is left to do.
-${real3} faces_level_${N}(const Ray ray, ivec3 cell, const Gap gap) {
-  ${real3} of_cell = ${real3}(faces_ahead(ray, cell, Gap(LEVEL_${N}_LOG2_CELL, 1)));
-  ${real3} of_group = ${real3}(faces_ahead(ray, cell, Gap(LEVEL_${N}_LOG2_CELL + 1, 1)));
+real3 faces_level_${N}(const Ray ray, ivec3 cell, const Gap gap) {
+  real3 of_cell = real3(faces_ahead(ray, cell, Gap(LEVEL_${N}_LOG2_CELL, 1)));
+  real3 of_group = real3(faces_ahead(ray, cell, Gap(LEVEL_${N}_LOG2_CELL + 1, 1)));
 %if tells-half
   return gap.log2_side == LEVEL_${N}_LOG2_CELL ? of_cell : of_group;
 %else
-  ${real3} of_grid = ${real3}(faces_ahead(ray, cell, Gap(LEVEL_${N}_LOG2_CELL + 2, 1)));
+  real3 of_grid = real3(faces_ahead(ray, cell, Gap(LEVEL_${N}_LOG2_CELL + 2, 1)));
   return gap.log2_side == LEVEL_${N}_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_${N}_LOG2_CELL + 1 ? of_group : of_grid;
 %end
 }
@@ -35,7 +35,7 @@ uint locate_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap${and-
 %if chooses-faces
     face = faces_level_${N}(ray, cell, gap);
 %else
-    face = ${real3}(faces_ahead(ray, cell, gap));
+    face = real3(faces_ahead(ray, cell, gap));
 %end
 %end
 %if last

@@ -9,7 +9,7 @@ uint locate_level_${N}(const Ray ray, uint root, ivec3 cell, inout Gap gap${and-
 ${LAYERS_DOWN}  // A leaf, or nothing.
 %if tells-faces
   if (node == 0u)
-    face = ${real3}(faces_ahead(ray, cell, gap));
+    face = real3(faces_ahead(ray, cell, gap));
 %end
 %if last
   return ${leaf-or-0};
