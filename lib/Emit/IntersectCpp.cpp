@@ -37,44 +37,32 @@ std::string upperCase(std::string_view name) {
   return result;
 }
 
-/// What the files of cpu-runtime call, and the structs whose members they look at.
-const glsl::Names kCalledFromPackets = {"AGAIN",
-                                        "Arrival",
-                                        "Bounds",
-                                        "CLOSED",
-                                        "Ray",
-                                        "VOLUME_SIZE",
-                                        "Walk",
-                                        "answer",
-                                        "arrival_at",
-                                        "begin_walk",
-                                        "bound_walk",
-                                        "bounds_of",
-                                        "colour_of",
-                                        "end_walk",
-                                        "entered_face",
-                                        "first_axis",
-                                        "goes_on",
-                                        "intersect_level_1",
-                                        "is_in_volume",
-                                        "left_walk",
-                                        "load_direction",
-                                        "load_origin",
-                                        "narrow",
-                                        "place_of_entry",
-                                        "settle",
-                                        "settle_step",
-                                        "settled",
-                                        "skip_to",
-                                        "step_over_voxel",
-                                        "store",
-                                        "store_hit",
-                                        "time_exactly",
-                                        "walk_at",
-                                        "walk_on",
-                                        "walk_within",
-                                        "words_of",
-                                        "words_of_left"};
+/// What the files of cpu-runtime call, and the members that they look at: always, of rays with bounds, and of
+/// rays whose arrival is asked for.
+const glsl::Names kCalled = {"AGAIN",        "CLOSED",     "VOLUME_SIZE",
+                             "answer",       "begin_walk", "colour_of",
+                             "end_walk",     "goes_on",    "intersect_level_1",
+                             "is_in_volume", "left_walk",  "load_direction",
+                             "load_origin",  "narrow",     "settle",
+                             "settle_step",  "settled",    "step_over_voxel",
+                             "store",        "store_hit",  "walk_at",
+                             "walk_on",      "words_of",   "words_of_left",
+                             ".cell",        ".certain",   ".direction",
+                             ".falls",       ".inverse",   ".late",
+                             ".lowest",      ".open",      ".origin",
+                             ".slack",       ".voxel"};
+const glsl::Names kCalledOfBounds = {"bound_walk", "bounds_of",   "place_of_entry",
+                                     "skip_to",    "walk_within", ".tmin"};
+const glsl::Names kCalledOfArrivals = {"arrival_at", "entered_face", "first_axis", "time_exactly", ".axis"};
+
+glsl::Names calledFromPackets(const Plan &plan) {
+  glsl::Names names = kCalled;
+  if (plan.bounded)
+    names.insert(kCalledOfBounds.begin(), kCalledOfBounds.end());
+  if (plan.outputs.t || plan.outputs.face)
+    names.insert(kCalledOfArrivals.begin(), kCalledOfArrivals.end());
+  return names;
+}
 
 /// The members of the kernel's class, behind those of interface.inc.
 Expected<glsl::Module> members(KernelBuilder builder) {
@@ -89,7 +77,7 @@ Expected<glsl::Module> members(KernelBuilder builder) {
   }
   builder.add("records/packets");
   builder.add(plan.isOfPoints() ? "point/answer" : "buffers");
-  return std::move(builder).specialised(kCalledFromPackets);
+  return std::move(builder).specialised(calledFromPackets(plan));
 }
 
 } // namespace

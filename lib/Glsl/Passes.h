@@ -22,7 +22,7 @@ void fold(Module &module, const Constants &constants);
 
 /// Takes away functions, structs, constants and variables that nothing from `roots` on names; parameters,
 /// members and variables of functions that nothing reads; and what is written to them. Roots keep their
-/// parameters and members.
+/// parameters and members; ".cell" is a member that is read elsewhere.
 void dropUnused(Module &module, const Names &roots);
 
 /// Puts a prefix before the names of all functions, structs, constants and variables that stand outermost,

@@ -1,2 +1,2 @@
-uint sample_level_${N}(uint leaf) { return sample_${NEXT}(load_word(leaf)); }
+uint sample_level(uint leaf) { return sample_next(load_word(leaf)); }
 

@@ -1,6 +1,6 @@
 // A tree of depth 0 is one leaf.
 %if last
-bool is_voxel_level_${N}(uint leaf, ivec3 voxel) { return true; }
+bool is_voxel_level(uint leaf, ivec3 voxel) { return true; }
 %else
-bool is_voxel_level_${N}(uint leaf, ivec3 voxel) { return is_voxel_${NEXT}(load_word(leaf), voxel); }
+bool is_voxel_level(uint leaf, ivec3 voxel) { return is_voxel_next(load_word(leaf), voxel); }
 %end

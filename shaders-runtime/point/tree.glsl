@@ -1,6 +1,6 @@
 // Whether there is a voxel, in this tree.
-bool is_voxel_level_${N}(uint root, ivec3 voxel) {
-  ivec3 at = voxel >> LEVEL_${N}_LOG2_CELL;
+bool is_voxel_level(uint root, ivec3 voxel) {
+  ivec3 at = voxel >> LEVEL_LOG2_CELL;
   uint node = root;
   bool leaf = false;
 %if wide
@@ -10,6 +10,6 @@ ${LAYERS_DOWN}  // A leaf, or nothing.
 %if last
   return node != 0u;
 %else
-  return node != 0u && is_voxel_${NEXT}(${leaf-node}, voxel);
+  return node != 0u && is_voxel_next(${leaf-node}, voxel);
 %end
 }

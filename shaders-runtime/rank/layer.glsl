@@ -1,2 +1,2 @@
   if (node != 0u && !leaf)
-    node = ranked_child_level_${N}(node, at, ${H-1}${times-branch}, rank, leaf);
+    node = ranked_child_level(node, at, ${H-1}${times-branch}, rank, leaf);

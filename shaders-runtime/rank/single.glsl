@@ -1,2 +1,2 @@
 // A tree of depth 0 is one leaf, whose voxels are those of its cell.
-uint rank_level_${N}(uint leaf, ivec3 voxel) { return rank_${NEXT}(load_word(leaf), voxel); }
+uint rank_level(uint leaf, ivec3 voxel) { return rank_next(load_word(leaf), voxel); }

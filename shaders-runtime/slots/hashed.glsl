@@ -5,9 +5,9 @@
 %else
 // The value of a cell, or 0 if it is empty.
 %end
-uint cell_level_${N}(${cell-ray-and}uint table, ivec3 cell${cell-and-gap}) {
-  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
-  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+uint cell_level(${cell-ray-and}uint table, ivec3 cell${cell-and-gap}) {
+  ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
   uint log2_entries = load_word(table);
   uint probes = load_word(table${+}1u);
   uint home = number * 0x9e3779b1u >> (32u - log2_entries);
@@ -25,14 +25,12 @@ uint cell_level_${N}(${cell-ray-and}uint table, ivec3 cell${cell-and-gap}) {
 %end
   return found;
 }
-%if sampled
 
 // The first value of the table. 0 if the device cut the search short.
-uint any_value_level_${N}(uint table) {
+uint any_value_level(uint table) {
   uint entries = 1u << load_word(table);
   uint value = 0u;
   for (uint i = 0u; i < entries && value == 0u; i++)
     value = load_word(table${+}3u + 2u * i);
   return value;
 }
-%end

@@ -3,7 +3,7 @@
 // which byte of the array the cells of its first grid begin, and then the bytes of octants. All is in Morton order.
 
 // Which octants of a grid are not empty, a bit for each, and the byte of the array at which their cells begin.
-uint octants_level_${N}(uint grid, out uint cells) {
+uint octants_level(uint grid, out uint cells) {
   uint number = grid - 1u;
   uint head = load_word(${array-head}u) + 5u * (number >> 4);
   uint place = number & 15u;
@@ -21,23 +21,22 @@ uint octants_level_${N}(uint grid, out uint cells) {
 }
 
 // A byte of the array.
-uint byte_level_${N}(uint at) { return load_word(load_word(${array-head}u) + (at >> 2)) >> 8u * (at & 3u) & 255u; }
+uint byte_level(uint at) { return load_word(load_word(${array-head}u) + (at >> 2)) >> 8u * (at & 3u) & 255u; }
 
 // The number of a place in 2 x 2 x 2, and a bit for each before it.
-int place_level_${N}(ivec3 place) { return place.x | place.y << 1 | place.z << 2; }
-uint before_level_${N}(ivec3 place) { return (1u << place_level_${N}(place)) - 1u; }
+int place_level(ivec3 place) { return place.x | place.y << 1 | place.z << 2; }
+uint before_level(ivec3 place) { return (1u << place_level(place)) - 1u; }
 
 // The cells of the octant around a cell, a bit for each: none if it is empty.
-uint octant_level_${N}(uint octants, uint cells, ivec3 cell) {
+uint octant_level(uint octants, uint cells, ivec3 cell) {
   ivec3 octant = cell >> 1 & 1;
-  if ((octants >> place_level_${N}(octant) & 1u) == 0u)
+  if ((octants >> place_level(octant) & 1u) == 0u)
     return 0u;
-  return byte_level_${N}(cells + uint(bitCount(octants & before_level_${N}(octant))));
+  return byte_level(cells + uint(bitCount(octants & before_level(octant))));
 }
 
-%if ranks
 // How many bits so many bytes of the array have, eight at most.
-uint bits_of_bytes_level_${N}(uint first, uint bytes) {
+uint bits_of_bytes_level(uint first, uint bytes) {
   uint array = load_word(${array-head}u);
   uint few = min(bytes, 4u);
   uint bits = uint(bitCount(load_field_at(array, 8u * first, 8u * few)));
@@ -45,34 +44,31 @@ uint bits_of_bytes_level_${N}(uint first, uint bytes) {
 }
 
 // How many voxels come before one.
-uint voxels_before_level_${N}(uint grid, ivec3 cell) {
+uint voxels_before_level(uint grid, ivec3 cell) {
   uint cells;
-  uint octants = octants_level_${N}(grid, cells);
-  uint lower = octant_level_${N}(octants, cells, cell) & before_level_${N}(cell & 1);
-  uint full = uint(bitCount(octants & before_level_${N}(cell >> 1 & 1)));
-  return bits_of_bytes_level_${N}(cells, full) + uint(bitCount(lower));
+  uint octants = octants_level(grid, cells);
+  uint lower = octant_level(octants, cells, cell) & before_level(cell & 1);
+  uint full = uint(bitCount(octants & before_level(cell >> 1 & 1)));
+  return bits_of_bytes_level(cells, full) + uint(bitCount(lower));
 }
 
 // How many voxels a grid has.
-uint voxels_level_${N}(uint grid) {
+uint voxels_level(uint grid) {
   uint cells;
-  uint octants = octants_level_${N}(grid, cells);
-  return bits_of_bytes_level_${N}(cells, uint(bitCount(octants)));
+  uint octants = octants_level(grid, cells);
+  return bits_of_bytes_level(cells, uint(bitCount(octants)));
 }
 
-%if cone
 // False of an empty cell, where a walk may stop that takes what is around for one.
-bool is_there_level_${N}(uint grid, ivec3 cell) {
+bool is_there_level(uint grid, ivec3 cell) {
   uint cells;
-  uint octants = octants_level_${N}(grid, cells);
-  return (octant_level_${N}(octants, cells, cell) >> place_level_${N}(cell & 1) & 1u) != 0u;
+  uint octants = octants_level(grid, cells);
+  return (octant_level(octants, cells, cell) >> place_level(cell & 1) & 1u) != 0u;
 }
 
-%end
-%end
 %if walks
 // A bit for each place in 2 x 2 x 2 to which a ray may still come from one of them.
-uint ahead_level_${N}(const Ray ray, ivec3 place) {
+uint ahead_level(const Ray ray, ivec3 place) {
   ivec3 from = place & ray.ahead;
   ivec3 to = place | (ray.ahead & 1);
   uvec3 sides = uvec3((ivec3(2) << to) - (ivec3(1) << from));
@@ -81,16 +77,16 @@ uint ahead_level_${N}(const Ray ray, ivec3 place) {
 
 // True if a cell is full. Else the gap is as wide as the octant around it, if that is empty, or as the grid, if nothing is full
 // to which the ray may still come: neither a cell of the octant nor any of the other octants.
-bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint cells;
-  uint octants = octants_level_${N}(grid, cells);
+  uint octants = octants_level(grid, cells);
   ivec3 octant = cell >> 1 & 1;
-  uint own = octant_level_${N}(octants, cells, cell);
-  uint others = octants & ahead_level_${N}(ray, octant) & ~(1u << place_level_${N}(octant));
+  uint own = octant_level(octants, cells, cell);
+  uint others = octants & ahead_level(ray, octant) & ~(1u << place_level(octant));
   int around = own == 0u ? 1 : 0;
-  around = (others | (own & ahead_level_${N}(ray, cell & 1))) == 0u ? 2 : around;
+  around = (others | (own & ahead_level(ray, cell & 1))) == 0u ? 2 : around;
   gap.log2_side += around;
-  return (own >> place_level_${N}(cell & 1) & 1u) != 0u;
+  return (own >> place_level(cell & 1) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
@@ -101,19 +97,19 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 // What a voxel's value is nobody asks: the grid stands for it.
 %end
 %end
-uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
-  return is_full_level_${N}(ray, grid, cell, gap) ? ${full-cell} : 0u;
+uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
+  return is_full_level(ray, grid, cell, gap) ? ${full-cell} : 0u;
 }
 %else
 // The value of a cell, or 0 if it is empty.
-uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
+uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
   uint cells;
-  uint octants = octants_level_${N}(grid, cells);
-  return (octant_level_${N}(octants, cells, cell) >> place_level_${N}(cell & 1) & 1u) != 0u ? ${occupied} : 0u;
+  uint octants = octants_level(grid, cells);
+  return (octant_level(octants, cells, cell) >> place_level(cell & 1) & 1u) != 0u ? ${occupied} : 0u;
 }
 %end
 %if sampled
 
 // The first value of the grid.
-uint any_value_level_${N}(uint grid) { return ${occupied}; }
+uint any_value_level(uint grid) { return ${occupied}; }
 %end

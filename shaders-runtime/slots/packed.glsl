@@ -2,7 +2,7 @@
 // A node is [mask of children, mask of leaves, ${slots-hold} the children that ${have-slots}...], masks of 64 bits.
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side. `around` is 1 if
 // so are the seven that make a cube with it.
-uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int around) {
+uint child_level(uint node, ivec3 cell, int height, out bool leaf, out int around) {
   int child = child_index_of_64(cell >> height);
   uint half_mask = load_word(node${+}uint(child >> 5));
   uint bit = 1u << (child & 31);
@@ -25,7 +25,7 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf, out int 
 %else
 // A node is [masks, ${slots-hold} the children that ${have-slots}...].
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
-uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
+uint child_level(uint node, ivec3 cell, int height, out bool leaf) {
   int child = child_index(cell >> height);
   uint masks = load_word(node);
   leaf = (masks >> (8 + child) & 1u) != 0u;
@@ -41,11 +41,10 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
   return load_word(node${+}1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
 }
 %end
-%if ranks
 
 // The same, and adds to `rank` how many voxels of the node come before those of the child or, of a leaf, before the one in the
 // cell. The second word of a slot says how many the slots up to it have.
-uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank, out bool leaf) {
+uint ranked_child_level(uint node, ivec3 cell, int height, inout uint rank, out bool leaf) {
 %if wide
   int child = child_index_of_64(cell >> height);
   uint half_mask = load_word(node${+}uint(child >> 5));
@@ -91,11 +90,9 @@ uint ranked_child_level_${N}(uint node, ivec3 cell, int height, inout uint rank,
 %end
   return load_word(${node,}slot);
 }
-%end
-%if sampled
 
 // The first child of a node that is not empty.
-uint first_child_level_${N}(uint node, out bool leaf) {
+uint first_child_level(uint node, out bool leaf) {
 %if wide
   uint mask = load_word(node);
   uint leaves = mask != 0u ? load_word(node${+}2u) : load_word(node${+}3u);
@@ -108,4 +105,3 @@ uint first_child_level_${N}(uint node, out bool leaf) {
   return ${first-slot}node${+}1u);
 %end
 }
-%end

@@ -1,6 +1,6 @@
 // A node of an octree is [first child, masks]; its children that are not empty stand together, two words each.
 // Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
-uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
+uint child_level(uint node, ivec3 cell, int height, out bool leaf) {
   int child = child_index(cell >> height);
   uint masks = load_word(node${+}1u);
   leaf = (masks >> (8 + child) & 1u) != 0u;
@@ -12,12 +12,10 @@ uint child_level_${N}(uint node, ivec3 cell, int height, out bool leaf) {
 %end
   return load_word(node) + ${records-times}uint(bitCount(masks & ((1u << child) - 1u)));
 }
-%if sampled
 
 // The first child of a node that is not empty.
-uint first_child_level_${N}(uint node, out bool leaf) {
+uint first_child_level(uint node, out bool leaf) {
   uint masks = load_word(node${+}1u);
   leaf = (masks >> (8 + findLSB(masks & 255u)) & 1u) != 0u;
   return load_word(node);
 }
-%end

@@ -1,20 +1,20 @@
-bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
+bool intersect_level(const Ray ray, inout Walk walk, uint grid) {
 %if first
   while (goes_on(walk)) {
 %else
   ivec3 begin = walk.cell;
-  while (within_level_${N}(begin, walk.cell)) {
+  while (within_level(begin, walk.cell)) {
 %end
     count_lookup(walk);
-    Gap gap = Gap(LEVEL_${N}_LOG2_CELL, 1);
-    uint value = cell_level_${N}(${cell-ray,}grid, walk.cell >> LEVEL_${N}_LOG2_CELL${cell,gap});
+    Gap gap = Gap(LEVEL_LOG2_CELL, 1);
+    uint value = cell_level(${cell-ray,}grid, walk.cell >> LEVEL_LOG2_CELL${cell,gap});
 %if look-up-may-be-cut
     if (value == 0u && gap.count == 0)
       continue; // The device ended the look-up.
 %end
     if (value == 0u)
 %if marches
-      march_level_${N}(ray, walk, gap.count);
+      march_level(ray, walk, gap.count);
 %else
 %if one-voxel-steps
       step_over_voxel(ray, walk);
@@ -23,14 +23,14 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint grid) {
 %end
 %end
 %if stops
-    else if (small_height(ray, walk) >= LEVEL_${N}_LOG2_CELL)
+    else if (small_height(ray, walk) >= LEVEL_LOG2_CELL)
 %if colour
-      return stop_with(walk, sample_${NEXT}(value));
+      return stop_with(walk, sample_next(value));
 %else
       return true;
 %end
 %end
-    else if (intersect_${NEXT}(ray, walk, value))
+    else if (intersect_next(ray, walk, value))
       return true;
   }
   return false;

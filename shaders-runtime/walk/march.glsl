@@ -1,8 +1,8 @@
 // Steps from an empty cell to the first whose L1 distance is not below `left`, or that lies outside the sub-volume; no
 // lookup is needed on the way.
-void march_level_${N}(const Ray ray, inout Walk walk, int left) {
-  const int side = 1 << LEVEL_${N}_LOG2_CELL;
-  ivec3 face = corner_of(walk.cell, LEVEL_${N}_LOG2_CELL) + (ray.ahead & side);
+void march_level(const Ray ray, inout Walk walk, int left) {
+  const int side = 1 << LEVEL_LOG2_CELL;
+  ivec3 face = corner_of(walk.cell, LEVEL_LOG2_CELL) + (ray.ahead & side);
   ivec3 corner;
   Exit leaving = Exit(0.0f, bvec3(false), true);
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
@@ -11,10 +11,10 @@ void march_level_${N}(const Ray ray, inout Walk walk, int left) {
     leaving = leave(ray, real3(face));
     ivec3 step = mix(ivec3(0), ray.heading, leaving.passed);
     corner = face + side * (step - (ray.ahead & 1));
-    left = within_level_${N}(walk.cell, corner) ? left - (abs(step.x) + abs(step.y) + abs(step.z)) : 0;
+    left = within_level(walk.cell, corner) ? left - (abs(step.x) + abs(step.y) + abs(step.z)) : 0;
   }
   if (side > 1)
     corner = cell_beyond(ray, walk.cell, real3(face), leaving);
-  end_step(ray, walk, leaving, corner, Gap(LEVEL_${N}_LOG2_CELL, 1));
+  end_step(ray, walk, leaving, corner, Gap(LEVEL_LOG2_CELL, 1));
 }
 

@@ -1,23 +1,23 @@
 // path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old cell
 // and the new.
 %if stack-shared
-shared uint path_level_${N}[LEVEL_${N}_DEPTH + 1][gl_WorkGroupSize.x];
+shared uint path_level[LEVEL_DEPTH + 1][gl_WorkGroupSize.x];
 
 %end
-bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
+bool intersect_level(const Ray ray, inout Walk walk, uint root) {
 %if stack-shared
 %else
-  uint path[LEVEL_${N}_DEPTH + 1];
+  uint path[LEVEL_DEPTH + 1];
 %end
-  ${path}[LEVEL_${N}_DEPTH]${of-ray} = root;
-  int top = LEVEL_${N}_DEPTH;
+  ${path}[LEVEL_DEPTH]${of-ray} = root;
+  int top = LEVEL_DEPTH;
   for (;;) {
     // Down to the leaf, or the empty child, `layer` layers above the cells.
     count_lookup(walk);
-    ivec3 cell = walk.cell >> LEVEL_${N}_LOG2_CELL;
+    ivec3 cell = walk.cell >> LEVEL_LOG2_CELL;
 %if stops
-    int small = small_height(ray, walk) - LEVEL_${N}_LOG2_CELL;
-    int stop = clamp(small${per-branch}, 0, LEVEL_${N}_DEPTH - 1);
+    int small = small_height(ray, walk) - LEVEL_LOG2_CELL;
+    int stop = clamp(small${per-branch}, 0, LEVEL_DEPTH - 1);
     top = max(top, stop + 1);
 %end
     uint node = ${path}[top]${of-ray};
@@ -33,20 +33,20 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
 %end
       ${path}[layer]${of-ray} = node;
       layer--;
-      node = child_level_${N}(node, cell, layer${times-branch}, leaf${around});
+      node = child_level(node, cell, layer${times-branch}, leaf${around});
     }
     ivec3 before = walk.cell;
     if (node == 0u)
-      step_over(ray, walk, LEVEL_${N}_LOG2_CELL + layer${times-branch}${plus-around});
+      step_over(ray, walk, LEVEL_LOG2_CELL + layer${times-branch}${plus-around});
 %if stops
     else if (leaf ? small >= 0 : layer == stop)
 %if colour
-      return stop_with(walk, sample_level_${N}_node(node, leaf));
+      return stop_with(walk, sample_level_node(node, leaf));
 %else
       return true;
 %end
 %end
-    else if (leaf && intersect_${NEXT}(ray, walk, ${leaf-node}))
+    else if (leaf && intersect_next(ray, walk, ${leaf-node}))
       return true;
 
 %if first
@@ -57,7 +57,7 @@ bool intersect_level_${N}(const Ray ray, inout Walk walk, uint root) {
 %else
     ivec3 changed = before ^ walk.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
-    if (highest >= LEVEL_${N}_LOG2_SIDE)
+    if (highest >= LEVEL_LOG2_SIDE)
       return false;
 %end
     top = max(layer, ${highest-layer}) + 1;

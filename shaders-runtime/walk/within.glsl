@@ -1,7 +1,7 @@
 // Whether a walk is still in the sub-volume in which it began.
 %if first
-bool within_level_${N}(ivec3 begin, ivec3 cell) { return is_in_volume(cell); }
+bool within_level(ivec3 begin, ivec3 cell) { return is_in_volume(cell); }
 %else
-bool within_level_${N}(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_${N}_LOG2_SIDE); }
+bool within_level(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_LOG2_SIDE); }
 %end
 

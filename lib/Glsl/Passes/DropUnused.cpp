@@ -250,6 +250,9 @@ private:
         });
     }
     Names read;
+    for (const std::string &root : roots_)
+      if (root.starts_with('.'))
+        read.insert(root.substr(1));
     for (const auto &[name, count] : uses)
       if (count > 0)
         read.insert(name);

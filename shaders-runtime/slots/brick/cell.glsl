@@ -1,15 +1,15 @@
 // The number of a cell's bit, of which each word of the mask has 32.
-int number_level_${N}(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
+int number_level(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
 
 %if alike
 %else
 // The value of a cell that is not empty.
-uint value_level_${N}(uint grid, ivec3 cell) {
-  int number = number_level_${N}(cell);
+uint value_level(uint grid, ivec3 cell) {
+  int number = number_level(cell);
   uint low = load_word(grid);
   uint half_mask = number < 32 ? low : load_word(grid${+}1u);
   int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
-  return value_of_slot_level_${N}(grid, uint(rank));
+  return value_of_slot_level(grid, uint(rank));
 }
 
 %end
@@ -17,8 +17,8 @@ uint value_level_${N}(uint grid, ivec3 cell) {
 %if last
 // True if a voxel is there. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty: half
 // of the mask tells. To know more of four voxels a side takes longer than the steps that it would save.
-bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  int number = number_level_${N}(cell);
+bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  int number = number_level(cell);
   uint half_mask = load_word(grid${+}uint(number >> 5));
   gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   return (half_mask >> (number & 31) & 1u) != 0u;
@@ -27,8 +27,8 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 %else
 // True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty, or
 // as the grid, if no cell is full that the ray may still come to.
-bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  int number = number_level_${N}(cell);
+bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  int number = number_level(cell);
   uint low = load_word(grid);
   uint high = load_word(grid${+}1u);
   uint half_mask = number < 32 ? low : high;
@@ -55,18 +55,18 @@ bool is_full_level_${N}(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 // What a voxel's value is nobody asks: the grid stands for it.
 %end
 %end
-uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
-  return is_full_level_${N}(ray, grid, cell, gap) ? ${full-cell} : 0u;
+uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
+  return is_full_level(ray, grid, cell, gap) ? ${full-cell} : 0u;
 }
 %else
 // The value of a cell, or 0 if it is empty.
-uint cell_level_${N}(uint grid, ivec3 cell) {
-  int number = number_level_${N}(cell);
+uint cell_level(uint grid, ivec3 cell) {
+  int number = number_level(cell);
   bool is_full = (load_word(grid${+}uint(number >> 5)) >> (number & 31) & 1u) != 0u;
 %if alike
   return is_full ? ${occupied} : 0u;
 %else
-  return is_full ? value_level_${N}(grid, cell) : 0u;
+  return is_full ? value_level(grid, cell) : 0u;
 %end
 }
 %end
@@ -74,8 +74,8 @@ uint cell_level_${N}(uint grid, ivec3 cell) {
 
 // The first value of the grid.
 %if implied
-uint any_value_level_${N}(uint grid) { return ${occupied}; }
+uint any_value_level(uint grid) { return ${occupied}; }
 %else
-uint any_value_level_${N}(uint grid) { return value_of_slot_level_${N}(grid, 0u); }
+uint any_value_level(uint grid) { return value_of_slot_level(grid, 0u); }
 %end
 %end

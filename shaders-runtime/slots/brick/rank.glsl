@@ -1,6 +1,5 @@
-%if ranks
 // How many voxels come before one, in Morton order: those of the octants of eight before its own, and those before it there.
-uint voxels_before_level_${N}(uint grid, ivec3 cell) {
+uint voxels_before_level(uint grid, ivec3 cell) {
   ivec3 octant = cell >> 1 & 1;
   ivec3 place = cell & 1;
   uint octants = (1u << (octant.x | octant.y << 1)) - 1u; // A bit for each before it in its half,
@@ -14,4 +13,3 @@ uint voxels_before_level_${N}(uint grid, ivec3 cell) {
   return uint(bitCount(half_mask & before)) + (octant.z == 0 ? 0u : uint(bitCount(low)));
 }
 
-%end

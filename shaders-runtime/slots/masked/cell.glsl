@@ -1,11 +1,11 @@
 // The value of a cell, or 0 if it is empty.
-uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
+uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
 %if first
   ivec3 at = cell;
 %else
-  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
+  ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
 %end
-  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
   uint bit = 1u << (number & 31u);
 %if alike
   return (load_word(grid${+}${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
@@ -23,15 +23,15 @@ uint cell_level_${N}(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
   if (number >= 32u)
     rank += uint(bitCount(load_word(grid)));
 %end
-  return value_of_slot_level_${N}(grid, rank);
+  return value_of_slot_level(grid, rank);
 %end
 }
 %if sampled
 
 // The first value of the grid.
 %if implied
-uint any_value_level_${N}(uint grid) { return ${occupied}; }
+uint any_value_level(uint grid) { return ${occupied}; }
 %else
-uint any_value_level_${N}(uint grid) { return value_of_slot_level_${N}(grid, 0u); }
+uint any_value_level(uint grid) { return value_of_slot_level(grid, 0u); }
 %end
 %end

@@ -1,13 +1,12 @@
-%if ranks
 %if last
 // How many voxels come before one.
-uint voxels_before_level_${N}(uint grid, ivec3 cell) {
+uint voxels_before_level(uint grid, ivec3 cell) {
 %else
 // How many cells that are not empty come before one.
-uint bits_before_level_${N}(uint grid, ivec3 cell) {
+uint bits_before_level(uint grid, ivec3 cell) {
 %end
-  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
-  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+  ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
   uint lower = (1u << (number & 31u)) - 1u;
 %if counts
   uint mask_at = ${grid+}2u * (number >> 5);
@@ -18,4 +17,3 @@ uint bits_before_level_${N}(uint grid, ivec3 cell) {
 %end
 }
 
-%end

@@ -1,9 +1,7 @@
-%if ranks
-%if cone
 // False of an empty cell, where a walk may stop that takes what is around for one.
-bool is_there_level_${N}(uint grid, ivec3 cell) {
-  ivec3 at = cell & ((ivec3(1) << LEVEL_${N}_LOG2_SIZE) - 1);
-  uint number = uint(at.x + ((at.y + (at.z << LEVEL_${N}_LOG2_SIZE.y)) << LEVEL_${N}_LOG2_SIZE.x));
+bool is_there_level(uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
 %if counts
   return (load_word(grid${+}2u * (number >> 5)) >> (number & 31u) & 1u) != 0u;
 %else
@@ -11,5 +9,3 @@ bool is_there_level_${N}(uint grid, ivec3 cell) {
 %end
 }
 
-%end
-%end

@@ -1,6 +1,6 @@
 // The voxel around a cell, from this tree down; 0, and ${what-is-empty}, if there is none.
-uint locate_level_${N}(const Ray ray, uint root, ivec3 cell, inout Gap gap${and-faces}) {
-  ivec3 at = cell >> LEVEL_${N}_LOG2_CELL;
+uint locate_level(const Ray ray, uint root, ivec3 cell, inout Gap gap${and-faces}) {
+  ivec3 at = cell >> LEVEL_LOG2_CELL;
   uint node = root;
   bool leaf = false;
 %if wide
@@ -14,6 +14,6 @@ ${LAYERS_DOWN}  // A leaf, or nothing.
 %if last
   return ${leaf-or-0};
 %else
-  return node == 0u ? 0u : locate_${NEXT}(ray, ${leaf-node}, cell, gap${and-face});
+  return node == 0u ? 0u : locate_next(ray, ${leaf-node}, cell, gap${and-face});
 %end
 }
