@@ -121,7 +121,10 @@ void KernelBuilder::addLevel(std::string_view path, std::size_t index, const Tem
   auto module = read(file, fillFile(shaderFiles(), file, names));
   if (!module)
     return;
-  glsl::fold(*module, constantsOf(names, "LEVEL_"));
+  glsl::Constants constants = constantsOf(names, "LEVEL_");
+  if (plan_.layout.strata[index].log2Shape.x == 1) // Else its name is worth more than the number.
+    constants["LEVEL_BRANCH"] = "1";
+  glsl::fold(*module, constants);
   const LevelNames level(plan_, index);
   for (glsl::Declaration &declaration : module->declarations)
     level.rename(declaration);
@@ -140,6 +143,7 @@ Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots,
   const bool inDoubles = plan_.steps == Steps::Float64;
   glsl::renameTypes(module_,
                     {{"real", inDoubles ? "double" : "float"}, {"real3", inDoubles ? "dvec3" : "vec3"}});
+  glsl::inlineValues(module_);
   glsl::Constants all = constantsOf(names_, "");
   for (const auto &[name, value] : constants)
     all[name] = value;

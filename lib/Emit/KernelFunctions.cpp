@@ -23,6 +23,7 @@ public:
       : builder_(builder), plan_(builder.plan()), walk_(kindOf(plan_.walk)) {}
 
   void emit() {
+    file("memory/at");
     if (plan_.isOfPoints())
       pointFunctions();
     else

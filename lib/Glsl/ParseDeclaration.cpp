@@ -91,6 +91,7 @@ void Parser::declaration() {
     return add(std::move(declaration));
   }
   declaration.isSeldom = takeIf("OUT_OF_LINE");
+  declaration.isInline = takeIf("INLINE");
   declaration.qualifiers = qualifiers();
   if (isNext("struct") || isNext("{", 1))
     return structure(declaration);

@@ -133,7 +133,7 @@ std::string Printer::parameter(const Parameter &parameter) const {
 }
 
 std::string Printer::beforeFunction(const Declaration &function) const {
-  return function.isSeldom ? "OUT_OF_LINE " : "";
+  return function.isSeldom ? "OUT_OF_LINE " : function.isInline ? "INLINE " : "";
 }
 
 std::string Printer::beforeGlobal(const std::string &qualifiers) const {

@@ -99,6 +99,7 @@ struct Declaration {
   std::vector<Parameter> parameters = {};
   std::vector<Statement> body = {};
   bool isSeldom = false;    ///< A function that is seldom called: OUT_OF_LINE.
+  bool isInline = false;    ///< A function that stands for the value it returns: INLINE.
   bool isPrototype = false; ///< A function without its body.
 };
 

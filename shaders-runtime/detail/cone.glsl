@@ -1,9 +1,5 @@
-%if colour
 // Deliberate approximation: a ray is a cone, and a walk stops at what looks smaller than the cone is wide, with the
-// colour of one voxel from inside.
-%else
-// Deliberate approximation: a ray is a cone, and a walk stops at what looks smaller than the cone is wide.
-%end
+// colour, if that is asked, of one voxel from inside.
 
 // How far the walk's cell is from the ray's origin, in voxels. That of the cell, not of the point where it is entered,
 // so that it does not matter where walking counts from.
@@ -17,7 +13,6 @@ int small_height(const Ray ray, const Walk walk) {
   // The exponent of the float below: a cube as wide as the cone is not small. No number is not above 1 either.
   return width > 1.0 ? int((floatBitsToUint(width) - 1u) >> 23) - 127 : -1;
 }
-%if colour
 
 // Ends the walk in its cell. A voxel is missing only where the device cut its search short: the walk then stays in its
 // cell, to be resumed.
@@ -27,4 +22,3 @@ bool stop_with(inout Walk walk, uint voxel) {
 }
 
 uint sample_voxel(uint voxel) { return voxel; }
-%end

@@ -4,10 +4,10 @@
 // so are the seven that make a cube with it.
 uint child_level(uint node, ivec3 cell, int height, out bool leaf, out int around) {
   int child = child_index_of_64(cell >> height);
-  uint half_mask = load_word(node${+}uint(child >> 5));
+  uint half_mask = load_word_at(node, uint(child >> 5));
   uint bit = 1u << (child & 31);
   around = (half_mask >> (child & 24) & 255u) == 0u ? 1 : 0;
-  leaf = (load_word(node${+}2u + uint(child >> 5)) & bit) != 0u;
+  leaf = (load_word_at(node, 2u + uint(child >> 5)) & bit) != 0u;
   if ((half_mask & bit) == 0u)
     return 0u;
 %if alike
@@ -15,12 +15,12 @@ uint child_level(uint node, ivec3 cell, int height, out bool leaf, out int aroun
     return node; // ${why-alike}
 %end
 %if implied
-  half_mask &= ~load_word(node${+}2u + uint(child >> 5));
+  half_mask &= ~load_word_at(node, 2u + uint(child >> 5));
 %end
   int rank = bitCount(half_mask & (bit - 1u));
   if (child >= 32)
     rank += bitCount(load_word(node)${without-leaves});
-  return load_word(node${+}4u + ${slots-times}uint(rank));
+  return load_word_at(node, 4u + ${slots-times}uint(rank));
 }
 %else
 // A node is [masks, ${slots-hold} the children that ${have-slots}...].
@@ -38,7 +38,7 @@ uint child_level(uint node, ivec3 cell, int height, out bool leaf) {
 %if implied
   masks &= ~(masks >> 8);
 %end
-  return load_word(node${+}1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
+  return load_word_at(node, 1u + ${slots-times}uint(bitCount(masks & ((1u << child) - 1u))));
 }
 %end
 
@@ -47,8 +47,8 @@ uint child_level(uint node, ivec3 cell, int height, out bool leaf) {
 uint ranked_child_level(uint node, ivec3 cell, int height, inout uint rank, out bool leaf) {
 %if wide
   int child = child_index_of_64(cell >> height);
-  uint half_mask = load_word(node${+}uint(child >> 5));
-  uint half_leaves = load_word(node${+}2u + uint(child >> 5));
+  uint half_mask = load_word_at(node, uint(child >> 5));
+  uint half_leaves = load_word_at(node, 2u + uint(child >> 5));
   uint bit = 1u << (child & 31);
   uint lower = bit - 1u;
   leaf = (half_leaves & bit) != 0u;
@@ -57,7 +57,7 @@ uint ranked_child_level(uint node, ivec3 cell, int height, inout uint rank, out 
   int leaves = bitCount(half_leaves & lower);
   int children = bitCount(half_mask & lower);
   if (child >= 32) {
-    leaves += bitCount(load_word(node${+}2u));
+    leaves += bitCount(load_word_at(node, 2u));
     children += bitCount(load_word(node));
   }
 %else
@@ -95,8 +95,8 @@ uint ranked_child_level(uint node, ivec3 cell, int height, inout uint rank, out 
 uint first_child_level(uint node, out bool leaf) {
 %if wide
   uint mask = load_word(node);
-  uint leaves = mask != 0u ? load_word(node${+}2u) : load_word(node${+}3u);
-  mask = mask != 0u ? mask : load_word(node${+}1u);
+  uint leaves = mask != 0u ? load_word_at(node, 2u) : load_word_at(node, 3u);
+  mask = mask != 0u ? mask : load_word_at(node, 1u);
   leaf = (leaves >> findLSB(mask) & 1u) != 0u;
   return ${first-slot}node${+}4u);
 %else

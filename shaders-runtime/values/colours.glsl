@@ -46,7 +46,7 @@ uint value_of_item(uint item, uint least, uint head) {
 // The value of the voxel of a rank.
 uint value_of_rank(uint rank) {
   uint section = load_word(${head,}1u);
-  uint block = ${section+}load_word(section${+}(rank >> LOG2_BLOCK));
+  uint block = ${section+}load_word_at(section, (rank >> LOG2_BLOCK));
   uint least = load_word(${section,}block);
   uint head = load_word(${section,}block + 1u);
   uint i = rank & ((1u << LOG2_BLOCK) - 1u);

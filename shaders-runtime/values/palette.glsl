@@ -76,5 +76,5 @@ uint value_of_rank(uint rank) {
   uint entry = load_field(${section,}${section+}1u + colours, rank >> LOG2_BLOCK, head >> ENTRY_BITS_SHIFT);
   if (entry > colours)
     entry = 1u + index_in_block(${section,}${section+}entry, rank & ((1u << LOG2_BLOCK) - 1u));
-  return load_word(section${+}entry);
+  return load_word_at(section, entry);
 }

@@ -1,37 +1,23 @@
 bool intersect_level(const Ray ray, inout Walk walk, uint grid) {
-%if first
-  while (goes_on(walk)) {
-%else
   ivec3 begin = walk.cell;
-  while (within_level(begin, walk.cell)) {
-%end
+  while (LEVEL_FIRST ? goes_on(walk) : within_level(begin, walk.cell)) {
     count_lookup(walk);
     Gap gap = Gap(LEVEL_LOG2_CELL, 1);
     uint value = cell_level(${cell-ray,}grid, walk.cell >> LEVEL_LOG2_CELL${cell,gap});
-%if look-up-may-be-cut
-    if (value == 0u && gap.count == 0)
+    if (LEVEL_LOOK_UP_MAY_BE_CUT && value == 0u && gap.count == 0)
       continue; // The device ended the look-up.
-%end
-    if (value == 0u)
-%if marches
-      march_level(ray, walk, gap.count);
-%else
-%if one-voxel-steps
-      step_over_voxel(ray, walk);
-%else
-      step_over(ray, walk, gap);
-%end
-%end
-%if stops
-    else if (small_height(ray, walk) >= LEVEL_LOG2_CELL)
-%if colour
-      return stop_with(walk, sample_next(value));
-%else
+    if (value == 0u) {
+      if (LEVEL_MARCHES)
+        march_level(ray, walk, gap.count);
+      else if (LEVEL_ONE_VOXEL_STEPS)
+        step_over_voxel(ray, walk);
+      else
+        step_over(ray, walk, gap);
+    } else if (LEVEL_STOPS && small_height(ray, walk) >= LEVEL_LOG2_CELL) {
+      return COLOUR ? stop_with(walk, sample_next(value)) : true;
+    } else if (intersect_next(ray, walk, value)) {
       return true;
-%end
-%end
-    else if (intersect_next(ray, walk, value))
-      return true;
+    }
   }
   return false;
 }

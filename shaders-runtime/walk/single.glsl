@@ -1,13 +1,7 @@
 // A tree of depth 0 is one leaf.
 bool intersect_level(const Ray ray, inout Walk walk, uint leaf) {
   count_lookup(walk);
-%if stops
-  if (small_height(ray, walk) >= LEVEL_LOG2_CELL)
-%if colour
-    return stop_with(walk, sample_next(load_word(leaf)));
-%else
-    return true;
-%end
-%end
+  if (LEVEL_STOPS && small_height(ray, walk) >= LEVEL_LOG2_CELL)
+    return COLOUR ? stop_with(walk, sample_next(load_word(leaf))) : true;
   return intersect_next(ray, walk, ${leaf-leaf});
 }

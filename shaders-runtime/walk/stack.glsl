@@ -15,51 +15,35 @@ bool intersect_level(const Ray ray, inout Walk walk, uint root) {
     // Down to the leaf, or the empty child, `layer` layers above the cells.
     count_lookup(walk);
     ivec3 cell = walk.cell >> LEVEL_LOG2_CELL;
-%if stops
-    int small = small_height(ray, walk) - LEVEL_LOG2_CELL;
-    int stop = clamp(small${per-branch}, 0, LEVEL_DEPTH - 1);
-    top = max(top, stop + 1);
-%end
+    int small = LEVEL_STOPS ? small_height(ray, walk) - LEVEL_LOG2_CELL : 0;
+    int stop = clamp(small / LEVEL_BRANCH, 0, LEVEL_DEPTH - 1);
+    if (LEVEL_STOPS)
+      top = max(top, stop + 1);
     uint node = ${path}[top]${of-ray};
     int layer = top;
     bool leaf = false;
 %if wide
     int around = 0;
 %end
-%if stops
-    while (node != 0u && !leaf && layer > stop) {
-%else
-    while (node != 0u && !leaf) {
-%end
+    while (node != 0u && !leaf && (!LEVEL_STOPS || layer > stop)) {
       ${path}[layer]${of-ray} = node;
       layer--;
-      node = child_level(node, cell, layer${times-branch}, leaf${around});
+      node = child_level(node, cell, layer * LEVEL_BRANCH, leaf${around});
     }
     ivec3 before = walk.cell;
     if (node == 0u)
-      step_over(ray, walk, LEVEL_LOG2_CELL + layer${times-branch}${plus-around});
-%if stops
-    else if (leaf ? small >= 0 : layer == stop)
-%if colour
-      return stop_with(walk, sample_level_node(node, leaf));
-%else
-      return true;
-%end
-%end
+      step_over(ray, walk, LEVEL_LOG2_CELL + layer * LEVEL_BRANCH${plus-around});
+    else if (LEVEL_STOPS && (leaf ? small >= 0 : layer == stop))
+      return COLOUR ? stop_with(walk, sample_level_node(node, leaf)) : true;
     else if (leaf && intersect_next(ray, walk, ${leaf-node}))
       return true;
 
-%if first
-    if (!goes_on(walk))
+    if (LEVEL_FIRST && !goes_on(walk))
       return false;
     ivec3 changed = before ^ walk.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
-%else
-    ivec3 changed = before ^ walk.cell;
-    int highest = findMSB(uint(changed.x | changed.y | changed.z));
-    if (highest >= LEVEL_LOG2_SIDE)
+    if (!LEVEL_FIRST && highest >= LEVEL_LOG2_SIDE)
       return false;
-%end
-    top = max(layer, ${highest-layer}) + 1;
+    top = max(layer, (highest - LEVEL_LOG2_CELL) / LEVEL_BRANCH) + 1;
   }
 }

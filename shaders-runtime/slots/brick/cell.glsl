@@ -7,7 +7,7 @@ int number_level(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z
 uint value_level(uint grid, ivec3 cell) {
   int number = number_level(cell);
   uint low = load_word(grid);
-  uint half_mask = number < 32 ? low : load_word(grid${+}1u);
+  uint half_mask = number < 32 ? low : load_word_at(grid, 1u);
   int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
   return value_of_slot_level(grid, uint(rank));
 }
@@ -19,7 +19,7 @@ uint value_level(uint grid, ivec3 cell) {
 // of the mask tells. To know more of four voxels a side takes longer than the steps that it would save.
 bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   int number = number_level(cell);
-  uint half_mask = load_word(grid${+}uint(number >> 5));
+  uint half_mask = load_word_at(grid, uint(number >> 5));
   gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
@@ -30,7 +30,7 @@ bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   int number = number_level(cell);
   uint low = load_word(grid);
-  uint high = load_word(grid${+}1u);
+  uint high = load_word_at(grid, 1u);
   uint half_mask = number < 32 ? low : high;
   int around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
@@ -62,7 +62,7 @@ uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
 // The value of a cell, or 0 if it is empty.
 uint cell_level(uint grid, ivec3 cell) {
   int number = number_level(cell);
-  bool is_full = (load_word(grid${+}uint(number >> 5)) >> (number & 31) & 1u) != 0u;
+  bool is_full = (load_word_at(grid, uint(number >> 5)) >> (number & 31) & 1u) != 0u;
 %if alike
   return is_full ? ${occupied} : 0u;
 %else

@@ -9,7 +9,7 @@ uint voxels_before_level(uint grid, ivec3 cell) {
   cells = (cells | cells << 2) & 0x00330033u;
   before |= cells << (2 * octant.x + 8 * octant.y);
   uint low = load_word(grid);
-  uint half_mask = octant.z == 0 ? low : load_word(grid${+}1u);
+  uint half_mask = octant.z == 0 ? low : load_word_at(grid, 1u);
   return uint(bitCount(half_mask & before)) + (octant.z == 0 ? 0u : uint(bitCount(low)));
 }
 

@@ -8,15 +8,15 @@ uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
   uint bit = 1u << (number & 31u);
 %if alike
-  return (load_word(grid${+}${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
+  return (load_word_at(grid, ${mask-stride}(number >> 5)) & bit) != 0u ? ${occupied} : 0u;
 %else
 %if counts
-  uint mask = load_word(grid${+}2u * (number >> 5));
+  uint mask = load_word_at(grid, 2u * (number >> 5));
   if ((mask & bit) == 0u)
     return 0u;
-  uint rank = load_word(grid${+}2u * (number >> 5) + 1u) + uint(bitCount(mask & (bit - 1u)));
+  uint rank = load_word_at(grid, 2u * (number >> 5) + 1u) + uint(bitCount(mask & (bit - 1u)));
 %else
-  uint mask = load_word(grid${+}(number >> 5));
+  uint mask = load_word_at(grid, (number >> 5));
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));

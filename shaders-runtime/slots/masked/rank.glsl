@@ -13,7 +13,7 @@ uint bits_before_level(uint grid, ivec3 cell) {
   return load_word(${grid,}mask_at + 1u) + uint(bitCount(load_word(${grid,}mask_at) & lower));
 %else
   uint before = number < 32u ? 0u : uint(bitCount(load_word(grid)));
-  return before + uint(bitCount(load_word(grid${+}(number >> 5)) & lower));
+  return before + uint(bitCount(load_word_at(grid, (number >> 5)) & lower));
 %end
 }
 

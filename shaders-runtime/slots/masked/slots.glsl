@@ -1,7 +1,7 @@
 %if alike
 %else
 // The value of the cell that is not empty after so many others.
-uint value_of_slot_level(uint grid, uint slot) { return load_word(grid${+}${head-words}u + ${slots-times}slot); }
+uint value_of_slot_level(uint grid, uint slot) { return load_word_at(grid, ${head-words}u + ${slots-times}slot); }
 
 %end
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
@@ -11,7 +11,7 @@ uint ranked_value_level(uint grid, ivec3 cell, inout uint rank) {
     return 0u;
 %end
   uint slot = bits_before_level(grid, cell);
-  rank += load_word(grid${+}${head-words}u + ${slots-times}slot + 1u);
+  rank += load_word_at(grid, ${head-words}u + ${slots-times}slot + 1u);
   return value_of_slot_level(grid, slot);
 }
 

@@ -2,10 +2,6 @@
 bool is_there_level(uint grid, ivec3 cell) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
-%if counts
-  return (load_word(grid${+}2u * (number >> 5)) >> (number & 31u) & 1u) != 0u;
-%else
-  return (load_word(grid${+}(number >> 5)) >> (number & 31u) & 1u) != 0u;
-%end
+  return (load_word_at(grid, (LEVEL_COUNTS ? 2u : 1u) * (number >> 5)) >> (number & 31u) & 1u) != 0u;
 }
 

@@ -6,7 +6,7 @@ uint ranked_value_level(uint grid, ivec3 cell, inout uint rank) {
 %end
   uint slot = bits_before_level(grid, cell);
 %if counts
-  uint slots = load_word(grid${+}${head-words}u - 1u) + uint(bitCount(load_word(grid${+}${head-words}u - 2u)));
+  uint slots = load_word_at(grid, ${head-words}u - 1u) + uint(bitCount(load_word_at(grid, ${head-words}u - 2u)));
 %else
   uint slots = uint(bitCount(load_word(grid)))${second-mask};
 %end
