@@ -36,3 +36,9 @@ HitWords words_of(const Walk walk, bool hit, const Arrival arrival) {
     words.last = hit ? arrival.face : 0u;
   return words;
 }
+
+// The same of a miss, or where nothing is asked of an arrival.
+HitWords words_without_arrival(const Walk walk, bool hit) {
+  Arrival none;
+  return words_of(walk, hit, none);
+}

@@ -39,21 +39,45 @@ std::string upperCase(std::string_view name) {
 
 /// What the files of cpu-runtime call, and the members that they look at: always, of rays with bounds, and of
 /// rays whose arrival is asked for.
-const glsl::Names kCalled = {"AGAIN",        "CLOSED",     "VOLUME_SIZE",
-                             "answer",       "begin_walk", "colour_of",
-                             "end_walk",     "goes_on",    "intersect_level_1",
-                             "is_in_volume", "left_walk",  "load_direction",
-                             "load_origin",  "narrow",     "settle",
-                             "settle_step",  "settled",    "step_over_voxel",
-                             "store",        "store_hit",  "walk_at",
-                             "walk_on",      "words_of",   "words_of_left",
-                             ".cell",        ".certain",   ".direction",
-                             ".falls",       ".inverse",   ".late",
-                             ".lowest",      ".open",      ".origin",
-                             ".slack",       ".voxel"};
+const glsl::Names kCalled = {"AGAIN",
+                             "CLOSED",
+                             "VOLUME_SIZE",
+                             "answer",
+                             "begin_walk",
+                             "colour_of",
+                             "end_walk",
+                             "goes_on",
+                             "intersect_level_1",
+                             "is_in_volume",
+                             "left_walk",
+                             "load_direction",
+                             "load_origin",
+                             "narrow",
+                             "settle",
+                             "settle_step",
+                             "settled",
+                             "step_over_voxel",
+                             "store",
+                             "store_hit",
+                             "walk_at",
+                             "walk_on",
+                             "words_without_arrival",
+                             "words_of_left",
+                             ".cell",
+                             ".certain",
+                             ".direction",
+                             ".falls",
+                             ".inverse",
+                             ".late",
+                             ".lowest",
+                             ".open",
+                             ".origin",
+                             ".slack",
+                             ".voxel"};
 const glsl::Names kCalledOfBounds = {"bound_walk", "bounds_of",   "place_of_entry",
                                      "skip_to",    "walk_within", ".tmin"};
-const glsl::Names kCalledOfArrivals = {"arrival_at", "entered_face", "first_axis", "time_exactly", ".axis"};
+const glsl::Names kCalledOfArrivals = {"arrival_at",   "entered_face", "first_axis",
+                                       "time_exactly", "words_of",     ".axis"};
 
 glsl::Names calledFromPackets(const Plan &plan) {
   glsl::Names names = kCalled;

@@ -100,12 +100,11 @@ std::optional<glsl::Module> KernelBuilder::read(std::string_view name, std::stri
   return module ? std::optional(std::move(*module)) : std::nullopt;
 }
 
-/// An empty line stands before each file.
-void KernelBuilder::append(glsl::Module module) {
+void KernelBuilder::append(glsl::Module module, bool isApart) {
   if (module.declarations.empty())
     return;
   std::vector<std::string> &above = module.declarations.front().notes.above;
-  if (above.empty() || !above.front().empty())
+  if (isApart && (above.empty() || !above.front().empty()))
     above.insert(above.begin(), "");
   std::ranges::move(module.declarations, std::back_inserter(module_.declarations));
 }
@@ -131,9 +130,9 @@ void KernelBuilder::addLevel(std::string_view path, std::size_t index, const Tem
   append(std::move(*module));
 }
 
-void KernelBuilder::addText(std::string_view text) {
+void KernelBuilder::addText(std::string_view text, bool isApart) {
   if (auto module = read("text", text))
-    append(std::move(*module));
+    append(std::move(*module), isApart);
 }
 
 Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots,
@@ -151,7 +150,8 @@ Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots,
   glsl::dropUnused(module_, roots);
   if (const auto verified = glsl::verify(module_, kExternals); !verified)
     return verified.error();
-  glsl::fold(module_, {}); // Conversions that types show to be none.
+  glsl::fold(module_, {});          // Conversions that types show to be none,
+  glsl::dropUnused(module_, roots); // and members.
   return std::move(module_);
 }
 

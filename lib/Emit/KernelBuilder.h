@@ -33,8 +33,8 @@ public:
   void addLevel(std::string_view path, std::size_t index) {
     addLevel(path, index, stratumNames(plan_, index));
   }
-  /// Text that emitters make themselves.
-  void addText(std::string_view text);
+  /// Text that emitters make themselves, with an empty line before it if it stands apart.
+  void addText(std::string_view text, bool isApart = true);
 
   /// The module, with the constants of the plan and these put in, and without what nothing from `roots` on
   /// comes to. Error: what is wrong of a file.
@@ -42,7 +42,7 @@ public:
 
 private:
   void add(std::string_view path, const TemplateNames &names);
-  void append(glsl::Module module);
+  void append(glsl::Module module, bool isApart = true);
   std::optional<glsl::Module> read(std::string_view name, std::string_view text);
 
   const Plan &plan_;

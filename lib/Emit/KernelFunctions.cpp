@@ -122,7 +122,8 @@ private:
   /// What a level's functions speak of: its size, and how a node keeps its children, if there are nodes.
   void beginLevel(std::size_t index) {
     const Stratum &stratum = plan_.layout.strata[index];
-    builder_.addText(levelComment(plan_, index) + "\n" + constants(index));
+    builder_.addText(levelComment(plan_, index));
+    builder_.addText(constants(index), false);
     if (kindOf(plan_.traversals[index].descent).ofCells)
       return;
     for (const std::string_view file : stratum.slots->accessor(stratum))

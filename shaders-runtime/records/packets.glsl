@@ -9,7 +9,7 @@ struct HitWords {
 };
 
 // Where a ray with bounds begins, of eight words each.
-uint ray_at(uint at) { return BOUNDED ? at / 6u * 8u : at; }
+INLINE uint ray_at(uint at) { return BOUNDED ? at / 6u * 8u : at; }
 
 uvec3 load_origin(uint at) { return uvec3(ray_words[ray_at(at)], ray_words[ray_at(at) + 1u], ray_words[ray_at(at) + 2u]); }
 uint load_tmin(uint at) { return ray_words[ray_at(at) + 3u]; }

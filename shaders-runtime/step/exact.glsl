@@ -1,4 +1,4 @@
-// Steps that are exact for every ray: float32 or doubles where their error bounds decide, integers elsewhere.
+// Steps that are exact for every ray: by float32 or doubles where these can tell, by integers elsewhere.
 
 // How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot tell which that is.
 Exit leave(const Ray ray, real3 face) {

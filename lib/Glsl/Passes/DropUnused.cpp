@@ -168,7 +168,14 @@ private:
       });
   }
 
-  /// Members of structs that are written alone. A name that several structs have is read if one of them is.
+  /// A member by the type of what it is of, where that is known; else by its name alone.
+  static std::string keyOf(const Expression &member) {
+    const std::string &whole = member.operands[0].type;
+    return whole.empty() ? member.text : whole + "." + member.text;
+  }
+
+  /// Members of structs that are written alone. Where types are not known, a name that several structs have
+  /// is read if one of them is.
   bool dropMembers() {
     Names read = readMembers();
     std::map<std::string, std::vector<bool>, std::less<>> unread; // Of each struct.
@@ -178,12 +185,14 @@ private:
         continue;
       std::vector<bool> flags;
       for (const Variable &member : declaration.variables)
-        flags.push_back(!read.contains(member.name));
+        flags.push_back(!read.contains(member.name) && !read.contains(declaration.name + "." + member.name));
       if (std::ranges::find(flags, true) == flags.end() || std::ranges::find(flags, false) == flags.end())
         continue; // Nothing, or all of it, which a language may not have.
       for (std::size_t i = 0; i < flags.size(); ++i)
-        if (flags[i])
+        if (flags[i]) {
           dropped.insert(declaration.variables[i].name);
+          dropped.insert(declaration.name + "." + declaration.variables[i].name);
+        }
       unread[declaration.name] = std::move(flags);
     }
     if (unread.empty() || !areConstructorsPure(unread))
@@ -210,7 +219,7 @@ private:
       if (statement.kind != Statement::Kind::Expression || statement.expressions[0].kind != Kind::Assignment)
         return false;
       const Expression &to = statement.expressions[0].operands[0];
-      return to.kind == Kind::Member && dropped.contains(to.text) &&
+      return to.kind == Kind::Member && dropped.contains(keyOf(to)) &&
              isPure(statement.expressions[0].operands[1]);
     };
     dropIn(declaration.body, isWrite);
@@ -234,7 +243,7 @@ private:
     for (const Declaration &declaration : module_.declarations) {
       forEachExpression(declaration, [&](const Expression &expression) {
         if (expression.kind == Kind::Member)
-          ++uses[expression.text];
+          ++uses[keyOf(expression)];
       });
       for (const Statement &statement : declaration.body)
         forEachStatement(statement, [&](const Statement &inner) {
@@ -245,7 +254,7 @@ private:
             return;
           forEachExpression(inner.expressions[0], [&](const Expression &expression) {
             if (expression.is(Kind::Member, to.text)) // Also where it is read to be written alone.
-              --uses[to.text];
+              --uses[keyOf(expression)];
           });
         });
     }
