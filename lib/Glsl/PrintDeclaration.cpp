@@ -19,7 +19,8 @@ std::string Printer::print(const Module &module) {
   text_.clear();
   begin(module);
   for (const Declaration &part : module.declarations)
-    declaration(part);
+    if (!part.isElsewhere)
+      declaration(part);
   return wrapped(text_);
 }
 

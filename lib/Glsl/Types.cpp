@@ -24,7 +24,7 @@ struct Builtin {
   unsigned written = 0; ///< A bit for each argument that it writes to, the first lowest.
 };
 
-constexpr std::array<Builtin, 34> kBuiltins = {{
+constexpr std::array<Builtin, 43> kBuiltins = {{
     {"abs", Result::Same},
     {"min", Result::Same},
     {"max", Result::Same},
@@ -59,6 +59,15 @@ constexpr std::array<Builtin, 34> kBuiltins = {{
     {"sqrt", Result::Same},
     {"trunc", Result::Same},
     {"roundEven", Result::Same},
+    {"round", Result::Same},
+    {"fract", Result::Same},
+    {"pow", Result::Same},
+    {"exp", Result::Same},
+    {"sin", Result::Same},
+    {"cos", Result::Same},
+    {"acos", Result::Same},
+    {"cross", Result::Same},
+    {"dot", Result::Float},
 }};
 
 const Builtin *find(std::string_view name) {

@@ -176,7 +176,7 @@ std::string Wgsl::call(const Expression &call) const {
     return std::string(spelled(kBits, operands[0].text)) + "(" + list(operands[0].operands) + ")";
   if (std::ranges::find(kCasts, call.text) != kCasts.end())
     return "bitcast<" + type(call.type) + ">(" + list(operands) + ")";
-  if (call.text == "mix")
+  if (call.text == "mix" && shapeOf(operands[2].type).component == "bool")
     return "select(" + list(operands) + ")";
   if (call.text == "not")
     return "!" + text(operands[0], kPrefixRank);

@@ -3,20 +3,15 @@
 const ABSENT = 0xffffffff, FOR_EVER = Infinity;
 
 function makePool({ bytes, pageBytes, budget }) {
-  const pages = Math.ceil(bytes / pageBytes), pageWords = pageBytes / 4, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  const pages = Math.ceil(bytes / pageBytes), pageWords = pageBytes / 4, { most, PLACES_A_ROW } = device;
   const room = Math.min(budget - 4 * pages, PLACES_A_ROW * most * 4), slots = Math.min(Math.floor(room / pageBytes), pages);
   const tableRows = Math.ceil(pages / PLACES_A_ROW), rows = Math.ceil(slots * pageWords / PLACES_A_ROW);
-  const words = integers(PLACES_A_ROW, rows, 1);
+  const words = device.integers(PLACES_A_ROW, rows, 1);
   const entries = new Uint32Array(PLACES_A_ROW * tableRows).fill(ABSENT), changed = new Set(); // Rows that the device does not have yet.
-  const table = integers(PLACES_A_ROW, tableRows, 1, entries);
+  const table = device.integers(PLACES_A_ROW, tableRows, 1, entries);
   const slotOf = new Map(), pageOf = new Int32Array(slots).fill(-1), lastUse = new Float64Array(slots);
   const figures = { pages, slots, slotBytes: slots * pageBytes, tableBytes: 4 * PLACES_A_ROW * tableRows, read: 0, bytes: 0, gone: 0, rounds: 0 };
 
-  function upload(texture, x, y, width, height, contents) {
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RED_INTEGER, gl.UNSIGNED_INT, contents);
-  }
   const enter = (page, slot) => {
     entries[page] = slot;
     changed.add(Math.floor(page / PLACES_A_ROW));
@@ -53,7 +48,7 @@ function makePool({ bytes, pageBytes, budget }) {
       const first = slot * pageWords, width = Math.min(pageWords, PLACES_A_ROW);
       let whole = contents;
       if (contents.length < pageWords) (whole = new Uint32Array(pageWords)).set(contents);
-      upload(words, first % PLACES_A_ROW, Math.floor(first / PLACES_A_ROW), width, pageWords / width, whole);
+      device.write(words, first % PLACES_A_ROW, Math.floor(first / PLACES_A_ROW), width, pageWords / width, 1, whole);
       slotOf.set(page, slot);
       pageOf[slot] = page;
       lastUse[slot] = page ? figures.rounds : FOR_EVER; // Every ray begins in page 0.
@@ -61,9 +56,9 @@ function makePool({ bytes, pageBytes, budget }) {
       figures.read++;
     },
     bind(program) {
-      for (const row of changed) upload(table, 0, row, PLACES_A_ROW, 1, entries.subarray(PLACES_A_ROW * row, PLACES_A_ROW * (row + 1)));
+      for (const row of changed) device.write(table, 0, row, PLACES_A_ROW, 1, 1, entries.subarray(PLACES_A_ROW * row, PLACES_A_ROW * (row + 1)));
       changed.clear();
-      return program.texture("words", words, 0).texture("page_table", table, 3);
+      return program.take({ words, page_table: table });
     },
   };
 }

@@ -2,7 +2,7 @@
 
 const WAITS = 0x80000000, NO_PAGE = 0x7fffffff, PATIENCE_ROUNDS = 64, LATENCY_MILLISECONDS = 120;
 
-const volume = (() => {
+function makeVolume() {
   const { volume: told } = scene, pageWords = told.pageBytes / 4;
   const pool = makePool(told), { figures } = pool;
   if (figures.slots < Math.min(2, figures.pages)) throw new Error(`this device has no room for pages of ${told.pageBytes} bytes`);
@@ -48,7 +48,8 @@ const volume = (() => {
 
   return {
     isStreamed: true, figures, bind: pool.bind, sorted,
-    prelude: shaders["pages.glsl"].replace("PAGES_HERE", `const uint PAGES = ${figures.pages}u, LOG2_PAGE_WORDS = ${Math.log2(pageWords)}u;`),
+    textures: ["words", "page_table", "before_told"],
+    constants: `const uint PAGES = ${figures.pages}u, LOG2_PAGE_WORDS = ${Math.log2(pageWords)}u;\n`,
     // Pixels or rays that go on together; fewer of them do where they would take each other's pages away: where more were read than there is
     // room for.
     beginGroup() { brought = 0; },
@@ -64,4 +65,4 @@ const volume = (() => {
       await some(isStale);
     },
   };
-})();
+}

@@ -3,11 +3,10 @@
 // What the pixels of a film tell of pages, four words for a square of them.
 async function feedbackOf(programs, film) {
   const { width, height } = film, [wide, high] = [Math.ceil(width / 4), Math.ceil(height / 4)];
-  film.squares ??= integers(wide, high, 4);
-  film.feedback ??= framebuffer(film.squares);
-  programs.collect.use().texture("told", film.told(), 0).set("2ui", "turn", ...film.turn).set("1i", "number", volume.figures.rounds);
-  draw(film.feedback, wide, high);
-  return contentsOf(film.feedback, wide, high);
+  film.squares ??= device.integers(wide, high, 4);
+  film.feedback ??= device.targetOf(film.squares);
+  programs.collect.take({ told: film.told() }).give({ turn: film.turn, number: volume.figures.rounds }).draw(film.feedback);
+  return device.contentsOf(film.feedback);
 }
 
 // Whether pixels of a film have to be traced once more. Pages that they lack are read; of more than there is room for, only those for which

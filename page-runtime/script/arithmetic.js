@@ -12,15 +12,12 @@ async function isArithmeticSound() {
     const bits = noise(i);
     pairs[i] = (bits & 0x807fffff | 107 + (noise(~i) % 41) << 23) >>> 0;
   }
-  const program = await programOf(shaders["arithmetic.frag"]);
-  const [sums, others] = [integers(side, side, 4), integers(side, side, 4)];
-  const target = framebuffer(sums, others), given = integers(side, side, 4, pairs);
-  program.use().texture("pairs", given, 0);
-  draw(target, side, side);
-  const sumBits = await contentsOf(target, side, side, 0), otherBits = await contentsOf(target, side, side, 1);
+  const program = await device.programOf("arithmetic"), given = device.integers(side, side, 4, pairs);
+  const [sums, others] = [device.integers(side, side, 4), device.integers(side, side, 4)], target = device.targetOf(sums, others);
+  program.take({ pairs: given }).draw(target);
+  const sumBits = await device.contentsOf(target, 0), otherBits = await device.contentsOf(target, 1);
   const told = new Float32Array(sumBits.buffer), numbers = new Float32Array(pairs.buffer);
-  gl.deleteFramebuffer(target);
-  for (const texture of [sums, others, given]) gl.deleteTexture(texture);
+  device.free(target, sums, others, given);
   const isNear = (told, exact, roundings) => Math.abs(told - exact) <= Math.abs(exact) * roundings / 8388608;
   let isSound = true;
   for (let i = 0; i < pairs.length; i += 4) {
@@ -28,7 +25,7 @@ async function isArithmeticSound() {
     isSound &&= isNear(told[i], a + b, 1) && isNear(told[i + 1], a - b, 1) &&
       isNear(told[i + 2], a * b, 1) && isNear(told[i + 3], 1 / b, 2.5) &&
       otherBits[i] === floor && otherBits[i + 1] === pairs[i] && otherBits[i + 2] === Math.imul(pairs[i], pairs[i + 1]) >>> 0 &&
-      otherBits[i + 3] | 0 === Math.floor(a);
+      (otherBits[i + 3] | 0) === Math.floor(a);
   }
   return isSound;
 }

@@ -4,39 +4,28 @@ const MOST_SAMPLES = 256, FEW_SAMPLES = 8, MOVING_MILLISECONDS = 45, REST_MILLIS
 const element = id => document.getElementById(id);
 const english = number => number.toLocaleString("en");
 
-const kept = {};
+let device, volume, kept = {}; // Programs, by precision.
 
 // The functions of the exact kernel or of the fast one: what one of them has alone is marked.
 function functionsOf(precision) {
   const other = precision === "exact" ? "+" : "-";
-  return shaders.functions.split("\n").filter(line => line[0] !== other).map(line => line.slice(1)).join("\n");
+  return device.texts.functions.split("\n").filter(line => line[0] !== other).map(line => line.slice(1)).join("\n");
 }
 
 // What draws and answers by one of the two kernels; compiled when it is first asked for.
 function programsOf(precision) {
   return kept[precision] ??= (async () => {
-    const cuts = scene.cuts.map(plane => `vec4(${plane.map(number => number.toExponential())})`);
-    const planes = cuts.length ? `const vec4 PLANES[] = vec4[](${cuts});\n` : "";
-    const before = volume.prelude + `const bool IS_LABEL = ${scene.labels};\nconst vec3 SPACING = vec3(${scene.spacing});\n` + planes +
-      functionsOf(precision) + shaders["seen.glsl"];
-    const lens = shaders["camera.glsl"] + shaders["light.glsl"];
-    const pictures = () => programOf(before + lens + shaders["surface.glsl"] + shaders["picture.frag"]);
-    const precisions = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
-    const programs = { develop: programOf(precisions + shaders["camera.glsl"] + shaders["develop.frag"]) };
-    if (volume.isStreamed) { // First what shows something.
-      programs.sketch = programOf(before + lens + shaders["sketch.frag"]);
-      programs.collect = programOf(shaders["collect.frag"]);
-    } else {
-      programs.picture = pictures();
-    }
+    const on = device, functions = functionsOf(precision), made = name => on.programOf(name, functions);
+    const programs = {}, names = volume.isStreamed ? ["develop", "sketch", "collect"] : ["develop", "picture"]; // First what shows something.
+    for (const name of names) programs[name] = made(name);
     for (const name in programs) programs[name] = await programs[name];
-    await warmUp(programs);
+    await warmUp(programs, on);
     if (volume.isStreamed) noteMoment("ready");
-    const lit = async () => programs.picture ??= await pictures();
+    const lit = async () => programs.picture ??= await made("picture");
     let lighting;
     programs.lit = () => programs.picture || (lighting ??= lit());
     let answer;
-    return Object.assign(programs, { answering: () => answer ??= programOf(before + shaders["answer.frag"]) });
+    return Object.assign(programs, { answering: () => answer ??= made("answer") });
   })();
 }
 
@@ -100,7 +89,7 @@ function tellPicture(film, part) {
 
 // What puts a film on the canvas, as far as it is exposed.
 const showing = (programs, film) => () => {
-  film.develop(programs, null, canvas.width, canvas.height);
+  film.develop(programs, device.screen);
   if (volume.isStreamed) tellPages(film);
 };
 
@@ -178,7 +167,7 @@ async function pick(x, y) {
 
 // For tests and the curious.
 window.voxc = {
-  scene, camera, checkRays, changed, pages: volume.figures,
+  scene, camera, checkRays, changed, get pages() { return volume.figures; },
   trace: (rays, kernel = precision) => answered(async () => trace(await answers(kernel), rays)),
   picture: (width, height, samples) => answered(async () => takePicture(await programsOf(precision), width, height, samples)),
 };
@@ -190,14 +179,45 @@ function choose(chosen, because = "") {
   changed();
 }
 
-// Exact where the browser can: its arithmetic is sound, and its compiler takes the kernel, within some patience.
-async function choosePrecision() {
+// Exact where the device can: its arithmetic is sound, and its compiler takes the kernel, within some patience. Where it cannot, and there is
+// another device, false.
+async function choosePrecision(isLast) {
   const exact = programsOf("exact").then(() => "", problem => `; the exact kernel is not taken here: ${problem.message}`);
-  if (!await isArithmeticSound()) return choose("fast", "; this browser's arithmetic is not what exact hits need");
-  const because = await Promise.race([exact, sleep(PATIENCE_MILLISECONDS).then(() => "; the exact kernel is still being compiled here")]);
-  if (!because) return;
+  const isSound = await isArithmeticSound(), late = "; the exact kernel is still being compiled here";
+  const because = isSound ? await Promise.race([exact, sleep(PATIENCE_MILLISECONDS).then(() => late)])
+    : "; this browser's arithmetic is not what exact hits need";
+  if (!because) return true;
+  if (!isLast && because !== late) return false;
   choose("fast", because);
-  exact.then(problem => problem || precision === "exact" || choose("exact"));
+  if (isSound) exact.then(problem => problem || precision === "exact" || choose("exact"));
+  return true;
+}
+
+const tellLoss = () => element("status").textContent = "The graphics device was lost; load the page again.";
+
+// A canvas draws by one kind of device alone.
+function renewCanvas() {
+  const fresh = canvas.cloneNode();
+  canvas.replaceWith(fresh);
+  canvas = fresh;
+}
+
+// Draws by WebGPU where the browser has it, and else by WebGL 2; behind # the address of the page may name one.
+async function chooseDevice() {
+  const kinds = scene.volume ? { "#webgl": makeWebGl } : { "#webgpu": makeWebGpu, "#webgl": makeWebGl };
+  const makers = location.hash in kinds ? [kinds[location.hash]] : Object.values(kinds);
+  for (const make of makers) {
+    const isLast = make === makers.at(-1);
+    try {
+      device = await make();
+      [volume, kept] = [makeVolume(), {}];
+      listen(changed, pick);
+      if (await choosePrecision(isLast)) return;
+    } catch (problem) {
+      if (isLast) throw problem;
+    }
+    renewCanvas();
+  }
 }
 
 async function start() {
@@ -205,11 +225,10 @@ async function start() {
   element("switch").hidden = false;
   element("switch").addEventListener("click", () => choose(precision === "exact" ? "fast" : "exact"));
   if (matchMedia("(max-width: 600px)").matches) element("about").open = false;
-  canvas.addEventListener("webglcontextlost", () => element("status").textContent = "The graphics device was lost; load the page again.");
-  listen(changed, pick);
-  await choosePrecision();
+  await chooseDevice();
+  element("device").textContent = device.name;
   await programsOf(precision);
-  document.documentElement.dataset.ready = precision;
+  Object.assign(document.documentElement.dataset, { ready: precision, device: device.name });
   await show();
 }
 return start();

@@ -4,10 +4,10 @@
 const evenNumbers = i => [0.5 + i / 1.324717957244746, 0.5 + i / 1.7548776662466927].map(value => value - Math.floor(value));
 const DIRECTIONS = 16; // Of a square of pixels, to the sky.
 
-function makeFilm(width, height) {
+function makeFilm(width, height, on = device) {
   const channels = volume.isStreamed ? { sun: 4, sky: 4, told: 1 } : { sun: 4, sky: 4 };
-  const lights = [0, 1].map(() => Object.fromEntries(Object.entries(channels).map(([name, count]) => [name, integers(width, height, count)])));
-  const targets = lights.map(light => framebuffer(...Object.values(light)));
+  const lights = [0, 1].map(() => Object.fromEntries(Object.entries(channels).map(([name, count]) => [name, on.integers(width, height, count)])));
+  const targets = lights.map(light => on.targetOf(...Object.values(light)));
   const latest = film => lights[film.draws % 2];
   return {
     // The first pass may be a sketch: where surfaces are, in a light that needs no further rays.
@@ -19,24 +19,19 @@ function makeFilm(width, height) {
     told() { return latest(this).told; },
     // Has a program take the picture of the film's camera.
     aim(program) {
-      for (const name of ["eye", "front", "right", "up"]) program.set("3f", name, ...this.view[name]);
-      program.set("1i", "is_parallel", this.view.isParallel);
+      const { eye, front, right, up, isParallel } = this.view;
+      return program.give({ eye, front, right, up, is_parallel: isParallel, size: [width, height], is_smooth: scene.smooth, samples: this.samples });
     },
     // Rows of the next pass.
     expose(programs, first, rows) {
       const { sun, sky, told } = latest(this);
       const program = this.isSketch() && programs.sketch || programs.picture;
-      volume.bind(program.use());
-      if (told)
-        program.texture("before_told", told, 4).set("1i", "is_again", this.isAgain).set("2ui", "turn", ...this.turn)
-          .set("1i", "number", volume.figures.rounds);
-      program.texture("before_sun", sun, 1).texture("before_sky", sky, 2).set("1i", "is_after_sketch", this.samples === 0)
-        .set("1i", "is_sketch", this.isSketch()).set("1i", "is_further", this.passes > 0).set("1i", "is_smooth", scene.smooth)
-        .set("2i", "size", width, height)
-        .set("2f", "place", ...evenNumbers(this.samples)).set("2f", "numbers", ...evenNumbers(this.samples * DIRECTIONS))
-        .set("3f", "sun", ...scene.sun).set("1f", "open_scale", 0.06 * size);
-      this.aim(program);
-      draw(targets[1 - this.draws % 2], width, height, first, rows);
+      volume.bind(program);
+      if (told) program.take({ before_told: told }).give({ is_again: this.isAgain, turn: this.turn, number: volume.figures.rounds });
+      this.aim(program).take({ before_sun: sun, before_sky: sky }).give({
+        is_sketch: this.isSketch(), is_further: this.passes > 0, is_after_sketch: this.samples === 0, sun: scene.sun, open_scale: 0.06 * size,
+        place: evenNumbers(this.samples), numbers: evenNumbers(this.samples * DIRECTIONS),
+      }).draw(targets[1 - this.draws % 2], first, rows);
     },
     // All rows are there.
     drawn() { this.draws++; this.isWhole = false; },
@@ -46,21 +41,12 @@ function makeFilm(width, height) {
       this.passes++;
       this.isWhole = true;
     },
-    develop(programs, target, pixelsWide, pixelsHigh) {
+    develop(programs, target) {
       const { sun, sky, told } = latest(this);
-      programs.develop.use().texture("told", told || sun, 2).set("1i", "is_partial", !this.isWhole && !this.isSketch())
-        .texture("sun_light", sun, 0).texture("sky_light", sky, 1)
-        .set("1f", "samples", this.samples).set("1i", "is_smooth", scene.smooth).set("1f", "exposure", scene.exposure)
-        .set("2f", "canvas", pixelsWide, pixelsHigh);
-      this.aim(programs.develop);
-      draw(target, pixelsWide, pixelsHigh);
+      this.aim(programs.develop).take({ sun_light: sun, sky_light: sky, told: told || sun })
+        .give({ is_partial: !this.isWhole && !this.isSketch(), exposure: scene.exposure, canvas: [target.width, target.height] }).draw(target);
     },
-    free() {
-      for (const light of lights) Object.values(light).forEach(texture => gl.deleteTexture(texture));
-      targets.forEach(target => gl.deleteFramebuffer(target));
-      gl.deleteTexture(this.squares || null);
-      gl.deleteFramebuffer(this.feedback || null);
-    },
+    free() { on.free(...targets, this.feedback, ...lights.flatMap(light => Object.values(light)), this.squares); },
   };
 }
 
@@ -73,7 +59,7 @@ async function exposePass(programs, film, isStale, show = () => {}) {
     for (let first = 0; first < film.height;) {
       const rows = Math.min(Math.max(Math.round(pixelsAMillisecond * 50 / film.width), 4), film.height - first);
       film.expose(programs, first, rows);
-      const time = await finished();
+      const time = await device.finished();
       if (!film.isAgain) learnSpeed(rows * film.width, time);
       if (isStale()) return false;
       first += rows;
@@ -93,11 +79,11 @@ async function exposeSample(programs, film, isStale, show) {
 }
 
 // The first pixel has the device make its code ready, which may take seconds and says nothing of its speed.
-async function warmUp(programs) {
-  const film = makeFilm(1, 1);
+async function warmUp(programs, on) {
+  const film = makeFilm(1, 1, on);
   film.begin(camera.view(1, 1));
   film.expose(programs, 0, 1);
-  await finished();
+  await on.finished();
   film.free();
 }
 
@@ -107,17 +93,12 @@ function learnSpeed(pixels, milliseconds) {
 
 // The picture of the camera at a size, of so many samples: its red, green, blue and alpha, rows from the top.
 async function takePicture(programs, width, height, samples) {
-  const film = makeFilm(width, height), shown = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, shown);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
-  const target = framebuffer(shown), picture = new Uint8Array(4 * width * height);
+  const film = makeFilm(width, height), shown = device.bytes(width, height), target = device.targetOf(shown);
   film.begin(camera.view(width, height));
   for (let i = 0; i < samples; i++) await exposeSample(programs, film, () => false);
-  film.develop(programs, target, width, height);
-  const rows = await contentsOf(target, width, height, 0, gl.UNSIGNED_BYTE);
-  for (let row = 0; row < height; row++) picture.set(rows.subarray(4 * width * row, 4 * width * (row + 1)), 4 * width * (height - 1 - row));
+  film.develop(programs, target);
+  const picture = await device.pictureOf(target);
   film.free();
-  gl.deleteTexture(shown);
-  gl.deleteFramebuffer(target);
+  device.free(target, shown);
   return picture;
 }

@@ -41,22 +41,21 @@ async function traceSome(programs, bits, bounds, hits, first, count) {
     given.set(bits.subarray(6 * (first + i) + 3, 6 * (first + i) + 6), 8 * i + 4);
     [given[8 * i + 3], given[8 * i + 7]] = bounds.subarray(2 * (first + i));
   }
-  const textures = [integers(2 * RAYS_A_ROW, rows, 4, given), integers(RAYS_A_ROW, rows, 4), integers(RAYS_A_ROW, rows, 4)];
-  const target = framebuffer(textures[1], textures[2]);
+  const textures = [device.integers(2 * RAYS_A_ROW, rows, 4, given), device.integers(RAYS_A_ROW, rows, 4), device.integers(RAYS_A_ROW, rows, 4)];
+  const target = device.targetOf(textures[1], textures[2]);
   let place, rest, asked;
   if (volume.isStreamed) volume.beginGroup();
   do {
-    volume.bind(programs.answer.use().texture("rays", textures[0], 1));
-    draw(target, RAYS_A_ROW, rows);
-    [place, rest] = [await contentsOf(target, RAYS_A_ROW, rows, 0), await contentsOf(target, RAYS_A_ROW, rows, 1)];
+    volume.bind(programs.answer.take({ rays: textures[0] }));
+    programs.answer.draw(target);
+    [place, rest] = [await device.contentsOf(target, 0), await device.contentsOf(target, 1)];
     asked = volume.isStreamed ? volume.sorted(rest.subarray(0, 4 * count), 4, 3) : new Set();
     if (asked.size && count > 1 && volume.areTooMany(asked)) break;
     if (asked.size) await volume.bring(asked, count === 1);
   } while (asked.size);
   for (let i = 0; i < count; i++)
     hits.set([place[4 * i], place[4 * i + 1], place[4 * i + 2], rest[4 * i], place[4 * i + 3], rest[4 * i + 1]], 6 * (first + i));
-  gl.deleteFramebuffer(target);
-  textures.forEach(texture => gl.deleteTexture(texture));
+  device.free(target, ...textures);
   if (!asked.size) return;
   const half = Math.ceil(count / 2);
   await traceSome(programs, bits, bounds, hits, first, half);

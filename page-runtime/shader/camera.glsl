@@ -1,11 +1,14 @@
-// The camera, in spaced space; places of the picture are from (-1, -1), its lower left corner, to (1, 1).
-uniform vec3 eye;
-uniform vec3 front;
-uniform vec3 right; // From the picture's middle to its edges.
-uniform vec3 up;
-uniform bool is_parallel; // Rays are parallel, and begin in the plane of the eye.
+// The camera.
 
 // Where the ray through a place begins, from the eye.
-vec3 aside(vec2 place) { return is_parallel ? right * place.x + up * place.y : vec3(0.0); }
+vec3 aside(vec2 place) { return given.is_parallel != 0 ? given.right * place.x + given.up * place.y : vec3(0.0); }
 
-vec3 way(vec2 place) { return normalize(is_parallel ? front : front + right * place.x + up * place.y); }
+vec3 way(vec2 place) {
+  return normalize(given.is_parallel != 0 ? given.front : given.front + given.right * place.x + given.up * place.y);
+}
+
+// Where the first ray of a pixel has met the volume, from the eye.
+vec3 point_of(ivec2 at, uint first) {
+  vec2 place = (vec2(at) + 0.5) / vec2(given.size) * 2.0 - 1.0;
+  return aside(place) + way(place) * uintBitsToFloat(first & ~0xfffu);
+}

@@ -1,5 +1,5 @@
 // What rays see of a volume of which planes cut something away: the first voxel that they enter where all planes keep it. The
-// planes are PLANES: dot(p, xyz) is w or more where they keep a point p.
+// planes are PLANES, PLANE_COUNT of them: dot(p, xyz) is w or more where they keep a point p.
 
 // Of the latest ray: the plane through which it enters what is kept, and when; 0 if it begins there.
 vec3 cut_normal; // To what is cut away, in voxels.
@@ -17,10 +17,10 @@ float just_before(float t) {
 
 // A ray from the eye does not see the voxel in which it begins; one to the light does.
 bool seen_first(vec3 origin, vec3 direction, bool is_light, out voxc_scene_Hit hit) {
-  float tmin = is_light ? 0.0 : uintBitsToFloat(0x800000u), tmax = uintBitsToFloat(0x7f800000u);
+  float tmin = is_light ? 0.0 : uintBitsToFloat(0x800000u), tmax = uintBitsToFloat(0x7f7fffffu);
   cut_normal = vec3(0.0);
   cut_t = 0.0;
-  for (int i = 0; i < PLANES.length(); i++) {
+  for (int i = 0; i < PLANE_COUNT; i++) {
     vec3 normal = PLANES[i].xyz;
     float side = dot(normal, origin) - PLANES[i].w, speed = dot(normal, direction), t = -side / speed;
     if (speed > 0.0) {

@@ -1,70 +1,78 @@
 // The directions of smooth surfaces: that in which the voxels around a pixel, which its neighbours have met, spread least.
 
-uniform highp usampler2D before_sun; // The samples so far, or the sketch.
-uniform ivec2 size;
-
 const int REACH = 4;
 
-// Where the first ray of a pixel has met the volume, from the eye, and by which face.
-vec3 point_of(ivec2 at, uint first) {
-  vec2 place = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
-  return aside(place) + way(place) * uintBitsToFloat(first & ~0xfffu);
-}
+// A symmetric matrix: its diagonal, and beside that the elements of y and z, of z and x, of x and y.
+struct Spread {
+  vec3 own;
+  vec3 mixed;
+};
 
 ivec3 voxel_of(ivec2 at, uint first) {
   vec3 into = vec3(0.0);
   uint face = first >> 9 & 7u;
   if (face < 6u)
     into[face >> 1] = (face & 1u) == 0u ? 0.5 : -0.5;
-  return ivec3(floor((eye + point_of(at, first)) / SPACING + into));
+  return ivec3(floor((given.eye + point_of(at, first)) / SPACING + into));
 }
 
-// The least eigenvalue of a symmetric matrix and the next, by the cosine formula.
-vec2 least_of(mat3 m) {
-  float mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
-  mat3 apart = m - mat3(mean);
-  float p = sqrt((dot(apart[0], apart[0]) + dot(apart[1], apart[1]) + dot(apart[2], apart[2])) / 6.0);
+// Its least eigenvalue and the next, by the cosine formula.
+vec2 least_of(const Spread spread) {
+  float mean = (spread.own.x + spread.own.y + spread.own.z) / 3.0;
+  vec3 own = spread.own - mean;
+  vec3 mixed = spread.mixed;
+  float p = sqrt((dot(own, own) + 2.0 * dot(mixed, mixed)) / 6.0);
   if (p < 1e-6)
     return vec2(mean);
-  float angle = acos(clamp(determinant(apart) / (2.0 * p * p * p), -1.0, 1.0)) / 3.0;
+  float det = own.x * own.y * own.z + 2.0 * mixed.x * mixed.y * mixed.z - dot(own, mixed * mixed);
+  float angle = acos(clamp(det / (2.0 * p * p * p), -1.0, 1.0)) / 3.0;
   float low = mean + 2.0 * p * cos(angle + 2.0943951);
   return vec2(low, 3.0 * mean - low - (mean + 2.0 * p * cos(angle)));
 }
 
-// The direction across the rows of a matrix of rank two.
-vec3 across(mat3 m) {
-  vec3 a = cross(m[0], m[1]), b = cross(m[1], m[2]), c = cross(m[2], m[0]);
-  vec3 best = dot(a, a) > dot(b, b) ? a : b;
-  best = dot(c, c) > dot(best, best) ? c : best;
+// The direction across its rows, where it has a rank of two.
+vec3 across(const Spread spread) {
+  vec3 x = vec3(spread.own.x, spread.mixed.z, spread.mixed.y);
+  vec3 y = vec3(spread.mixed.z, spread.own.y, spread.mixed.x);
+  vec3 z = vec3(spread.mixed.y, spread.mixed.x, spread.own.z);
+  vec3 best = cross(x, y);
+  vec3 other = cross(y, z);
+  best = dot(other, other) > dot(best, best) ? other : best;
+  other = cross(z, x);
+  best = dot(other, other) > dot(best, best) ? other : best;
   return dot(best, best) > 0.0 ? normalize(best) : vec3(0.0);
 }
 
 // The normal of the surface around a voxel, towards the eye; 0 where its voxels spread evenly, or are too few to tell.
 vec3 surface_normal(ivec2 pixel, ivec3 voxel, float t, vec3 direction) {
-  float step = max(float(size.y) / (2.0 * length(up) * (is_parallel ? 1.0 : max(t, 1.0))), 1.0); // Pixels a voxel.
+  float far = given.is_parallel != 0 ? 1.0 : max(t, 1.0);
+  float step = max(float(given.size.y) / (2.0 * length(given.up) * far), 1.0); // Pixels a voxel.
   float count = 0.0;
   vec3 sum = vec3(0.0);
-  mat3 squares = mat3(0.0);
+  Spread squares = Spread(vec3(0.0), vec3(0.0));
   for (int i = -REACH; i <= REACH; i++)
     for (int j = -REACH; j <= REACH; j++) {
-      ivec2 at = pixel + ivec2(round(vec2(i, j) * step));
-      if (any(notEqual(at, clamp(at, ivec2(0), size - 1))))
+      ivec2 at = pixel + ivec2(round(vec2(float(i), float(j)) * step));
+      if (any(notEqual(at, clamp(at, ivec2(0), given.size - 1))))
         continue;
       uint first = texelFetch(before_sun, at, 0).w;
       vec3 offset = vec3(voxel_of(at, first) - voxel);
-      vec3 far = abs(offset);
-      if (first == 0u || max(max(far.x, far.y), far.z) > float(REACH))
+      vec3 apart = abs(offset);
+      if (first == 0u || max(max(apart.x, apart.y), apart.z) > float(REACH))
         continue;
       float weight = exp(-0.11 * dot(offset, offset));
       count += weight;
       sum += weight * offset;
-      squares += weight * outerProduct(offset, offset);
+      squares.own += weight * offset * offset;
+      squares.mixed += weight * offset.yzx * offset.zxy;
     }
   if (count < 3.0)
     return vec3(0.0);
   sum /= count;
-  mat3 spread = squares / count - outerProduct(sum, sum);
+  Spread spread = Spread(squares.own / count - sum * sum, squares.mixed / count - sum.yzx * sum.zxy);
   vec2 least = least_of(spread);
-  vec3 normal = least.x > 0.85 * least.y ? vec3(0.0) : across(spread - mat3(least.x));
+  if (least.x > 0.85 * least.y)
+    return vec3(0.0);
+  vec3 normal = across(Spread(spread.own - least.x, spread.mixed));
   return dot(normal, direction) < 0.0 ? normal : -normal;
 }

@@ -7,5 +7,6 @@ bool seen_first(vec3 origin, vec3 direction, bool is_light, out voxc_scene_Hit h
 
 bool lies_at_cut(float t) { return false; }
 
-const vec3 cut_normal = vec3(0.0);
+// There is no such plane; some compilers refuse a direction of no length all the same.
+const vec3 cut_normal = vec3(0.0, 1.0, 0.0);
 const float cut_t = 0.0;

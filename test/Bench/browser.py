@@ -9,15 +9,18 @@ import tempfile
 import time
 
 TIMEOUT_SECONDS = 60
+# WebGL and WebGPU without a graphics device.
+DRAWS_BY_PROCESSOR = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu",
+                      "--use-webgpu-adapter=swiftshader"]
 
 
 class Browser:
     """One page of one browser; use it in a `with`. `errors` holds what the page threw, logged or was refused. `draws`: the page draws
-    by WebGL, on this processor."""
+    by WebGL or WebGPU, on this processor."""
 
     def __init__(self, width=1280, height=900, draws=False):
         self.errors = []
-        self.graphics = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if draws else ["--disable-gpu"]
+        self.graphics = DRAWS_BY_PROCESSOR if draws else ["--disable-gpu"]
         self.size = (width, height)
 
     def __enter__(self):

@@ -4,6 +4,7 @@
 #include "page/Packed.h"
 #include "page/Poster.h"
 #include "page/Script.h"
+#include "page/Shaders.h"
 
 #include "Emit/Template.h"
 #include "common/Command.h"

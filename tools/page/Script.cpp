@@ -1,74 +1,27 @@
 // What a page does.
 #include "page/Script.h"
 
-#include "page/Merged.h"
+#include "page/Shaders.h"
 
 #include "common/Json.h"
-#include "voxc/Emit/Emit.h"
-#include "voxc/IR/Attribute.h"
-#include "voxc/Plan/Plan.h"
-#include "voxc/Support/EmbeddedFile.h"
 
 #include <glm/geometric.hpp>
 
 #include <span>
 
-namespace voxc {
-
-/// Made by cmake/VoxcEmbed.cmake.
-std::span<const EmbeddedFile> pageFiles();
-
-namespace page {
+namespace voxc::page {
 namespace {
 
 using tool::Json;
 
 /// In the order in which they build on each other.
-constexpr const char *kScripts[] = {"script/device",   "script/arithmetic", "script/camera",
-                                    "script/controls", "script/resident",   "script/picture",
-                                    "script/rays",     "script/main"};
+constexpr const char *kScripts[] = {
+    "script/passes",   "script/webgl",    "script/webgpu",  "script/arithmetic", "script/camera",
+    "script/controls", "script/resident", "script/picture", "script/rays",       "script/main"};
 constexpr const char *kStreamedScripts[] = {
-    "pages/xxh3",        "pages/zstd",    "pages/reader",    "pages/start", "script/device",
-    "script/arithmetic", "script/camera", "script/controls", "pages/pool",  "pages/volume",
-    "pages/waiting",     "pages/telling", "script/picture",  "script/rays", "script/main"};
-constexpr const char *kShaders[] = {"camera.glsl",  "light.glsl",   "surface.glsl", "all.vert",
-                                    "picture.frag", "develop.frag", "answer.frag",  "arithmetic.frag"};
-constexpr const char *kResidentShaders[] = {"words.glsl"};
-constexpr const char *kStreamedShaders[] = {"pages.glsl", "sketch.frag", "collect.frag"};
-
-constexpr std::string_view kName = "scene"; ///< Of the functions, which shaders know.
-
-std::string_view fileText(std::string_view path) {
-  for (const EmbeddedFile &file : pageFiles())
-    if (file.path == path)
-      return file.text;
-  return {};
-}
-
-std::string terse(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    line = line.substr(0, line.find(" // "));
-    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    if (!line.empty() && !line.starts_with("//"))
-      result += std::string(line.substr(0, line.find_last_not_of(' ') + 1)) + "\n";
-  }
-  return result;
-}
-
-/// The functions that trace rays of a format, by one of the values of `precision`.
-Expected<std::string> functionsOf(Format format, Addressing addressing, bool isCut,
-                                  std::string_view precision) {
-  askForPrecision(format, precision);
-  PlanOptions options = isCut ? kHeaderPlan : kFirstHitPlan;
-  options.addressing = addressing;
-  const Expected<Plan> plan = makePlan(format, options);
-  if (!plan)
-    return plan.error();
-  return terse(emitHeader(*plan, kName, HeaderLanguage::GlslEs));
-}
+    "pages/xxh3",        "pages/zstd",    "pages/reader",    "pages/start", "script/passes", "script/webgl",
+    "script/arithmetic", "script/camera", "script/controls", "pages/pool",  "pages/volume",  "pages/waiting",
+    "pages/telling",     "script/picture", "script/rays",    "script/main"};
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
 
@@ -133,30 +86,16 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
 
 } // namespace
 
-std::string tersely(std::string_view path) { return terse(fileText(path)); }
-
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents) {
   const bool isStreamed = contents.streamed.has_value();
-  const Addressing addressing = isStreamed ? Addressing::Paged : Addressing::Buffer;
-  const bool isCut = !contents.clip.cutsNothing();
-  const Expected<std::string> exact = functionsOf(volume.format(), addressing, isCut, "exact");
-  const Expected<std::string> fast = functionsOf(volume.format(), addressing, isCut, "fast");
-  if (!exact || !fast)
-    return exact ? fast.error() : exact.error();
-  Json shaders{{"functions", merged(*exact, *fast)}};
-  const auto addShaders = [&](std::span<const char *const> names) {
-    for (const std::string name : names)
-      shaders[name] = tersely("shader/" + name);
-  };
-  addShaders(kShaders);
-  addShaders(isStreamed ? std::span<const char *const>(kStreamedShaders) : kResidentShaders);
-  shaders["seen.glsl"] = tersely(isCut ? "shader/cut.glsl" : "shader/whole.glsl");
+  const Expected<Json> shaders = makeShaders(volume, isStreamed, !contents.clip.cutsNothing());
+  if (!shaders)
+    return shaders.error();
   std::string script =
-      "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders.dump() + ";\n";
+      "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders->dump() + ";\n";
   for (const std::string name : isStreamed ? std::span<const char *const>(kStreamedScripts) : kScripts)
     script += tersely(name + ".js");
   return script;
 }
 
-} // namespace page
-} // namespace voxc
+} // namespace voxc::page

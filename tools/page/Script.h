@@ -5,10 +5,6 @@
 
 namespace voxc::page {
 
-/// The text of a file of page-runtime, without comments on lines of their own and without what stands before
-/// and behind lines.
-std::string tersely(std::string_view path);
-
 /// The script of a page, which is the body of an asynchronous function of `words`, `checks` and `status`.
 /// Error: that of a plan.
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/Plan/Plan.h"
+#include "voxc/Support/Error.h"
 
 #include <string>
 #include <string_view>
@@ -65,6 +66,12 @@ std::string emitHeader(const Plan &plan, std::string_view name,
 /// `emitHeader` makes of the same plan and name, as "voxc_NAME.h".
 std::string emitCHeader(const Plan &plan, std::string_view name);
 std::string emitCDefinitions(const Plan &plan, std::string_view name);
+
+/// Functions of GLSL, of as much of it as kernels are written in, as those of another language. `declared`
+/// stands before them: it tells in GLSL what text around them has, and is not printed. Error: where they are
+/// no such functions.
+Expected<std::string> emitFunctions(std::string_view functions, std::string_view declared,
+                                    HeaderLanguage language);
 
 /// Functions of GLSL on words with carries that HLSL lacks, which kernels in HLSL begin with.
 std::string_view carryFunctions();

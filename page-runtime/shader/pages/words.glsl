@@ -1,10 +1,4 @@
-#version 300 es
-#define PAGED
-precision highp float;
-precision highp int;
-uniform highp usampler2D words;      // Slots of a page each, 4096 words a row.
-uniform highp usampler2D page_table; // The slot of each page, if it is here.
-PAGES_HERE
+// The words of the volume in slots of a page each, 4096 words a row; the slot of each page, if it is here, in a table.
 const uint ABSENT = 0xffffffffu;
 const uint WAITS = 0x80000000u;   // Above the number of a page: it is lacking.
 const uint NO_PAGE = 0x7fffffffu;
@@ -35,13 +29,13 @@ bool find_word(uint index, out uint word) {
 }
 
 // Whether a pixel stays as it is while others that wait are traced: it does not wait, or its turn has not come.
-bool stays(ivec2 at, int width, highp usampler2D before_told, uvec2 turn) {
-  uint place = uint(at.y * width + at.x);
-  return texelFetch(before_told, at, 0).x < WAITS || place < turn.x || place >= turn.y;
+bool stays(ivec2 at) {
+  uint place = uint(at.y * given.size.x + at.x);
+  return texelFetch(before_told, at, 0).x < WAITS || place < given.turn.x || place >= given.turn.y;
 }
 
 // What it tells then: that it waits still.
-uint told_again(ivec2 at, highp usampler2D before_told) {
+uint told_again(ivec2 at) {
   uint before = texelFetch(before_told, at, 0).x;
   return before < WAITS ? NO_PAGE : before;
 }

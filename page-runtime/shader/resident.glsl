@@ -1,0 +1,2 @@
+// All words of the volume are here.
+bool lacks_page() { return false; }
