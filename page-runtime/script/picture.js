@@ -78,12 +78,15 @@ async function exposeSample(programs, film, isStale, show) {
   return true;
 }
 
-// The first pixel has the device make its code ready, which may take seconds and says nothing of its speed.
+// The first pixel has the device make its code ready, which may take seconds and says nothing of its speed. That it can show something is tried
+// out too: there are browsers whose WebGPU ends there.
 async function warmUp(programs, on) {
   const film = makeFilm(1, 1, on);
   film.begin(camera.view(1, 1));
   film.expose(programs, 0, 1);
+  if (!on.hasShown) film.develop(programs, on.screen);
   await on.finished();
+  on.hasShown = true;
   film.free();
 }
 

@@ -11,7 +11,7 @@ import time
 TIMEOUT_SECONDS = 60
 # WebGL and WebGPU without a graphics device.
 DRAWS_BY_PROCESSOR = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu",
-                      "--use-webgpu-adapter=swiftshader"]
+                      "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--use-vulkan=swiftshader"]
 
 
 class Browser:
