@@ -9,7 +9,7 @@ let device, volume, kept = {}; // Programs, by precision.
 // The functions of the exact kernel or of the fast one: what one of them has alone is marked.
 function functionsOf(precision) {
   const other = precision === "exact" ? "+" : "-";
-  return device.texts.functions.split("\n").filter(line => line[0] !== other).map(line => line.slice(1)).join("\n");
+  return shaders.functions.map(piece => piece[device.language]).join("").split("\n").filter(line => line[0] !== other).map(line => line.slice(1)).join("\n");
 }
 
 // What draws and answers by one of the two kernels; compiled when it is first asked for.

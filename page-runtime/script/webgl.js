@@ -3,7 +3,7 @@
 function makeWebGl() {
   const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, powerPreference: "high-performance" });
   if (!gl) throw new Error("this browser has no WebGL 2");
-  const parallel = gl.getExtension("KHR_parallel_shader_compile"), texts = shaders.essl, most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  const parallel = gl.getExtension("KHR_parallel_shader_compile"), language = "essl", texts = shaders[language], most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   const PLACES_A_ROW = 4096;
   canvas.addEventListener("webglcontextlost", tellLoss);
 
@@ -130,7 +130,7 @@ function makeWebGl() {
   }
 
   return {
-    name: "WebGL 2", texts, most, PLACES_A_ROW, finished, programOf, write, integers, targetOf, contentsOf, pictureOf, hold,
+    name: "WebGL 2", language, most, PLACES_A_ROW, finished, programOf, write, integers, targetOf, contentsOf, pictureOf, hold,
     bytes: (width, height) => textureOf(gl.RGBA8, width, height),
     screen: { framebuffer: null, get width() { return canvas.width; }, get height() { return canvas.height; } },
     free: (...things) => things.forEach(thing => thing?.framebuffer ? gl.deleteFramebuffer(thing.framebuffer) : gl.deleteTexture(thing ?? null)),

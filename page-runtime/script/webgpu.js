@@ -6,7 +6,7 @@ async function makeWebGpu() {
   const { maxBufferSize, maxStorageBufferBindingSize, maxTextureDimension2D } = adapter.limits, most = Math.min(maxBufferSize, maxStorageBufferBindingSize);
   if (words.byteLength > most) throw new Error(`the volume has ${words.length} words, and this device holds ${most / 4}`);
   const gpu = await adapter.requestDevice({ requiredLimits: { maxBufferSize, maxStorageBufferBindingSize, maxTextureDimension2D } });
-  const { queue } = gpu, texts = shaders.wgsl, context = canvas.getContext("webgpu");
+  const { queue } = gpu, language = "wgsl", texts = shaders[language], context = canvas.getContext("webgpu");
   if (!context) throw new Error("this browser has no WebGPU");
   context.configure({ device: gpu, format: "rgba8unorm", alphaMode: "opaque" });
   gpu.lost.then(tellLoss);
@@ -101,7 +101,7 @@ async function makeWebGpu() {
   }
 
   return {
-    name: "WebGPU", texts, finished, programOf, integers, targetOf, contentsOf, hold,
+    name: "WebGPU", language, finished, programOf, integers, targetOf, contentsOf, hold,
     pictureOf: target => contentsOf(target),
     bytes: (width, height) => textureOf("rgba8unorm", width, height),
     screen: { get width() { return canvas.width; }, get height() { return canvas.height; }, views: () => [context.getCurrentTexture().createView()] },

@@ -51,7 +51,9 @@ def ball_mesh():
     return "\n".join(lines) + "\n"
 
 
-class Pages(unittest.TestCase):
+class PagesOfAnyDevice:
+    """Tests of pages that draw by `device`, which they call `name`."""
+
     @classmethod
     def setUpClass(cls):
         cls.kept = tempfile.TemporaryDirectory()
@@ -66,7 +68,8 @@ class Pages(unittest.TestCase):
     @contextlib.contextmanager
     def opened(self, path, *size):
         """An open page; whatever it logs or asks the network for is an error."""
-        with Page(path, *size) as page:
+        with Page(path, *size, device=self.device) as page:
+            self.assertEqual(page.evaluate(f"{STATE}.device"), self.name)
             yield page
             self.assertEqual(page.errors, [])
 
@@ -165,7 +168,7 @@ class Pages(unittest.TestCase):
     def test_says_what_it_is(self):
         with self.opened(self.page) as page:
             text = page.evaluate("document.getElementById('about').textContent")
-            for word in ("terrain", "R(2, 2, 2) G(4)", "64 × 64 × 64", "bytes a voxel", "exact"):
+            for word in ("terrain", "R(2, 2, 2) G(4)", "64 × 64 × 64", "bytes a voxel", "Drawn by" + self.name, "exact"):
                 self.assertIn(word, text)
             page.wait(f"{STATE}.checked && JSON.parse({STATE}.checked).precision === 'exact'") # A slow compiler has it begin with fast.
             self.assertEqual(json.loads(page.evaluate(f"{STATE}.checked")), {"precision": "exact", "others": 0, "worst": 0})
@@ -257,11 +260,52 @@ class Pages(unittest.TestCase):
     def test_says_what_a_browser_lacks(self):
         page = self.enterContext(Browser(320, 240, draws=True))
         page.call("Page.addScriptToEvaluateOnNewDocument", source="HTMLCanvasElement.prototype.getContext = () => null")
-        page.open(self.page)
+        page.open(f"{self.page}#{self.device}")
         page.settle()
         while page.evaluate(f"!{STATE}.problem"):
             time.sleep(0.1)
-        self.assertEqual(page.evaluate("document.getElementById('status').textContent"), "This page cannot be shown here: this browser has no WebGL 2")
+        self.assertEqual(page.evaluate("document.getElementById('status').textContent"), "This page cannot be shown here: this browser has no " + self.name)
+
+
+class PagesByWebGpu(PagesOfAnyDevice, unittest.TestCase):
+    device, name = "webgpu", "WebGPU"
+
+
+class PagesByWebGl(PagesOfAnyDevice, unittest.TestCase):
+    device, name = "webgl", "WebGL 2"
+
+
+class Choice(unittest.TestCase):
+    """By what a page draws that is not told."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.kept.name)
+        voxc("build", "G(4)", "builtin:terrain:16", "-o", cls.folder / "terrain.hvx")
+        cls.page, _ = page_of(cls.folder / "terrain.hvx", cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.kept.cleanup()
+
+    def chosen(self, before=""):
+        """By what, and with which precision, where this script has been run before that of the page."""
+        with Page(self.page, before=before) as page:
+            page.wait(f"{STATE}.checked")
+            return page.evaluate(f"[{STATE}.device, JSON.parse({STATE}.checked).precision]")
+
+    def test_is_webgpu_where_the_browser_has_it(self):
+        self.assertEqual(self.chosen(), ["WebGPU", "exact"])
+
+    def test_is_webgl_where_webgpu_is_lacking_or_wrong(self):
+        for before in ("delete Navigator.prototype.gpu",
+                       "GPU.prototype.requestAdapter = async () => null",
+                       "GPUDevice.prototype.createRenderPipelineAsync = async () => { throw new Error('no') }",
+                       "GPUQueue.prototype.writeTexture = () => {}", # Its arithmetic is of other numbers then.
+                       "GPUCanvasContext.prototype.getCurrentTexture = () => { throw new Error('no') }"):
+            with self.subTest(before):
+                self.assertEqual(self.chosen(before), ["WebGL 2", "exact"])
 
 
 def look_at(volume):
@@ -273,16 +317,18 @@ def look_at(volume):
         voxc("export", volume, "--compress", "-o", folder / "small.hvx")
         small = (folder / "small.hvx").stat().st_size
         print(f"{volume.name}: page {page.stat().st_size} bytes, {page.stat().st_size / small:.3f} times the compressed volume")
-        with Page(page) as opened:
-            rays = opened.check_rays(RAYS)
-            exact = exact_hits(volume, rays, folder)
-            for precision in ("exact", "fast"):
-                hits = opened.trace(rays, precision)
-                print(f"  {precision}: of {RAYS} rays {differences(hits, exact)} differ from the exact hit, {other_voxels(hits, exact)} in the voxel")
-            size, samples = (1280, 720), 1
-            exposure = render(volume, folder / "render.png", size, samples, made["camera"])
-            mean, far = opened.difference(folder / "render.png", size, samples, exposure)
-            print(f"  picture: {mean:.3f} of 255 from that of voxc render, {100 * far:.3f} % of the pixels off by more than 8")
+        size, samples = (1280, 720), 1
+        exposure = render(volume, folder / "render.png", size, samples, made["camera"])
+        for device in ("webgpu", "webgl"):
+            with Page(page, device=device) as opened:
+                print(f"  {opened.evaluate(STATE + '.device')}:")
+                rays = opened.check_rays(RAYS)
+                exact = exact_hits(volume, rays, folder)
+                for precision in ("exact", "fast"):
+                    hits = opened.trace(rays, precision)
+                    print(f"    {precision}: of {RAYS} rays {differences(hits, exact)} differ from the exact hit, {other_voxels(hits, exact)} in the voxel")
+                mean, far = opened.difference(folder / "render.png", size, samples, exposure)
+                print(f"    picture: {mean:.3f} of 255 from that of voxc render, {100 * far:.3f} % of the pixels off by more than 8")
         for width, height in ((1280, 800), (390, 844)):
             with Page(page, width, height) as opened:
                 opened.wait(f"{STATE}.checked")

@@ -39,15 +39,16 @@ def hard_rays(extent):
 
 
 class Page(Browser):
-    """The page of a volume."""
+    """The page of a volume. `device`: "webgpu" or "webgl", by which it has to draw; else it chooses. `before` is run before its script."""
 
-    def __init__(self, path, width=320, height=240):
+    def __init__(self, path, width=320, height=240, device="", before=""):
         super().__init__(width, height, draws=True)
-        self.path = path
+        self.path, self.device, self.before = path, device, before
 
     def __enter__(self):
         super().__enter__()
-        self.open(self.path)
+        self.call("Page.addScriptToEvaluateOnNewDocument", source=self.before)
+        self.open(f"{self.path}#{self.device}" if self.device else self.path)
         self.wait(f"{STATE}.ready")
         return self
 

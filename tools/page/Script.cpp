@@ -19,9 +19,9 @@ constexpr const char *kScripts[] = {
     "script/passes",   "script/webgl",    "script/webgpu",  "script/arithmetic", "script/camera",
     "script/controls", "script/resident", "script/picture", "script/rays",       "script/main"};
 constexpr const char *kStreamedScripts[] = {
-    "pages/xxh3",        "pages/zstd",    "pages/reader",    "pages/start", "script/passes", "script/webgl",
-    "script/arithmetic", "script/camera", "script/controls", "pages/pool",  "pages/volume",  "pages/waiting",
-    "pages/telling",     "script/picture", "script/rays",    "script/main"};
+    "pages/xxh3",        "pages/zstd",     "pages/reader",    "pages/start", "script/passes", "script/webgl",
+    "script/arithmetic", "script/camera",  "script/controls", "pages/pool",  "pages/volume",  "pages/waiting",
+    "pages/telling",     "script/picture", "script/rays",     "script/main"};
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
 
@@ -88,7 +88,7 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
 
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents) {
   const bool isStreamed = contents.streamed.has_value();
-  const Expected<Json> shaders = makeShaders(volume, isStreamed, !contents.clip.cutsNothing());
+  const Expected<Json> shaders = makeShaders(volume.format(), isStreamed, !contents.clip.cutsNothing());
   if (!shaders)
     return shaders.error();
   std::string script =

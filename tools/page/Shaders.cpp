@@ -8,6 +8,7 @@
 #include "voxc/Plan/Plan.h"
 #include "voxc/Support/EmbeddedFile.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -86,6 +87,33 @@ Expected<std::string> functionsOf(const Format &format, const PlanOptions &optio
   return merged(*exact, *fast);
 }
 
+/// Deflate finds what two texts have in common where it is not far apart: so many pieces of each in turn.
+constexpr std::size_t kPieces = 16;
+
+/// The i-th piece of a text, of whole lines.
+std::string_view pieceOf(std::string_view text, std::size_t i) {
+  const auto begin = [&](std::size_t piece) {
+    const std::size_t end = text.find('\n', text.size() * piece / kPieces);
+    return piece == 0 ? 0 : end == std::string_view::npos ? text.size() : end + 1;
+  };
+  return text.substr(begin(i), begin(i + 1) - begin(i));
+}
+
+/// The functions in pieces, each by the names of its languages.
+Expected<Json> piecesOf(const Format &format, const PlanOptions &options, bool isStreamed) {
+  Json pieces(kPieces, Json::object());
+  for (const HeaderLanguage language : {HeaderLanguage::GlslEs, HeaderLanguage::Wgsl}) {
+    if (language == HeaderLanguage::Wgsl && isStreamed)
+      break;
+    const Expected<std::string> functions = functionsOf(format, options, language);
+    if (!functions)
+      return functions.error();
+    for (std::size_t i = 0; i < kPieces; ++i)
+      pieces[i][std::string(toString(language))] = pieceOf(*functions, i);
+  }
+  return pieces;
+}
+
 /// The text of a pass in GLSL, without what ties it to a target.
 std::string textOf(const Pass &pass, bool isStreamed, bool isCut) {
   std::string text;
@@ -138,7 +166,7 @@ Expected<Json> wgslShaders(std::span<const Pass> passes, bool isCut) {
 
 std::string tersely(std::string_view path) { return terse(fileText(path)); }
 
-Expected<Json> makeShaders(const Volume &volume, bool isStreamed, bool isCut) {
+Expected<Json> makeShaders(const Format &format, bool isStreamed, bool isCut) {
   PlanOptions options = isCut ? kHeaderPlan : kFirstHitPlan;
   options.addressing = isStreamed ? Addressing::Paged : Addressing::Buffer;
   const std::span<const Pass> passes = isStreamed ? std::span<const Pass>(kStreamedPasses) : kPasses;
@@ -149,14 +177,10 @@ Expected<Json> makeShaders(const Volume &volume, bool isStreamed, bool isCut) {
       return wgsl.error();
     shaders["wgsl"] = *wgsl;
   }
-  for (auto &[name, texts] : shaders.items())
-    if (name != "given") {
-      const HeaderLanguage language = name == "essl" ? HeaderLanguage::GlslEs : HeaderLanguage::Wgsl;
-      const Expected<std::string> functions = functionsOf(volume.format(), options, language);
-      if (!functions)
-        return functions.error();
-      texts["functions"] = *functions;
-    }
+  const Expected<Json> functions = piecesOf(format, options, isStreamed);
+  if (!functions)
+    return functions.error();
+  shaders["functions"] = *functions;
   return shaders;
 }
 

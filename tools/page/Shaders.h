@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/Json.h"
+#include "voxc/IR/Format.h"
 #include "voxc/Support/Error.h"
-#include "voxc/Volume/Volume.h"
 
 #include <string>
 #include <string_view>
@@ -16,6 +16,6 @@ std::string tersely(std::string_view path);
 
 /// Texts by their names, for page-runtime/script/webgl.js and webgpu.js: those of WebGL 2 in "essl", and of a
 /// page that holds its words those of WebGPU in "wgsl". `isCut`: the scene has planes. Error: that of a plan.
-Expected<tool::Json> makeShaders(const Volume &volume, bool isStreamed, bool isCut);
+Expected<tool::Json> makeShaders(const Format &format, bool isStreamed, bool isCut);
 
 } // namespace voxc::page
