@@ -81,6 +81,7 @@ const isLate = () => moved || asking;
 // The poster lies over the canvas until its picture is about as fine, or of another place than the maker's.
 const placeOfEye = () => String([camera.yaw, camera.pitch, camera.distance, camera.half, camera.isParallel, ...camera.look]), placeOfPoster = placeOfEye();
 function tellPicture(film, part) {
+  document.documentElement.dataset.part = part; // Of the canvas's pixels along a side.
   if (part < 0.5 && placeOfEye() === placeOfPoster && element("poster")) return;
   element("poster")?.remove();
   if (part < 1) element("status").textContent = `${english(film.width)} × ${english(film.height)} pixels so far`;
