@@ -16,8 +16,9 @@ using Names = std::set<std::string, std::less<>>;
 /// Names of constants, and their values: whole numbers, true, or false.
 using Constants = std::map<std::string, std::string, std::less<>>;
 
-/// Puts what an INLINE function returns in place of each call, and takes it away. It has a return alone, and calls of
-/// it have arguments that do no more than give a value. Functions of one name differ in how many parameters they have.
+/// Puts what an INLINE function returns in place of each call, and takes it away. It has a return alone, and
+/// calls of it have arguments that do no more than give a value. Functions of one name differ in how many
+/// parameters they have.
 void inlineValues(Module &module);
 
 /// Puts values in place of constants, and takes away what these decide: conditions and what they do not lead
