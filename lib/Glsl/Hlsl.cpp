@@ -2,6 +2,7 @@
 #include "Glsl/Hlsl.h"
 
 #include "Glsl/Passes.h"
+#include "Glsl/Spelling.h"
 #include "Glsl/Types.h"
 #include "Glsl/Visit.h"
 
@@ -12,11 +13,6 @@ namespace voxc::glsl {
 namespace {
 
 using Kind = Expression::Kind;
-
-struct Spelling {
-  std::string_view glsl;
-  std::string_view hlsl;
-};
 
 /// Functions of one argument, or more, that have another name.
 constexpr std::array<Spelling, 7> kNames = {{{"floatBitsToUint", "asuint"},
@@ -31,22 +27,9 @@ constexpr std::array<Spelling, 7> kNames = {{{"floatBitsToUint", "asuint"},
 constexpr std::array<Spelling, 3> kBits = {
     {{"bitCount", "countbits"}, {"findMSB", "firstbithigh"}, {"findLSB", "firstbitlow"}}};
 
-constexpr std::array<Spelling, 6> kComparisons = {{{"lessThan", "<"},
-                                                   {"lessThanEqual", "<="},
-                                                   {"greaterThan", ">"},
-                                                   {"greaterThanEqual", ">="},
-                                                   {"equal", "=="},
-                                                   {"notEqual", "!="}}};
-
 constexpr std::array<std::string_view, 12> kReserved = {"point",  "line",   "sample",   "linear",
                                                         "pass",   "half",   "out",      "string",
                                                         "vector", "matrix", "register", "texture"};
-
-template <std::size_t size>
-std::string_view spelled(const std::array<Spelling, size> &spellings, std::string_view name) {
-  const auto found = std::ranges::find(spellings, name, &Spelling::glsl);
-  return found == spellings.end() ? "" : found->hlsl;
-}
 
 /// Whether == or != of two vectors, which HLSL has for each component.
 bool comparesVectors(const Expression &expression) {
@@ -68,9 +51,9 @@ std::string Hlsl::type(const std::string &name) const {
 
 int Hlsl::rank(const Expression &expression) const {
   const bool isCast = expression.kind == Kind::Call && isSplat(expression);
-  const bool isComparison = expression.kind == Kind::Call && !spelled(kComparisons, expression.text).empty();
+  const bool isComparison = expression.kind == Kind::Call && !comparisonOf(expression.text).empty();
   return isCast                        ? kPrefixRank
-         : isComparison                ? rankOfSign(spelled(kComparisons, expression.text))
+         : isComparison                ? rankOfSign(comparisonOf(expression.text))
          : comparesVectors(expression) ? kPostfixRank
                                        : Printer::rank(expression);
 }
@@ -85,7 +68,7 @@ std::string Hlsl::call(const Expression &call) const {
   const std::vector<Expression> &operands = call.operands;
   if (isSplat(call))
     return "(" + type(call.text) + ")" + text(operands[0], kPrefixRank);
-  if (const std::string_view sign = spelled(kComparisons, call.text); !sign.empty())
+  if (const std::string_view sign = comparisonOf(call.text); !sign.empty())
     return text(operands[0], rankOfSign(sign)) + " " + std::string(sign) + " " +
            text(operands[1], rankOfSign(sign) + 1);
   if (const std::string_view name = spelled(kNames, call.text); !name.empty())

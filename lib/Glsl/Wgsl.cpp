@@ -1,6 +1,7 @@
 // What WGSL spells in its own way.
 #include "Glsl/Wgsl.h"
 
+#include "Glsl/Spelling.h"
 #include "Glsl/Types.h"
 #include "Glsl/Visit.h"
 
@@ -12,20 +13,8 @@ namespace {
 
 using Kind = Expression::Kind;
 
-struct Spelling {
-  std::string_view glsl;
-  std::string_view wgsl;
-};
-
 constexpr std::array<Spelling, 5> kComponents = {
     {{"float", "f32"}, {"int", "i32"}, {"uint", "u32"}, {"bool", "bool"}, {"double", "f64"}}};
-
-constexpr std::array<Spelling, 6> kComparisons = {{{"lessThan", "<"},
-                                                   {"lessThanEqual", "<="},
-                                                   {"greaterThan", ">"},
-                                                   {"greaterThanEqual", ">="},
-                                                   {"equal", "=="},
-                                                   {"notEqual", "!="}}};
 
 /// Those that give what is an int in GLSL in the type of their argument.
 constexpr std::array<Spelling, 3> kBits = {
@@ -41,14 +30,8 @@ constexpr std::array<std::string_view, 24> kReserved = {
     "ref",    "common", "target", "where",  "with",  "using",  "shared", "trait",
     "module", "meta",   "public", "static", "super", "active", "as",     "is"};
 
-template <std::size_t size>
-std::string_view spelled(const std::array<Spelling, size> &spellings, std::string_view name) {
-  const auto found = std::ranges::find(spellings, name, &Spelling::glsl);
-  return found == spellings.end() ? "" : found->wgsl;
-}
-
 bool isComparison(const Expression &expression) {
-  return expression.kind == Kind::Call && !spelled(kComparisons, expression.text).empty();
+  return expression.kind == Kind::Call && !comparisonOf(expression.text).empty();
 }
 
 /// uint(bitCount(a)) of a uint, which a count of bits is here without being asked.
@@ -128,7 +111,7 @@ std::string Wgsl::variables(const std::vector<Variable> &variables) const {
 
 int Wgsl::rank(const Expression &expression) const {
   if (isComparison(expression))
-    return rankOfSign(spelled(kComparisons, expression.text));
+    return rankOfSign(comparisonOf(expression.text));
   const bool isCall = expression.kind == Kind::Conditional ||
                       (expression.kind == Kind::Binary && isEquality(expression.text) &&
                        shapeOf(expression.operands[0].type).size > 1);
@@ -166,7 +149,7 @@ std::string Wgsl::call(const Expression &call) const {
     return load_ + "(" + list(operands) + ")";
   if (call.text == "VOXC_INDEX")
     return text(operands[0]);
-  if (const std::string_view sign = spelled(kComparisons, call.text); !sign.empty())
+  if (const std::string_view sign = comparisonOf(call.text); !sign.empty())
     return text(operands[0], kPostfixRank) + " " + std::string(sign) + " " + text(operands[1], kPostfixRank);
   if (const std::string_view name = spelled(kBits, call.text); !name.empty()) {
     const std::string count = std::string(name) + "(" + list(operands) + ")";
