@@ -115,13 +115,21 @@ private:
         this->statement(inner);
   }
 
+  static bool isFloat(std::string_view component) { return component == "float" || component == "double"; }
+
+  /// Floats become doubles by themselves, which only GLSL and C++ have.
+  static bool converts(std::string_view from, std::string_view to) {
+    const Shape a = shapeOf(from), b = shapeOf(to);
+    return from == to || (a.component == "float" && b.component == "double" && a.size == b.size);
+  }
+
   void fail(const Expression &where, const std::string &what) {
     if (problem_.empty())
       problem_ = "'" + print(where) + "' " + what;
   }
 
   void expect(Expression &expression, const std::string &wanted) {
-    if (const std::string &found = type(expression); found != wanted)
+    if (const std::string &found = type(expression); !converts(found, wanted))
       fail(expression, "is of type '" + found + "' where '" + wanted + "' is wanted");
   }
 
@@ -186,7 +194,10 @@ private:
     for (auto at = begin; at != end; ++at)
       if (takes(*at->second, call))
         return at->second->type;
-    const std::string first = call.operands.empty() ? "" : call.operands[0].type;
+    std::string first = call.operands.empty() ? "" : call.operands[0].type;
+    for (const Expression &operand : call.operands)
+      if (shapeOf(first).component == "float" && shapeOf(operand.type).component == "double")
+        first = typeOf("double", shapeOf(first).size);
     if (const std::string builtin = builtinType(call.text, first); begin == end && !builtin.empty())
       return builtin;
     if (const auto external = globals_.find(call.text); external != globals_.end())
@@ -196,8 +207,9 @@ private:
   }
 
   static bool takes(const Declaration &function, const Expression &call) {
-    return std::ranges::equal(function.parameters, call.operands,
-                              [](const Parameter &p, const Expression &e) { return p.type == e.type; });
+    return std::ranges::equal(
+        function.parameters, call.operands,
+        [](const Parameter &p, const Expression &e) { return converts(e.type, p.type); });
   }
 
   std::string ofConstructor(Expression &call, const Declaration &structure) {
@@ -235,13 +247,17 @@ private:
     const std::string &left = expression.operands[0].type, &right = expression.operands[1].type;
     const Shape a = shapeOf(left), b = shapeOf(right);
     const bool isShift = sign == "<<" || sign == ">>";
-    const bool fits = isShift ? b.component == "int" || b.component == "uint" : a.component == b.component;
+    const bool areFloats = isFloat(a.component) && isFloat(b.component);
+    const bool fits =
+        isShift ? b.component == "int" || b.component == "uint" : a.component == b.component || areFloats;
     const bool isOneSided = (a.size == 1) != (b.size == 1);
     if (!fits || (a.size != b.size && !(isOneSided && a.isNumeric() && b.isNumeric())))
       fail(expression, "has '" + left + "' and '" + right + "' on its sides");
     const int rank = rankOfSign(sign);
     const bool isTruth = rank <= rankOfSign("&&") || rank == rankOfSign("==") || rank == rankOfSign("<");
-    return isTruth ? "bool" : b.size > a.size ? right : left;
+    return isTruth                                 ? "bool"
+           : isShift || a.component == b.component ? std::string(b.size > a.size ? right : left)
+                                                   : typeOf("double", std::max(a.size, b.size));
   }
 
   std::string ofAssignment(Expression &expression) {

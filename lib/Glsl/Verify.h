@@ -16,11 +16,12 @@ struct External {
   std::string_view type;
 };
 
-/// Tells the type of each expression, and checks that all names are declared before they are used, that
+/// Finds the type of each expression, and checks that all names are declared before they are used, that
 /// functions take what they are given, and that operators, assignments and results fit. Types are as strict
 /// as in the strictest of the languages that kernels are printed in: none becomes another by itself, but that
-/// a number may stand beside a vector, and that signs do not matter to the number of bits that something is
-/// shifted by. Error: the declaration, and what is wrong in it.
+/// a float may be a double, which only GLSL and C++ have, that a number may stand beside a vector, and that
+/// signs do not matter to the number of bits that something is shifted by. Error: the declaration, and what
+/// is wrong in it.
 Expected<void> verify(Module &module, std::span<const External> externals = {});
 
 } // namespace voxc::glsl
