@@ -135,18 +135,14 @@ void KernelBuilder::addText(std::string_view text, bool isApart) {
     append(std::move(*module), isApart);
 }
 
-Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots,
-                                                  const glsl::Constants &constants) && {
+Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots) && {
   if (problem_)
     return std::move(*problem_);
   const bool inDoubles = plan_.steps == Steps::Float64;
   glsl::renameTypes(module_,
                     {{"real", inDoubles ? "double" : "float"}, {"real3", inDoubles ? "dvec3" : "vec3"}});
   glsl::inlineValues(module_);
-  glsl::Constants all = constantsOf(names_, "");
-  for (const auto &[name, value] : constants)
-    all[name] = value;
-  glsl::fold(module_, all);
+  glsl::fold(module_, constantsOf(names_, ""));
   glsl::dropUnused(module_, roots);
   if (const auto verified = glsl::verify(module_, kExternals); !verified)
     return verified.error();

@@ -36,9 +36,9 @@ public:
   /// Text that emitters make themselves, with an empty line before it if it stands apart.
   void addText(std::string_view text, bool isApart = true);
 
-  /// The module, with the constants of the plan and these put in, and without what nothing from `roots` on
-  /// comes to. Error: what is wrong of a file.
-  Expected<glsl::Module> specialised(const glsl::Names &roots, const glsl::Constants &constants = {}) &&;
+  /// The module, with the constants of the plan put in, and without what nothing from `roots` on comes to.
+  /// Error: what is wrong of a file.
+  Expected<glsl::Module> specialised(const glsl::Names &roots) &&;
 
 private:
   void add(std::string_view path, const TemplateNames &names);

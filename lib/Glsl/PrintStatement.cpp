@@ -5,6 +5,17 @@ namespace voxc::glsl {
 
 using Kind = Statement::Kind;
 
+namespace {
+
+/// Whether an else would belong to what stands before it, and not to this.
+bool takesElse(const Statement &branch) {
+  return !branch.otherwise.empty() && branch.body.size() == 1 &&
+         (branch.body[0].kind == Kind::If || branch.body[0].kind == Kind::While ||
+          branch.body[0].kind == Kind::For);
+}
+
+} // namespace
+
 void Printer::statement(const Statement &statement, int depth) {
   above(statement.notes, depth);
   switch (statement.kind) {
@@ -40,12 +51,13 @@ void Printer::branch(const Statement &statement, int depth) {
   const Statement *at = &statement;
   std::string before;
   while (true) {
-    line(depth, before + "if (" + text(at->expressions[0]) + ")" + (at->isBraced ? " {" : ""));
+    const bool isBraced = at->isBraced || takesElse(*at);
+    line(depth, before + "if (" + text(at->expressions[0]) + ")" + (isBraced ? " {" : ""));
     for (const Statement &inner : at->body)
       this->statement(inner, depth + 1);
-    const std::string closed = at->isBraced ? "} " : "";
+    const std::string closed = isBraced ? "} " : "";
     if (at->otherwise.empty()) {
-      if (at->isBraced)
+      if (isBraced)
         line(depth, "}");
       return;
     }

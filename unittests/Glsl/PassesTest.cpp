@@ -81,6 +81,19 @@ TEST(Fold, TakesAwayWhatChangesNothing) {
             "int f(int a) { return 2 * 3 + a; }\n"); // As it is written.
 }
 
+/// An else stays with its if.
+TEST(Fold, KeepsWhoseElseItIs) {
+  EXPECT_EQ(folded("int f(bool a, bool b) {\n"
+                   "  if (a)\n    if (WIDE) {\n      if (b)\n        return 1;\n    } else\n      return 2;\n"
+                   "  else\n    return 3;\n"
+                   "  return 4;\n"
+                   "}\n"),
+            "int f(bool a, bool b) {\n"
+            "  if (a) {\n    if (b)\n      return 1;\n  } else\n    return 3;\n"
+            "  return 4;\n"
+            "}\n");
+}
+
 /// What is asked for is evaluated as before.
 TEST(Fold, KeepsEffects) {
   EXPECT_EQ(folded("bool next(inout int a) { return a++ > 0; }\nbool f(int a) { return next(a) && DEEP; }\n"),

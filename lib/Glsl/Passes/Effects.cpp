@@ -38,13 +38,11 @@ bool hasEffects(const Declaration &function, const Names &outermost, const Names
 Names functionsWithEffects(const Module &module) {
   const Names outermost = variablesOutermost(module);
   Names names;
-  for (std::size_t before = 1; before != names.size();) {
+  for (std::size_t before = names.size() + 1; before != names.size();) {
     before = names.size();
     for (const Declaration &declaration : module.declarations)
       if (declaration.kind == Declaration::Kind::Function && hasEffects(declaration, outermost, names))
         names.insert(declaration.name);
-    if (before == names.size())
-      break;
   }
   return names;
 }
