@@ -22,7 +22,7 @@ Walk left_walk(uint at) {
 HitWords words_of_left(const Walk walk) {
   ivec3 voxel = -2 - (walk.open >= 0 ? ~walk.cell : walk.cell);
   uint count = COUNT_WORDS ? words_read : walk.lookups;
-  return HitWords(uvec3(voxel), uint(walk.open), AXIS ? uint(walk.axis) : 0u, count);
+  return HitWords(uvec3(voxel), uint(walk.open), ARRIVAL || BOUNDED ? uint(walk.axis) : 0u, count);
 }
 
 // A hit is its voxel, if that is asked. A miss is -1. One that would not have ended is told by a cell far below.

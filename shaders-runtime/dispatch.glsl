@@ -46,7 +46,7 @@ bool trace_ray(uint ray_number, bool goes_on) {
   if (CUT && SETTLES && hit && !loops_are_whole())
     hit = false;
   bool is_left = walk.open != CLOSED;
-  if (RESUMES)
+  if (CUT || PAGED)
     is_left = is_left || (!hit && (BOUNDED ? is_in_reach(walk) : is_in_volume(walk.cell)));
   HitWords words = words_of(walk, hit, arrival);
   if (is_left)
@@ -70,7 +70,7 @@ void main() {
   if (number >= (is_listed ? left_count : ray_count))
     return;
   uint ray_number = is_listed ? left_rays[number] : first_ray + number;
-  if (RESUMES && goes_on && task == CUT_OFF && int(load_hit(6u * ray_number).voxel.x) > -2)
+  if ((CUT || PAGED) && goes_on && task == CUT_OFF && int(load_hit(6u * ray_number).voxel.x) > -2)
     return;
   if (trace_ray(ray_number, goes_on) && !SETTLES && !(PAGED && lacks_page))
     leave(ray_number);

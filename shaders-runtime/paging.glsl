@@ -18,17 +18,15 @@ uint load_from_page(uint page, uint at) {
   return words[((entry & SLOT_BITS) << LOG2_PAGE_WORDS) + at];
 }
 
-%if granules
-// A word of what begins at a granule, of ${granule-words} words.
+// A word of what begins at a granule.
 uint load_word(uint granule, uint offset) {
-  uint log2_page = LOG2_PAGE_WORDS - ${log2-granule}u; // In granules.
-  uint word = ((granule & ((1u << log2_page) - 1u)) << ${log2-granule}) + offset;
+  uint log2_page = LOG2_PAGE_WORDS - uint(LOG2_GRANULE); // In granules.
+  uint word = ((granule & ((1u << log2_page) - 1u)) << LOG2_GRANULE) + offset;
   return load_from_page((granule >> log2_page) + (word >> LOG2_PAGE_WORDS), word & ((1u << LOG2_PAGE_WORDS) - 1u));
 }
 
-uint load_word(uint granule) { return load_word(granule, 0u); }
-%else
-uint load_word(uint offset) {
-  return load_from_page(offset >> LOG2_PAGE_WORDS, offset & ((1u << LOG2_PAGE_WORDS) - 1u));
+uint load_word(uint place) {
+  if (GRANULES)
+    return load_word(place, 0u);
+  return load_from_page(place >> LOG2_PAGE_WORDS, place & ((1u << LOG2_PAGE_WORDS) - 1u));
 }
-%end

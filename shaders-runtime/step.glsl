@@ -17,7 +17,7 @@ void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, co
   }
   // A ray of whole numbers has to be settled at nearly each step: after a few, doubles tell these as they come. A loop, as devices of
   // wide vectors run through both ways of a branch, but not through a loop that no lane enters.
-  if (SETTLES_IN_WALKS && SETTLES) {
+  if (EXACT && IEEE && !REFINES && SETTLES) {
     walk.cell = sure ? cell : walk.cell;
     for (bool is_asked = !sure && settlings > FEW_SETTLINGS; is_asked; is_asked = false)
       sure = step_by_doubles(ray, walk, gap);

@@ -21,18 +21,15 @@ void report(const std::string &file, const std::string &problem) {
 
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
-  TemplateNames names = layerNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1, 1);
+  TemplateNames names = stratumNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1);
   for (const char *hole :
-       {"LEVELS", "PARTS", "FLAT_BEGIN", "FLAT_LEVELS", "FLAT_STEP", "FLAT_CLIMB", "LAYERS_DOWN", "symbol",
-        "PREFIX", "count-words", "prefix", "prefix-", "glsl-in-cpp", "what-colour-is"})
+       {"LEVELS", "PARTS", "symbol", "PREFIX", "count-words", "prefix", "prefix-", "what-colour-is"})
     names.holes[hole] = "";
   for (const SlotKind *kind : slotKinds()) {
     Stratum stratum;
     stratum.encoding = defaultEncoding(*kind);
-    for (const RuntimeName &own : kind->names(stratum)) {
-      names.holes[std::string(own.name)] = "";
-      names.conditions[std::string(own.name)] = false;
-    }
+    for (const SlotConstant &own : kind->constants(stratum))
+      addName(names, own.name, std::visit([](auto value) { return ConstantValue(value); }, own.value));
   }
   return names;
 }
@@ -62,7 +59,6 @@ template <typename Enum> void demandEach(const std::string &folder) {
 
 int main() {
   using namespace voxc;
-  check("shaders-runtime", shaderFiles());
   check("construct-runtime", constructFiles());
   check("cpu-runtime", cpuFiles());
   demandEach<Descent>("walk");

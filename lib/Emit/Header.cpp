@@ -39,34 +39,39 @@ std::string upperCase(std::string_view text) {
   return result;
 }
 
-void addHeaderNames(TemplateNames &names, const Plan &plan, std::string_view name) {
+FormatWords headerWords(const Plan &plan, std::string_view name) {
   const std::string prefix = headerPrefix(name);
-  names.holes["prefix"] = prefix;
-  names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
-  names.holes["PREFIX"] = upperCase(prefix);
-  names.holes["glsl-in-cpp"] = glslInCpp();
-  names.holes["what-colour-is"] =
-      plan.layout.hasLabels() ? "a label" : "R in the lowest byte, then G, B and A";
+  FormatWords words = formatWords(plan.layout);
+  words["voxc_format_"] = prefix;
+  words["voxc_format"] = prefix.substr(0, prefix.size() - 1);
+  words["VOXC_FORMAT_"] = upperCase(prefix);
+  words["GLSL_IN_CPP"] = glslInCpp();
+  return words;
 }
 
 TemplateNames headerNames(const Plan &plan, std::string_view name) {
   TemplateNames names = planNames(plan);
-  addHeaderNames(names, plan, name);
+  const std::string prefix = headerPrefix(name);
+  names.holes["prefix"] = prefix;
+  names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
+  names.holes["PREFIX"] = upperCase(prefix);
+  names.holes["what-colour-is"] =
+      plan.layout.hasLabels() ? "a label" : "R in the lowest byte, then G, B and A";
   return names;
 }
 
 /// Of plans with bounds.
 constexpr std::string_view kQueries[] = {"bounds", "header/hit", "header/queries"};
 /// Of plans without.
-constexpr std::string_view kFirst[] = {"header/hit", "webgl/first"};
+constexpr std::string_view kFirst[] = {"header/hit", "header/first"};
 
 /// What is called from outside.
-const glsl::Names kRoots = {"VOLUME_SIZE", "load_word", "lacks_page"};
+const glsl::Names kRoots = {"VOLUME_SIZE", "load_word"};
 constexpr std::string_view kCalled[] = {"Hit", "closest", "next", "any", "first", "normal", "outside"};
 
 /// All functions, after those that a language lacks, by names that are a format's own.
-Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind &language) {
-  const std::string prefix = builder.names().holes.at("prefix");
+Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind &language,
+                                const std::string &prefix) {
   addVolumeSize(builder);
   for (const std::string_view file : language.lacking)
     builder.add(file);
@@ -77,6 +82,8 @@ Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind 
        builder.plan().bounded ? std::span<const std::string_view>(kQueries) : kFirst)
     builder.add(file);
   glsl::Names roots = kRoots;
+  if (builder.plan().addressing == Addressing::Paged)
+    roots.insert("lacks_page");
   for (const std::string_view name : kCalled)
     roots.insert(prefix + std::string(name));
   auto module = std::move(builder).specialised(roots);
@@ -117,15 +124,17 @@ std::string headerFile(std::string_view name, HeaderLanguage language) {
 
 std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage language) {
   const HeaderLanguageKind &kind = kindOf(language);
-  KernelBuilder builder(plan);
-  addHeaderNames(builder.names(), plan, name);
-  builder.names().conditions["keeps-sums"] = kind.keepsSums;
-  const TemplateNames names = builder.names();
-  const auto module = moduleOf(std::move(builder), kind);
+  const FormatWords words = headerWords(plan, name);
+  KernelBuilder builder(plan, words);
+  builder.define("KEEPS_SUMS", kind.keepsSums ? "true" : "false");
+  const auto module = moduleOf(std::move(builder), kind, headerPrefix(name));
   if (!module)
     return "#error " + module.error().message + "\n";
-  return glsl::wrapped(fillFile(shaderFiles(), kind.begin, names)) + "\n" +
-         kind.printer(headerPrefix(name))->print(*module) + fillFile(shaderFiles(), kind.end, names);
+  std::string text;
+  for (const std::string &file : kind.filesBefore(plan))
+    text += replaceWords(runtimeFile(shaderFiles(), file), words);
+  return glsl::wrapped(text) + "\n" + kind.printer(headerPrefix(name))->print(*module) +
+         replaceWords(runtimeFile(shaderFiles(), kind.end), words);
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {
@@ -139,7 +148,8 @@ std::string emitCDefinitions(const Plan &plan, std::string_view name) {
 std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "builtins/carries.glsl"); }
 
 std::string emitRayShader(const Plan &plan, std::string_view name, RayStage stage) {
-  return fillFile(shaderFiles(), "header/" + std::string(toString(stage)) + ".glsl", headerNames(plan, name));
+  return replaceWords(runtimeFile(shaderFiles(), "header/" + std::string(toString(stage)) + ".glsl"),
+                      headerWords(plan, name));
 }
 
 } // namespace voxc

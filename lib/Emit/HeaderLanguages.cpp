@@ -45,8 +45,8 @@ constexpr std::string_view kMacro = "VOXC_VOLUME", kPointer = "const unsigned in
 
 constexpr std::array<HeaderLanguageKind, 7> kLanguages = {{
     {.extension = ".h",
-     .begin = "header/begin.glsl",
-     .end = "header/end.glsl",
+     .begin = "header/languages/shared.begin",
+     .end = "header/languages/shared.end",
      .volume = kMacro,
      .printer = make<SharedLanguage>},
     {.extension = ".glsl",
@@ -55,12 +55,13 @@ constexpr std::array<HeaderLanguageKind, 7> kLanguages = {{
      .volume = kMacro,
      .printer = make<Glsl>},
     {.extension = ".essl",
-     .begin = "webgl/begin.glsl",
-     .end = "webgl/end.glsl",
+     .begin = "header/languages/essl",
+     .end = "header/languages/essl.end",
      .volume = kMacro,
      .printer = make<GlslEs>,
      .lacking = kLackingInGlslEs,
-     .keepsSums = false},
+     .keepsSums = false,
+     .hasForms = true},
     {.extension = ".hpp",
      .begin = "header/languages/cpp.begin",
      .end = "header/languages/cpp.end",
@@ -90,6 +91,14 @@ constexpr std::array<HeaderLanguageKind, 7> kLanguages = {{
 }};
 
 } // namespace
+
+std::vector<std::string> HeaderLanguageKind::filesBefore(const Plan &plan) const {
+  const std::string path(begin);
+  if (!hasForms)
+    return {path};
+  return {path + (plan.bounded ? "/bounded.begin" : "/first.begin"),
+          path + (plan.addressing == Addressing::Paged ? "/paged.begin" : "/loaded.begin"), path + "/all.begin"};
+}
 
 const HeaderLanguageKind &kindOf(HeaderLanguage language) {
   return kLanguages[static_cast<std::size_t>(language)];

@@ -9,12 +9,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voxc {
 
 struct HeaderLanguageKind {
   std::string_view extension; ///< Of its file.
-  /// The runtime files before the functions and behind them.
+  /// The runtime files before the functions and behind them. With forms the first is a folder: of files for
+  /// functions with bounds or without, for volumes of which all words are here or some, and for all.
   std::string_view begin;
   std::string_view end;
   /// The type of a volume, which all functions that load words hand on.
@@ -27,6 +29,10 @@ struct HeaderLanguageKind {
   std::span<const std::string_view> lacking = {};
   /// It has a way to keep sums from being put in another order, so that rays from far away come near.
   bool keepsSums = true;
+  bool hasForms = false;
+
+  /// The files before the functions of a plan.
+  std::vector<std::string> filesBefore(const Plan &plan) const;
 };
 
 const HeaderLanguageKind &kindOf(HeaderLanguage language);

@@ -12,9 +12,9 @@ namespace voxc {
 namespace {
 
 std::string preamble(const Plan &plan) {
-  std::string text = "#version 460\n// intersect.glsl: " + planNames(plan).holes["answers"] +
+  std::string text = "#version 460\n// intersect.glsl: " + std::string(answers(plan.query)) +
                      " volumes of the format " + plan.layout.format + ".\n// The digest of its storage is " +
-                     planNames(plan).holes["DIGEST"] + ", and that of a volume must be the same.\n";
+                     hexadecimal(plan.layout.storageDigest) + ", and that of a volume must be the same.\n";
   if (plan.addressing == Addressing::Segments)
     text += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
             "require\n";

@@ -107,11 +107,10 @@ Expected<glsl::Module> members(KernelBuilder builder) {
 } // namespace
 
 std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords) {
-  KernelBuilder builder(plan);
-  builder.names().holes["symbol"] = symbol;
-  builder.names().holes["count-words"] = countWords ? "true" : "false";
-  const TemplateNames names = builder.names();
-  const auto module = members(std::move(builder));
+  TemplateNames names = planNames(plan);
+  names.holes["symbol"] = symbol;
+  names.holes["count-words"] = countWords ? "true" : "false";
+  const auto module = members(KernelBuilder(plan));
   if (!module)
     return "#error " + module.error().message + "\n";
   std::string text =

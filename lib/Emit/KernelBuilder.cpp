@@ -1,12 +1,16 @@
 // Reading of leaves, and what makes those of a level out of them.
 #include "KernelBuilder.h"
 
+#include "Emit/KernelConstants.h"
+#include "Emit/Template.h"
+
 #include "Glsl/Parse.h"
 #include "Glsl/Verify.h"
 #include "Glsl/Visit.h"
 
 #include "voxc/Emit/Emit.h"
 
+#include <array>
 #include <cctype>
 #include <iterator>
 
@@ -39,39 +43,34 @@ constexpr glsl::External kExternals[] = {{"gl_GlobalInvocationID", "uvec3"},
                                          {"COUNT_LOOKUPS", "bool"},
                                          {"load_word", "uint"}};
 
-/// "values-apart" as VALUES_APART, which leaves have in place of a condition.
-std::string constantOf(std::string_view prefix, std::string_view condition) {
-  std::string name(prefix);
-  for (const char c : condition)
-    name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
-
-glsl::Constants constantsOf(const TemplateNames &names, std::string_view prefix) {
-  glsl::Constants constants;
-  for (const auto &[condition, holds] : names.conditions)
-    constants[constantOf(prefix, condition)] = holds ? "true" : "false";
-  return constants;
-}
-
-/// What names of a level are in a kernel.
+/// What names of a level, and of a layer, are in a kernel.
 class LevelNames {
 public:
-  LevelNames(const Plan &plan, std::size_t index)
+  LevelNames(const Plan &plan, std::size_t index, int layer)
       : number_(std::to_string(index + 1)),
-        next_(plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2)) {}
+        next_(plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2)),
+        layers_{{{"_layer", layer}, {"_lower", layer - 1}, {"_highest", plan.layout.strata[index].depth}}} {}
 
   void rename(glsl::Declaration &declaration) const {
-    rename(declaration.name);
+    forEachName(declaration, [&](std::string &name) { rename(name); });
+  }
+
+  template <typename Visit> static void forEachName(glsl::Declaration &declaration, const Visit &visit) {
+    visit(declaration.name);
     for (glsl::Variable &variable : declaration.variables)
-      rename(variable.name);
+      visit(variable.name);
     glsl::forEachExpression(declaration, [&](glsl::Expression &expression) {
       if (expression.kind == glsl::Expression::Kind::Name || expression.kind == glsl::Expression::Kind::Call)
-        rename(expression.text);
+        visit(expression.text);
     });
   }
 
 private:
+  struct Layer {
+    std::string_view suffix;
+    int number;
+  };
+
   void rename(std::string &name) const {
     const auto isDigit = [&](std::size_t at) {
       return at < name.size() && std::isdigit(static_cast<unsigned char>(name[at]));
@@ -82,22 +81,39 @@ private:
       name.insert(6, number_ + "_");
     else if (level != std::string::npos && (behind == name.size() || name[behind] == '_') &&
              !isDigit(behind + 1))
-      name.insert(behind, "_" + number_);
+      renameOfLevel(name, behind);
     else if (name.ends_with("_next"))
       name.replace(name.size() - 4, 4, next_);
   }
 
+  void renameOfLevel(std::string &name, std::size_t behind) const {
+    name.insert(behind, "_" + number_);
+    for (const Layer &layer : layers_)
+      if (name.ends_with(layer.suffix))
+        name.replace(name.size() - layer.suffix.size(), layer.suffix.size(),
+                     "_layer_" + std::to_string(layer.number));
+  }
+
   std::string number_;
   std::string next_;
+  std::array<Layer, 3> layers_;
 };
 
 } // namespace
 
-std::optional<glsl::Module> KernelBuilder::read(std::string_view name, std::string_view text) {
+KernelBuilder::KernelBuilder(const Plan &plan, FormatWords words)
+    : plan_(plan), words_(std::move(words)), constants_(constantsOf(plan)) {}
+
+glsl::Module KernelBuilder::parsed(std::string_view name, std::string_view text) {
   auto module = glsl::parse(text);
   if (!module && !problem_)
     problem_ = Error::input(std::string(name) + ", " + module.error().message);
-  return module ? std::optional(std::move(*module)) : std::nullopt;
+  return module ? std::move(*module) : glsl::Module();
+}
+
+glsl::Module KernelBuilder::read(std::string_view path) {
+  const std::string file = std::string(path) + ".glsl";
+  return parsed(file, replaceWords(runtimeFile(shaderFiles(), file), words_));
 }
 
 void KernelBuilder::append(glsl::Module module, bool isApart) {
@@ -109,31 +125,33 @@ void KernelBuilder::append(glsl::Module module, bool isApart) {
   std::ranges::move(module.declarations, std::back_inserter(module_.declarations));
 }
 
-void KernelBuilder::add(std::string_view path, const TemplateNames &names) {
-  const std::string file = std::string(path) + ".glsl";
-  if (auto module = read(file, fillFile(shaderFiles(), file, names)))
-    append(std::move(*module));
+void KernelBuilder::add(std::string_view path) {
+  glsl::Module module = read(path);
+  const std::string lowest = "_level_" + std::to_string(plan_.layout.strata.size());
+  constexpr std::string_view kLowest = "_lowest";
+  for (glsl::Declaration &declaration : module.declarations)
+    LevelNames::forEachName(declaration, [&](std::string &name) {
+      if (name.ends_with(kLowest))
+        name.replace(name.size() - kLowest.size(), kLowest.size(), lowest);
+    });
+  append(std::move(module));
 }
 
-void KernelBuilder::addLevel(std::string_view path, std::size_t index, const TemplateNames &names) {
-  const std::string file = std::string(path) + ".glsl";
-  auto module = read(file, fillFile(shaderFiles(), file, names));
-  if (!module)
-    return;
-  glsl::Constants constants = constantsOf(names, "LEVEL_");
-  if (plan_.layout.strata[index].log2Shape.x == 1) // Else its name is worth more than the number.
-    constants["LEVEL_BRANCH"] = "1";
-  glsl::fold(*module, constants);
-  const LevelNames level(plan_, index);
-  for (glsl::Declaration &declaration : module->declarations)
-    level.rename(declaration);
-  append(std::move(*module));
+void KernelBuilder::addLevel(std::string_view path, std::size_t index) { addLayer(path, index, 0); }
+
+void KernelBuilder::addLayer(std::string_view path, std::size_t index, int layer) {
+  glsl::Module module = read(path);
+  glsl::Constants constants = constantsOf(plan_, index);
+  constants["LEVEL_LAYER"] = std::to_string(layer);
+  glsl::unroll(module, {{"LEVEL_DEPTH", std::to_string(plan_.layout.strata[index].depth)}});
+  glsl::fold(module, constants);
+  const LevelNames names(plan_, index, layer);
+  for (glsl::Declaration &declaration : module.declarations)
+    names.rename(declaration);
+  append(std::move(module));
 }
 
-void KernelBuilder::addText(std::string_view text, bool isApart) {
-  if (auto module = read("text", text))
-    append(std::move(*module), isApart);
-}
+void KernelBuilder::addText(std::string_view text, bool isApart) { append(parsed("text", text), isApart); }
 
 Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots) && {
   if (problem_)
@@ -142,8 +160,11 @@ Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots) && {
   glsl::renameTypes(module_,
                     {{"real", inDoubles ? "double" : "float"}, {"real3", inDoubles ? "dvec3" : "vec3"}});
   glsl::inlineValues(module_);
-  glsl::fold(module_, constantsOf(names_, ""));
+  glsl::unroll(module_, constants_);
+  glsl::fold(module_, constants_);
   glsl::dropUnused(module_, roots);
+  if (plan_.sharesStack())
+    glsl::shareArrays(module_, "path");
   if (const auto verified = glsl::verify(module_, kExternals); !verified)
     return verified.error();
   glsl::fold(module_, {});          // Conversions that types show to be none,

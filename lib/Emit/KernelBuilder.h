@@ -1,7 +1,7 @@
 // The leaves of a kernel: runtime files, read, specialised and put one behind the other.
 #pragma once
 
-#include "Names.h"
+#include "Emit/FormatWords.h"
 
 #include "Glsl/Passes.h"
 #include "Glsl/Tree.h"
@@ -19,20 +19,21 @@ namespace voxc {
 /// Collects what a kernel of a plan is made of, in order of use: a function stands before its callers.
 class KernelBuilder {
 public:
-  explicit KernelBuilder(const Plan &plan) : plan_(plan), names_(planNames(plan)) {}
+  explicit KernelBuilder(const Plan &plan, FormatWords words = {});
 
   const Plan &plan() const { return plan_; }
-  /// What files speak of, to which emitters add.
-  TemplateNames &names() { return names_; }
+  /// Further constants of leaves, for those of all levels.
+  void define(std::string_view name, std::string value) { constants_[std::string(name)] = std::move(value); }
 
-  /// A file of shaders-runtime, by its path without ".glsl".
-  void add(std::string_view path) { add(path, names_); }
+  /// A file of shaders-runtime, by its path without ".glsl". In it `f_lowest` is f of the level of voxels.
+  void add(std::string_view path);
   /// One that is written for a level, by names of its own. In it `f_level` is the level's f, `f_next` that of
   /// the next one, or of a voxel, and LEVEL_SIZE the level's SIZE.
-  void addLevel(std::string_view path, std::size_t index, const TemplateNames &names);
-  void addLevel(std::string_view path, std::size_t index) {
-    addLevel(path, index, stratumNames(plan_, index));
-  }
+  void addLevel(std::string_view path, std::size_t index);
+  /// One that is written for a layer of a level: 1, whose nodes have cells for children, to its depth. In it
+  /// `f_level_layer` is the layer's f, and `f_level_lower` that of the layer below. In files of levels
+  /// `f_level_highest` is that of the root.
+  void addLayer(std::string_view path, std::size_t index, int layer);
   /// Text that emitters make themselves, with an empty line before it if it stands apart.
   void addText(std::string_view text, bool isApart = true);
 
@@ -41,12 +42,13 @@ public:
   Expected<glsl::Module> specialised(const glsl::Names &roots) &&;
 
 private:
-  void add(std::string_view path, const TemplateNames &names);
+  glsl::Module read(std::string_view path);
+  glsl::Module parsed(std::string_view name, std::string_view text);
   void append(glsl::Module module, bool isApart = true);
-  std::optional<glsl::Module> read(std::string_view name, std::string_view text);
 
   const Plan &plan_;
-  TemplateNames names_;
+  FormatWords words_;
+  glsl::Constants constants_;
   glsl::Module module_;
   std::optional<Error> problem_;
 };

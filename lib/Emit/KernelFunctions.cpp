@@ -89,10 +89,7 @@ private:
       (this->*write)(i);
   }
 
-  bool hasLayers() const {
-    return std::ranges::any_of(plan_.layout.strata,
-                               [](const Stratum &s) { return !s.isGrid() && s.depth > 0; });
-  }
+  bool hasLayers() const { return std::ranges::any_of(plan_.layout.strata, &Stratum::hasLayers); }
 
   /// A file that is written once.
   void file(const std::string &path) { builder_.add(path); }
@@ -103,7 +100,7 @@ private:
   /// A file that is written for each layer of a tree, from the lowest nodes up.
   void layers(std::size_t index, const std::string &path) {
     for (int layer = 1; layer <= plan_.layout.strata[index].depth; ++layer)
-      builder_.addLevel(path, index, layerNames(plan_, index, layer));
+      builder_.addLayer(path, index, layer);
   }
 
   std::string constants(std::size_t index) {
@@ -124,6 +121,8 @@ private:
     const Stratum &stratum = plan_.layout.strata[index];
     builder_.addText(levelComment(plan_, index));
     builder_.addText(constants(index), false);
+    if (!stratum.isGrid())
+      leaf(index, "slots/tree");
     if (kindOf(plan_.traversals[index].descent).ofCells)
       return;
     for (const std::string_view file : stratum.slots->accessor(stratum))
@@ -168,28 +167,23 @@ private:
 
   void rank(std::size_t index) { down(index, "rank"); }
 
-  /// A function that goes straight down through the level, layer by layer, from the files of a folder.
+  /// A function that goes straight down through the level, from the files of a folder.
   void down(std::size_t index, const std::string &folder) {
     const Stratum &stratum = plan_.layout.strata[index];
-    const bool isTree = !stratum.isGrid() && stratum.depth > 0;
-    TemplateNames names = stratumNames(plan_, index);
-    for (int layer = stratum.depth; isTree && layer > 0; --layer)
-      names.holes["LAYERS_DOWN"] +=
-          fillFile(shaderFiles(), folder + "/layer.glsl", layerNames(plan_, index, layer));
-    const char *const shape = isTree ? "/tree" : stratum.isGrid() ? "/grid" : "/single";
-    builder_.addLevel(folder + shape, index, names);
+    leaf(index, folder + (stratum.hasLayers() ? "/tree" : stratum.isGrid() ? "/grid" : "/single"));
   }
 
-  /// One loop, with what each level adds to its parts.
+  /// One loop, and what each level adds to its parts.
   void flatWalk() {
-    TemplateNames &names = builder_.names();
-    const std::pair<const char *, const char *> parts[] = {
-        {"FLAT_BEGIN", "begin"}, {"FLAT_LEVELS", "level"}, {"FLAT_STEP", "step"}, {"FLAT_CLIMB", "climb"}};
-    for (const auto &[hole, file] : parts)
-      for (std::size_t i = 0; i < plan_.layout.strata.size(); ++i)
-        names.holes[hole] +=
-            fillFile(shaderFiles(), "walk/flat/" + std::string(file) + ".glsl", stratumNames(plan_, i));
+    file("walk/flat/path");
+    levels(&FunctionEmitter::flatLevel);
     file("walk/flat");
+  }
+
+  void flatLevel(std::size_t index) {
+    down(index, "walk/flat");
+    leaf(index, "walk/flat/march");
+    leaf(index, "walk/flat/climb");
   }
 
   KernelBuilder &builder_;
@@ -202,8 +196,9 @@ private:
 void addKernelFunctions(KernelBuilder &builder) { FunctionEmitter(builder).emit(); }
 
 void addVolumeSize(KernelBuilder &builder) {
+  const Int3 log2 = builder.plan().layout.log2Extent();
   builder.addText("// Voxels along each axis.\nconst ivec3 VOLUME_SIZE = " +
-                  builder.names().holes["VOLUME_SIZE"] + ";\n");
+                  intVector({1 << log2.x, 1 << log2.y, 1 << log2.z}) + ";\n");
 }
 
 } // namespace voxc

@@ -2,12 +2,15 @@
 // names of a kind are always there, so that a template which is right for one plan is right for all.
 #pragma once
 
+#include "KernelConstants.h"
 #include "Template.h"
 
 #include "voxc/Plan/Plan.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace voxc {
 
@@ -17,11 +20,18 @@ TemplateNames planNames(const Plan &plan);
 /// Those, and of the stratum at an index.
 TemplateNames stratumNames(const Plan &plan, std::size_t index);
 
-/// Those, and of a layer of a tree, from 1, whose nodes have cells for children, to its depth.
-TemplateNames layerNames(const Plan &plan, std::size_t index, int layer);
+/// Adds a constant of kernels: GRANULES is a condition, `granules`; HEAD_WORDS a hole, `head-words`.
+void addName(TemplateNames &names, std::string_view constant, const ConstantValue &value);
 
-/// The layers of nodes that a flat walk keeps for a stratum: one for a single cell, which has none.
-int flatLayers(const Stratum &stratum);
+/// The layers of nodes in the strata before one, as the path of a flat traversal has them: one of a grid and
+/// of a single cell.
+int firstLayer(const Layout &layout, std::size_t index);
+
+/// The words of a node or a grid before those of its slots.
+std::uint32_t headWords(const Stratum &stratum);
+
+/// "first hits of rays with": what a kernel says of volumes of its format.
+std::string_view answers(Query query);
 
 /// "// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side." and an empty line before it.
 std::string levelComment(const Plan &plan, std::size_t index);

@@ -1,4 +1,4 @@
-// Text that is GLSL and C++ at once, by macros that shaders-runtime/header/begin.glsl defines for either.
+// Text that is GLSL and C++ at once, by macros that shaders-runtime/header/languages/shared.begin defines for either.
 #pragma once
 
 #include "Glsl/Printer.h"

@@ -16,6 +16,11 @@ Statement Parser::statement() {
     return branch(std::move(statement));
   if (takeIf("while"))
     return loop(std::move(statement));
+  if (isNext("[")) {
+    for (const char *const part : {"[", "[", "unroll", "]", "]"})
+      expect(part);
+    statement.qualifiers = "unroll";
+  }
   if (takeIf("for"))
     return count(std::move(statement));
   Notes notes = std::move(statement.notes);

@@ -26,13 +26,27 @@ void inlineValues(Module &module);
 void fold(Module &module, const Constants &constants);
 
 /// Takes away functions, structs, constants and variables that nothing from `roots` on names; parameters,
-/// members and variables of functions that nothing reads; and what is written to them. Roots keep their
+/// members and variables of functions that nothing reads; what is written to them; and calls that do nothing.
+/// Overloads are told apart by how many parameters they have. Roots keep their
 /// parameters and members; ".cell" is a member that is read elsewhere.
 void dropUnused(Module &module, const Names &roots);
 
 /// Puts a prefix before the names of all functions, structs, constants and variables that stand outermost,
 /// but those that have it. Members, parameters and variables of functions keep theirs.
 void addPrefix(Module &module, std::string_view prefix);
+
+/// The same in an expression of its own.
+void fold(Expression &expression, const Constants &constants);
+
+/// Puts the turns of each loop that is marked [[unroll]] one after the other, with numbers in place of what
+/// it counts by. Such a loop is a `for` that counts an integer by one, between bounds that are numbers and
+/// these constants, or sums of them; it has no break, no continue and no declarations but in inner blocks.
+void unroll(Module &module, const Constants &constants);
+
+/// Moves arrays of this name that functions declare to where the invocations of a workgroup have one each:
+/// `uint path[N]` of f_x becomes shared uint path_x[N][gl_WorkGroupSize.x], of which each takes its column; x
+/// is what stands behind the first "_" of the function's name.
+void shareArrays(Module &module, std::string_view array);
 
 /// Gives the function of this name, and all that cannot do without it, one more parameter, the first, which
 /// they hand on.

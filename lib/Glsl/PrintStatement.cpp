@@ -31,7 +31,9 @@ void Printer::statement(const Statement &statement, int depth) {
     const std::string begin = statement.begin.empty() ? "" : simple(statement.begin[0]);
     const std::string condition = statement.expressions.empty() ? "" : " " + text(statement.expressions[0]);
     const std::string step = statement.step.empty() ? "" : " " + text(statement.step[0]);
-    line(depth, "for (" + begin + ";" + condition + ";" + step + ")" + (statement.isBraced ? " {" : ""));
+    const std::string mark = statement.qualifiers == "unroll" ? "[[unroll]] " : "";
+    line(depth,
+         mark + "for (" + begin + ";" + condition + ";" + step + ")" + (statement.isBraced ? " {" : ""));
     return body(statement.body, statement.isBraced, depth);
   }
   default:

@@ -56,7 +56,7 @@ struct Statement {
 
   Kind kind = Kind::Block;
   Notes notes = {};
-  std::string qualifiers = {};          ///< Of a declaration: "const", "precise", or "".
+  std::string qualifiers = {};          ///< Of a declaration: "const", "precise", or "". Of a loop: "unroll".
   std::vector<Variable> variables = {}; ///< Of a declaration.
   /// The expression; the condition of if and while; what is returned, if anything. Of a loop with for: the
   /// condition and the step, each as a vector of one or none would be, so that both may be absent.

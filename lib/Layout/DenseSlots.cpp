@@ -174,12 +174,17 @@ std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return
 
 constexpr std::array<std::string_view, 1> kFiles = {"dense"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+constexpr std::array<std::string_view, 2> kCells = {"dense", "cell"};
+constexpr std::array<std::string_view, 2> kDistances = {"dense", "distances"};
+std::span<const std::string_view> accessor(const Stratum &stratum) {
+  return stratum.distances() ? kDistances : kCells;
+}
 
 } // namespace
 
 extern const SlotKind kDenseSlots = {.name = "dense",
                                      .summary = "a slot for each child",
-                                     .accessor = files,
+                                     .accessor = accessor,
                                      .construction = files,
                                      .encodings = encodingBits<std::monostate, Distances>,
                                      .keepsEmpty = true,

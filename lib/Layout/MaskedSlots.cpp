@@ -39,8 +39,8 @@ double wordsRead(const Stratum &stratum, int, bool isEmpty) {
   return isEmpty || stratum.implied ? 1 : countsMaskWords(stratum) ? 3 : 2;
 }
 
-constexpr std::array<std::string_view, 5> kAccessor = {"masked/head", "masked/rank", "masked/there",
-                                                       "masked/slots", "masked/cell"};
+constexpr std::array<std::string_view, 6> kAccessor = {"masked/head",  "masked/rank", "masked/there",
+                                                       "masked/slots", "masked/cell", "cell"};
 constexpr std::array<std::string_view, 3> kConstruction = {"masked/pack", "masked/write", "masked/construct"};
 std::span<const std::string_view> accessor(const Stratum &) { return kAccessor; }
 std::span<const std::string_view> construction(const Stratum &) { return kConstruction; }

@@ -168,8 +168,8 @@ double wordsRead(const Stratum &stratum, int, bool isEmpty) {
 /// A number is a field in two words, and leads on from where the array begins.
 double wordsReadOfBrick(const Stratum &, int, bool isEmpty) { return isEmpty ? 2 : 5; }
 
-constexpr std::array<std::string_view, 6> kAccessor = {"numbered/head",  "masked/rank",   "masked/there",
-                                                       "numbered/slots", "numbered/rank", "masked/cell"};
+constexpr std::array<std::string_view, 7> kAccessor = {
+    "numbered/head", "masked/rank", "masked/there", "numbered/slots", "numbered/rank", "masked/cell", "cell"};
 constexpr std::array<std::string_view, 6> kBrickAccessor = {"numbered/head",  "masked/rank",   "masked/there",
                                                             "numbered/slots", "numbered/rank", "brick/cell"};
 constexpr std::array<std::string_view, 7> kOctantAccessor = {
@@ -185,14 +185,13 @@ std::span<const std::string_view> accessorOfBrick(const Stratum &stratum) {
 }
 std::span<const std::string_view> construction(const Stratum &) { return kConstruction; }
 
-std::vector<RuntimeName> names(const Stratum &stratum) {
+std::vector<SlotConstant> constants(const Stratum &stratum) {
   const Numbers &numbers = *stratum.numbers();
   const ArrayForm *const array = numbers.leadsTo ? numbers.leadsTo->array : nullptr;
-  return {{"pointer-bits", std::to_string(numbers.bits)},
-          {"array-head", std::to_string(numbers.arrayHead)},
-          {"octant-counts", countsOctants(stratum)},
-          {"what-is-counted", countsOctants(stratum) ? "octant of cells but the first" : "cell"},
-          {"leads-by-number", array && array->byNumber}};
+  return {{"POINTER_BITS", static_cast<std::uint32_t>(numbers.bits)},
+          {"ARRAY_HEAD", static_cast<std::uint32_t>(numbers.arrayHead)},
+          {"OCTANT_COUNTS", countsOctants(stratum)},
+          {"LEADS_BY_NUMBER", array && array->byNumber}};
 }
 
 } // namespace
@@ -201,7 +200,7 @@ extern const SlotKind kNumberedSlots = {.name = "numbered",
                                         .summary = "a mask of the cells, then a number for each not empty",
                                         .accessor = accessor,
                                         .construction = construction,
-                                        .names = names,
+                                        .constants = constants,
                                         .encodings = encodingBits<Numbers>,
                                         .givesCells = true,
                                         .countsOctants = countsOctants,
@@ -224,7 +223,7 @@ extern const SlotKind kNumberedBrickSlots = {.name = "numbered-brick",
                                              .summary = "64 bits for 4 x 4 x 4 cells, then numbers",
                                              .accessor = accessorOfBrick,
                                              .construction = construction,
-                                             .names = names,
+                                             .constants = constants,
                                              .encodings = encodingBits<Numbers>,
                                              .givesCells = true,
                                              .countsOctants = countsOctants,

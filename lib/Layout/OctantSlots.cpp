@@ -89,8 +89,8 @@ void writeArray(std::span<const std::uint32_t> blocks, FunctionRef<void(std::uin
 constexpr ArrayForm kArray = {
     .words = octantArrayWords, .block = block, .write = writeArray, .byNumber = true};
 
-std::vector<RuntimeName> names(const Stratum &stratum) {
-  return {{"array-head", std::to_string(stratum.arrayHead)}};
+std::vector<SlotConstant> constants(const Stratum &stratum) {
+  return {{"ARRAY_HEAD", static_cast<std::uint32_t>(stratum.arrayHead)}};
 }
 
 constexpr std::array<std::string_view, 1> kFiles = {"octants"};
@@ -102,7 +102,7 @@ extern const SlotKind kOctantSlots = {.name = "octants",
                                       .summary = "a byte of octants, then one of cells for each not empty",
                                       .accessor = files,
                                       .construction = files,
-                                      .names = names,
+                                      .constants = constants,
                                       .array = &kArray,
                                       .tellsByMasks = true,
                                       .ranks = true,

@@ -138,16 +138,22 @@ double wordsRead(const Stratum &stratum, int layers, bool isEmpty) {
   return masks * layers + found + leaf;
 }
 
-constexpr std::array<std::string_view, 1> kFiles = {"packed"};
-std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+constexpr std::array<std::string_view, 2> kNode = {"packed/slot", "packed/node"};
+constexpr std::array<std::string_view, 2> kWideNode = {"packed/slot", "packed/wide"};
+std::span<const std::string_view> accessor(const Stratum &stratum) {
+  return MaskShape(stratum).hasTwoSets() ? kWideNode : kNode;
+}
+
+constexpr std::array<std::string_view, 1> kConstruction = {"packed"};
+std::span<const std::string_view> construction(const Stratum &) { return kConstruction; }
 std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()->place); }
 
 } // namespace
 
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
-                                      .accessor = files,
-                                      .construction = files,
+                                      .accessor = accessor,
+                                      .construction = construction,
                                       .root = root,
                                       .encodings = encodingBits<Leaves>,
                                       .sharing = Sharing::SubVolume,

@@ -3,4 +3,3 @@ uint sample_level(uint grid) {
   uint value = any_value_level(grid);
   return value == 0u ? 0u : sample_next(value);
 }
-

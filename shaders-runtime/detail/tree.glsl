@@ -2,8 +2,7 @@
 uint sample_level_node(uint node, bool leaf) {
   while (!leaf)
     node = first_child_level(node, leaf);
-  return leaf ? sample_next(${leaf-node}) : 0u;
+  return leaf ? sample_next(leaf_level(node)) : 0u;
 }
 
 uint sample_level(uint root) { return sample_level_node(root, false); }
-

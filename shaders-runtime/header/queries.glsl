@@ -19,31 +19,21 @@ bool seek(uvec3 origin, uvec3 direction, float tmin, float tmax, out Ray ray, in
 // The first voxel that the ray enters at a t in [tmin, tmax], in exact arithmetic; a NaN is in no interval. The voxel in which
 // the ray begins is entered at t = 0. So with a tmin above 0 a ray that starts in a solid does not see the voxels that it has
 // entered by then, but the next, which it enters through a face that is hidden.
-%if paged
-// If ${prefix}lacks_page after it, the ray has not found its end, and its hit is the cell in which it waits, with no colour.
-%end
-bool ${prefix}closest(vec3 origin, vec3 direction, float tmin, float tmax, out ${prefix}Hit hit) {
+bool voxc_format_closest(vec3 origin, vec3 direction, float tmin, float tmax, out voxc_format_Hit hit) {
   Ray ray;
   Walk walk = walk_at(ivec3(-1));
-%if paged
-  lacks_page = false;
-%end
+  if (PAGED)
+    lacks_page = false; // A ray that waits for a word has the cell in which it waits for its hit, with no colour.
   bool found = seek(floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, walk);
   hit = miss();
-%if paged
-  if (found || (lacks_page && is_in_volume(walk.cell)))
+  if (found || (PAGED && lacks_page && is_in_volume(walk.cell)))
     hit = hit_of(ray, walk);
-  return found && !lacks_page;
-%else
-  if (found)
-    hit = hit_of(ray, walk);
-  return found;
-%end
+  return found && (!PAGED || !lacks_page);
 }
 
 // From a hit of this very ray to the next voxel on it, if that is entered at tmax or before. None is left out or comes twice, also
 // where several are entered at one moment.
-bool ${prefix}next(vec3 origin, vec3 direction, float tmax, inout ${prefix}Hit hit) {
+bool voxc_format_next(vec3 origin, vec3 direction, float tmax, inout voxc_format_Hit hit) {
   Ray ray;
   Walk walk = walk_at(hit.voxel);
   bool found = is_in_volume(hit.voxel) && seek(floatBitsToUint(origin), floatBitsToUint(direction), 0.0f, tmax, ray, walk);
@@ -54,7 +44,7 @@ bool ${prefix}next(vec3 origin, vec3 direction, float tmax, inout ${prefix}Hit h
 }
 
 // Whether there is a voxel that the ray enters at a t in [tmin, tmax].
-bool ${prefix}any(vec3 origin, vec3 direction, float tmin, float tmax) {
+bool voxc_format_any(vec3 origin, vec3 direction, float tmin, float tmax) {
   Ray ray;
   Walk walk = walk_at(ivec3(-1));
   return seek(floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, walk);

@@ -2,19 +2,17 @@
 // buffer for one after another.
 layout(set = 0, binding = 2) uniform utextureBuffer words;
 
-%if granules
-// A word of what begins at a granule, of ${granule-words} words.
+// A word of what begins at a granule.
 uint load_word(uint granule, uint offset) {
   if (COUNT_WORDS)
     words_read++;
-  return texelFetch(words, int((granule << ${log2-granule}) + offset)).x;
+  return texelFetch(words, int((granule << LOG2_GRANULE) + offset)).x;
 }
 
-uint load_word(uint granule) { return load_word(granule, 0u); }
-%else
-uint load_word(uint offset) {
+uint load_word(uint place) {
+  if (GRANULES)
+    return load_word(place, 0u);
   if (COUNT_WORDS)
     words_read++;
-  return texelFetch(words, int(offset)).x;
+  return texelFetch(words, int(place)).x;
 }
-%end

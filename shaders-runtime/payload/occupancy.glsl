@@ -1,2 +1,2 @@
 // What a voxel is: here nothing but that it is there, which is shown in white.
-uint colour_of(const Walk walk) { return ${occupied}; }
+uint colour_of(const Walk walk) { return OCCUPIED; }

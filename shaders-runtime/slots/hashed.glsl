@@ -1,7 +1,7 @@
 // A hashed grid is [log2 of its entries, longest probe], then two words an entry: a cell's number, its value. Entries of
 // value 0 are free.
-// The value of a cell, or 0 if it is empty. The gap has no cells if the device cut the search short.
-uint cell_level(${cell-ray-and}uint table, ivec3 cell${cell-and-gap}) {
+// The value of a cell, or 0 if it is empty. The device may cut the search short.
+uint probe_level(uint table, ivec3 cell, out bool is_cut) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
   uint log2_entries = load_word(table);
@@ -10,15 +10,28 @@ uint cell_level(${cell-ray-and}uint table, ivec3 cell${cell-and-gap}) {
   uint found = 0u;
   uint probe = 0u;
   while (probe < probes) {
-    uint entry = ${table+}2u + 2u * (home + probe & ((1u << log2_entries) - 1u));
-    uint value = load_word(${table,}entry + 1u);
-    bool is_cell = load_word(${table,}entry) == number;
+    uint entry = place_of_word(table, 2u + 2u * (home + probe & ((1u << log2_entries) - 1u)));
+    uint value = load_word_from(table, entry + 1u);
+    bool is_cell = load_word_from(table, entry) == number;
     found = is_cell ? value : found;
     probe = is_cell || value == 0u ? probes : probe + 1u;
   }
-  if (LEVEL_LOOK_UP_MAY_BE_CUT)
-    gap.count = probe == probes ? 1 : 0;
+  is_cut = probe != probes;
   return found;
+}
+
+uint cell_level(uint table, ivec3 cell) {
+  bool is_cut;
+  return probe_level(table, cell, is_cut);
+}
+
+// The same. The gap has no cells if the device cut the search short.
+uint look_up_level(const Ray ray, uint table, ivec3 cell, inout Gap gap) {
+  bool is_cut;
+  uint value = probe_level(table, cell, is_cut);
+  if (LEVEL_LOOK_UP_MAY_BE_CUT)
+    gap.count = is_cut ? 0 : 1;
+  return value;
 }
 
 // The first value of the table. 0 if the device cut the search short.

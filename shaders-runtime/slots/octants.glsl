@@ -5,7 +5,7 @@
 // Which octants of a grid are not empty, a bit for each, and the byte of the array at which their cells begin.
 uint octants_level(uint grid, out uint cells) {
   uint number = grid - 1u;
-  uint head = load_word(${array-head}u) + 5u * (number >> 4);
+  uint head = load_word(LEVEL_ARRAY_HEAD) + 5u * (number >> 4);
   uint place = number & 15u;
   cells = load_word(head);
   if (place > 3u)
@@ -21,7 +21,7 @@ uint octants_level(uint grid, out uint cells) {
 }
 
 // A byte of the array.
-uint byte_level(uint at) { return load_word(load_word(${array-head}u) + (at >> 2)) >> 8u * (at & 3u) & 255u; }
+uint byte_level(uint at) { return load_word(load_word(LEVEL_ARRAY_HEAD) + (at >> 2)) >> 8u * (at & 3u) & 255u; }
 
 // The number of a place in 2 x 2 x 2, and a bit for each before it.
 int place_level(ivec3 place) { return place.x | place.y << 1 | place.z << 2; }
@@ -37,10 +37,10 @@ uint octant_level(uint octants, uint cells, ivec3 cell) {
 
 // How many bits so many bytes of the array have, eight at most.
 uint bits_of_bytes_level(uint first, uint bytes) {
-  uint array = load_word(${array-head}u);
+  uint array = load_word(LEVEL_ARRAY_HEAD);
   uint few = min(bytes, 4u);
-  uint bits = uint(bitCount(load_field_at(array, 8u * first, 8u * few)));
-  return bytes > 4u ? bits + uint(bitCount(load_field_at(array, 8u * first + 32u, 8u * (bytes - few)))) : bits;
+  uint bits = uint(bitCount(load_field_at(array, place_of_word(array, 0u), 8u * first, 8u * few)));
+  return bytes > 4u ? bits + uint(bitCount(load_field_at(array, place_of_word(array, 0u), 8u * first + 32u, 8u * (bytes - few)))) : bits;
 }
 
 // How many voxels come before one.
@@ -66,7 +66,9 @@ bool is_there_level(uint grid, ivec3 cell) {
   return (octant_level(octants, cells, cell) >> place_level(cell & 1) & 1u) != 0u;
 }
 
-%if walks
+// The value of a cell, or 0 if it is empty.
+uint cell_level(uint grid, ivec3 cell) { return is_there_level(grid, cell) ? OCCUPIED : 0u; }
+
 // A bit for each place in 2 x 2 x 2 to which a ray may still come from one of them.
 uint ahead_level(const Ray ray, ivec3 place) {
   ivec3 from = place & ray.ahead;
@@ -90,26 +92,12 @@ bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-%if defers
-%if colour
-// A voxel's value is looked up once it is hit: here the grid stands for it.
-%else
-// What a voxel's value is nobody asks: the grid stands for it.
-%end
-%end
-uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
-  return is_full_level(ray, grid, cell, gap) ? ${full-cell} : 0u;
+uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  bool is_full = is_full_level(ray, grid, cell, gap);
+  if (LEVEL_DEFERS)
+    return is_full ? grid : 0u; // The grid stands for the value, which is looked up once a voxel is hit, if anybody asks.
+  return is_full ? OCCUPIED : 0u;
 }
-%else
-// The value of a cell, or 0 if it is empty.
-uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
-  uint cells;
-  uint octants = octants_level(grid, cells);
-  return (octant_level(octants, cells, cell) >> place_level(cell & 1) & 1u) != 0u ? ${occupied} : 0u;
-}
-%end
-%if sampled
 
 // The first value of the grid.
-uint any_value_level(uint grid) { return ${occupied}; }
-%end
+uint any_value_level(uint grid) { return OCCUPIED; }

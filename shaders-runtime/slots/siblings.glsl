@@ -8,7 +8,7 @@ uint child_level(uint node, ivec3 cell, int height, out bool leaf) {
     return 0u;
   if (LEVEL_ALIKE && leaf)
     return node; // All leaves are alike, or nothing more is asked of one.
-  return load_word(node) + ${records-times}uint(bitCount(masks & ((1u << child) - 1u)));
+  return load_word(node) + LEVEL_RECORD_GRANULES * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
 // The first child of a node that is not empty.

@@ -76,7 +76,7 @@ void settle_step(const Ray ray, inout Walk walk) {
   Gap gap = Gap(walk.open & 31, walk.open >> 5);
   walk.open = CLOSED;
   walk.cell = ~walk.cell;
-  if (!SETTLES_IN_WALKS) {
+  if (!IEEE || REFINES) {
     walk = settled(ray, walk, gap);
     return;
   }

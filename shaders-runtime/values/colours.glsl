@@ -13,16 +13,16 @@ const uint HEAD_WORDS = 2u;
 const uint RUN_WORDS = 4u;
 
 // How many of the bits at a word are set, up to bit i of the four words.
-uint runs_until(${uint-section,}uint at, uint i) {
+uint runs_until(uint section, uint place, uint i) {
   uint last = i >> 5;
   uint begun = 0u;
   if (last > 0u)
-    begun += uint(bitCount(load_word(${section,}at)));
+    begun += uint(bitCount(load_word_from(section, place)));
   if (last > 1u)
-    begun += uint(bitCount(load_word(${section,}at + 1u)));
+    begun += uint(bitCount(load_word_from(section, place + 1u)));
   if (last > 2u)
-    begun += uint(bitCount(load_word(${section,}at + 2u)));
-  return begun + uint(bitCount(load_word(${section,}at + last) & (0xffffffffu >> (31u - (i & 31u)))));
+    begun += uint(bitCount(load_word_from(section, place + 2u)));
+  return begun + uint(bitCount(load_word_from(section, place + last) & (0xffffffffu >> (31u - (i & 31u)))));
 }
 
 // A channel, whose bits begin at `shift` of an item and, in the head, 4 * channel up.
@@ -45,19 +45,19 @@ uint value_of_item(uint item, uint least, uint head) {
 
 // The value of the voxel of a rank.
 uint value_of_rank(uint rank) {
-  uint section = load_word(${head,}1u);
-  uint block = ${section+}load_word_at(section, (rank >> LOG2_BLOCK));
-  uint least = load_word(${section,}block);
-  uint head = load_word(${section,}block + 1u);
+  uint section = load_word_at(0u, 1u);
+  uint block = place_of_word(section, load_word_at(section, (rank >> LOG2_BLOCK)));
+  uint least = load_word_from(section, block);
+  uint head = load_word_from(section, block + 1u);
   uint i = rank & ((1u << LOG2_BLOCK) - 1u);
   uint fields = block + HEAD_WORDS;
   if ((head & RUNS) != 0u) {
-    i = runs_until(${section,}fields, i) - 1u;
+    i = runs_until(section, fields, i) - 1u;
     fields += RUN_WORDS;
   }
   uint index_bits = head >> INDEX_SHIFT & 15u;
   if (index_bits != 0u)
-    i = load_field(${section,}fields, i, index_bits);
+    i = load_field(section, fields, i, index_bits);
   uint bits = (head & 15u) + (head >> 4 & 15u) + (head >> 8 & 15u) + (head >> 12 & 15u);
-  return value_of_item(load_field(${section,}block + (head >> ITEMS_SHIFT), i, bits), least, head);
+  return value_of_item(load_field(section, block + (head >> ITEMS_SHIFT), i, bits), least, head);
 }

@@ -17,64 +17,64 @@ const uint COLOURS = 0xffffffu; // How many there are, in the first word of all.
 const uint ENTRY_BITS_SHIFT = 24u;
 
 // How many of the bits at a word are set, up to bit i of the four words.
-uint runs_until(${uint-section,}uint at, uint i) {
+uint runs_until(uint section, uint place, uint i) {
   uint last = i >> 5;
   uint begun = 0u;
   if (last > 0u)
-    begun += uint(bitCount(load_word(${section,}at)));
+    begun += uint(bitCount(load_word_from(section, place)));
   if (last > 1u)
-    begun += uint(bitCount(load_word(${section,}at + 1u)));
+    begun += uint(bitCount(load_word_from(section, place + 1u)));
   if (last > 2u)
-    begun += uint(bitCount(load_word(${section,}at + 2u)));
-  return begun + uint(bitCount(load_word(${section,}at + last) & (0xffffffffu >> (31u - (i & 31u)))));
+    begun += uint(bitCount(load_word_from(section, place + 2u)));
+  return begun + uint(bitCount(load_word_from(section, place + last) & (0xffffffffu >> (31u - (i & 31u)))));
 }
 
 // The run that lies `step` on from one, of `runs` whose begins stand at a word, if it begins at voxel i or before; else the
 // run itself.
-uint run_ahead(${uint-section,}uint at, uint run, uint step, uint runs, uint i) {
+uint run_ahead(uint section, uint place, uint run, uint step, uint runs, uint i) {
   uint next = run + step;
   if (next >= runs)
     return run;
-  return load_field_at(${section,}at, (next - 1u) * BEGIN_BITS, BEGIN_BITS) <= i ? next : run;
+  return load_field_at(section, place, (next - 1u) * BEGIN_BITS, BEGIN_BITS) <= i ? next : run;
 }
 
 // The run of voxel i, of 32 at most.
-uint run_of(${uint-section,}uint at, uint runs, uint i) {
-  uint run = run_ahead(${section,}at, 0u, 16u, runs, i);
-  run = run_ahead(${section,}at, run, 8u, runs, i);
-  run = run_ahead(${section,}at, run, 4u, runs, i);
-  run = run_ahead(${section,}at, run, 2u, runs, i);
-  return run_ahead(${section,}at, run, 1u, runs, i);
+uint run_of(uint section, uint place, uint runs, uint i) {
+  uint run = run_ahead(section, place, 0u, 16u, runs, i);
+  run = run_ahead(section, place, run, 8u, runs, i);
+  run = run_ahead(section, place, run, 4u, runs, i);
+  run = run_ahead(section, place, run, 2u, runs, i);
+  return run_ahead(section, place, run, 1u, runs, i);
 }
 
 // The index of voxel i of a block.
-uint index_in_block(${uint-section,}uint block, uint i) {
-  uint head = load_word(${section,}block);
+uint index_in_block(uint section, uint block, uint i) {
+  uint head = load_word_from(section, block);
   uint bits = head >> ITEM_BITS_SHIFT & 31u;
   uint count = head >> COUNT_SHIFT;
   uint fields = block + 1u;
   uint items = 0u; // The first bit of the items.
   if ((head & MASK) != 0u) {
-    i = runs_until(${section,}fields, i) - 1u;
+    i = runs_until(section, fields, i) - 1u;
     fields += MASK_WORDS;
   }
   if ((head & BEGINS) != 0u) {
-    i = run_of(${section,}fields, count, i);
+    i = run_of(section, fields, count, i);
     items = (count - 1u) * BEGIN_BITS;
   } else if (count != 0u) {
     uint number_bits = uint(findMSB(count - 1u) + 1);
-    i = load_field_at(${section,}fields, count * bits + i * number_bits, number_bits);
+    i = load_field_at(section, fields, count * bits + i * number_bits, number_bits);
   }
-  return (head & 0xffffu) + load_field_at(${section,}fields, items + i * bits, bits);
+  return (head & 0xffffu) + load_field_at(section, fields, items + i * bits, bits);
 }
 
 // The value of the voxel of a rank.
 uint value_of_rank(uint rank) {
-  uint section = load_word(${head,}1u);
-  uint head = load_word(${section-begin});
+  uint section = load_word_at(0u, 1u);
+  uint head = load_word_at(section, 0u);
   uint colours = head & COLOURS;
-  uint entry = load_field(${section,}${section+}1u + colours, rank >> LOG2_BLOCK, head >> ENTRY_BITS_SHIFT);
+  uint entry = load_field(section, place_of_word(section, 1u + colours), rank >> LOG2_BLOCK, head >> ENTRY_BITS_SHIFT);
   if (entry > colours)
-    entry = 1u + index_in_block(${section,}${section+}entry, rank & ((1u << LOG2_BLOCK) - 1u));
+    entry = 1u + index_in_block(section, place_of_word(section, entry), rank & ((1u << LOG2_BLOCK) - 1u));
   return load_word_at(section, entry);
 }

@@ -3,7 +3,7 @@ bool intersect_level(const Ray ray, inout Walk walk, uint grid) {
   while (LEVEL_FIRST ? goes_on(walk) : within_level(begin, walk.cell)) {
     count_lookup(walk);
     Gap gap = Gap(LEVEL_LOG2_CELL, 1);
-    uint value = cell_level(${cell-ray,}grid, walk.cell >> LEVEL_LOG2_CELL${cell,gap});
+    uint value = look_up_level(ray, grid, walk.cell >> LEVEL_LOG2_CELL, gap);
     if (LEVEL_LOOK_UP_MAY_BE_CUT && value == 0u && gap.count == 0)
       continue; // The device ended the look-up.
     if (value == 0u) {

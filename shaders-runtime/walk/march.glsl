@@ -17,4 +17,3 @@ void march_level(const Ray ray, inout Walk walk, int left) {
     corner = cell_beyond(ray, walk.cell, real3(face), leaving);
   end_step(ray, walk, leaving, corner, Gap(LEVEL_LOG2_CELL, 1));
 }
-

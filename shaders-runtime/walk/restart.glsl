@@ -7,20 +7,18 @@ bool intersect_level(const Ray ray, inout Walk walk, uint root) {
     uint node = root;
     int layer = LEVEL_DEPTH;
     bool leaf = false;
-%if wide
     int around = 0;
-%end
     int small = LEVEL_STOPS ? small_height(ray, walk) - LEVEL_LOG2_CELL : 0;
     int stop = clamp(small / LEVEL_BRANCH, 0, LEVEL_DEPTH - 1);
     while (node != 0u && !leaf && (!LEVEL_STOPS || layer > stop)) {
       layer--;
-      node = child_level(node, cell, layer * LEVEL_BRANCH, leaf${around});
+      node = descend_level(node, cell, layer * LEVEL_BRANCH, leaf, around);
     }
     if (node == 0u)
-      step_over(ray, walk, LEVEL_LOG2_CELL + layer * LEVEL_BRANCH${plus-around});
+      step_over(ray, walk, LEVEL_LOG2_CELL + layer * LEVEL_BRANCH + (LEVEL_WIDE ? around : 0));
     else if (LEVEL_STOPS && (leaf ? small >= 0 : layer == stop))
       return COLOUR ? stop_with(walk, sample_level_node(node, leaf)) : true;
-    else if (leaf && intersect_next(ray, walk, ${leaf-node}))
+    else if (leaf && intersect_next(ray, walk, leaf_level(node)))
       return true;
   }
   return false;

@@ -1,15 +1,8 @@
 // path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old cell
 // and the new.
-%if stack-shared
-shared uint path_level[LEVEL_DEPTH + 1][gl_WorkGroupSize.x];
-
-%end
 bool intersect_level(const Ray ray, inout Walk walk, uint root) {
-%if stack-shared
-%else
   uint path[LEVEL_DEPTH + 1];
-%end
-  ${path}[LEVEL_DEPTH]${of-ray} = root;
+  path[LEVEL_DEPTH] = root;
   int top = LEVEL_DEPTH;
   for (;;) {
     // Down to the leaf, or the empty child, `layer` layers above the cells.
@@ -19,23 +12,21 @@ bool intersect_level(const Ray ray, inout Walk walk, uint root) {
     int stop = clamp(small / LEVEL_BRANCH, 0, LEVEL_DEPTH - 1);
     if (LEVEL_STOPS)
       top = max(top, stop + 1);
-    uint node = ${path}[top]${of-ray};
+    uint node = path[top];
     int layer = top;
     bool leaf = false;
-%if wide
     int around = 0;
-%end
     while (node != 0u && !leaf && (!LEVEL_STOPS || layer > stop)) {
-      ${path}[layer]${of-ray} = node;
+      path[layer] = node;
       layer--;
-      node = child_level(node, cell, layer * LEVEL_BRANCH, leaf${around});
+      node = descend_level(node, cell, layer * LEVEL_BRANCH, leaf, around);
     }
     ivec3 before = walk.cell;
     if (node == 0u)
-      step_over(ray, walk, LEVEL_LOG2_CELL + layer * LEVEL_BRANCH${plus-around});
+      step_over(ray, walk, LEVEL_LOG2_CELL + layer * LEVEL_BRANCH + (LEVEL_WIDE ? around : 0));
     else if (LEVEL_STOPS && (leaf ? small >= 0 : layer == stop))
       return COLOUR ? stop_with(walk, sample_level_node(node, leaf)) : true;
-    else if (leaf && intersect_next(ray, walk, ${leaf-node}))
+    else if (leaf && intersect_next(ray, walk, leaf_level(node)))
       return true;
 
     if (LEVEL_FIRST && !goes_on(walk))

@@ -205,7 +205,7 @@ Kernel queryKernel(const Format &format, HeaderLanguage language) {
   Plan plan = *makePlan(format, kHeaderPlan);
   plan.bounded = false;    // Its rays are records of six numbers, whatever the header takes.
   plan.loops = Loops::Cut; // The scenes are so small that no device cuts anything.
-  const std::string interface = "#version 460\n" + fillFile(shaderFiles(), "interface.glsl", planNames(plan));
+  const std::string interface = "#version 460\n" + std::string(runtimeFile(shaderFiles(), "interface.glsl"));
   const bool isHlsl = language == HeaderLanguage::Hlsl;
   const std::string header = headerOf(format, language);
   auto kernel = compileGlsl(isHlsl ? interface + "void main() {}\n"

@@ -47,14 +47,14 @@ inline bool never(const Stratum &) { return false; }
 /// `SlotKind::region` of kinds whose accessor tells of no more than the cell.
 inline EmptyRegion cellAlone(const Stratum &) { return EmptyRegion::Cell; }
 
-/// Text that runtime files name, or a condition that they ask for.
-struct RuntimeName {
+/// A constant over which the runtime files of a kind are written.
+struct SlotConstant {
   std::string_view name;
-  std::variant<std::string, bool> value;
+  std::variant<bool, std::uint32_t> value;
 };
 
-/// `SlotKind::names` of kinds whose files ask for nothing of their own.
-inline std::vector<RuntimeName> noNames(const Stratum &) { return {}; }
+/// `SlotKind::constants` of kinds whose files have none of their own.
+inline std::vector<SlotConstant> noConstants(const Stratum &) { return {}; }
 
 /// Receives a child that is not empty, and its place among its siblings.
 using ChildVisit = FunctionRef<void(Int3 place, const Child &child)>;
@@ -103,8 +103,8 @@ struct SlotKind {
   /// construct-runtime/slots.
   std::span<const std::string_view> (*accessor)(const Stratum &stratum);
   std::span<const std::string_view> (*construction)(const Stratum &stratum);
-  /// What these files alone speak of, beside what all do.
-  std::vector<RuntimeName> (*names)(const Stratum &stratum) = noNames;
+  /// Those of these files alone, beside those of all.
+  std::vector<SlotConstant> (*constants)(const Stratum &stratum) = noConstants;
   /// Of trees: the file of construct-runtime/root that ends a sub-volume. Null: they are none.
   std::string_view (*root)(const Stratum &stratum) = nullptr;
   /// Which alternatives of `Encoding` strata may have: a bit for each, the first lowest.

@@ -164,6 +164,8 @@ struct Stratum {
 
   bool hasRecords() const { return std::holds_alternative<Records>(encoding); }
   bool isGrid() const { return !leaves() && !hasRecords(); }
+  /// True of a tree that has nodes: one of depth 0 is a single leaf.
+  bool hasLayers() const { return !isGrid() && depth > 0; }
   /// True if sub-volumes stand in an array.
   bool inArray() const { return numberBits > 0; }
   bool leavesInSlots() const { return leaves() && leaves()->place == LeafPlace::InSlot; }

@@ -19,6 +19,7 @@ public:
   void run() {
     for (bool changed = true; changed;) {
       effects_ = functionsWithEffects(module_);
+      noteNames();
       changed = dropVariables();
       changed |= dropMembers();
       changed |= dropParameters();
@@ -27,6 +28,14 @@ public:
   }
 
 private:
+  void noteNames() {
+    functions_.clear();
+    structures_.clear();
+    for (const Declaration &declaration : module_.declarations)
+      if (declaration.kind == Outer::Function || declaration.kind == Outer::Structure)
+        (declaration.kind == Outer::Function ? functions_ : structures_).insert(declaration.name);
+  }
+
   bool isKept(const std::string &name) const { return roots_.contains(name); }
 
   bool isPure(const Expression &expression) const {
@@ -38,10 +47,17 @@ private:
     return pure;
   }
 
+  /// A name of overloads with so many parameters.
+  static std::string callOf(const std::string &name, std::size_t parameters) {
+    return name + "/" + std::to_string(parameters);
+  }
+
   static bool isReached(const Declaration &declaration, const Names &names) {
     const auto isNamed = [&](const Variable &variable) { return names.contains(variable.name); };
     switch (declaration.kind) {
     case Outer::Function:
+      return names.contains(declaration.name) ||
+             names.contains(callOf(declaration.name, declaration.parameters.size()));
     case Outer::Structure:
       return names.contains(declaration.name);
     case Outer::Variable:
@@ -53,7 +69,7 @@ private:
     }
   }
 
-  static void addNames(const Declaration &declaration, Names &names) {
+  void addNames(const Declaration &declaration, Names &names) const {
     names.insert(declaration.type);
     for (const Parameter &parameter : declaration.parameters)
       names.insert(parameter.type);
@@ -65,9 +81,15 @@ private:
           names.insert(variable.type);
       });
     forEachExpression(declaration, [&](const Expression &expression) {
-      if (expression.kind == Kind::Name || expression.kind == Kind::Call)
+      if (expression.kind == Kind::Name || isConstructor(expression))
         names.insert(expression.text);
+      else if (expression.kind == Kind::Call)
+        names.insert(callOf(expression.text, expression.operands.size()));
     });
+  }
+
+  bool isConstructor(const Expression &expression) const {
+    return expression.kind == Kind::Call && structures_.contains(expression.text);
   }
 
   /// What is used stands before its users, so that one way from the end to the begin finds all of it.
@@ -105,11 +127,19 @@ private:
       };
       const auto drop = [&](Statement &statement) {
         changed |= std::erase_if(statement.variables, isUnused) > 0;
-        return statement.kind == Statement::Kind::Declaration && statement.variables.empty();
+        changed |= doesNothing(statement);
+        return doesNothing(statement) ||
+               (statement.kind == Statement::Kind::Declaration && statement.variables.empty());
       };
       dropIn(declaration.body, drop);
     }
     return changed;
+  }
+
+  /// A call for the sake of effects that there are none of.
+  bool doesNothing(const Statement &statement) const {
+    return statement.kind == Statement::Kind::Expression && statement.expressions[0].kind == Kind::Call &&
+           functions_.contains(statement.expressions[0].text) && isPure(statement.expressions[0]);
   }
 
   /// Erases the statements, of all that are inside others too, for which `drop` holds.
@@ -122,7 +152,8 @@ private:
     }
   }
 
-  /// Parameters that come in, of functions that nobody outside calls. Overloads have one fate.
+  /// Parameters that their functions do not name, unless somebody outside calls these. Overloads have one
+  /// fate.
   bool dropParameters() {
     std::map<std::string, std::vector<bool>, std::less<>> unused;
     for (const Declaration &declaration : module_.declarations)
@@ -130,8 +161,7 @@ private:
         const auto uses = usesIn(declaration);
         std::vector<bool> flags;
         for (const Parameter &parameter : declaration.parameters)
-          flags.push_back((parameter.passing == Passing::In || parameter.passing == Passing::Const) &&
-                          !uses.contains(parameter.name));
+          flags.push_back(!uses.contains(parameter.name));
         if (const auto [at, isNew] = unused.emplace(declaration.name, flags); !isNew)
           at->second.assign(at->second.size(), false);
       }
@@ -271,6 +301,7 @@ private:
   Module &module_;
   const Names &roots_;
   Names effects_;
+  Names functions_, structures_; ///< Of the module.
 };
 
 } // namespace

@@ -48,7 +48,7 @@ Expression number(Integer integer) {
 
 class Folder {
 public:
-  Folder(const Constants &constants, const Names &effects) : constants_(constants), effects_(effects) {}
+  Folder(const Constants &constants, Names effects) : constants_(constants), effects_(std::move(effects)) {}
 
   void fold(Declaration &declaration) {
     for (Variable &variable : declaration.variables)
@@ -57,6 +57,23 @@ public:
     if (!declaration.body.empty() && declaration.type == "void" &&
         declaration.body.back().kind == Statement::Kind::Return)
       declaration.body.pop_back();
+  }
+
+  /// Whether something became known: what is written as numbers alone stays as it is written.
+  bool fold(Expression &expression) {
+    bool changed = false;
+    for (Expression &operand : expression.operands)
+      changed |= fold(operand);
+    if (isConversionToItself(expression))
+      take(expression, 0);
+    if (expression.kind == Kind::Name)
+      if (const auto constant = constants_.find(expression.text); constant != constants_.end()) {
+        expression = {Kind::Literal, constant->second, {}, false, expression.type};
+        return true;
+      }
+    if (expression.kind == Kind::Conditional && choosesNothing(expression))
+      take(expression, 2);
+    return changed && simplify(expression);
   }
 
 private:
@@ -74,10 +91,28 @@ private:
         splice(std::move(statement), result);
       else if (!isNothing(statement))
         result.push_back(std::move(statement));
-      if (!result.empty() && result.back().kind == Statement::Kind::Return)
+      if (!result.empty() && result.back().kind == Statement::Kind::Return) {
+        returnAtOnce(result);
         break; // Nothing comes to what follows.
+      }
     }
     return result;
+  }
+
+  /// T a = b; return a; becomes return b;
+  static void returnAtOnce(Statements &statements) {
+    if (statements.size() < 2)
+      return;
+    Statement &declaration = statements[statements.size() - 2], &last = statements.back();
+    const bool isAlone = declaration.kind == Statement::Kind::Declaration && declaration.qualifiers.empty() &&
+                         declaration.variables.size() == 1 && declaration.variables[0].initial.size() == 1 &&
+                         !last.expressions.empty() &&
+                         last.expressions[0].is(Kind::Name, declaration.variables[0].name);
+    if (!isAlone)
+      return;
+    last.expressions[0] = std::move(declaration.variables[0].initial[0]);
+    last.notes = std::move(declaration.notes);
+    statements.erase(statements.end() - 2);
   }
 
   static bool isConstant(const Expression &expression) { return isTrue(expression) || isFalse(expression); }
@@ -107,14 +142,24 @@ private:
     for (Variable &variable : statement.variables)
       fold(variable);
     statement.begin = folded(std::move(statement.begin));
+    const std::size_t before = statement.body.size();
     statement.body = folded(std::move(statement.body));
     statement.otherwise = folded(std::move(statement.otherwise));
     statement.isBraced |= statement.body.size() > 1;
+    statement.isBraced &= statement.body.size() == before || !isSimple(statement);
     statement.isElseBraced |= statement.otherwise.size() > 1;
     if (statement.kind == Statement::Kind::If && statement.body.empty() && !statement.otherwise.empty())
       turn(statement);
     if (statement.kind == Statement::Kind::While && statement.body.empty())
       statement.isBraced = true;
+  }
+
+  /// One simple statement that is left of several needs no braces.
+  static bool isSimple(const Statement &branch) {
+    const bool isShort = branch.body.size() == 1 && branch.body[0].notes.above.empty() &&
+                         (branch.body[0].kind == Statement::Kind::Return ||
+                          branch.body[0].kind == Statement::Kind::Expression);
+    return isShort && branch.kind == Statement::Kind::If && branch.otherwise.empty();
   }
 
   /// if (a) {} else b becomes if (!a) b.
@@ -137,21 +182,6 @@ private:
     return has;
   }
 
-  /// Whether something became known: what is written as numbers alone stays as it is written.
-  bool fold(Expression &expression) {
-    bool changed = false;
-    for (Expression &operand : expression.operands)
-      changed |= fold(operand);
-    if (isConversionToItself(expression))
-      take(expression, 0);
-    if (expression.kind == Kind::Name)
-      if (const auto constant = constants_.find(expression.text); constant != constants_.end()) {
-        expression = {Kind::Literal, constant->second, {}, false, expression.type};
-        return true;
-      }
-    return changed && simplify(expression);
-  }
-
   /// True, since operands have changed.
   bool simplify(Expression &expression) {
     std::vector<Expression> &operands = expression.operands;
@@ -167,6 +197,14 @@ private:
     else if (expression.kind == Kind::Binary)
       simplifyNumbers(expression);
     return true;
+  }
+
+  /// a == 0 ? 0 : a is a.
+  static bool choosesNothing(const Expression &choice) {
+    const Expression &condition = choice.operands[0], &value = choice.operands[2];
+    return condition.is(Kind::Binary, "==") && condition.operands[1].kind == Kind::Literal &&
+           isLiteral(choice.operands[1], condition.operands[1].text) && value.kind == Kind::Name &&
+           condition.operands[0].is(Kind::Name, value.text);
   }
 
   /// float(a) of what is a float is a.
@@ -210,8 +248,10 @@ private:
     const bool isProduct = sign == "*" || sign == "/";
     if (right && ((isSum && right->value == 0) || (isProduct && right->value == 1)))
       return take(expression, 0);
-    if (left && ((sign == "+" && left->value == 0) || (sign == "*" && left->value == 1)))
+    if (left && (((sign == "+" || sign == "|") && left->value == 0) || (sign == "*" && left->value == 1)))
       return take(expression, 1);
+    if (left && sign == "*" && left->value == 0 && !hasEffects(operands[1]))
+      return take(expression, 0);
     if (right && (sign == "+" || sign == "-"))
       joinSums(expression, sign == "+" ? right->value : -right->value);
   }
@@ -251,14 +291,15 @@ private:
   }
 
   const Constants &constants_;
-  const Names &effects_;
+  const Names effects_;
 };
 
 } // namespace
 
+void fold(Expression &expression, const Constants &constants) { Folder(constants, {}).fold(expression); }
+
 void fold(Module &module, const Constants &constants) {
-  const Names effects = functionsWithEffects(module);
-  Folder folder(constants, effects);
+  Folder folder(constants, functionsWithEffects(module));
   for (Declaration &declaration : module.declarations)
     folder.fold(declaration);
 }

@@ -29,25 +29,38 @@ public:
 private:
   /// Calls inside are replaced afterwards, as what stands inside is visited later.
   void replace(Expression &expression) const {
+    while (replaceOnce(expression))
+      ; // What takes its place may be such a call itself.
+  }
+
+  bool replaceOnce(Expression &expression) const {
     if (expression.kind != Kind::Call)
-      return;
+      return false;
     const auto found = functions_.find({expression.text, expression.operands.size()});
     if (found == functions_.end())
-      return;
+      return false;
+    const std::vector<Parameter> &parameters = found->second.parameters;
     Expression value = found->second.body[0].expressions[0];
-    forEachExpression(value, [&](Expression &inner) {
-      const auto parameter = std::ranges::find(found->second.parameters, inner.text, &Parameter::name);
-      if (inner.kind == Kind::Name && parameter != found->second.parameters.end())
-        put(inner,
-            expression.operands[static_cast<std::size_t>(parameter - found->second.parameters.begin())]);
-    });
+    fold(value, numbersAmong(expression.operands, parameters));
+    substitute(value, parameters, expression.operands);
     value.isGrouped = false;
-    const bool isOfIntegers = std::ranges::all_of(found->second.parameters, [](const Parameter &parameter) {
+    const bool isOfIntegers = std::ranges::all_of(parameters, [](const Parameter &parameter) {
       return parameter.type == "uint" || parameter.type == "int";
     });
     if (isOfIntegers)
       forEachExpression(value, [](Expression &inner) { straighten(inner); });
     expression = std::move(value);
+    return true;
+  }
+
+  /// The parameters that are numbers here.
+  static Constants numbersAmong(const std::vector<Expression> &arguments,
+                                const std::vector<Parameter> &parameters) {
+    Constants numbers;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (arguments[i].kind == Kind::Literal)
+        numbers[parameters[i].name] = arguments[i].text;
+    return numbers;
   }
 
   /// a + (b + c) of integers becomes a + b + c.
@@ -61,10 +74,19 @@ private:
     }
   }
 
-  /// An argument in place of a parameter; the printer puts parentheses where they are needed.
-  static void put(Expression &name, Expression argument) {
-    argument.isGrouped = false;
-    name = std::move(argument);
+  /// Arguments in place of parameters, once: what an argument names may be called as a parameter is. The
+  /// printer puts parentheses where they are needed.
+  static void substitute(Expression &value, const std::vector<Parameter> &parameters,
+                         const std::vector<Expression> &arguments) {
+    const auto parameter = std::ranges::find(parameters, value.text, &Parameter::name);
+    if (value.kind == Kind::Name && parameter != parameters.end()) {
+      Expression argument = arguments[static_cast<std::size_t>(parameter - parameters.begin())];
+      argument.isGrouped = false;
+      value = std::move(argument);
+      return;
+    }
+    for (Expression &operand : value.operands)
+      substitute(operand, parameters, arguments);
   }
 
   std::map<std::pair<std::string, std::size_t>, Declaration> functions_;

@@ -1,8 +1,6 @@
 // The number of a cell's bit, of which each word of the mask has 32.
 int number_level(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
 
-%if alike
-%else
 // The value of a cell that is not empty.
 uint value_level(uint grid, ivec3 cell) {
   int number = number_level(cell);
@@ -12,23 +10,25 @@ uint value_level(uint grid, ivec3 cell) {
   return value_of_slot_level(grid, uint(rank));
 }
 
-%end
-%if walks
-%if last
-// True if a voxel is there. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty: half
-// of the mask tells. To know more of four voxels a side takes longer than the steps that it would save.
-bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+// The value of a cell, or 0 if it is empty.
+uint cell_level(uint grid, ivec3 cell) {
   int number = number_level(cell);
-  uint half_mask = load_word_at(grid, uint(number >> 5));
-  gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
-  return (half_mask >> (number & 31) & 1u) != 0u;
+  bool is_full = (load_word_at(grid, uint(number >> 5)) >> (number & 31) & 1u) != 0u;
+  if (LEVEL_ALIKE)
+    return is_full ? OCCUPIED : 0u;
+  return is_full ? value_level(grid, cell) : 0u;
 }
 
-%else
 // True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty, or
 // as the grid, if no cell is full that the ray may still come to.
 bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   int number = number_level(cell);
+  if (LEVEL_LAST) {
+    // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would save.
+    uint half_mask = load_word_at(grid, uint(number >> 5));
+    gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+    return (half_mask >> (number & 31) & 1u) != 0u;
+  }
   uint low = load_word(grid);
   uint high = load_word_at(grid, 1u);
   uint half_mask = number < 32 ? low : high;
@@ -46,36 +46,15 @@ bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
-%end
 // The same, and the value of a cell that is full; 0 of one that is not.
-%if defers
-%if colour
-// A voxel's value is looked up once it is hit: here the grid stands for it.
-%else
-// What a voxel's value is nobody asks: the grid stands for it.
-%end
-%end
-uint cell_level(${cell-ray-and}uint grid, ivec3 cell${cell-and-gap}) {
-  return is_full_level(ray, grid, cell, gap) ? ${full-cell} : 0u;
-}
-%else
-// The value of a cell, or 0 if it is empty.
-uint cell_level(uint grid, ivec3 cell) {
-  int number = number_level(cell);
-  bool is_full = (load_word_at(grid, uint(number >> 5)) >> (number & 31) & 1u) != 0u;
-%if alike
-  return is_full ? ${occupied} : 0u;
-%else
+uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  bool is_full = is_full_level(ray, grid, cell, gap);
+  if (LEVEL_DEFERS)
+    return is_full ? grid : 0u; // The grid stands for the value, which is looked up once a voxel is hit, if anybody asks.
+  if (LEVEL_IMPLIED)
+    return is_full ? OCCUPIED : 0u;
   return is_full ? value_level(grid, cell) : 0u;
-%end
 }
-%end
-%if sampled
 
 // The first value of the grid.
-%if implied
-uint any_value_level(uint grid) { return ${occupied}; }
-%else
-uint any_value_level(uint grid) { return value_of_slot_level(grid, 0u); }
-%end
-%end
+uint any_value_level(uint grid) { return LEVEL_IMPLIED ? OCCUPIED : value_of_slot_level(grid, 0u); }

@@ -12,4 +12,3 @@ uint voxels_before_level(uint grid, ivec3 cell) {
   uint half_mask = octant.z == 0 ? low : load_word_at(grid, 1u);
   return uint(bitCount(half_mask & before)) + (octant.z == 0 ? 0u : uint(bitCount(low)));
 }
-

@@ -4,4 +4,3 @@ bool is_there_level(uint grid, ivec3 cell) {
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));
   return (load_word_at(grid, (LEVEL_COUNTS ? 2u : 1u) * (number >> 5)) >> (number & 31u) & 1u) != 0u;
 }
-

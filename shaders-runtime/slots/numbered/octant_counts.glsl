@@ -10,12 +10,14 @@ uint voxels_before_level(uint grid, ivec3 cell, uint counts) {
   ivec3 octant = cell >> 1 & 1;
   ivec3 place = cell & 1;
   uint low = load_word(grid);
-  uint half_mask = octant.z == 0 ? low : load_word(grid + 1u);
+  uint half_mask = octant.z == 0 ? low : load_word_at(grid, 1u);
   uint lower = octant.z == 0 ? 0u : low; // The half that comes before all of it.
   int first = 2 * octant.x + 8 * octant.y;
   uint octants = octants_of_half_level(half_mask) & ((1u << first) - 1u) | octants_of_half_level(lower) << 16;
   uint earlier = uint(bitCount(octants));
-  uint before = earlier == 0u ? 0u : load_field_at(grid + ${head-words}u, counts + (earlier - 1u) * ${count-bits}u, ${count-bits}u);
+  uint before = 0u;
+  if (earlier != 0u)
+    before = load_field_at(grid, place_of_word(grid, LEVEL_HEAD_WORDS), counts + (earlier - 1u) * LEVEL_COUNT_BITS, LEVEL_COUNT_BITS);
   uint cells = (1u << (place.x | place.y << 1 | place.z << 2)) - 1u;
   cells = (cells | cells << 12) & 0x000f000fu;
   cells = (cells | cells << 2) & 0x00330033u;
@@ -25,13 +27,11 @@ uint voxels_before_level(uint grid, ivec3 cell, uint counts) {
     uint until = (cells ^ others) - 1u; // The bits below the lowest of the cells.
     uint slot = uint(bitCount(lower) + bitCount(half_mask & until));
     uint other = value_of_slot_level(grid, slot);
-%if leads-by-number
-    before += voxels_next(other);
-%else
-    before += uint(bitCount(load_word(other)) + bitCount(load_word(other + 1u)));
-%end
+    if (LEVEL_LEADS_BY_NUMBER)
+      before += voxels_next(other);
+    else
+      before += uint(bitCount(load_word(other)) + bitCount(load_word_at(other, 1u)));
     cells = others;
   }
   return before;
 }
-

@@ -1,21 +1,17 @@
 // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
 uint ranked_value_level(uint grid, ivec3 cell, inout uint rank) {
-%if cone
-  if (!is_there_level(grid, cell))
+  if (CONE && !is_there_level(grid, cell))
     return 0u;
-%end
   uint slot = bits_before_level(grid, cell);
-%if counts
-  uint slots = load_word_at(grid, ${head-words}u - 1u) + uint(bitCount(load_word_at(grid, ${head-words}u - 2u)));
-%else
-  uint slots = uint(bitCount(load_word(grid)))${second-mask};
-%end
-  uint counts = slots * ${pointer-bits}u;
-%if octant-counts
-  rank += voxels_before_level(grid, cell, counts);
-%else
-  rank += load_field_at(grid + ${head-words}u, counts + slot * ${count-bits}u, ${count-bits}u);
-%end
+  uint slots;
+  if (LEVEL_COUNTS)
+    slots = load_word_at(grid, LEVEL_HEAD_WORDS - 1u) + uint(bitCount(load_word_at(grid, LEVEL_HEAD_WORDS - 2u)));
+  else
+    slots = uint(bitCount(load_word(grid))) + (LEVEL_HAS_TWO_MASK_WORDS ? uint(bitCount(load_word_at(grid, 1u))) : 0u);
+  uint counts = slots * LEVEL_POINTER_BITS;
+  if (LEVEL_OCTANT_COUNTS)
+    rank += voxels_before_level(grid, cell, counts);
+  else
+    rank += load_field_at(grid, place_of_word(grid, LEVEL_HEAD_WORDS), counts + slot * LEVEL_COUNT_BITS, LEVEL_COUNT_BITS);
   return value_of_slot_level(grid, slot);
 }
-

@@ -1,8 +1,4 @@
 // A tree of depth 0 is one leaf.
-uint locate_level(const Ray ray, uint leaf, ivec3 cell, inout Gap gap${and-faces}) {
-%if last
-  return ${leaf-leaf};
-%else
-  return locate_next(ray, load_word(leaf), cell, gap${and-face});
-%end
+uint locate_level(const Ray ray, uint leaf, ivec3 cell, inout Gap gap, inout real3 face) {
+  return LEVEL_LAST ? leaf_level(leaf) : locate_next(ray, load_word(leaf), cell, gap, face);
 }

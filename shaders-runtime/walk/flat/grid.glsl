@@ -1,0 +1,14 @@
+void look_up_layer_level(const Ray ray, ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout Gap gap, inout uint value) {
+  if (LEVEL_LAST || layer < LEVEL_END) {
+    gap = Gap(LEVEL_LOG2_CELL, 1);
+    node = look_up_level(ray, node, cell >> LEVEL_LOG2_CELL, gap);
+    if (LEVEL_LAST) {
+      value = node;
+      node = 0u;
+    } else {
+      layer += node != 0u ? 1 : 0;
+    }
+  } else {
+    look_up_layer_next(ray, cell, node, layer, lowest, gap, value);
+  }
+}

@@ -1,0 +1,15 @@
+// A tree of depth 0 is one leaf.
+void look_up_layer_level(const Ray ray, ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout Gap gap, inout uint value) {
+  if (LEVEL_LAST || layer < LEVEL_END) {
+    gap.log2_side = LEVEL_LOG2_CELL;
+    node = leaf_level(node);
+    if (LEVEL_LAST) {
+      value = node;
+      node = 0u;
+    } else {
+      layer += node != 0u ? 1 : 0;
+    }
+  } else {
+    look_up_layer_next(ray, cell, node, layer, lowest, gap, value);
+  }
+}
