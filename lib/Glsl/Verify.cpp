@@ -94,6 +94,8 @@ private:
   }
 
   void statement(Statement &statement) {
+    if (statement.qualifiers == "unroll")
+      fail(statement.expressions[0], "has no bounds that are numbers, in a loop to unroll");
     for (Statement &begin : statement.begin)
       this->statement(begin);
     for (Variable &one : statement.variables)

@@ -39,6 +39,7 @@ bool VOXC_FIND(uint volume, uint index, out uint word) { word = index; return tr
 // What packets of a processor bring.
 uint ray_words[64];
 uint hit_words[64];
+const uint FEWEST_LANES = 4u;
 uint lanes_at_work(int changing) { return 1u; }
 )";
 
