@@ -97,7 +97,8 @@ std::vector<std::string> HeaderLanguageKind::filesBefore(const Plan &plan) const
   if (!hasForms)
     return {path};
   return {path + (plan.bounded ? "/bounded.begin" : "/first.begin"),
-          path + (plan.addressing == Addressing::Paged ? "/paged.begin" : "/loaded.begin"), path + "/all.begin"};
+          path + (plan.addressing == Addressing::Paged ? "/paged.begin" : "/loaded.begin"),
+          path + "/all.begin"};
 }
 
 const HeaderLanguageKind &kindOf(HeaderLanguage language) {

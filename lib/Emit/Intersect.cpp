@@ -42,7 +42,9 @@ std::string emitIntersect(const Plan &plan) {
   addKernelFunctions(builder);
   for (const char *const path : around(plan))
     builder.add(path);
-  const auto module = std::move(builder).specialised({"main"});
+  auto module = std::move(builder).specialised({"main"});
+  if (module)
+    glsl::lead(*module);
   return module ? preamble(plan) + glsl::print(*module) : "#error " + module.error().message + "\n";
 }
 

@@ -119,6 +119,8 @@ glsl::Module KernelBuilder::read(std::string_view path) {
 void KernelBuilder::append(glsl::Module module, bool isApart) {
   if (module.declarations.empty())
     return;
+  for (glsl::Declaration &declaration : module.declarations)
+    declaration.leads = isOfFormat_;
   std::vector<std::string> &above = module.declarations.front().notes.above;
   if (isApart && (above.empty() || !above.front().empty()))
     above.insert(above.begin(), "");

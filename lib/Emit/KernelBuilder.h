@@ -34,6 +34,9 @@ public:
   /// `f_level_layer` is the layer's f, and `f_level_lower` that of the layer below. In files of levels
   /// `f_level_highest` is that of the root.
   void addLayer(std::string_view path, std::size_t index, int layer);
+  /// What is added from here on is what the format brings, or no longer.
+  void beginFormat() { isOfFormat_ = true; }
+  void endFormat() { isOfFormat_ = false; }
   /// Text that emitters make themselves, with an empty line before it if it stands apart.
   void addText(std::string_view text, bool isApart = true);
 
@@ -50,6 +53,7 @@ private:
   FormatWords words_;
   glsl::Constants constants_;
   glsl::Module module_;
+  bool isOfFormat_ = false;
   std::optional<Error> problem_;
 };
 

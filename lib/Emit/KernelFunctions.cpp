@@ -28,7 +28,8 @@ public:
       pointFunctions();
     else
       walkFunctions();
-    builder_.addText("// ---- To here; what follows is the same in every kernel again ----\n");
+    builder_.addText("// ---- What follows is the same in every kernel ----\n");
+    builder_.endFormat();
   }
 
 private:
@@ -75,7 +76,8 @@ private:
   bool isFlat() const { return walk_.isOneLoop && !walk_.fromRoot; }
 
   void beginFormat() {
-    builder_.addText("// ---- From here on: " + plan_.layout.format + " ----\n");
+    builder_.beginFormat();
+    builder_.addText("// ---- The format: " + plan_.layout.format + " ----\n");
     if (hasLayers())
       file("walk/tree");
     const bool hasFields = plan_.layout.ranksVoxels() && plan_.outputs.colour;

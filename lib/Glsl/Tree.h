@@ -101,6 +101,7 @@ struct Declaration {
   bool isSeldom = false;    ///< A function that is seldom called: OUT_OF_LINE.
   bool isInline = false;    ///< A function that stands for the value it returns: INLINE.
   bool isPrototype = false; ///< A function without its body.
+  bool leads = false;       ///< It is what the module is for: `lead` (Glsl/Passes.h) puts it first.
   bool isElsewhere = false; ///< In text before the module's: it is not printed.
 };
 

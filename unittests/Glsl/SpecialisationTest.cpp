@@ -96,6 +96,31 @@ TEST(ShareArrays, GivesEachInvocationAColumn) {
             "  return path_level_2[path_level_2[0][gl_LocalInvocationIndex]][gl_LocalInvocationIndex];\n}\n");
 }
 
+TEST(Lead, PutsWhatItNeedsBeforeIt) {
+  const std::string text = "struct Ray {\n  int ahead;\n};\n"
+                           "const int FAR = 9;\n"
+                           "int load(int at) { return at + FAR; }\n"
+                           "// The format.\n"
+                           "int f(const Ray ray) { return load(ray.ahead); }\n"
+                           "// The rest.\n"
+                           "int main() { return f(Ray(1)); }\n";
+  EXPECT_EQ(after(text,
+                  [](Module &module) {
+                    for (Declaration &declaration : module.declarations)
+                      declaration.leads = declaration.name == "f";
+                    lead(module);
+                  }),
+            "struct Ray {\n  int ahead;\n};\n"
+            "\n// What follows behind the format.\n"
+            "int load(int at);\n"
+            "// The format.\n"
+            "int f(const Ray ray) { return load(ray.ahead); }\n"
+            "const int FAR = 9;\n"
+            "int load(int at) { return at + FAR; }\n"
+            "// The rest.\n"
+            "int main() { return f(Ray(1)); }\n");
+}
+
 std::string used(std::string_view text) {
   return after(text, [](Module &module) { dropUnused(module, {"main"}); });
 }

@@ -58,6 +58,7 @@ void shareArrays(Module &module, std::string_view array) {
           std::string(array) + function.name.substr(std::min(function.name.find('_'), function.name.size()));
       index(function, array, shared);
       Declaration declaration = declarationOf(std::move(*variable), shared);
+      declaration.leads = function.leads;
       std::swap(declaration.notes, function.notes); // Comments on both stand above the first.
       result.push_back(std::move(declaration));
       function.notes.above.insert(function.notes.above.begin(), "");
