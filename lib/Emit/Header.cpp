@@ -66,7 +66,7 @@ constexpr std::string_view kQueries[] = {"bounds", "header/hit", "header/queries
 constexpr std::string_view kFirst[] = {"header/hit", "header/first"};
 
 /// What is called from outside.
-const glsl::Names kRoots = {"VOLUME_SIZE", "load_word"};
+const glsl::Names kRoots = {"VOLUME_SIZE"};
 constexpr std::string_view kCalled[] = {"Hit", "closest", "next", "any", "first", "normal", "outside"};
 
 /// All functions, after those that a language lacks, by names that are a format's own.

@@ -141,7 +141,8 @@ std::string literal(const ConstantValue &value) {
     return *truth ? "true" : "false";
   if (const int *const number = std::get_if<int>(&value))
     return std::to_string(*number);
-  return std::to_string(std::get<std::uint32_t>(value)) + "u";
+  const std::uint32_t number = std::get<std::uint32_t>(value);
+  return number == 0xffffffffu ? "0xffffffffu" : std::to_string(number) + "u";
 }
 
 glsl::Constants constantsOf(const Plan &plan) {

@@ -151,6 +151,13 @@ TEST(DropUnused, TakesAwayCallsThatDoNothing) {
             "int main(int a) {\n  barrier();\n  return a;\n}\n");
 }
 
+TEST(DropUnused, KeepsCallsThatWriteWhatStandsElsewhere) {
+  const std::string text = "void store(int a) { hit_words[a] = 1u; }\n"
+                           "void count() { words_read++; }\n"
+                           "void main(int a) {\n  store(a);\n  count();\n}\n";
+  EXPECT_EQ(used(text), text);
+}
+
 std::string folded(std::string_view text) {
   return after(text, [](Module &module) { fold(module, {{"ALIKE", "true"}, {"COUNTS", "false"}}); });
 }

@@ -8,12 +8,17 @@
 namespace voxc::glsl {
 namespace {
 
-Names variablesOutermost(const Module &module) {
+/// Its parameters and variables. All else that it writes to stands outermost, be it in the module or in the
+/// text around it.
+Names localsOf(const Declaration &function) {
   Names names;
-  for (const Declaration &declaration : module.declarations)
-    if (declaration.kind == Declaration::Kind::Variable || declaration.kind == Declaration::Kind::Block)
-      for (const Variable &variable : declaration.variables)
+  for (const Parameter &parameter : function.parameters)
+    names.insert(parameter.name);
+  for (const Statement &statement : function.body)
+    forEachStatement(statement, [&](const Statement &inner) {
+      for (const Variable &variable : inner.variables)
         names.insert(variable.name);
+    });
   return names;
 }
 
@@ -23,12 +28,13 @@ bool writesOut(const Declaration &function) {
   });
 }
 
-bool hasEffects(const Declaration &function, const Names &outermost, const Names &known) {
+bool hasEffects(const Declaration &function, const Names &known) {
   bool has = writesOut(function);
+  const Names locals = localsOf(function);
   forEachExpression(function, [&](const Expression &expression) {
     has |= expression.kind == Expression::Kind::Call && known.contains(expression.text);
     if (expression.kind == Expression::Kind::Assignment || expression.kind == Expression::Kind::Postfix)
-      has |= outermost.contains(rootOf(expression.operands[0]));
+      has |= !locals.contains(rootOf(expression.operands[0]));
   });
   return has;
 }
@@ -36,12 +42,11 @@ bool hasEffects(const Declaration &function, const Names &outermost, const Names
 } // namespace
 
 Names functionsWithEffects(const Module &module) {
-  const Names outermost = variablesOutermost(module);
   Names names;
   for (std::size_t before = names.size() + 1; before != names.size();) {
     before = names.size();
     for (const Declaration &declaration : module.declarations)
-      if (declaration.kind == Declaration::Kind::Function && hasEffects(declaration, outermost, names))
+      if (declaration.kind == Declaration::Kind::Function && hasEffects(declaration, names))
         names.insert(declaration.name);
   }
   return names;

@@ -48,12 +48,11 @@ bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  bool is_full = is_full_level(ray, grid, cell, gap);
   if (LEVEL_DEFERS)
-    return is_full ? grid : 0u; // The grid stands for the value, which is looked up once a voxel is hit, if anybody asks.
+    return is_full_level(ray, grid, cell, gap) ? grid : 0u; // Its value is looked up once it is hit.
   if (LEVEL_IMPLIED)
-    return is_full ? OCCUPIED : 0u;
-  return is_full ? value_level(grid, cell) : 0u;
+    return is_full_level(ray, grid, cell, gap) ? OCCUPIED : 0u;
+  return is_full_level(ray, grid, cell, gap) ? value_level(grid, cell) : 0u;
 }
 
 // The first value of the grid.

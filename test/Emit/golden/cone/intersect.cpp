@@ -1,0 +1,105 @@
+  // ---- The format: R(3, 3, 3) M(2, 2, 2) ----
+
+  // Level 2: masked, 4 x 4 x 4 cells of 1 voxel a side.
+  static inline const int LEVEL_2_LOG2_CELL = 0;
+  static inline const int LEVEL_2_LOG2_SIDE = 2;
+
+  // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
+  // unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
+  // Each word of the mask of a large grid is followed by how many bits the words before it have.
+
+  // The value of the cell that is not empty after so many others.
+  uint value_of_slot_level_2(uint grid, uint slot) { return load_word(grid + 2u + slot); }
+
+  // The number of a cell's bit, of which each word of the mask has 32.
+  int number_level_2(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
+
+  // The value of a cell that is not empty.
+  uint value_level_2(uint grid, ivec3 cell) {
+    int number = number_level_2(cell);
+    uint low = load_word(grid);
+    uint half_mask = number < 32 ? low : load_word(grid + 1u);
+    int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
+    return value_of_slot_level_2(grid, uint(rank));
+  }
+
+  // True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
+  // or as the grid, if no cell is full that the ray may still come to.
+  bool is_full_level_2(uint grid, ivec3 cell, Gap &gap) {
+    int number = number_level_2(cell);
+    // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would
+    // save.
+    uint half_mask = load_word(grid + uint(number >> 5));
+    gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+    return (half_mask >> (number & 31) & 1u) != 0u;
+  }
+
+  // The same, and the value of a cell that is full; 0 of one that is not.
+  uint look_up_level_2(uint grid, ivec3 cell, Gap &gap) {
+    return is_full_level_2(grid, cell, gap) ? value_level_2(grid, cell) : 0u;
+  }
+
+  // The first value of the grid.
+  uint any_value_level_2(uint grid) { return value_of_slot_level_2(grid, 0u); }
+
+  // The colour of a voxel of the grid. 0 if the device cut the search short.
+  uint sample_level_2(uint grid) {
+    uint value = any_value_level_2(grid);
+    return value == 0u ? 0u : sample_voxel(value);
+  }
+
+  // Whether a walk is still in the sub-volume in which it began.
+  bool within_level_2(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_2_LOG2_SIDE); }
+
+  bool intersect_level_2(const Ray &ray, Walk &walk, uint grid) {
+    ivec3 begin = walk.cell;
+    while (within_level_2(begin, walk.cell)) {
+      count_lookup(walk);
+      Gap gap = Gap(LEVEL_2_LOG2_CELL, 1);
+      uint value = look_up_level_2(grid, walk.cell >> LEVEL_2_LOG2_CELL, gap);
+      if (value == 0u) {
+        step_over(ray, walk, gap);
+      } else if (intersect_voxel(walk, value)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Level 1: raw, 8 x 8 x 8 cells of 4 voxels a side.
+  static inline const ivec3 LEVEL_1_LOG2_SIZE = ivec3(3, 3, 3);
+  static inline const int LEVEL_1_LOG2_CELL = 2;
+
+  // A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
+  // that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
+  // slot: in that granule, where references count granules.
+  uint slot_level_1(uint grid, ivec3 cell) {
+    ivec3 at = cell;
+    return grid + uint(at.x + ((at.y + (at.z << LEVEL_1_LOG2_SIZE.y)) << LEVEL_1_LOG2_SIZE.x));
+  }
+
+  // The value of a cell, or 0 if it is empty.
+  uint cell_level_1(uint grid, ivec3 cell) {
+    uint slot = slot_level_1(grid, cell);
+    return load_word(slot);
+  }
+
+  bool intersect_level_1(const Ray &ray, Walk &walk, uint grid) {
+    while (goes_on(walk)) {
+      count_lookup(walk);
+      Gap gap = Gap(LEVEL_1_LOG2_CELL, 1);
+      uint value = cell_level_1(grid, walk.cell >> LEVEL_1_LOG2_CELL);
+      if (value == 0u) {
+        step_over(ray, walk, gap);
+      } else if (small_height(ray, walk) >= LEVEL_1_LOG2_CELL) {
+        return stop_with(walk, sample_level_2(value));
+      } else if (intersect_level_2(ray, walk, value)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // What a voxel is: here its value is its colour.
+  uint colour_of(const Walk &walk) { return walk.voxel; }
+

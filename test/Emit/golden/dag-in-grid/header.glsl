@@ -1,0 +1,1428 @@
+// voxc_r4_4_4_g8_*: rays through volumes of the format R(4, 4, 4) G(8), as functions for GLSL 4.50.
+//
+//     bool voxc_r4_4_4_g8_closest(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax, out
+// voxc_r4_4_4_g8_Hit hit)
+//     bool voxc_r4_4_4_g8_next(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmax, inout voxc_r4_4_4_g8_Hit
+// hit)
+//     bool voxc_r4_4_4_g8_any(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax)
+//     vec3 voxc_r4_4_4_g8_normal(const voxc_r4_4_4_g8_Hit hit)
+//     vec3 voxc_r4_4_4_g8_outside(vec3 origin, vec3 direction, const voxc_r4_4_4_g8_Hit hit)
+//
+// A volume is what you take for one: before you include this, say its type, and how a word of it is loaded.
+//
+//     layout(std430, binding = 0) readonly buffer Volumes { uint words[]; } volumes[8];
+//     #define VOXC_VOLUME uint
+//     #define VOXC_LOAD(volume, index) volumes[volume].words[index]
+//
+// Rays are in voxels; a direction may have any length, and t counts in it. All that this text leaves behind has a name
+// that
+// begins with voxc_r4_4_4_g8_ or VOXC_R4_4_4_G8_.
+#ifndef VOXC_R4_4_4_G8_GLSL
+#define VOXC_R4_4_4_G8_GLSL
+
+// The digest 0xa67ebecd25ab0065 of the format's storage, its low half and its high one. The words of a volume are for
+// these
+// functions if its digest, which `voxc info` prints, equals this one, and else lead anywhere.
+#define VOXC_R4_4_4_G8_STORAGE_DIGEST uvec2(0x25ab0065u, 0xa67ebecdu)
+
+#if !defined(VOXC_VOLUME) || !defined(VOXC_LOAD)
+#error define VOXC_VOLUME as the type of a volume and VOXC_LOAD(volume, index) as a word of one
+#endif
+#define VOXC_INDEX uint
+
+// Voxels along each axis.
+const ivec3 voxc_r4_4_4_g8_VOLUME_SIZE = ivec3(4096, 4096, 4096);
+
+// Count the lookups of each ray: not here.
+const bool voxc_r4_4_4_g8_COUNT_LOOKUPS = false;
+// Exact arithmetic is at hand, and settles what float32 leaves open.
+const bool voxc_r4_4_4_g8_SETTLES = true;
+// Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another order. Where
+// nothing keeps a compiler from doing so, such rays are settled instead.
+const bool voxc_r4_4_4_g8_COMES_NEAR = true;
+
+uint voxc_r4_4_4_g8_load_word(VOXC_VOLUME volume, uint place) { return VOXC_LOAD(volume, place); }
+
+// A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
+// as given.
+struct voxc_r4_4_4_g8_Ray {
+  uvec3 given_origin; // The bits of six float32 taken as exact numbers.
+  uvec3 given_direction;
+  vec3 origin;        // Where the traversal counts from: the given origin, or where a ray from far away enters.
+  // Scaled so that the longest component is in [1, 2). Where a coordinate never changes it is LEAST_COMPONENT: that
+  // passes no face before another does. All t are those of this direction, from this origin.
+  vec3 direction;
+  vec3 inverse;
+  vec3 late;          // By how much each t comes late that is counted from there.
+  float slack;        // What is wrong of a t, beside a few roundings.
+  vec3 lowest;        // The least that is certain of the coordinates at the origin,
+  float doubt;        // and how much more any coordinate on the way may be, in voxels.
+  float certain;      // A coordinate that is at least this far below the next whole number is in its cell.
+  bvec3 moves;        // False on an axis whose coordinate never changes.
+  bvec3 falls;        // The coordinate falls.
+  bool plain;         // As given, it has no numbers but 0 and those whose significand has all its bits.
+  ivec3 heading;      // -1 where the coordinate falls, else 1.
+  vec3 beyond;        // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+  ivec3 ahead;        // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
+};
+
+// Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
+struct voxc_r4_4_4_g8_Gap {
+  int log2_side;
+  int count;
+};
+
+// How a ray leaves cells through the faces ahead.
+struct voxc_r4_4_4_g8_Exit {
+  float t;      // About when.
+  bvec3 passed; // The axes whose faces it passes.
+  bool sure;    // It is known to pass that one first.
+};
+
+// Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
+struct voxc_r4_4_4_g8_Walk {
+  ivec3 cell;     // In voxels; outside the volume before and after the walk.
+  int axis;       // The axis on which the ray entered the cell; -1 where it started.
+  uint voxel;     // Where the voxel that was hit is to be had, as the lowest level finds it.
+  uint lookups;
+  int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
+  int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
+  ivec3 begin;    // A walk ends where it leaves the box of `size` cells from `begin` on.
+  ivec3 size;
+};
+
+const int voxc_r4_4_4_g8_CLOSED = -1;
+const int voxc_r4_4_4_g8_AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+
+const float voxc_r4_4_4_g8_NEVER = 1e30f; // A t that no ray of a usual length comes to.
+
+// What is rounded on the way to a t, which is a difference, an inverse and a product. Where devices round to nearest,
+// eight roundings: the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how
+// far it may be from the origin. Else twelve roundings of 2^-23, whichever way each goes: an inverse takes 2.5 of them,
+// the order of two t is certain beyond 11, and a coordinate within 9.5.
+const float voxc_r4_4_4_g8_ROUNDINGS = 12.0f / 8388608.0f;
+
+// A walk that is about to begin, or to go on.
+voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_walk_at(ivec3 cell) {
+  int most_steps = voxc_r4_4_4_g8_VOLUME_SIZE.x + voxc_r4_4_4_g8_VOLUME_SIZE.y + voxc_r4_4_4_g8_VOLUME_SIZE.z;
+  return voxc_r4_4_4_g8_Walk(cell, -1, 0u, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, ivec3(0), voxc_r4_4_4_g8_VOLUME_SIZE);
+}
+
+// Ends a walk that takes more steps than any can.
+void voxc_r4_4_4_g8_count_step(inout voxc_r4_4_4_g8_Walk walk) {
+  walk.steps_left--;
+  walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
+}
+
+void voxc_r4_4_4_g8_count_lookup(inout voxc_r4_4_4_g8_Walk walk) {
+  if (voxc_r4_4_4_g8_COUNT_LOOKUPS)
+    walk.lookups++;
+}
+
+bool voxc_r4_4_4_g8_is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(voxc_r4_4_4_g8_VOLUME_SIZE))); }
+
+// Whether a walk is in the box in which it may find something.
+bool voxc_r4_4_4_g8_is_in_reach(const voxc_r4_4_4_g8_Walk walk) {
+  return all(lessThan(uvec3(walk.cell - walk.begin), uvec3(walk.size)));
+}
+
+// Whether a walk has more to see here.
+bool voxc_r4_4_4_g8_goes_on(const voxc_r4_4_4_g8_Walk walk) { return voxc_r4_4_4_g8_is_in_reach(walk); }
+
+// The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
+ivec3 voxc_r4_4_4_g8_corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
+
+// The low corner of the cube of a gap around a cell.
+ivec3 voxc_r4_4_4_g8_corner_of(const voxc_r4_4_4_g8_Ray ray, ivec3 cell, const voxc_r4_4_4_g8_Gap gap) {
+  return voxc_r4_4_4_g8_corner_of(cell, gap.log2_side) - (~ray.ahead & ((gap.count - 1) << gap.log2_side));
+}
+
+// The faces of a gap around a cell that lie ahead.
+ivec3 voxc_r4_4_4_g8_faces_ahead(const voxc_r4_4_4_g8_Ray ray, ivec3 cell, const voxc_r4_4_4_g8_Gap gap) {
+  int side = 1 << gap.log2_side;
+  // From the cube's low face to that of the gap, where the coordinate falls.
+  int back = side - (gap.count << gap.log2_side);
+  return (cell & -side) + back + (ray.ahead & (side - back - back));
+}
+
+// About when each coordinate passes its face.
+vec3 voxc_r4_4_4_g8_times_of(const voxc_r4_4_4_g8_Ray ray, vec3 face) {
+  vec3 t = (face - ray.origin) * ray.inverse;
+  return voxc_r4_4_4_g8_COMES_NEAR ? t - ray.late : t;
+}
+
+// The order of float32 numbers by their bits is one instruction where others would look for NaN. Negative ones are
+// below all others, but of two of them the order is the other one: no t of a face ahead is negative but by rounding.
+
+float voxc_r4_4_4_g8_least_of(vec3 of) {
+  ivec3 bits = floatBitsToInt(of);
+  return intBitsToFloat(min(min(bits.x, bits.y), bits.z));
+}
+
+float voxc_r4_4_4_g8_second_least_of(vec3 of) {
+  ivec3 bits = floatBitsToInt(of);
+  return intBitsToFloat(max(min(bits.x, bits.y), min(max(bits.x, bits.y), bits.z)));
+}
+
+float voxc_r4_4_4_g8_greatest_of(vec3 of) {
+  ivec3 bits = floatBitsToInt(of);
+  return intBitsToFloat(max(max(bits.x, bits.y), bits.z));
+}
+
+// Float32 numbers as integers: significand * 2^(exponent - 150). No device flushes or rounds these.
+
+const uint voxc_r4_4_4_g8_SIGN_BIT = 0x80000000u;
+const uint voxc_r4_4_4_g8_INFINITY_BITS = 0x7f800000u;
+
+// Below 2^24.
+uint voxc_r4_4_4_g8_significand_of(uint bits) {
+  uint fraction = bits & 0x7fffffu;
+  return (bits & voxc_r4_4_4_g8_INFINITY_BITS) == 0u ? fraction : fraction | 0x800000u;
+}
+
+int voxc_r4_4_4_g8_exponent_of(uint bits) { return max(int(bits >> 23 & 0xffu), 1); }
+
+bool voxc_r4_4_4_g8_are_finite(uvec3 bits) {
+  return all(lessThan(bits & voxc_r4_4_4_g8_INFINITY_BITS, uvec3(voxc_r4_4_4_g8_INFINITY_BITS)));
+}
+
+// True if each is 0 or has a significand of 24 bits, as devices do not always keep smaller ones.
+bool voxc_r4_4_4_g8_are_plain(uvec3 bits) {
+  return all(greaterThanEqual((bits & ~voxc_r4_4_4_g8_SIGN_BIT) - 1u, uvec3(0x7fffffu)));
+}
+
+// 2^exponent, for exponents of normal numbers; the nearest such for others.
+float voxc_r4_4_4_g8_power_of_two(int exponent) {
+  return uintBitsToFloat(uint(clamp(exponent, -126, 127) + 127) << 23);
+}
+
+// The largest whole numbers that are not above float32 numbers, within 2^22 of zero.
+ivec3 voxc_r4_4_4_g8_floor_of(uvec3 bits) {
+  ivec3 whole = ivec3(clamp(floor(uintBitsToFloat(bits)), -4194304.0f, 4194304.0f));
+  // Below 1, a denormal number may not survive arithmetic.
+  ivec3 small = -ivec3(greaterThan(bits, uvec3(voxc_r4_4_4_g8_SIGN_BIT)));
+  return mix(whole, small, lessThan(bits & ~voxc_r4_4_4_g8_SIGN_BIT, uvec3(0x3f800000u)));
+}
+
+// The exact sign of a sum of four products of float32 numbers.
+
+// A sum in two's complement, times 2^(exponent - 300). Its sign is exact, its value within 2^-11 of itself.
+struct voxc_r4_4_4_g8_Sum {
+  int high;
+  uint low;
+  int exponent;
+};
+
+int voxc_r4_4_4_g8_sign_of(const voxc_r4_4_4_g8_Sum sum) {
+  return sum.high < 0 ? -1 : (uint(sum.high) | sum.low) != 0u ? 1 : 0;
+}
+
+// The largest p for which 2^p is not above the magnitude; -1 for 0, and for -1 too.
+int voxc_r4_4_4_g8_log2_of(const voxc_r4_4_4_g8_Sum sum) {
+  uint flip = uint(sum.high >> 31);
+  uint high = uint(sum.high) ^ flip;
+  return findMSB(high != 0u ? high : sum.low ^ flip) + (high != 0u ? 32 : 0);
+}
+
+// Makes `shift` bits, at most 61, of room at the low end.
+void voxc_r4_4_4_g8_shift_left(inout voxc_r4_4_4_g8_Sum sum, int shift) {
+  uint high = uint(sum.high);
+  if (shift >= 32) {
+    high = sum.low << (shift - 32);
+    sum.low = 0u;
+  } else if (shift > 0) {
+    high = high << shift | sum.low >> (32 - shift);
+    sum.low <<= shift;
+  }
+  sum.high = int(high);
+  sum.exponent -= shift;
+}
+
+void voxc_r4_4_4_g8_add(inout voxc_r4_4_4_g8_Sum sum, uint high, uint low, bool negative) {
+  uint flip = negative ? ~0u : 0u;
+  uint carry_of_low, carry_of_sign;
+  uint partial = uaddCarry(sum.low, low ^ flip, carry_of_low);
+  sum.low = uaddCarry(partial, flip & 1u, carry_of_sign);
+  sum.high = int(uint(sum.high) + (high ^ flip) + carry_of_low + carry_of_sign);
+}
+
+// a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w, of bits of float32. A product is below 2^48 times its power of two.
+// They are added from the largest power down; once the sum has 61 bits at the next power, all that is left is too small
+// to change its sign.
+voxc_r4_4_4_g8_Sum voxc_r4_4_4_g8_sum_of_products(uvec4 a, uvec4 b) {
+  ivec4 exponent = ivec4(voxc_r4_4_4_g8_exponent_of(a.x) + voxc_r4_4_4_g8_exponent_of(b.x),
+      voxc_r4_4_4_g8_exponent_of(a.y) + voxc_r4_4_4_g8_exponent_of(b.y),
+      voxc_r4_4_4_g8_exponent_of(a.z) + voxc_r4_4_4_g8_exponent_of(b.z),
+      voxc_r4_4_4_g8_exponent_of(a.w) + voxc_r4_4_4_g8_exponent_of(b.w));
+  voxc_r4_4_4_g8_Sum sum = voxc_r4_4_4_g8_Sum(0, 0u, 0);
+  int left = 4;
+  while (left > 0) {
+    int largest = max(max(exponent.x, exponent.y), max(exponent.z, exponent.w));
+    int next = exponent.x == largest ? 0 : exponent.y == largest ? 1 : exponent.z == largest ? 2 : 3;
+    uint high, low;
+    umulExtended(voxc_r4_4_4_g8_significand_of(a[next]), voxc_r4_4_4_g8_significand_of(b[next]), high, low);
+    if (voxc_r4_4_4_g8_sign_of(sum) == 0)
+      sum.exponent = largest;
+    int shift = sum.exponent - largest;
+    exponent[next] = -1;
+    left--;
+    if (voxc_r4_4_4_g8_log2_of(sum) + shift >= 61) {
+      left = 0;
+    } else {
+      voxc_r4_4_4_g8_shift_left(sum, shift);
+      voxc_r4_4_4_g8_add(sum, high, low, (a[next] ^ b[next]) >= voxc_r4_4_4_g8_SIGN_BIT);
+    }
+  }
+  return sum;
+}
+
+// sum / divisor in plain float32.
+float voxc_r4_4_4_g8_quotient(const voxc_r4_4_4_g8_Sum sum, uint divisor) {
+  bool negative = sum.high < 0;
+  voxc_r4_4_4_g8_Sum magnitude = voxc_r4_4_4_g8_Sum(0, 0u, sum.exponent);
+  voxc_r4_4_4_g8_add(magnitude, uint(sum.high), sum.low, negative);
+  float value = float(magnitude.high) * 4294967296.0f + float(magnitude.low);
+  float size = value / float(voxc_r4_4_4_g8_significand_of(divisor)) * voxc_r4_4_4_g8_power_of_two(sum.exponent
+      - voxc_r4_4_4_g8_exponent_of(divisor) - 150);
+  return negative != (divisor >= voxc_r4_4_4_g8_SIGN_BIT) ? -size : size;
+}
+
+// The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
+// face at one t, rising ones change cell first, falling ones just after.
+
+// A change of cell.
+struct voxc_r4_4_4_g8_Crossing {
+  float t;     // Approximate.
+  int axis;    // One that changes,
+  int face;    // and the face that it passes.
+  ivec3 step;  // The change, a cell at most on each axis.
+  bool rising; // Only rising coordinates change: those that fall may still stand on a boundary.
+};
+
+// The change of cell where a ray leaves a cube through the faces ahead: `crossed` tells the axes whose coordinates pass
+// them first, about at t.
+voxc_r4_4_4_g8_Crossing voxc_r4_4_4_g8_crossing_of(const voxc_r4_4_4_g8_Ray ray, ivec3 face, float t, bvec3 crossed) {
+  ivec3 changes = mix(ivec3(0), ray.heading, crossed);
+  ivec3 risen = max(changes, ivec3(0));
+  voxc_r4_4_4_g8_Crossing crossing;
+  crossing.rising = risen != ivec3(0);
+  crossing.step = crossing.rising ? risen : changes;
+  crossing.axis = crossing.step.x != 0 ? 0 : crossing.step.y != 0 ? 1 : 2;
+  crossing.t = t;
+  crossing.face = face[crossing.axis];
+  return crossing;
+}
+
+// Cells from `least` to `most`.
+struct voxc_r4_4_4_g8_Range {
+  ivec3 least;
+  ivec3 most;
+};
+
+// How far coordinate a is behind at_a when coordinate b passes at_b, with the sign of both speeds:
+// (at_a - origin_a) * direction_b - (at_b - origin_b) * direction_a.
+voxc_r4_4_4_g8_Sum voxc_r4_4_4_g8_crossing_difference(const voxc_r4_4_4_g8_Ray ray, int a, float at_a, int b,
+    float at_b) {
+  uint speed_a = ray.given_direction[a];
+  uint speed_b = ray.given_direction[b];
+  return voxc_r4_4_4_g8_sum_of_products(uvec4(floatBitsToUint(at_a), ray.given_origin[a] ^ voxc_r4_4_4_g8_SIGN_BIT,
+      floatBitsToUint(at_b) ^ voxc_r4_4_4_g8_SIGN_BIT, ray.given_origin[b]), uvec4(speed_b, speed_b, speed_a, speed_a));
+}
+
+// -1 if coordinate a passes its face first, 0 if both pass theirs at the same t, else 1. Both move.
+int voxc_r4_4_4_g8_compare_exactly(const voxc_r4_4_4_g8_Ray ray, int a, int face_a, int b, int face_b) {
+  voxc_r4_4_4_g8_Sum difference = voxc_r4_4_4_g8_crossing_difference(ray, a, float(face_a), b, float(face_b));
+  int order = voxc_r4_4_4_g8_sign_of(difference);
+  return ray.falls[a] == ray.falls[b] ? order : -order;
+}
+
+// The same, by doubles where they can tell.
+int voxc_r4_4_4_g8_compare_crossings(const voxc_r4_4_4_g8_Ray ray, int a, int face_a, int b, int face_b) {
+  return voxc_r4_4_4_g8_compare_exactly(ray, a, face_a, b, face_b);
+}
+
+int voxc_r4_4_4_g8_undecided_axis(const voxc_r4_4_4_g8_Range range) {
+  return range.least.x != range.most.x ? 0 : range.least.y != range.most.y ? 1 : 2;
+}
+
+int voxc_r4_4_4_g8_middle_of(const voxc_r4_4_4_g8_Range range, int axis) {
+  return range.least[axis] + (range.most[axis] - range.least[axis] + 1) / 2;
+}
+
+// Takes away from a range what lies to one side of a face, where `order` compares it with the crossing.
+void voxc_r4_4_4_g8_narrow(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Crossing crossing, int axis, int face,
+    int order, inout voxc_r4_4_4_g8_Range range) {
+  bool falls = ray.falls[axis];
+  bool passed = order < 0 || (order == 0 && !(falls && crossing.rising));
+  if (passed != falls)
+    range.least[axis] = face;
+  else
+    range.most[axis] = face - 1;
+}
+
+// Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
+ivec3 voxc_r4_4_4_g8_settle(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Crossing crossing,
+    const voxc_r4_4_4_g8_Range candidates) {
+  voxc_r4_4_4_g8_Range range = candidates;
+  while (range.least != range.most) {
+    int axis = voxc_r4_4_4_g8_undecided_axis(range);
+    int face = voxc_r4_4_4_g8_middle_of(range, axis);
+    voxc_r4_4_4_g8_narrow(ray, crossing, axis, face, voxc_r4_4_4_g8_compare_crossings(ray, axis, face, crossing.axis,
+        crossing.face), range);
+  }
+  return range.least;
+}
+
+// What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
+voxc_r4_4_4_g8_Range voxc_r4_4_4_g8_approximate_cell(const voxc_r4_4_4_g8_Ray ray,
+    const voxc_r4_4_4_g8_Crossing crossing, const voxc_r4_4_4_g8_Range range) {
+  vec3 point = ray.lowest + crossing.t * ray.direction;
+  vec3 doubt = mix(vec3(0.0f), vec3(ray.doubt), ray.moves);
+  vec3 least = vec3(range.least);
+  vec3 most = vec3(range.most);
+  return voxc_r4_4_4_g8_Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
+}
+
+// Steps that are exact for every ray: by float32 or doubles where these can tell, by integers elsewhere.
+
+// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot tell which that is.
+voxc_r4_4_4_g8_Exit voxc_r4_4_4_g8_leave(const voxc_r4_4_4_g8_Ray ray, vec3 face) {
+  vec3 t = voxc_r4_4_4_g8_times_of(ray, face);
+  float first = voxc_r4_4_4_g8_least_of(t);
+  float second = voxc_r4_4_4_g8_second_least_of(t); // Of negative ones, none that is sure.
+  return voxc_r4_4_4_g8_Exit(first, equal(t, vec3(first)),
+      second > first + (first * voxc_r4_4_4_g8_ROUNDINGS + ray.slack));
+}
+
+// The cell that a ray comes to where it leaves others, of which `cell` is one, by one of the faces ahead. Not sure if
+// its point cannot tell on which side of another face that is.
+ivec3 voxc_r4_4_4_g8_cell_beyond(const voxc_r4_4_4_g8_Ray ray, vec3 face, inout voxc_r4_4_4_g8_Exit leaving) {
+  vec3 point = mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
+  vec3 whole = floor(point);
+  bool is_certain = voxc_r4_4_4_g8_greatest_of(point - whole) < ray.certain;
+  leaving.sure = leaving.sure && is_certain;
+  return ivec3(whole);
+}
+
+// Settles the step over the gap around the walk's cell: which faces the ray passes first, of those that float32 cannot
+// tell apart, and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide
+// vectors run through it as often as any ray needs it. Where the device cuts it short, the walk stays where it is.
+voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_settled(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk,
+    const voxc_r4_4_4_g8_Gap gap) {
+  int side = gap.count << gap.log2_side;
+  ivec3 corner = voxc_r4_4_4_g8_corner_of(ray, walk.cell, gap);
+  ivec3 face = corner + (ray.ahead & side);
+  vec3 t = voxc_r4_4_4_g8_times_of(ray, vec3(face));
+  float earliest = min(min(t.x, t.y), t.z);
+  bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * voxc_r4_4_4_g8_ROUNDINGS + ray.slack)));
+  ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
+  int axes = bits.x | bits.y << 1 | bits.z << 2;
+  int first = findLSB(uint(axes));
+  axes &= axes - 1;
+  bvec3 crossed = bvec3(first == 0, first == 1, first == 2);
+  voxc_r4_4_4_g8_Crossing crossing;
+  voxc_r4_4_4_g8_Range range = voxc_r4_4_4_g8_Range(ivec3(0), ivec3(1));
+  bool orders = true;
+  int order = 0;
+  while (range.least != range.most) {
+    if (orders && axes == 0) {
+      orders = false;
+      crossing = voxc_r4_4_4_g8_crossing_of(ray, face, earliest, crossed);
+      ivec3 target = corner + crossing.step * side;
+      range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, voxc_r4_4_4_g8_Range(target, target + (side - 1)));
+    }
+    if (orders || range.least != range.most) {
+      int axis = orders ? findLSB(uint(axes)) : voxc_r4_4_4_g8_undecided_axis(range);
+      int at = orders ? face[axis] : voxc_r4_4_4_g8_middle_of(range, axis);
+      order = voxc_r4_4_4_g8_compare_crossings(ray, axis, at, first, face[first]);
+      if (!orders) {
+        voxc_r4_4_4_g8_narrow(ray, crossing, axis, at, order, range);
+      } else {
+        if (order <= 0) {
+          bvec3 others = order < 0 ? bvec3(false) : crossed;
+          crossed = bvec3(others.x || axis == 0, others.y || axis == 1, others.z || axis == 2);
+          first = axis;
+        }
+        axes &= axes - 1;
+      }
+    }
+  }
+  if (range.least == range.most) {
+    walk.cell = range.least;
+    walk.axis = crossing.axis;
+  }
+  return walk;
+}
+
+// Settles the step of a walk that was left open.
+void voxc_r4_4_4_g8_settle_step(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk) {
+  voxc_r4_4_4_g8_Gap gap = voxc_r4_4_4_g8_Gap(walk.open & 31, walk.open >> 5);
+  walk.open = voxc_r4_4_4_g8_CLOSED;
+  walk.cell = ~walk.cell;
+  walk = voxc_r4_4_4_g8_settled(ray, walk, gap);
+}
+
+// Steps from one cell of the ray to the next.
+
+// Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
+void voxc_r4_4_4_g8_end_step(inout voxc_r4_4_4_g8_Walk walk, const voxc_r4_4_4_g8_Exit leaving, ivec3 cell,
+    const voxc_r4_4_4_g8_Gap gap) {
+  walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
+  bool sure = leaving.sure;
+  // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+  // that are sure need not wait for it.
+  walk.cell = sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
+  walk.open = sure ? voxc_r4_4_4_g8_CLOSED : gap.count << 5 | gap.log2_side;
+  voxc_r4_4_4_g8_count_step(walk);
+}
+
+// Steps over the gap around the walk's cell, of which these faces lie ahead.
+void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    const voxc_r4_4_4_g8_Gap gap, vec3 face) {
+  voxc_r4_4_4_g8_Exit leaving = voxc_r4_4_4_g8_leave(ray, face);
+  ivec3 cell = voxc_r4_4_4_g8_cell_beyond(ray, face, leaving);
+  voxc_r4_4_4_g8_end_step(walk, leaving, cell, gap);
+}
+
+// Steps over the gap around the walk's cell.
+void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    const voxc_r4_4_4_g8_Gap gap) {
+  voxc_r4_4_4_g8_step_over(ray, walk, gap, vec3(voxc_r4_4_4_g8_faces_ahead(ray, walk.cell, gap)));
+}
+
+// Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
+void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, int log2_side) {
+  voxc_r4_4_4_g8_step_over(ray, walk, voxc_r4_4_4_g8_Gap(log2_side, 1));
+}
+
+// Steps from the walk's voxel, which is empty, to the next.
+void voxc_r4_4_4_g8_step_over_voxel(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk) {
+  voxc_r4_4_4_g8_Exit leaving = voxc_r4_4_4_g8_leave(ray, vec3(walk.cell - ray.ahead));
+  voxc_r4_4_4_g8_end_step(walk, leaving, walk.cell + mix(ivec3(0), ray.heading, leaving.passed), voxc_r4_4_4_g8_Gap(0,
+      1));
+}
+
+// Rays that begin far away, whose numbers would be too wrong to tell anything of a volume: they are moved along
+// themselves until they begin near it.
+// A ray is moved by a moment of which 12 bits are set, so that the moment times the upper 12 bits of a component of the
+// direction is a float32, and times the lower 12 bits too: no product is rounded. What is summed up is kept as two
+// float32, `high` and `low`, of which the lower one is wrong by a few of its own roundings. A ray that comes to the
+// volume after a moment M, D < 2 M voxels long, begins at most the volume's size and D away from it, so that a move
+// loses less than 2^-43 (2 D + far_away()), whichever way sums are rounded. It ends before the volume, at 2^-11 of the
+// distance.
+// A move keeps where the ray goes, so that nothing that is exact is touched: only what float32 says of it.
+
+// The distance in voxels beyond which a ray is far.
+float voxc_r4_4_4_g8_far_away() {
+  int side = max(max(voxc_r4_4_4_g8_VOLUME_SIZE.x, voxc_r4_4_4_g8_VOLUME_SIZE.y), voxc_r4_4_4_g8_VOLUME_SIZE.z);
+  // In doubles, of a component that was raised to LEAST_COMPONENT, a t that is not larger makes less than one rounding.
+  return float(2 * side);
+}
+
+// What is known of a ray that may have been moved.
+struct voxc_r4_4_4_g8_Start {
+  bool is_far; // It still begins far away, and float32 tells nothing of it.
+  float wrong; // What may be wrong of its coordinates, beside a few roundings,
+  float slack; // and of a t.
+};
+
+bool voxc_r4_4_4_g8_is_far(vec3 coordinate, bvec3 moves) {
+  return any(greaterThan(abs(coordinate), mix(vec3(voxc_r4_4_4_g8_NEVER), vec3(voxc_r4_4_4_g8_far_away()), moves)));
+}
+
+// Moves coordinates. Those in float32 are sums of two: what the first sum loses is added to the second. Doubles lose
+// one rounding of 2^-53.
+void voxc_r4_4_4_g8_move_by(vec3 way, inout vec3 high, inout vec3 low) {
+  precise vec3 sum = high + way;
+  precise vec3 of_way = sum - high;
+  precise vec3 of_high = sum - of_way;
+  precise vec3 lost = (high - of_high) + (way - of_way);
+  high = sum;
+  low += lost;
+}
+
+// Moves a ray that begins far away, to before the last of the faces by which it enters the volume. Once is enough up to
+// a thousand times that distance.
+voxc_r4_4_4_g8_Start voxc_r4_4_4_g8_come_near(inout voxc_r4_4_4_g8_Ray ray, vec3 face) {
+  const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
+  const int MOST_MOVES = 3;
+  // No ordinary ray is, if none comes near.
+  voxc_r4_4_4_g8_Start start = voxc_r4_4_4_g8_Start((voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
+      && voxc_r4_4_4_g8_is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+  if (!voxc_r4_4_4_g8_COMES_NEAR || !start.is_far)
+    return start;
+  vec3 direction = mix(vec3(0.0f), ray.direction, ray.moves);
+  const float LAST = 18446744073709551616.0f; // 2^64, at least as many voxels away.
+  vec3 upper = uintBitsToFloat(floatBitsToUint(direction) & UPPER);
+  vec3 high = ray.origin, low = vec3(0.0f);
+  float latest = 0.0f;
+  for (int moves = 0; moves < MOST_MOVES && start.is_far; moves++) {
+    vec3 t = mix(vec3(-voxc_r4_4_4_g8_NEVER), (face - high) * ray.inverse, ray.moves);
+    latest = max(max(t.x, t.y), t.z);
+    bool is_ahead = latest > 0.0f && latest < LAST;
+    float moment = is_ahead ? uintBitsToFloat(floatBitsToUint(latest * (1.0f - 1.0f / 1048576.0f)) & UPPER) : 0.0f;
+    start.wrong += (4.0f * moment + voxc_r4_4_4_g8_far_away()) / 8796093022208.0f; // 2^43.
+    voxc_r4_4_4_g8_move_by(moment * upper, high, low);
+    voxc_r4_4_4_g8_move_by(moment * (direction - upper), high, low);
+    latest -= moment;
+    start.is_far = voxc_r4_4_4_g8_is_far(high, ray.moves);
+  }
+  precise vec3 whole = high + low;
+  precise vec3 behind = low - (whole - high);
+  ray.origin = start.is_far ? ray.origin : whole;
+  ray.late = start.is_far ? ray.late : mix(vec3(0.0f), behind * ray.inverse, ray.moves);
+  vec3 steep = abs(ray.inverse);
+  // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest
+  // side, which is half of what is far.
+  steep = mix(vec3(0.0f), steep, ray.moves);
+  start.slack = 2.0f * start.wrong * max(max(steep.x, steep.y),
+      steep.z) + (latest + 0.5f * voxc_r4_4_4_g8_far_away()) * voxc_r4_4_4_g8_ROUNDINGS / 4.0f;
+  start.wrong += voxc_r4_4_4_g8_far_away() / 4194304.0f; // What is behind, and that rounding.
+  return start;
+}
+
+// Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+
+const float voxc_r4_4_4_g8_CLOSE = 1.0f / 2048.0f; // In voxels.
+
+// Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
+// by `slack`. A coordinate that never changes stays in its cell.
+void voxc_r4_4_4_g8_bound_errors(inout voxc_r4_4_4_g8_Ray ray, vec3 cell, float of_origin, float slack) {
+  vec3 half_size = 0.5f * vec3(voxc_r4_4_4_g8_VOLUME_SIZE);
+  vec3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
+  float error = voxc_r4_4_4_g8_greatest_of(reach) * voxc_r4_4_4_g8_ROUNDINGS + of_origin;
+  if (voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
+    error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
+  ray.slack = slack;
+  ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
+  ray.doubt = 2.0f * error;
+  ray.certain = 1.0f - ray.doubt;
+}
+
+// True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled
+// directions have no component below 2^-60.
+bvec3 voxc_r4_4_4_g8_starts_tiny(const voxc_r4_4_4_g8_Ray ray) {
+  const uint TINY_BITS = 0x30800000u; // Of 2^-30.
+  uvec3 size = ray.given_origin & ~voxc_r4_4_4_g8_SIGN_BIT;
+  bvec3 tiny = lessThan(size - 1u, uvec3(TINY_BITS - 1u));
+  return greaterThan(ivec3(tiny) * ivec3(ray.moves), ivec3(0));
+}
+
+// Of the axes that let the ray into their slab at a face, the last, where a falling one comes after a rising one.
+int voxc_r4_4_4_g8_last_entered(const voxc_r4_4_4_g8_Ray ray, bvec3 enters, ivec3 face) {
+  int last = -1;
+  for (int axis = 0; axis < 3; axis++) {
+    if (enters[axis]) {
+      int order = last < 0 ? 1 : voxc_r4_4_4_g8_compare_crossings(ray, axis, face[axis], last, face[last]);
+      if (order > 0 || (order == 0 && ray.falls[axis]))
+        last = axis;
+    }
+  }
+  return last;
+}
+
+// The coordinate, kept within a voxel of the volume, that a ray has where it passes a face. Each turn leaves less than
+// 2^-10 of the error of the guess before, and what float32 rounds.
+float voxc_r4_4_4_g8_coordinate_at(const voxc_r4_4_4_g8_Ray ray, int axis, int face, int other) {
+  float size = float(voxc_r4_4_4_g8_VOLUME_SIZE[other]);
+  float at = 0.5f * size;
+  for (float error = size; error > voxc_r4_4_4_g8_CLOSE; error *= 1.0f / 1024.0f) {
+    float move = voxc_r4_4_4_g8_quotient(voxc_r4_4_4_g8_crossing_difference(ray, axis, float(face), other, at),
+        ray.given_direction[axis]);
+    at = clamp(at + move, -1.0f, size + 1.0f);
+  }
+  return at;
+}
+
+// Lets a ray from far away start where it passes a face, so that its errors do not grow with its distance.
+void voxc_r4_4_4_g8_start_at(inout voxc_r4_4_4_g8_Ray ray, ivec3 cell, int axis, int face) {
+  float error = 0.0f;
+  for (int other = 0; other < 3; other++) {
+    if (other == axis) {
+      ray.origin[other] = float(face);
+    } else if (ray.moves[other]) {
+      ray.origin[other] = voxc_r4_4_4_g8_coordinate_at(ray, axis, face, other);
+      // More than a few roundings.
+      error = max(error, voxc_r4_4_4_g8_CLOSE + voxc_r4_4_4_g8_CLOSE * abs(ray.origin[other]) / 256.0f);
+    }
+  }
+  vec3 steep = mix(vec3(0.0f), abs(ray.inverse), ray.moves);
+  ray.late = vec3(0.0f);
+  voxc_r4_4_4_g8_bound_errors(ray, vec3(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
+}
+
+// Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
+// coordinates that never change.
+voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_behind_face(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk, ivec3 cell,
+    int axis, int face) {
+  voxc_r4_4_4_g8_Crossing crossing;
+  crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
+  crossing.axis = axis;
+  crossing.face = face;
+  crossing.rising = !ray.falls[axis];
+  voxc_r4_4_4_g8_Range range = voxc_r4_4_4_g8_Range(mix(cell, ivec3(-1), ray.moves), mix(cell,
+      voxc_r4_4_4_g8_VOLUME_SIZE, ray.moves));
+  range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
+  range.least[axis] = range.most[axis];
+  range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, range);
+  ivec3 behind = range.least;
+  bool sure = range.least == range.most;
+  if (voxc_r4_4_4_g8_SETTLES)
+    behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
+  else if (!sure)
+    return walk; // It stays, which is not wrong: only later cells are skipped to.
+  walk.cell = behind;
+  walk.axis = axis;
+  return walk;
+}
+
+// Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of
+// the faces that it must pass. A cell outside if there is none.
+voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_entered_exactly(inout voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk,
+    bool starts_far) {
+  ivec3 cell = voxc_r4_4_4_g8_floor_of(ray.given_origin);
+  ivec3 below = ivec3(lessThan(cell, ivec3(0)));
+  ivec3 above = ivec3(greaterThanEqual(cell, voxc_r4_4_4_g8_VOLUME_SIZE));
+  ivec3 enters = below * (ivec3(ray.moves) - ivec3(ray.falls)) + above * ivec3(ray.falls);
+  walk.cell = cell;
+  if (enters == ivec3(0) || enters != below + above)
+    return walk;
+  ivec3 face = mix(ivec3(0), voxc_r4_4_4_g8_VOLUME_SIZE, ray.falls);
+  int axis = voxc_r4_4_4_g8_last_entered(ray, greaterThan(enters, ivec3(0)), face);
+  if (starts_far)
+    voxc_r4_4_4_g8_start_at(ray, cell, axis, face[axis]);
+  return voxc_r4_4_4_g8_behind_face(ray, walk, cell, axis, face[axis]);
+}
+
+// The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not
+// sure if that cannot tell which face is the last, or which cell is behind it.
+voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_entered(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk, vec3 face,
+    inout bool sure) {
+  // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
+  const float LATEST = 281474976710656.0f;
+  // A coordinate that never changes stays outside.
+  vec3 t = mix(vec3(-1.0f), voxc_r4_4_4_g8_times_of(ray, face), ray.moves);
+  bool is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
+  // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
+  vec3 last_face = mix(vec3(voxc_r4_4_4_g8_NEVER), face, ray.falls);
+  bvec3 on_face = equal(ray.origin, is_as_given ? last_face : vec3(voxc_r4_4_4_g8_NEVER));
+  t = mix(t, vec3(0.0f), on_face);
+  float latest = min(voxc_r4_4_4_g8_greatest_of(t), LATEST);
+  float before = voxc_r4_4_4_g8_second_least_of(t);
+  bvec3 passed = equal(t, vec3(latest));
+  bool begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
+  vec3 point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  point = begins_here ? ray.origin : point;
+  vec3 whole = floor(point);
+  bool is_last = before < latest - (latest * voxc_r4_4_4_g8_ROUNDINGS + ray.slack);
+  bool is_certain = voxc_r4_4_4_g8_greatest_of(point - whole) < ray.certain;
+  bool is_sure = begins_here || (is_last && is_certain);
+  sure = sure && is_sure;
+  walk.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
+  walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
+  return walk;
+}
+
+// True if a coordinate is past the volume, and goes on.
+bool voxc_r4_4_4_g8_leaves_volume(const voxc_r4_4_4_g8_Ray ray) {
+  ivec3 below = ivec3(lessThan(ray.origin, vec3(0.0f)));
+  ivec3 above = ivec3(greaterThanEqual(ray.origin, vec3(voxc_r4_4_4_g8_VOLUME_SIZE)));
+  return mix(above, below, ray.falls) != ivec3(0);
+}
+
+// Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+bool voxc_r4_4_4_g8_enter_volume(inout voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, bool ordinary) {
+  if (voxc_r4_4_4_g8_COMES_NEAR && ordinary && voxc_r4_4_4_g8_leaves_volume(ray))
+    return false;
+  vec3 face = mix(vec3(0.0f), vec3(voxc_r4_4_4_g8_VOLUME_SIZE), ray.falls);
+  vec3 cell = floor(ray.origin);
+  voxc_r4_4_4_g8_Start near = voxc_r4_4_4_g8_come_near(ray, face);
+  if (voxc_r4_4_4_g8_SETTLES && !ordinary && any(voxc_r4_4_4_g8_starts_tiny(ray)))
+    near.slack = voxc_r4_4_4_g8_NEVER;
+  voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.slack);
+  bool has_begun = voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open >= 0;
+  if (voxc_r4_4_4_g8_SETTLES && has_begun && !near.is_far)
+    return true; // Where it has entered need not be found again.
+  bool sure = ordinary && !near.is_far;
+  voxc_r4_4_4_g8_Walk start = voxc_r4_4_4_g8_entered(ray, walk, face, sure);
+  if (voxc_r4_4_4_g8_SETTLES && !sure)
+    start = voxc_r4_4_4_g8_entered_exactly(ray, walk, near.is_far);
+  if (!voxc_r4_4_4_g8_SETTLES && !sure) {
+    start = walk;
+    start.cell = ivec3(-1);
+    start.open = voxc_r4_4_4_g8_AGAIN;
+  }
+  walk = start;
+  return voxc_r4_4_4_g8_is_in_volume(walk.cell);
+}
+
+// A ray as given, made ready for walking.
+
+const float voxc_r4_4_4_g8_LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
+
+// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their
+// direction is scaled without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within
+// 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
+// longest component, and `component` is the direction once it is scaled.
+bool voxc_r4_4_4_g8_is_ordinary(uvec3 origin, uint longest, vec3 component) {
+  const uint SHORTEST = 0x00800000u; // The bits of 2^-126, below which devices may keep no number.
+  const uint RANGE = 0x7e800000u; // From there to 2^127, where no number is left to scale by.
+  const uint FAR_BITS = 0x56000000u; // Of 2^45.
+  uvec3 place = origin & ~voxc_r4_4_4_g8_SIGN_BIT;
+  uvec3 least = min(place - 1u, floatBitsToUint(abs(component)));
+  uint farthest = max(max(place.x, place.y), place.z);
+  bool is_scaled = longest - SHORTEST < RANGE;
+  bool is_large = min(min(least.x, least.y), least.z) >= floatBitsToUint(voxc_r4_4_4_g8_LEAST_COMPONENT);
+  bool is_near = farthest < (voxc_r4_4_4_g8_COMES_NEAR ? FAR_BITS : floatBitsToUint(voxc_r4_4_4_g8_far_away()));
+  return is_scaled && is_large && is_near;
+}
+
+// The magnitudes of a direction, divided by a power of two that leaves the largest in [1, 2), for numbers of any size.
+vec3 voxc_r4_4_4_g8_scaled_exactly(uvec3 size) {
+  ivec3 exponent;
+  int largest = -1000;
+  for (int axis = 0; axis < 3; axis++) {
+    uint significand = voxc_r4_4_4_g8_significand_of(size[axis]);
+    exponent[axis] = voxc_r4_4_4_g8_exponent_of(size[axis]) + findMSB(significand);
+    largest = significand != 0u ? max(largest, exponent[axis]) : largest;
+  }
+  vec3 result;
+  for (int axis = 0; axis < 3; axis++) {
+    uint significand = voxc_r4_4_4_g8_significand_of(size[axis]);
+    result[axis] = float(significand) * voxc_r4_4_4_g8_power_of_two(-findMSB(significand))
+        * voxc_r4_4_4_g8_power_of_two(max(exponent[axis] - largest, -60));
+  }
+  return result;
+}
+
+// Makes a ray ready, whose direction is scaled by a power of two so that its longest component is in [1, 2).
+voxc_r4_4_4_g8_Ray voxc_r4_4_4_g8_prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
+  voxc_r4_4_4_g8_Ray ray;
+  ray.given_origin = origin;
+  ray.given_direction = direction;
+  uvec3 size = direction & ~voxc_r4_4_4_g8_SIGN_BIT;
+  uint longest = max(max(size.x, size.y), size.z);
+  ray.moves = notEqual(size, uvec3(0u));
+  vec3 component = uintBitsToFloat(direction) * uintBitsToFloat(0x7f000000u - (longest & voxc_r4_4_4_g8_INFINITY_BITS));
+  component = mix(vec3(voxc_r4_4_4_g8_LEAST_COMPONENT), component, ray.moves);
+  ordinary = voxc_r4_4_4_g8_is_ordinary(origin, longest, component);
+  ray.plain = ordinary;
+  if (voxc_r4_4_4_g8_SETTLES && !ordinary) {
+    ray.plain = voxc_r4_4_4_g8_are_plain(origin) && voxc_r4_4_4_g8_are_plain(direction);
+    component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction,
+        uvec3(voxc_r4_4_4_g8_SIGN_BIT))) * voxc_r4_4_4_g8_scaled_exactly(size);
+    component = mix(vec3(voxc_r4_4_4_g8_LEAST_COMPONENT), component, ray.moves);
+  }
+  ivec3 sign = floatBitsToInt(component) >> 31;
+  ray.origin = uintBitsToFloat(origin);
+  ray.direction = component;
+  ray.inverse = 1.0f / ray.direction;
+  ray.late = vec3(0.0f);
+  ray.falls = lessThan(sign, ivec3(0));
+  ray.heading = sign | 1;
+  ray.beyond = vec3(sign);
+  ray.ahead = ~sign;
+  return ray;
+}
+
+// From a ray to its walk, and the end of the walk.
+
+// A ray that goes nowhere can hit its own cell alone: it is let go anywhere, and takes no later hit.
+bool voxc_r4_4_4_g8_goes_nowhere(uvec3 direction) {
+  return ((direction.x | direction.y | direction.z) & ~voxc_r4_4_4_g8_SIGN_BIT) == 0u;
+}
+
+// Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray
+// is left.
+bool voxc_r4_4_4_g8_begin_walk(uvec3 origin, uvec3 direction, uint root, out voxc_r4_4_4_g8_Ray ray,
+    inout voxc_r4_4_4_g8_Walk walk) {
+  bool stays = voxc_r4_4_4_g8_SETTLES && voxc_r4_4_4_g8_goes_nowhere(direction);
+  bool ordinary;
+  ray = voxc_r4_4_4_g8_prepare_ray(origin, stays ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction, ordinary);
+  if (root == 0u)
+    return false;
+  if (voxc_r4_4_4_g8_SETTLES && !(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction)))
+    return false;
+  voxc_r4_4_4_g8_Walk start = walk;
+  bool enters = voxc_r4_4_4_g8_enter_volume(ray, start, ordinary);
+  bool may_have_begun = voxc_r4_4_4_g8_SETTLES; // A dispatch that does not settle begins all its rays.
+  bool has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open != voxc_r4_4_4_g8_CLOSED);
+  if (!enters || !has_begun)
+    walk = start;
+  return enters;
+}
+
+// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
+bool voxc_r4_4_4_g8_end_walk(uvec3 origin, uvec3 direction, inout voxc_r4_4_4_g8_Walk walk, bool hit) {
+  bool may_stay = voxc_r4_4_4_g8_SETTLES; // Packets go on with rays that exact arithmetic has prepared.
+  if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || walk.open == voxc_r4_4_4_g8_AGAIN
+      || walk.cell == voxc_r4_4_4_g8_floor_of(origin))
+    return hit;
+  walk.cell = ivec3(-1);
+  walk.open = voxc_r4_4_4_g8_CLOSED;
+  return false;
+}
+
+// The t of a face, correctly rounded, in integers.
+
+// An unsigned number of 64 bits.
+struct voxc_r4_4_4_g8_Wide {
+  uint high;
+  uint low;
+};
+
+bool voxc_r4_4_4_g8_is_below(const voxc_r4_4_4_g8_Wide a, const voxc_r4_4_4_g8_Wide b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+
+voxc_r4_4_4_g8_Wide voxc_r4_4_4_g8_sum_of(const voxc_r4_4_4_g8_Wide a, const voxc_r4_4_4_g8_Wide b) {
+  uint carry;
+  uint low = uaddCarry(a.low, b.low, carry);
+  return voxc_r4_4_4_g8_Wide(a.high + b.high + carry, low);
+}
+
+voxc_r4_4_4_g8_Wide voxc_r4_4_4_g8_difference_of(const voxc_r4_4_4_g8_Wide a, const voxc_r4_4_4_g8_Wide b) {
+  uint borrow;
+  uint low = usubBorrow(a.low, b.low, borrow);
+  return voxc_r4_4_4_g8_Wide(a.high - b.high - borrow, low);
+}
+
+int voxc_r4_4_4_g8_log2_of(const voxc_r4_4_4_g8_Wide number) {
+  return number.high != 0u ? 32 + findMSB(number.high) : findMSB(number.low);
+}
+
+// number * 2^shift, shift in [-63, 63]. Bits that fall off the low end are told of; none falls off the high end.
+voxc_r4_4_4_g8_Wide voxc_r4_4_4_g8_shifted(const voxc_r4_4_4_g8_Wide number, int shift, inout bool inexact) {
+  int right = max(-shift, 0);
+  int left = max(shift, 0);
+  uint high = number.high;
+  uint low = number.low;
+  if (right >= 32) {
+    inexact = inexact || low != 0u;
+    low = high;
+    high = 0u;
+    right -= 32;
+  } else if (left >= 32) {
+    high = low;
+    low = 0u;
+    left -= 32;
+  }
+  if (right > 0) {
+    inexact = inexact || (low & ((1u << right) - 1u)) != 0u;
+    low = low >> right | high << (32 - right);
+    high >>= right;
+  } else if (left > 0) {
+    high = high << left | low >> (32 - left);
+    low <<= left;
+  }
+  return voxc_r4_4_4_g8_Wide(high, low);
+}
+
+// A number of 50 bits, times 2^exponent.
+struct voxc_r4_4_4_g8_Distance {
+  voxc_r4_4_4_g8_Wide number;
+  int exponent;
+  bool inexact; // The exact distance is a little more.
+};
+
+// |face - origin|, its leading 50 bits.
+voxc_r4_4_4_g8_Distance voxc_r4_4_4_g8_distance_to(uint face, uint origin) {
+  uint significand = voxc_r4_4_4_g8_significand_of(origin);
+  int exponent = voxc_r4_4_4_g8_exponent_of(origin) - 150;
+  // The larger of the two has its first bit at place 61, and so none below place 0.
+  int top = max(face == 0u ? -1000 : findMSB(face), significand == 0u ? -1000 : exponent + findMSB(significand));
+  voxc_r4_4_4_g8_Distance distance = voxc_r4_4_4_g8_Distance(voxc_r4_4_4_g8_Wide(0u, 0u), 0, false);
+  voxc_r4_4_4_g8_Wide a = voxc_r4_4_4_g8_shifted(voxc_r4_4_4_g8_Wide(0u, face), clamp(61 - top, -63, 63),
+      distance.inexact);
+  voxc_r4_4_4_g8_Wide b = voxc_r4_4_4_g8_shifted(voxc_r4_4_4_g8_Wide(0u, significand), clamp(61 - top + exponent, -63,
+      63), distance.inexact);
+  if (origin >= voxc_r4_4_4_g8_SIGN_BIT) {
+    a = voxc_r4_4_4_g8_sum_of(a, b);
+  } else {
+    if (voxc_r4_4_4_g8_is_below(a, b))
+      a = voxc_r4_4_4_g8_difference_of(b, a);
+    else
+      a = voxc_r4_4_4_g8_difference_of(a, b);
+    // What fell off was to be taken away.
+    if (distance.inexact)
+      a = voxc_r4_4_4_g8_difference_of(a, voxc_r4_4_4_g8_Wide(0u, 1u));
+  }
+  int place = voxc_r4_4_4_g8_log2_of(a) - 49;
+  distance.number = voxc_r4_4_4_g8_shifted(a, -place, distance.inexact);
+  distance.exponent = top - 61 + place;
+  return distance;
+}
+
+// value * 2^exponent of a value below 2^27, rounded to the nearest float32, ties to even; `inexact` if it is a little
+// more.
+uint voxc_r4_4_4_g8_rounded(uint value, int exponent, bool inexact) {
+  int log2_value = findMSB(value) + exponent;
+  if (log2_value > 127)
+    return voxc_r4_4_4_g8_INFINITY_BITS;
+  int drop = min(findMSB(value) - 23 + max(-126 - log2_value, 0), 31);
+  uint kept = value >> drop;
+  uint rest = value & ((1u << drop) - 1u);
+  uint middle = 1u << (drop - 1);
+  if (rest > middle || (rest == middle && (inexact || (kept & 1u) != 0u)))
+    kept++;
+  return min((uint(max(log2_value + 126, 0)) << 23) + kept, voxc_r4_4_4_g8_INFINITY_BITS);
+}
+
+// When the ray passes a face ahead of its origin: |face - origin| / |direction|, as bits of float32.
+uint voxc_r4_4_4_g8_time_exactly(const voxc_r4_4_4_g8_Ray ray, int axis, int face) {
+  voxc_r4_4_4_g8_Distance distance = voxc_r4_4_4_g8_distance_to(uint(face), ray.given_origin[axis]);
+  if (distance.number.high == 0u)
+    return 0u;
+  uint divisor = voxc_r4_4_4_g8_significand_of(ray.given_direction[axis]);
+  int shift = 23 - findMSB(divisor);
+  divisor <<= shift;
+  // The quotient, below 2^27, by an estimate that an exact remainder corrects: what float32 rounds leaves it wrong by
+  // less than 100, so the remainder fits 32 bits; the quotient of that is wrong by 1 at most.
+  float size = float(divisor);
+  float estimate = (float(distance.number.high) * 4294967296.0f + float(distance.number.low)) / size;
+  uint value = uint(estimate);
+  uint high, low;
+  umulExtended(value, divisor, high, low);
+  int rest = int(distance.number.low - low);
+  int more = int(floor(float(rest) / size));
+  rest -= more * int(divisor);
+  int last = rest < 0 ? -1 : rest >= int(divisor) ? 1 : 0;
+  value += uint(more + last);
+  rest -= last * int(divisor);
+  int exponent = distance.exponent - (voxc_r4_4_4_g8_exponent_of(ray.given_direction[axis]) - 150 - shift);
+  return voxc_r4_4_4_g8_rounded(value, exponent, distance.inexact || rest != 0);
+}
+
+// The same, as fast as it can be told.
+uint voxc_r4_4_4_g8_crossing_time(const voxc_r4_4_4_g8_Ray ray, int axis, int face, out bool sure) {
+  sure = false;
+  uint bits = 0u;
+  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+    bits = voxc_r4_4_4_g8_time_exactly(ray, axis, face);
+    sure = true;
+  }
+  return bits;
+}
+
+// The face through which the ray entered its cell.
+int voxc_r4_4_4_g8_entered_face(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk) {
+  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
+}
+
+// How a ray comes to the voxel that it hits.
+struct voxc_r4_4_4_g8_Arrival {
+  uint t;    // The bits of a float32.
+  uint face; // Twice the axis on which the ray enters, and 1 more where its coordinate falls.
+};
+
+const uint voxc_r4_4_4_g8_BEGINS_INSIDE = 6u; // No face.
+
+// True if the ray comes into its cell on two axes at one moment.
+bool voxc_r4_4_4_g8_enters_together(const voxc_r4_4_4_g8_Ray ray, ivec3 face, int a, int b) {
+  return ray.moves[a] && ray.falls[a] == ray.falls[b] && voxc_r4_4_4_g8_compare_crossings(ray, a, face[a], b,
+      face[b]) == 0;
+}
+
+// The first axis on which the ray comes into the walk's cell as it enters that. Not sure if steps cannot tell. Without
+// exactness, of several, at an edge, the one that the walk has met.
+int voxc_r4_4_4_g8_first_axis(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk, out bool sure) {
+  sure = true;
+  int first = walk.axis;
+  ivec3 face = walk.cell + ivec3(ray.falls);
+  vec3 t = voxc_r4_4_4_g8_times_of(ray, vec3(face));
+  for (int axis = 0; axis < 2; axis++) {
+    float apart = abs(t[axis] - t[walk.axis]);
+    float doubt = min(abs(t[axis]), abs(t[walk.axis])) * voxc_r4_4_4_g8_ROUNDINGS + ray.slack;
+    if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt))
+      sure = false;
+  }
+  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+    sure = true;
+    for (int axis = 1; axis >= 0; axis--)
+      first = axis < walk.axis && voxc_r4_4_4_g8_enters_together(ray, face, axis, walk.axis) ? axis : first;
+  }
+  return first;
+}
+
+// How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
+voxc_r4_4_4_g8_Arrival voxc_r4_4_4_g8_arrival_at(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk, bool hit,
+    out bool sure) {
+  voxc_r4_4_4_g8_Arrival arrival;
+  arrival.t = 0u;
+  arrival.face = voxc_r4_4_4_g8_BEGINS_INSIDE;
+  sure = true;
+  if (!hit || walk.axis < 0)
+    return arrival;
+  arrival.t = voxc_r4_4_4_g8_crossing_time(ray, walk.axis, voxc_r4_4_4_g8_entered_face(ray, walk), sure);
+  bool sure_of_axis;
+  int axis = voxc_r4_4_4_g8_first_axis(ray, walk, sure_of_axis);
+  arrival.face = 2u * uint(axis) + uint(ray.falls[axis]);
+  sure = sure && sure_of_axis;
+  return arrival;
+}
+
+// A single voxel: the walk has arrived.
+bool voxc_r4_4_4_g8_intersect_voxel(inout voxc_r4_4_4_g8_Walk walk, uint voxel) {
+  walk.voxel = voxel;
+  return true;
+}
+
+// ---- The format: R(4, 4, 4) G(8) ----
+
+// Which child of a node a place lies in, counted in children.
+int voxc_r4_4_4_g8_child_index(ivec3 place) {
+  ivec3 bits = place & 1;
+  return bits.x | bits.y << 1 | bits.z << 2;
+}
+
+// Level 2: svdag, 256 x 256 x 256 cells of 1 voxel a side.
+const int voxc_r4_4_4_g8_LEVEL_2_DEPTH = 8;
+const int voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL = 0;
+const int voxc_r4_4_4_g8_LEVEL_2_LOG2_SIDE = 8;
+
+// A node is [masks, slots of its children...]: a bit for each child that is not empty, one for each that is a leaf, and
+// slots of those that are not empty or, where all leaves have one value, that are neither empty nor leaves. Gives the
+// child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
+uint voxc_r4_4_4_g8_child_level_2(VOXC_VOLUME volume, uint node, ivec3 cell, int height, out bool leaf) {
+  int child = voxc_r4_4_4_g8_child_index(cell >> height);
+  uint masks = voxc_r4_4_4_g8_load_word(volume, node);
+  leaf = (masks >> (8 + child) & 1u) != 0u;
+  if ((masks >> child & 1u) == 0u)
+    return 0u;
+  return voxc_r4_4_4_g8_load_word(volume, node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
+}
+
+// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
+// cell and the new.
+bool voxc_r4_4_4_g8_intersect_level_2(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    uint root) {
+  uint path[voxc_r4_4_4_g8_LEVEL_2_DEPTH + 1];
+  path[voxc_r4_4_4_g8_LEVEL_2_DEPTH] = root;
+  int top = voxc_r4_4_4_g8_LEVEL_2_DEPTH;
+  for (;;) {
+    // Down to the leaf, or the empty child, `layer` layers above the cells.
+    voxc_r4_4_4_g8_count_lookup(walk);
+    ivec3 cell = walk.cell >> voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL;
+    uint node = path[top];
+    int layer = top;
+    bool leaf = false;
+    while (node != 0u && !leaf) {
+      path[layer] = node;
+      layer--;
+      node = voxc_r4_4_4_g8_child_level_2(volume, node, cell, layer, leaf);
+    }
+    ivec3 before = walk.cell;
+    if (node == 0u)
+      voxc_r4_4_4_g8_step_over(ray, walk, voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL + layer);
+    else if (leaf && voxc_r4_4_4_g8_intersect_voxel(walk, node))
+      return true;
+    ivec3 changed = before ^ walk.cell;
+    int highest = findMSB(uint(changed.x | changed.y | changed.z));
+    if (highest >= voxc_r4_4_4_g8_LEVEL_2_LOG2_SIDE)
+      return false;
+    top = max(layer, highest - voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL) + 1;
+  }
+}
+
+// Level 1: raw, 16 x 16 x 16 cells of 256 voxels a side.
+const ivec3 voxc_r4_4_4_g8_LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
+const int voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL = 8;
+
+// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
+// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
+// slot: in that granule, where references count granules.
+uint voxc_r4_4_4_g8_slot_level_1(uint grid, ivec3 cell) {
+  ivec3 at = cell;
+  return grid + uint(at.x + ((at.y
+      + (at.z << voxc_r4_4_4_g8_LEVEL_1_LOG2_SIZE.y)) << voxc_r4_4_4_g8_LEVEL_1_LOG2_SIZE.x));
+}
+
+// The value of a cell, or 0 if it is empty.
+uint voxc_r4_4_4_g8_cell_level_1(VOXC_VOLUME volume, uint grid, ivec3 cell) {
+  uint slot = voxc_r4_4_4_g8_slot_level_1(grid, cell);
+  return voxc_r4_4_4_g8_load_word(volume, slot);
+}
+
+bool voxc_r4_4_4_g8_intersect_level_1(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    uint grid) {
+  while (voxc_r4_4_4_g8_goes_on(walk)) {
+    voxc_r4_4_4_g8_count_lookup(walk);
+    voxc_r4_4_4_g8_Gap gap = voxc_r4_4_4_g8_Gap(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_r4_4_4_g8_cell_level_1(volume, grid, walk.cell >> voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL);
+    if (value == 0u) {
+      voxc_r4_4_4_g8_step_over(ray, walk, gap);
+    } else if (voxc_r4_4_4_g8_intersect_level_2(volume, ray, walk, value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What a voxel is: here its value is its colour.
+uint voxc_r4_4_4_g8_colour_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Walk walk) {
+  return voxc_r4_4_4_g8_load_word(volume, walk.voxel);
+}
+
+// ---- What follows is the same in every kernel ----
+
+// Goes on with a walk to its end, or until it is left.
+bool voxc_r4_4_4_g8_walk_on(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    uint root) {
+  if (!voxc_r4_4_4_g8_SETTLES)
+    return voxc_r4_4_4_g8_is_in_volume(walk.cell) && voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
+  bool hit = false;
+  bool is_under_way = true;
+  while (is_under_way) {
+    while (walk.open >= 0)
+      voxc_r4_4_4_g8_settle_step(ray, walk);
+    // What was settled may have been the last step inside.
+    hit = voxc_r4_4_4_g8_is_in_volume(walk.cell) && voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
+    is_under_way = walk.open >= 0;
+  }
+  return hit;
+}
+
+// What lies between two moments of a ray, tmin and tmax.
+
+// Moments as bits of float32 that are not below 0. Nothing lies between them if tmin > tmax.
+struct voxc_r4_4_4_g8_Bounds {
+  uint tmin;
+  uint tmax;
+};
+
+// The bits of a moment, for which one before 0 is as good as 0.
+uint voxc_r4_4_4_g8_moment_of(uint bits) {
+  return bits > voxc_r4_4_4_g8_SIGN_BIT && bits <= (voxc_r4_4_4_g8_SIGN_BIT | voxc_r4_4_4_g8_INFINITY_BITS) ? 0u
+      : bits & ~voxc_r4_4_4_g8_SIGN_BIT;
+}
+
+// The bounds that two float32 tell. A NaN is in no interval, and no voxel is entered at +inf.
+voxc_r4_4_4_g8_Bounds voxc_r4_4_4_g8_bounds_between(uint tmin, uint tmax) {
+  voxc_r4_4_4_g8_Bounds bounds = voxc_r4_4_4_g8_Bounds(voxc_r4_4_4_g8_moment_of(tmin), voxc_r4_4_4_g8_moment_of(tmax));
+  bool are_bounds = bounds.tmin < voxc_r4_4_4_g8_INFINITY_BITS && tmax <= voxc_r4_4_4_g8_SIGN_BIT
+      && bounds.tmax <= voxc_r4_4_4_g8_INFINITY_BITS;
+  if (!are_bounds)
+    bounds = voxc_r4_4_4_g8_Bounds(1u, 0u);
+  return bounds;
+}
+
+const int voxc_r4_4_4_g8_UNTOLD = 2; // No order: it cannot be told here.
+
+// The order of the moment at which a coordinate passes a face and another moment, where
+// (face - origin) * 1 - moment * direction has this sign.
+int voxc_r4_4_4_g8_order_by_sign(const voxc_r4_4_4_g8_Ray ray, int axis, int sign_of_difference) {
+  return ray.falls[axis] ? -sign_of_difference : sign_of_difference;
+}
+
+int voxc_r4_4_4_g8_compare_moment_exactly(const voxc_r4_4_4_g8_Ray ray, int axis, int face, uint moment) {
+  uint one = floatBitsToUint(1.0f);
+  voxc_r4_4_4_g8_Sum difference = voxc_r4_4_4_g8_sum_of_products(uvec4(floatBitsToUint(float(face)),
+      ray.given_origin[axis] ^ voxc_r4_4_4_g8_SIGN_BIT, moment ^ voxc_r4_4_4_g8_SIGN_BIT, 0u), uvec4(one, one,
+      ray.given_direction[axis], 0u));
+  return voxc_r4_4_4_g8_order_by_sign(ray, axis, voxc_r4_4_4_g8_sign_of(difference));
+}
+
+// What is known of the order of two moments: that one is later or sooner, or, of neither, that they are the same.
+int voxc_r4_4_4_g8_order_told(const voxc_r4_4_4_g8_Ray ray, int axis, uint moment, bool later, bool sooner,
+    bool is_exact) {
+  // Devices may not keep a denormal moment.
+  bool told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
+  return told ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNTOLD;
+}
+
+// The same by float32, whose distance and way are rounded once each.
+int voxc_r4_4_4_g8_compare_moment_by_floats(const voxc_r4_4_4_g8_Ray ray, int axis, int face, uint moment) {
+  float distance = float(face) - uintBitsToFloat(ray.given_origin[axis]);
+  float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
+  float doubt = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
+  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > doubt, distance - way < -doubt, false);
+}
+
+int voxc_r4_4_4_g8_compare_moment(const voxc_r4_4_4_g8_Ray ray, int axis, int face, uint moment) {
+  return voxc_r4_4_4_g8_compare_moment_by_floats(ray, axis, face, moment);
+}
+
+// Whether the ray enters the walk's cell before a moment, -1, at it, 0, or after it, 1. UNTOLD if only exact arithmetic
+// can tell, and that is not at hand, or the device has cut it short.
+int voxc_r4_4_4_g8_compare_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk, uint moment) {
+  if (walk.axis < 0)
+    return moment == 0u ? 0 : -1;
+  int face = voxc_r4_4_4_g8_entered_face(ray, walk);
+  int order = voxc_r4_4_4_g8_compare_moment(ray, walk.axis, face, moment);
+  if (voxc_r4_4_4_g8_SETTLES && order == voxc_r4_4_4_g8_UNTOLD)
+    order = voxc_r4_4_4_g8_compare_moment_exactly(ray, walk.axis, face, moment);
+  return order;
+}
+
+// Where the entry of the walk's cell lies: before the bounds, -1, within them, 0, or after them, 1. UNTOLD as above.
+int voxc_r4_4_4_g8_place_of_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk,
+    const voxc_r4_4_4_g8_Bounds bounds) {
+  int order = bounds.tmin == 0u ? 0 : voxc_r4_4_4_g8_compare_entry(ray, walk, bounds.tmin);
+  if (order < 0 || order == voxc_r4_4_4_g8_UNTOLD)
+    return order;
+  return bounds.tmax == voxc_r4_4_4_g8_INFINITY_BITS ? 0 : max(voxc_r4_4_4_g8_compare_entry(ray, walk, bounds.tmax), 0);
+}
+
+// Moves a walk that begins long before a moment to a cell that the ray comes to shortly before.
+void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, uint moment) {
+  const int WORTH_SKIPPING = 4; // In voxels.
+  if (moment == 0u || !voxc_r4_4_4_g8_is_in_volume(walk.cell))
+    return;
+  uvec3 size = ray.given_direction & ~voxc_r4_4_4_g8_SIGN_BIT;
+  int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+  float origin = uintBitsToFloat(ray.given_origin[axis]);
+  float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
+  float heading = float(ray.heading[axis]);
+  float reach = abs(origin) + abs(way);
+  if (!(reach < voxc_r4_4_4_g8_NEVER))
+    return;
+  float before = origin + way - heading * (2.0f + reach / 1048576.0f); // By more than a few roundings.
+  int face = int(floor(clamp(before, -1.0f, float(voxc_r4_4_4_g8_VOLUME_SIZE[axis] + 1))));
+  int behind = face - int(ray.falls[axis]);
+  if ((behind - walk.cell[axis]) * ray.heading[axis] > WORTH_SKIPPING)
+    walk = voxc_r4_4_4_g8_behind_face(ray, walk, walk.cell, axis, face);
+}
+
+// Lets a walk end shortly after a moment, where float32 can tell when that is.
+void voxc_r4_4_4_g8_end_after(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, uint moment) {
+  if (!ray.plain || moment >= voxc_r4_4_4_g8_INFINITY_BITS || (moment != 0u && moment < 0x800000u))
+    return;
+  vec3 origin = uintBitsToFloat(ray.given_origin);
+  vec3 way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction);
+  vec3 room = 2.0f + (abs(origin) + abs(way)) / 1048576.0f;
+  vec3 after = origin + way + vec3(ray.heading) * room;
+  ivec3 last = ivec3(clamp(floor(after), vec3(0.0f), vec3(voxc_r4_4_4_g8_VOLUME_SIZE - 1)));
+  walk.begin = mix(ivec3(0), last, ray.falls);
+  walk.size = mix(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, greaterThan(ray.heading, ivec3(0))) - walk.begin;
+}
+
+// Lets a walk that is ready end shortly after its bounds. False, and a miss, if nothing lies between them.
+bool voxc_r4_4_4_g8_bound_walk(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    const voxc_r4_4_4_g8_Bounds bounds) {
+  if (bounds.tmin > bounds.tmax) {
+    walk.cell = ivec3(-1);
+    walk.open = voxc_r4_4_4_g8_CLOSED;
+    return false;
+  }
+  voxc_r4_4_4_g8_end_after(ray, walk, bounds.tmax);
+  return true;
+}
+
+// Goes on with a walk to the first voxel that the ray enters within the bounds. A walk of which that cannot be told
+// stays where it is, in that voxel; one that has come beyond the bounds ends.
+bool voxc_r4_4_4_g8_walk_within(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+    uint root, const voxc_r4_4_4_g8_Bounds bounds) {
+  bool found = false;
+  int place = -1;
+  while (place < 0) {
+    found = (voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open >= 0) && voxc_r4_4_4_g8_walk_on(volume, ray, walk,
+        root);
+    place = found ? voxc_r4_4_4_g8_place_of_entry(ray, walk, bounds) : 0;
+    if (place < 0)
+      voxc_r4_4_4_g8_step_over_voxel(ray, walk);
+  }
+  if (found && place == 1)
+    walk.cell = ivec3(-1);
+  if (!voxc_r4_4_4_g8_SETTLES && found && place == voxc_r4_4_4_g8_UNTOLD)
+    walk.open = voxc_r4_4_4_g8_AGAIN;
+  return found && place == 0;
+}
+
+// What rays find, as it is told outside.
+
+// A voxel on a ray. A miss is -1, -1, -1, 0, 0, -1, 0.
+struct voxc_r4_4_4_g8_Hit {
+  ivec3 voxel;
+  float t;     // When the ray enters it, rounded to nearest; 0 where the ray begins in it.
+  uint colour; // Its word: R in the lowest byte, then G, B and A; or a label.
+  // Of the face by which the ray enters, 0, 1, 2 for x, y, z; the first of several. -1 where the ray begins inside.
+  int axis;
+  int side;    // -1 where that is the voxel's low face, 1 where it is the high one; 0 where there is none.
+};
+
+voxc_r4_4_4_g8_Hit voxc_r4_4_4_g8_miss() { return voxc_r4_4_4_g8_Hit(ivec3(-1), 0.0f, 0u, -1, 0); }
+
+voxc_r4_4_4_g8_Hit voxc_r4_4_4_g8_hit_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray,
+    const voxc_r4_4_4_g8_Walk walk) {
+  bool sure;
+  voxc_r4_4_4_g8_Arrival arrival = voxc_r4_4_4_g8_arrival_at(ray, walk, true, sure);
+  bool inside = arrival.face == voxc_r4_4_4_g8_BEGINS_INSIDE;
+  int axis = inside ? -1 : int(arrival.face >> 1);
+  int side = inside ? 0 : (arrival.face & 1u) != 0u ? 1 : -1;
+  return voxc_r4_4_4_g8_Hit(walk.cell, uintBitsToFloat(arrival.t), voxc_r4_4_4_g8_colour_of(volume, walk), axis, side);
+}
+
+// The normal of the face by which the ray enters, out of the voxel; 0 where there is none.
+vec3 voxc_r4_4_4_g8_normal(const voxc_r4_4_4_g8_Hit hit) {
+  return vec3(ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2))) * hit.side);
+}
+
+// Where the ray of a hit enters the voxel, just outside of it, and within its face: rays that go on from there begin in
+// the cell before that face, and need no tmin to leave the voxel. In a voxel in which the ray begins, that is where it
+// begins.
+vec3 voxc_r4_4_4_g8_outside(vec3 origin, vec3 direction, const voxc_r4_4_4_g8_Hit hit) {
+  if (hit.axis < 0)
+    return origin;
+  vec3 low = vec3(hit.voxel);
+  vec3 high = low + 1.0f;
+  vec3 within = clamp(origin + hit.t * direction, low, high - high / 8388608.0f);
+  vec3 beyond = hit.side > 0 ? high : low - max(low, 1.0f) / 8388608.0f;
+  return mix(within, beyond, equal(ivec3(hit.axis), ivec3(0, 1, 2)));
+}
+
+// What is called from outside.
+
+// Walks from the ray's begin, or from behind the walk's voxel where it has one, to the next voxel within [tmin, tmax].
+bool voxc_r4_4_4_g8_seek(VOXC_VOLUME volume, uvec3 origin, uvec3 direction, float tmin, float tmax,
+    out voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk) {
+  bool goes_past = voxc_r4_4_4_g8_is_in_volume(walk.cell);
+  voxc_r4_4_4_g8_Bounds bounds = voxc_r4_4_4_g8_bounds_between(floatBitsToUint(tmin), floatBitsToUint(tmax));
+  uint root = voxc_r4_4_4_g8_load_word(volume, 0u); // Leads to level 1, unless the volume is empty.
+  bool found = voxc_r4_4_4_g8_begin_walk(origin, direction, root, ray, walk) && voxc_r4_4_4_g8_bound_walk(ray, walk,
+      bounds);
+  if (found) {
+    if (goes_past)
+      voxc_r4_4_4_g8_step_over_voxel(ray, walk);
+    else
+      voxc_r4_4_4_g8_skip_to(ray, walk, bounds.tmin);
+    found = voxc_r4_4_4_g8_walk_within(volume, ray, walk, root, bounds);
+  }
+  return voxc_r4_4_4_g8_end_walk(origin, direction, walk, found);
+}
+
+// The first voxel that the ray enters at a t in [tmin, tmax], in exact arithmetic; a NaN is in no interval. The voxel
+// in which the ray begins is entered at t = 0. So with a tmin above 0 a ray that starts in a solid does not see the
+// voxels that it has entered by then, but the next, which it enters through a face that is hidden.
+bool voxc_r4_4_4_g8_closest(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax,
+    out voxc_r4_4_4_g8_Hit hit) {
+  voxc_r4_4_4_g8_Ray ray;
+  voxc_r4_4_4_g8_Walk walk = voxc_r4_4_4_g8_walk_at(ivec3(-1));
+  bool found = voxc_r4_4_4_g8_seek(volume, floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, walk);
+  hit = voxc_r4_4_4_g8_miss();
+  if (found)
+    hit = voxc_r4_4_4_g8_hit_of(volume, ray, walk);
+  return found;
+}
+
+// From a hit of this very ray to the next voxel on it, if that is entered at tmax or before. None is left out or comes
+// twice, also where several are entered at one moment.
+bool voxc_r4_4_4_g8_next(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmax, inout voxc_r4_4_4_g8_Hit hit) {
+  voxc_r4_4_4_g8_Ray ray;
+  voxc_r4_4_4_g8_Walk walk = voxc_r4_4_4_g8_walk_at(hit.voxel);
+  bool found = voxc_r4_4_4_g8_is_in_volume(hit.voxel) && voxc_r4_4_4_g8_seek(volume, floatBitsToUint(origin),
+      floatBitsToUint(direction), 0.0f, tmax, ray, walk);
+  hit = voxc_r4_4_4_g8_miss();
+  if (found)
+    hit = voxc_r4_4_4_g8_hit_of(volume, ray, walk);
+  return found;
+}
+
+// Whether there is a voxel that the ray enters at a t in [tmin, tmax].
+bool voxc_r4_4_4_g8_any(VOXC_VOLUME volume, vec3 origin, vec3 direction, float tmin, float tmax) {
+  voxc_r4_4_4_g8_Ray ray;
+  voxc_r4_4_4_g8_Walk walk = voxc_r4_4_4_g8_walk_at(ivec3(-1));
+  return voxc_r4_4_4_g8_seek(volume, floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, walk);
+}
+
+#undef VOXC_INDEX
+#endif

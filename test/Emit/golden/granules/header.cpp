@@ -1,0 +1,94 @@
+// ---- The format: R(3, 3, 3) R(3, 3, 3) ----
+
+// Level 2: raw, 8 x 8 x 8 cells of 1 voxel a side.
+const ivec3 voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIZE = ivec3(3, 3, 3);
+const int voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_CELL = 0;
+const int voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIDE = 3;
+
+// The granule in which a cell's slot is.
+static inline uint voxc_r3_3_3_r3_3_3_granule_level_2(uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIZE) - 1);
+  int granule = at.x >> 1 | at.y << 2 | at.z << 5;
+  return grid + uint(granule);
+}
+
+// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
+// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
+// slot: in that granule, where references count granules.
+static inline uint voxc_r3_3_3_r3_3_3_slot_level_2(ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIZE) - 1);
+  int slot = at.x & 1;
+  return uint(slot);
+}
+
+// The value of a cell, or 0 if it is empty.
+static inline uint voxc_r3_3_3_r3_3_3_cell_level_2(const unsigned int *volume, uint grid, ivec3 cell) {
+  uint granule = voxc_r3_3_3_r3_3_3_granule_level_2(grid, cell);
+  uint slot = voxc_r3_3_3_r3_3_3_slot_level_2(cell);
+  return voxc_r3_3_3_r3_3_3_load_word(volume, granule, slot);
+}
+
+// Whether a walk is still in the sub-volume in which it began.
+static inline bool voxc_r3_3_3_r3_3_3_within_level_2(ivec3 begin, ivec3 cell) {
+  return voxc_r3_3_3_r3_3_3_is_same_cube(begin, cell, voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIDE);
+}
+
+static inline bool voxc_r3_3_3_r3_3_3_intersect_level_2(const unsigned int *volume, const voxc_r3_3_3_r3_3_3_Ray &ray,
+    voxc_r3_3_3_r3_3_3_Walk &walk, uint grid) {
+  ivec3 begin = walk.cell;
+  while (voxc_r3_3_3_r3_3_3_within_level_2(begin, walk.cell)) {
+    voxc_r3_3_3_r3_3_3_count_lookup(walk);
+    uint value = voxc_r3_3_3_r3_3_3_cell_level_2(volume, grid, walk.cell >> voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_CELL);
+    if (value == 0u) {
+      voxc_r3_3_3_r3_3_3_step_over_voxel(ray, walk);
+    } else if (voxc_r3_3_3_r3_3_3_intersect_voxel(walk, value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Level 1: raw, 8 x 8 x 8 cells of 8 voxels a side.
+const int voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL = 3;
+
+// The granule in which a cell's slot is.
+static inline uint voxc_r3_3_3_r3_3_3_granule_level_1(uint grid, ivec3 cell) {
+  ivec3 at = cell;
+  int granule = at.x >> 1 | at.y << 2 | at.z << 5;
+  return grid + uint(granule);
+}
+
+// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
+// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
+// slot: in that granule, where references count granules.
+static inline uint voxc_r3_3_3_r3_3_3_slot_level_1(ivec3 cell) {
+  ivec3 at = cell;
+  int slot = at.x & 1;
+  return uint(slot);
+}
+
+// The value of a cell, or 0 if it is empty.
+static inline uint voxc_r3_3_3_r3_3_3_cell_level_1(const unsigned int *volume, uint grid, ivec3 cell) {
+  uint granule = voxc_r3_3_3_r3_3_3_granule_level_1(grid, cell);
+  uint slot = voxc_r3_3_3_r3_3_3_slot_level_1(cell);
+  return voxc_r3_3_3_r3_3_3_load_word(volume, granule, slot);
+}
+
+static inline bool voxc_r3_3_3_r3_3_3_intersect_level_1(const unsigned int *volume, const voxc_r3_3_3_r3_3_3_Ray &ray,
+    voxc_r3_3_3_r3_3_3_Walk &walk, uint grid) {
+  while (voxc_r3_3_3_r3_3_3_goes_on(walk)) {
+    voxc_r3_3_3_r3_3_3_count_lookup(walk);
+    voxc_r3_3_3_r3_3_3_Gap gap = voxc_r3_3_3_r3_3_3_Gap(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_r3_3_3_r3_3_3_cell_level_1(volume, grid, walk.cell >> voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL);
+    if (value == 0u) {
+      voxc_r3_3_3_r3_3_3_step_over(ray, walk, gap);
+    } else if (voxc_r3_3_3_r3_3_3_intersect_level_2(volume, ray, walk, value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What a voxel is: here its value is its colour.
+static inline uint voxc_r3_3_3_r3_3_3_colour_of(const voxc_r3_3_3_r3_3_3_Walk &walk) { return walk.voxel; }
+

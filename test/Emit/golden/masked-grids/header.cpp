@@ -1,0 +1,95 @@
+// ---- The format: M(4, 4, 4) M(3, 3, 3) ----
+
+// Level 2: masked, 8 x 8 x 8 cells of 1 voxel a side.
+const ivec3 voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIZE = ivec3(3, 3, 3);
+const int voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL = 0;
+const int voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIDE = 3;
+
+// A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
+// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
+// Each word of the mask of a large grid is followed by how many bits the words before it have.
+
+// The value of the cell that is not empty after so many others.
+static inline uint voxc_m4_4_4_m3_3_3_value_of_slot_level_2(const unsigned int *volume, uint grid, uint slot) {
+  return voxc_m4_4_4_m3_3_3_load_word(volume, grid + 32u + slot);
+}
+
+// The value of a cell, or 0 if it is empty.
+static inline uint voxc_m4_4_4_m3_3_3_cell_level_2(const unsigned int *volume, uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y
+      + (at.z << voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIZE.y)) << voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIZE.x));
+  uint bit = 1u << (number & 31u);
+  uint mask = voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5));
+  if ((mask & bit) == 0u)
+    return 0u;
+  uint rank = uint(bitCount(mask & (bit - 1u)));
+  rank += voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5) + 1u);
+  return voxc_m4_4_4_m3_3_3_value_of_slot_level_2(volume, grid, rank);
+}
+
+// Whether a walk is still in the sub-volume in which it began.
+static inline bool voxc_m4_4_4_m3_3_3_within_level_2(ivec3 begin, ivec3 cell) {
+  return voxc_m4_4_4_m3_3_3_is_same_cube(begin, cell, voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIDE);
+}
+
+static inline bool voxc_m4_4_4_m3_3_3_intersect_level_2(const unsigned int *volume, const voxc_m4_4_4_m3_3_3_Ray &ray,
+    voxc_m4_4_4_m3_3_3_Walk &walk, uint grid) {
+  ivec3 begin = walk.cell;
+  while (voxc_m4_4_4_m3_3_3_within_level_2(begin, walk.cell)) {
+    voxc_m4_4_4_m3_3_3_count_lookup(walk);
+    uint value = voxc_m4_4_4_m3_3_3_cell_level_2(volume, grid, walk.cell >> voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL);
+    if (value == 0u) {
+      voxc_m4_4_4_m3_3_3_step_over_voxel(ray, walk);
+    } else if (voxc_m4_4_4_m3_3_3_intersect_voxel(walk, value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Level 1: masked, 16 x 16 x 16 cells of 8 voxels a side.
+const ivec3 voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
+const int voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL = 3;
+
+// A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
+// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
+// Each word of the mask of a large grid is followed by how many bits the words before it have.
+
+// The value of the cell that is not empty after so many others.
+static inline uint voxc_m4_4_4_m3_3_3_value_of_slot_level_1(const unsigned int *volume, uint grid, uint slot) {
+  return voxc_m4_4_4_m3_3_3_load_word(volume, grid + 256u + slot);
+}
+
+// The value of a cell, or 0 if it is empty.
+static inline uint voxc_m4_4_4_m3_3_3_cell_level_1(const unsigned int *volume, uint grid, ivec3 cell) {
+  ivec3 at = cell;
+  uint number = uint(at.x + ((at.y
+      + (at.z << voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_SIZE.y)) << voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_SIZE.x));
+  uint bit = 1u << (number & 31u);
+  uint mask = voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5));
+  if ((mask & bit) == 0u)
+    return 0u;
+  uint rank = uint(bitCount(mask & (bit - 1u)));
+  rank += voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5) + 1u);
+  return voxc_m4_4_4_m3_3_3_value_of_slot_level_1(volume, grid, rank);
+}
+
+static inline bool voxc_m4_4_4_m3_3_3_intersect_level_1(const unsigned int *volume, const voxc_m4_4_4_m3_3_3_Ray &ray,
+    voxc_m4_4_4_m3_3_3_Walk &walk, uint grid) {
+  while (voxc_m4_4_4_m3_3_3_goes_on(walk)) {
+    voxc_m4_4_4_m3_3_3_count_lookup(walk);
+    voxc_m4_4_4_m3_3_3_Gap gap = voxc_m4_4_4_m3_3_3_Gap(voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_m4_4_4_m3_3_3_cell_level_1(volume, grid, walk.cell >> voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL);
+    if (value == 0u) {
+      voxc_m4_4_4_m3_3_3_step_over(ray, walk, gap);
+    } else if (voxc_m4_4_4_m3_3_3_intersect_level_2(volume, ray, walk, value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What a voxel is: here its value is its colour.
+static inline uint voxc_m4_4_4_m3_3_3_colour_of(const voxc_m4_4_4_m3_3_3_Walk &walk) { return walk.voxel; }
+

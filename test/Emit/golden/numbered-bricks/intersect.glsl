@@ -1,0 +1,430 @@
+// ---- The format: M(2, 2, 2) M(2, 2, 2) M(2, 2, 2) ----
+
+// The field of so many bits, 32 at most, whose first is that bit of those from a word of `begin` on.
+uint load_field_at(uint place, uint first, uint bits) {
+  uint low = load_word(place + (first >> 5));
+  uint high = load_word(place + (first >> 5) + 1u);
+  uint word = low >> (first & 31u) | (high << 1) << (31u - (first & 31u));
+  return bits == 32u ? word : word & ((1u << bits) - 1u);
+}
+
+// Field i of those of so many bits that begin at a word.
+uint load_field(uint place, uint i, uint bits) { return load_field_at(place, i * bits, bits); }
+
+// Level 3: masked, 4 x 4 x 4 cells of 1 voxel a side.
+const int LEVEL_3_LOG2_CELL = 0;
+
+// Grids of 4 x 4 x 4 voxels stand in an array, and what leads to one is its number. A byte tells which of its octants
+// of eight cells are not empty, and each of these has a byte of cells. Sixteen grids are a group, whose head has a word
+// that tells at which byte of the array the cells of its first grid begin, and then the bytes of octants. All is in
+// Morton order.
+
+// Which octants of a grid are not empty, a bit for each, and the byte of the array at which their cells begin.
+uint octants_level_3(uint grid, out uint cells) {
+  uint number = grid - 1u;
+  uint head = load_word(2u) + 5u * (number >> 4);
+  uint place = number & 15u;
+  cells = load_word(head);
+  if (place > 3u)
+    cells += uint(bitCount(load_word(head + 1u)));
+  if (place > 7u)
+    cells += uint(bitCount(load_word(head + 2u)));
+  if (place > 11u)
+    cells += uint(bitCount(load_word(head + 3u)));
+  uint octants = load_word(head + 1u + (place >> 2));
+  uint shift = 8u * (place & 3u);
+  cells += uint(bitCount(octants & ((1u << shift) - 1u)));
+  return octants >> shift & 255u;
+}
+
+// A byte of the array.
+uint byte_level_3(uint at) { return load_word(load_word(2u) + (at >> 2)) >> 8u * (at & 3u) & 255u; }
+
+// The number of a place in 2 x 2 x 2, and a bit for each before it.
+int place_level_3(ivec3 place) { return place.x | place.y << 1 | place.z << 2; }
+uint before_level_3(ivec3 place) { return (1u << place_level_3(place)) - 1u; }
+
+// The cells of the octant around a cell, a bit for each: none if it is empty.
+uint octant_level_3(uint octants, uint cells, ivec3 cell) {
+  ivec3 octant = cell >> 1 & 1;
+  if ((octants >> place_level_3(octant) & 1u) == 0u)
+    return 0u;
+  return byte_level_3(cells + uint(bitCount(octants & before_level_3(octant))));
+}
+
+// How many bits so many bytes of the array have, eight at most.
+uint bits_of_bytes_level_3(uint first, uint bytes) {
+  uint array = load_word(2u);
+  uint few = min(bytes, 4u);
+  uint bits = uint(bitCount(load_field_at(array, 8u * first, 8u * few)));
+  return bytes > 4u ? bits + uint(bitCount(load_field_at(array, 8u * first + 32u, 8u * (bytes - few)))) : bits;
+}
+
+// How many voxels come before one.
+uint voxels_before_level_3(uint grid, ivec3 cell) {
+  uint cells;
+  uint octants = octants_level_3(grid, cells);
+  uint lower = octant_level_3(octants, cells, cell) & before_level_3(cell & 1);
+  uint full = uint(bitCount(octants & before_level_3(cell >> 1 & 1)));
+  return bits_of_bytes_level_3(cells, full) + uint(bitCount(lower));
+}
+
+// How many voxels a grid has.
+uint voxels_level_3(uint grid) {
+  uint cells;
+  uint octants = octants_level_3(grid, cells);
+  return bits_of_bytes_level_3(cells, uint(bitCount(octants)));
+}
+
+// A bit for each place in 2 x 2 x 2 to which a ray may still come from one of them.
+uint ahead_level_3(const Ray ray, ivec3 place) {
+  ivec3 from = place & ray.ahead;
+  ivec3 to = place | (ray.ahead & 1);
+  uvec3 sides = uvec3((ivec3(2) << to) - (ivec3(1) << from));
+  return sides.x * (sides.y & 1u | (sides.y & 2u) << 1) * (sides.z & 1u | (sides.z & 2u) << 3);
+}
+
+// True if a cell is full. Else the gap is as wide as the octant around it, if that is empty, or as the grid, if nothing
+// is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
+bool is_full_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  uint cells;
+  uint octants = octants_level_3(grid, cells);
+  ivec3 octant = cell >> 1 & 1;
+  uint own = octant_level_3(octants, cells, cell);
+  uint others = octants & ahead_level_3(ray, octant) & ~(1u << place_level_3(octant));
+  int around = own == 0u ? 1 : 0;
+  around = (others | (own & ahead_level_3(ray, cell & 1))) == 0u ? 2 : around;
+  gap.log2_side += around;
+  return (own >> place_level_3(cell & 1) & 1u) != 0u;
+}
+
+// The same, and the value of a cell that is full; 0 of one that is not.
+uint look_up_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  return is_full_level_3(ray, grid, cell, gap) ? grid : 0u; // Its value is looked up once it is hit.
+}
+
+// The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
+// mask comes late: to choose is then all that is left to do.
+vec3 faces_level_3(const Ray ray, ivec3 cell, const Gap gap) {
+  vec3 of_cell = vec3(faces_ahead(ray, cell, Gap(LEVEL_3_LOG2_CELL, 1)));
+  vec3 of_group = vec3(faces_ahead(ray, cell, Gap(LEVEL_3_LOG2_CELL + 1, 1)));
+  vec3 of_grid = vec3(faces_ahead(ray, cell, Gap(LEVEL_3_LOG2_CELL + 2, 1)));
+  return gap.log2_side == LEVEL_3_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_3_LOG2_CELL + 1 ? of_group : of_grid;
+}
+
+// The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
+uint locate_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout vec3 face) {
+  gap = Gap(LEVEL_3_LOG2_CELL, 1);
+  uint value = look_up_level_3(ray, grid, cell >> LEVEL_3_LOG2_CELL, gap);
+  if (value == 0u)
+    face = faces_level_3(ray, cell, gap);
+  return value;
+}
+
+// Level 2: masked, 4 x 4 x 4 cells of 4 voxels a side.
+const ivec3 LEVEL_2_LOG2_SIZE = ivec3(2, 2, 2);
+const int LEVEL_2_LOG2_CELL = 2;
+
+// A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty: each
+// is the number of a sub-volume. Each word of the mask of a large grid is followed by how many bits the words before it
+// have. Where cells are ranked, the bits behind all values tell how many voxels come before those of a cell, or of an
+// octant of cells.
+
+// How many cells that are not empty come before one.
+uint bits_before_level_2(uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << LEVEL_2_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_2_LOG2_SIZE.y)) << LEVEL_2_LOG2_SIZE.x));
+  uint lower = (1u << (number & 31u)) - 1u;
+  uint before = number < 32u ? 0u : uint(bitCount(load_word(grid)));
+  return before + uint(bitCount(load_word(grid + (number >> 5)) & lower));
+}
+
+// The value of the cell that is not empty after so many others.
+uint value_of_slot_level_2(uint grid, uint slot) { return load_field(grid + 2u, slot, 12u); }
+
+// A bit for each octant of half a mask that is not empty: that of its first cell.
+uint octants_of_half_level_2(uint half_mask) {
+  uint bits = (half_mask | half_mask >> 16) & 0xffffu;
+  return (bits | bits >> 1 | bits >> 4 | bits >> 5) & 0x0505u;
+}
+
+// How many voxels come before those of a cell, in Morton order: those before its octant of eight cells, which a count
+// tells, and those of the cells before it there. The counts begin at a bit behind the mask.
+uint voxels_before_level_2(uint grid, ivec3 cell, uint counts) {
+  ivec3 octant = cell >> 1 & 1;
+  ivec3 place = cell & 1;
+  uint low = load_word(grid);
+  uint half_mask = octant.z == 0 ? low : load_word(grid + 1u);
+  uint lower = octant.z == 0 ? 0u : low; // The half that comes before all of it.
+  int first = 2 * octant.x + 8 * octant.y;
+  uint octants = octants_of_half_level_2(half_mask) & ((1u << first) - 1u) | octants_of_half_level_2(lower) << 16;
+  uint earlier = uint(bitCount(octants));
+  uint before = 0u;
+  if (earlier != 0u)
+    before = load_field_at(grid + 2u, counts + (earlier - 1u) * 12u, 12u);
+  uint cells = (1u << (place.x | place.y << 1 | place.z << 2)) - 1u;
+  cells = (cells | cells << 12) & 0x000f000fu;
+  cells = (cells | cells << 2) & 0x00330033u;
+  cells = cells << first & half_mask;
+  while (cells != 0u) {
+    uint others = cells & (cells - 1u);
+    uint until = (cells ^ others) - 1u; // The bits below the lowest of the cells.
+    uint slot = uint(bitCount(lower) + bitCount(half_mask & until));
+    uint other = value_of_slot_level_2(grid, slot);
+    before += voxels_level_3(other);
+    cells = others;
+  }
+  return before;
+}
+
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+uint ranked_value_level_2(uint grid, ivec3 cell, inout uint rank) {
+  uint slot = bits_before_level_2(grid, cell);
+  uint slots;
+  slots = uint(bitCount(load_word(grid))) + uint(bitCount(load_word(grid + 1u)));
+  uint counts = slots * 12u;
+  rank += voxels_before_level_2(grid, cell, counts);
+  return value_of_slot_level_2(grid, slot);
+}
+
+// The number of a cell's bit, of which each word of the mask has 32.
+int number_level_2(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
+
+// The value of a cell that is not empty.
+uint value_level_2(uint grid, ivec3 cell) {
+  int number = number_level_2(cell);
+  uint low = load_word(grid);
+  uint half_mask = number < 32 ? low : load_word(grid + 1u);
+  int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
+  return value_of_slot_level_2(grid, uint(rank));
+}
+
+// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
+// or as the grid, if no cell is full that the ray may still come to.
+bool is_full_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  int number = number_level_2(cell);
+  uint low = load_word(grid);
+  uint high = load_word(grid + 1u);
+  uint half_mask = number < 32 ? low : high;
+  int around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
+  ivec3 at = cell & 3;
+  ivec3 from = at & ray.ahead;
+  ivec3 to = at | (ray.ahead & 3);
+  uvec3 sides = uvec3((ivec3(2) << to) - (ivec3(1) << from));
+  uint plane = sides.x * (sides.y & 1u | (sides.y & 2u) << 3 | (sides.y & 4u) << 6 | (sides.y & 8u) << 9);
+  uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
+  uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
+  around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
+  gap.log2_side += around;
+  return (half_mask >> (number & 31) & 1u) != 0u;
+}
+
+// The same, and the value of a cell that is full; 0 of one that is not.
+uint look_up_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  return is_full_level_2(ray, grid, cell, gap) ? value_level_2(grid, cell) : 0u;
+}
+
+// The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
+// mask comes late: to choose is then all that is left to do.
+vec3 faces_level_2(const Ray ray, ivec3 cell, const Gap gap) {
+  vec3 of_cell = vec3(faces_ahead(ray, cell, Gap(LEVEL_2_LOG2_CELL, 1)));
+  vec3 of_group = vec3(faces_ahead(ray, cell, Gap(LEVEL_2_LOG2_CELL + 1, 1)));
+  vec3 of_grid = vec3(faces_ahead(ray, cell, Gap(LEVEL_2_LOG2_CELL + 2, 1)));
+  return gap.log2_side == LEVEL_2_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_2_LOG2_CELL + 1 ? of_group : of_grid;
+}
+
+// The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
+uint locate_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout vec3 face) {
+  gap = Gap(LEVEL_2_LOG2_CELL, 1);
+  uint value = look_up_level_2(ray, grid, cell >> LEVEL_2_LOG2_CELL, gap);
+  if (value == 0u)
+    face = faces_level_2(ray, cell, gap);
+  return value == 0u ? 0u : locate_level_3(ray, value, cell, gap, face);
+}
+
+// Level 1: masked, 4 x 4 x 4 cells of 16 voxels a side.
+const ivec3 LEVEL_1_LOG2_SIZE = ivec3(2, 2, 2);
+const int LEVEL_1_LOG2_CELL = 4;
+
+// A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
+// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
+// Each word of the mask of a large grid is followed by how many bits the words before it have.
+
+// How many cells that are not empty come before one.
+uint bits_before_level_1(uint grid, ivec3 cell) {
+  ivec3 at = cell & ((ivec3(1) << LEVEL_1_LOG2_SIZE) - 1);
+  uint number = uint(at.x + ((at.y + (at.z << LEVEL_1_LOG2_SIZE.y)) << LEVEL_1_LOG2_SIZE.x));
+  uint lower = (1u << (number & 31u)) - 1u;
+  uint before = number < 32u ? 0u : uint(bitCount(load_word(grid)));
+  return before + uint(bitCount(load_word(grid + (number >> 5)) & lower));
+}
+
+// The value of the cell that is not empty after so many others.
+uint value_of_slot_level_1(uint grid, uint slot) { return load_word(grid + 2u + 2u * slot); }
+
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+uint ranked_value_level_1(uint grid, ivec3 cell, inout uint rank) {
+  uint slot = bits_before_level_1(grid, cell);
+  rank += load_word(grid + 2u + 2u * slot + 1u);
+  return value_of_slot_level_1(grid, slot);
+}
+
+// The number of a cell's bit, of which each word of the mask has 32.
+int number_level_1(ivec3 cell) { return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4; }
+
+// The value of a cell that is not empty.
+uint value_level_1(uint grid, ivec3 cell) {
+  int number = number_level_1(cell);
+  uint low = load_word(grid);
+  uint half_mask = number < 32 ? low : load_word(grid + 1u);
+  int rank = bitCount(half_mask & ((1u << (number & 31)) - 1u)) + (number < 32 ? 0 : bitCount(low));
+  return value_of_slot_level_1(grid, uint(rank));
+}
+
+// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
+// or as the grid, if no cell is full that the ray may still come to.
+bool is_full_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  int number = number_level_1(cell);
+  uint low = load_word(grid);
+  uint high = load_word(grid + 1u);
+  uint half_mask = number < 32 ? low : high;
+  int around = (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  // The rows, columns and planes from this cell on, a bit for each, and the 64 cells of which these are the sides.
+  ivec3 at = cell & 3;
+  ivec3 from = at & ray.ahead;
+  ivec3 to = at | (ray.ahead & 3);
+  uvec3 sides = uvec3((ivec3(2) << to) - (ivec3(1) << from));
+  uint plane = sides.x * (sides.y & 1u | (sides.y & 2u) << 3 | (sides.y & 4u) << 6 | (sides.y & 8u) << 9);
+  uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
+  uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
+  around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
+  gap.log2_side += around;
+  return (half_mask >> (number & 31) & 1u) != 0u;
+}
+
+// The same, and the value of a cell that is full; 0 of one that is not.
+uint look_up_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+  return is_full_level_1(ray, grid, cell, gap) ? value_level_1(grid, cell) : 0u;
+}
+
+// The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
+// mask comes late: to choose is then all that is left to do.
+vec3 faces_level_1(const Ray ray, ivec3 cell, const Gap gap) {
+  vec3 of_cell = vec3(faces_ahead(ray, cell, Gap(LEVEL_1_LOG2_CELL, 1)));
+  vec3 of_group = vec3(faces_ahead(ray, cell, Gap(LEVEL_1_LOG2_CELL + 1, 1)));
+  vec3 of_grid = vec3(faces_ahead(ray, cell, Gap(LEVEL_1_LOG2_CELL + 2, 1)));
+  return gap.log2_side == LEVEL_1_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_1_LOG2_CELL + 1 ? of_group : of_grid;
+}
+
+// The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
+uint locate_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout vec3 face) {
+  gap = Gap(LEVEL_1_LOG2_CELL, 1);
+  uint value = look_up_level_1(ray, grid, cell >> LEVEL_1_LOG2_CELL, gap);
+  if (value == 0u)
+    face = faces_level_1(ray, cell, gap);
+  return value == 0u ? 0u : locate_level_2(ray, value, cell, gap, face);
+}
+
+// One loop. Each turn looks at the walk's cell from the root on, through all levels.
+bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+  ivec3 before = walk.cell;
+  while (goes_on(walk)) {
+    count_lookup(walk);
+    Gap gap = Gap(0, 1);
+    vec3 face = vec3(0);
+    uint value = locate_level_1(ray, root, walk.cell, gap, face);
+    if (value != 0u) {
+      return true;
+    }
+    before = walk.cell;
+    step_over(ray, walk, gap, face);
+  }
+  put_outside(walk, before);
+  return false;
+}
+
+// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+uint rank_level_3(uint grid, ivec3 voxel) { return voxels_before_level_3(grid, voxel); }
+
+// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+uint rank_level_2(uint grid, ivec3 voxel) {
+  uint rank = 0u;
+  uint value = ranked_value_level_2(grid, voxel >> LEVEL_2_LOG2_CELL, rank);
+  return rank + rank_level_3(value, voxel);
+}
+
+// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+uint rank_level_1(uint grid, ivec3 voxel) {
+  uint rank = 0u;
+  uint value = ranked_value_level_1(grid, voxel >> LEVEL_1_LOG2_CELL, rank);
+  return rank + rank_level_2(value, voxel);
+}
+
+// The values of voxels, by rank. Word 1 of the volume says where they begin: with a word for each block of 128, where
+// that begins, then the blocks. A block is
+//   the least of each channel;
+//   4 bits a channel, how many bits it takes; DIFFERENCES; RUNS; the bits of an index; the word where the items begin;
+//   with RUNS, 128 bits, set where a value is not that before it;
+//   for each value, or run, the index of its item, if that has bits; the items.
+const uint LOG2_BLOCK = 7u;
+const uint DIFFERENCES = 1u << 16; // R and B are told as their differences from G.
+const uint RUNS = 1u << 17;
+const uint INDEX_SHIFT = 18u;
+const uint ITEMS_SHIFT = 24u;
+const uint HEAD_WORDS = 2u;
+const uint RUN_WORDS = 4u;
+
+// How many of the bits at a word are set, up to bit i of the four words.
+uint runs_until(uint place, uint i) {
+  uint last = i >> 5;
+  uint begun = 0u;
+  if (last > 0u)
+    begun += uint(bitCount(load_word(place)));
+  if (last > 1u)
+    begun += uint(bitCount(load_word(place + 1u)));
+  if (last > 2u)
+    begun += uint(bitCount(load_word(place + 2u)));
+  return begun + uint(bitCount(load_word(place + last) & (0xffffffffu >> (31u - (i & 31u)))));
+}
+
+// A channel, whose bits begin at `shift` of an item and, in the head, 4 * channel up.
+uint channel_of(uint item, uint shift, uint least, uint head, uint channel) {
+  uint bits = head >> (4u * channel) & 15u;
+  return (item >> shift & ((1u << bits) - 1u)) + (least >> (8u * channel)) & 255u;
+}
+
+uint value_of_item(uint item, uint least, uint head) {
+  uint g_at = head & 15u;
+  uint b_at = g_at + (head >> 4 & 15u);
+  uint a_at = b_at + (head >> 8 & 15u);
+  uint r = channel_of(item, 0u, least, head, 0u);
+  uint g = channel_of(item, g_at, least, head, 1u);
+  uint b = channel_of(item, b_at, least, head, 2u);
+  uint a = channel_of(item, a_at, least, head, 3u);
+  uint from = (head & DIFFERENCES) != 0u ? g : 0u;
+  return (r + from & 255u) | g << 8 | (b + from & 255u) << 16 | a << 24;
+}
+
+// The value of the voxel of a rank.
+uint value_of_rank(uint rank) {
+  uint section = load_word(1u);
+  uint block = section + load_word(section + (rank >> LOG2_BLOCK));
+  uint least = load_word(block);
+  uint head = load_word(block + 1u);
+  uint i = rank & ((1u << LOG2_BLOCK) - 1u);
+  uint fields = block + HEAD_WORDS;
+  if ((head & RUNS) != 0u) {
+    i = runs_until(fields, i) - 1u;
+    fields += RUN_WORDS;
+  }
+  uint index_bits = head >> INDEX_SHIFT & 15u;
+  if (index_bits != 0u)
+    i = load_field(fields, i, index_bits);
+  uint bits = (head & 15u) + (head >> 4 & 15u) + (head >> 8 & 15u) + (head >> 12 & 15u);
+  return value_of_item(load_field(block + (head >> ITEMS_SHIFT), i, bits), least, head);
+}
+
+// What a voxel is: here its value is its colour.
+uint colour_of(const Walk walk) { return value_of_rank(rank_level_1(load_word(0u), walk.cell)); }
+

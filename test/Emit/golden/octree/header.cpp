@@ -1,0 +1,61 @@
+// ---- The format: S(9) ----
+
+// Which child of a node a place lies in, counted in children.
+static inline int voxc_s9_child_index(ivec3 place) {
+  ivec3 bits = place & 1;
+  return bits.x | bits.y << 1 | bits.z << 2;
+}
+
+// Level 1: svo, 512 x 512 x 512 cells of 1 voxel a side.
+const int voxc_s9_LEVEL_1_DEPTH = 9;
+const int voxc_s9_LEVEL_1_LOG2_CELL = 0;
+
+// A node of an octree is [first child, masks]; its children that are not empty stand together, two words each.
+// Gives the child of a node that a cell lies in, or 0 if it is empty; the child has 2^height cells a side.
+static inline uint voxc_s9_child_level_1(const unsigned int *volume, uint node, ivec3 cell, int height, bool &leaf) {
+  int child = voxc_s9_child_index(cell >> height);
+  uint masks = voxc_s9_load_word(volume, node + 1u);
+  leaf = (masks >> (8 + child) & 1u) != 0u;
+  if ((masks >> child & 1u) == 0u)
+    return 0u;
+  return voxc_s9_load_word(volume, node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
+}
+
+// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
+// cell and the new.
+static inline bool voxc_s9_intersect_level_1(const unsigned int *volume, const voxc_s9_Ray &ray, voxc_s9_Walk &walk,
+    uint root) {
+  uint path[voxc_s9_LEVEL_1_DEPTH + 1];
+  path[voxc_s9_LEVEL_1_DEPTH] = root;
+  int top = voxc_s9_LEVEL_1_DEPTH;
+  for (;;) {
+    // Down to the leaf, or the empty child, `layer` layers above the cells.
+    voxc_s9_count_lookup(walk);
+    ivec3 cell = walk.cell >> voxc_s9_LEVEL_1_LOG2_CELL;
+    uint node = path[top];
+    int layer = top;
+    bool leaf = false;
+    while (node != 0u && !leaf) {
+      path[layer] = node;
+      layer--;
+      node = voxc_s9_child_level_1(volume, node, cell, layer, leaf);
+    }
+    ivec3 before = walk.cell;
+    if (node == 0u)
+      voxc_s9_step_over(ray, walk, voxc_s9_LEVEL_1_LOG2_CELL + layer);
+    else if (leaf && voxc_s9_intersect_voxel(walk, node))
+      return true;
+
+    if (!voxc_s9_goes_on(walk))
+      return false;
+    ivec3 changed = before ^ walk.cell;
+    int highest = findMSB(uint(changed.x | changed.y | changed.z));
+    top = max(layer, highest - voxc_s9_LEVEL_1_LOG2_CELL) + 1;
+  }
+}
+
+// What a voxel is: here its value is its colour.
+static inline uint voxc_s9_colour_of(const unsigned int *volume, const voxc_s9_Walk &walk) {
+  return voxc_s9_load_word(volume, walk.voxel);
+}
+
