@@ -14,8 +14,7 @@ uint granule_level(uint grid, ivec3 cell) {
   return grid + LEVEL_SLOT_WORDS * uint(granule);
 }
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where that stands
-// beside; then how many voxels come before those of the cell, where they are ranked.
+// A grid has a slot a cell, x fastest, then y, then z.
 // The place of a cell's slot: in that granule, where references count granules.
 uint slot_level(uint grid, ivec3 cell) {
   ivec3 at = LEVEL_FIRST ? cell : cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
@@ -43,7 +42,8 @@ uint cell_level(uint grid, ivec3 cell) {
   return value_in_level(load_word_from(granule, slot));
 }
 
-// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell, which stands last
+// in its slot.
 uint ranked_value_level(uint grid, ivec3 cell, inout uint rank) {
   uint granule = GRANULES ? granule_level(grid, cell) : grid;
   uint slot = slot_level(grid, cell);

@@ -9,6 +9,7 @@ uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint slot = slot_level(grid, cell);
   uint word = load_word_from(granule, slot);
   if (LEVEL_DISTANCES_BESIDE) {
+    // The distance stands behind the value.
     uint skip = word == 0u ? load_word_from(granule, slot + 1u) : 0u;
     gap.count = distance_level(ray, skip);
   } else {

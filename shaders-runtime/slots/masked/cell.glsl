@@ -9,7 +9,7 @@ uint cell_level(uint grid, ivec3 cell) {
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));
-  if (LEVEL_COUNTS)
+  if (LEVEL_COUNTS) // Each word of the mask is followed by how many bits the words before it have.
     rank += load_word_at(grid, 2u * (number >> 5) + 1u);
   else if (number >= 32u)
     rank += uint(bitCount(load_word(grid)));

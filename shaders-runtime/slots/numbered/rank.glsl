@@ -1,4 +1,5 @@
-// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell: in the bits
+// behind all numbers that is told of each cell, or of each octant of cells but the first.
 uint ranked_value_level(uint grid, ivec3 cell, inout uint rank) {
   if (CONE && !is_there_level(grid, cell))
     return 0u;

@@ -4,8 +4,7 @@
 const int voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL = 0;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 uint voxc_d7_7_7_15_m2_2_2_value_of_slot_level_2(VOXC_VOLUME volume, uint grid, uint slot) {
@@ -69,9 +68,8 @@ uint voxc_d7_7_7_15_m2_2_2_locate_level_2(VOXC_VOLUME volume, const voxc_d7_7_7_
 const ivec3 voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_SIZE = ivec3(7, 7, 7);
 const int voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL = 2;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint voxc_d7_7_7_15_m2_2_2_slot_level_1(uint grid, ivec3 cell) {
   ivec3 at = cell;
   return grid + 2u * uint(at.x + ((at.y
@@ -83,6 +81,7 @@ uint voxc_d7_7_7_15_m2_2_2_look_up_level_1(VOXC_VOLUME volume, const voxc_d7_7_7
     ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_Gap gap) {
   uint slot = voxc_d7_7_7_15_m2_2_2_slot_level_1(grid, cell);
   uint word = voxc_d7_7_7_15_m2_2_2_load_word(volume, slot);
+  // The distance stands behind the value.
   uint skip = word == 0u ? voxc_d7_7_7_15_m2_2_2_load_word(volume, slot + 1u) : 0u;
   gap.count = int(skip >> (ray.octant * 4) & 15u);
   return word;

@@ -4,8 +4,7 @@
 const voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL: i32 = 0;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 fn voxc_d7_7_7_15_m2_2_2_value_of_slot_level_2(volume: u32, grid: u32, slot: u32) -> u32 {
@@ -78,9 +77,8 @@ fn voxc_d7_7_7_15_m2_2_2_locate_level_2(volume: u32, ray: voxc_d7_7_7_15_m2_2_2_
 const voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_SIZE: vec3<i32> = vec3<i32>(7, 7, 7);
 const voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL: i32 = 2;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 fn voxc_d7_7_7_15_m2_2_2_slot_level_1(grid: u32, cell: vec3<i32>) -> u32 {
   let at = cell;
   return grid + 2u * u32(at.x + ((at.y
@@ -92,6 +90,7 @@ fn voxc_d7_7_7_15_m2_2_2_look_up_level_1(volume: u32, ray: voxc_d7_7_7_15_m2_2_2
     gap: ptr<function, voxc_d7_7_7_15_m2_2_2_Gap>) -> u32 {
   let slot = voxc_d7_7_7_15_m2_2_2_slot_level_1(grid, cell);
   let word = voxc_d7_7_7_15_m2_2_2_load_word(volume, slot);
+  // The distance stands behind the value.
   var skip: u32;
   if (word == 0u) {
     skip = voxc_d7_7_7_15_m2_2_2_load_word(volume, slot + 1u);

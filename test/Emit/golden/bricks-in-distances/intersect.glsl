@@ -4,8 +4,7 @@
 const int LEVEL_2_LOG2_CELL = 0;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 uint value_of_slot_level_2(uint grid, uint slot) { return load_word(grid + 2u + slot); }
@@ -59,9 +58,8 @@ uint locate_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout v
 const ivec3 LEVEL_1_LOG2_SIZE = ivec3(7, 7, 7);
 const int LEVEL_1_LOG2_CELL = 2;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint slot_level_1(uint grid, ivec3 cell) {
   ivec3 at = cell;
   return grid + 2u * uint(at.x + ((at.y + (at.z << LEVEL_1_LOG2_SIZE.y)) << LEVEL_1_LOG2_SIZE.x));
@@ -71,6 +69,7 @@ uint slot_level_1(uint grid, ivec3 cell) {
 uint look_up_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint slot = slot_level_1(grid, cell);
   uint word = load_word(slot);
+  // The distance stands behind the value.
   uint skip = word == 0u ? load_word(slot + 1u) : 0u;
   gap.count = int(skip >> (ray.octant * 4) & 15u);
   return word;

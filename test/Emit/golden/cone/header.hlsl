@@ -5,8 +5,7 @@ static const int voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL = 0;
 static const int voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_SIDE = 2;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 uint voxc_r3_3_3_m2_2_2_value_of_slot_level_2(VOXC_VOLUME volume, uint grid, uint slot) {
@@ -68,9 +67,8 @@ bool voxc_r3_3_3_m2_2_2_intersect_level_2(VOXC_VOLUME volume, const voxc_r3_3_3_
 static const int3 voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_SIZE = int3(3, 3, 3);
 static const int voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL = 2;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint voxc_r3_3_3_m2_2_2_slot_level_1(uint grid, int3 cell) {
   int3 at = cell;
   return grid + uint(at.x + ((at.y

@@ -1413,9 +1413,8 @@ static inline bool voxc_r4_4_4_g8_intersect_level_2(const unsigned int *volume, 
 const ivec3 voxc_r4_4_4_g8_LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
 const int voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL = 8;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 static inline uint voxc_r4_4_4_g8_slot_level_1(uint grid, ivec3 cell) {
   ivec3 at = cell;
   return grid + uint(at.x + ((at.y

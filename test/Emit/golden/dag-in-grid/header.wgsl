@@ -1220,9 +1220,8 @@ fn voxc_r4_4_4_g8_intersect_level_2(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: 
 const voxc_r4_4_4_g8_LEVEL_1_LOG2_SIZE: vec3<i32> = vec3<i32>(4, 4, 4);
 const voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL: i32 = 8;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 fn voxc_r4_4_4_g8_slot_level_1(grid: u32, cell: vec3<i32>) -> u32 {
   let at = cell;
   return grid + u32(at.x + ((at.y

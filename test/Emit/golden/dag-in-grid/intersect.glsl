@@ -113,9 +113,8 @@ bool intersect_level_2(const Ray ray, inout Walk walk, uint root) {
 const ivec3 LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
 const int LEVEL_1_LOG2_CELL = 8;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint slot_level_1(uint grid, ivec3 cell) {
   ivec3 at = cell;
   return grid + uint(at.x + ((at.y + (at.z << LEVEL_1_LOG2_SIZE.y)) << LEVEL_1_LOG2_SIZE.x));

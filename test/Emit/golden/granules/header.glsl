@@ -12,9 +12,8 @@ uint voxc_r3_3_3_r3_3_3_granule_level_2(uint grid, ivec3 cell) {
   return grid + uint(granule);
 }
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint voxc_r3_3_3_r3_3_3_slot_level_2(ivec3 cell) {
   ivec3 at = cell & ((ivec3(1) << voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIZE) - 1);
   int slot = at.x & 1;
@@ -58,9 +57,8 @@ uint voxc_r3_3_3_r3_3_3_granule_level_1(uint grid, ivec3 cell) {
   return grid + uint(granule);
 }
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint voxc_r3_3_3_r3_3_3_slot_level_1(ivec3 cell) {
   ivec3 at = cell;
   int slot = at.x & 1;

@@ -12,9 +12,8 @@ fn voxc_r3_3_3_r3_3_3_granule_level_2(grid: u32, cell: vec3<i32>) -> u32 {
   return grid + u32(granule);
 }
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 fn voxc_r3_3_3_r3_3_3_slot_level_2(cell: vec3<i32>) -> u32 {
   let at = cell & ((vec3<i32>(1) << vec3<u32>(voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIZE)) - 1);
   let slot = at.x & 1;
@@ -59,9 +58,8 @@ fn voxc_r3_3_3_r3_3_3_granule_level_1(grid: u32, cell: vec3<i32>) -> u32 {
   return grid + u32(granule);
 }
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 fn voxc_r3_3_3_r3_3_3_slot_level_1(cell: vec3<i32>) -> u32 {
   let at = cell;
   let slot = at.x & 1;

@@ -6,8 +6,7 @@ const int voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL = 0;
 const int voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIDE = 3;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 static inline uint voxc_m4_4_4_m3_3_3_value_of_slot_level_2(const unsigned int *volume, uint grid, uint slot) {
@@ -24,6 +23,7 @@ static inline uint voxc_m4_4_4_m3_3_3_cell_level_2(const unsigned int *volume, u
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));
+  // Each word of the mask is followed by how many bits the words before it have.
   rank += voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5) + 1u);
   return voxc_m4_4_4_m3_3_3_value_of_slot_level_2(volume, grid, rank);
 }
@@ -53,8 +53,7 @@ const ivec3 voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
 const int voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL = 3;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 static inline uint voxc_m4_4_4_m3_3_3_value_of_slot_level_1(const unsigned int *volume, uint grid, uint slot) {
@@ -71,6 +70,7 @@ static inline uint voxc_m4_4_4_m3_3_3_cell_level_1(const unsigned int *volume, u
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));
+  // Each word of the mask is followed by how many bits the words before it have.
   rank += voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5) + 1u);
   return voxc_m4_4_4_m3_3_3_value_of_slot_level_1(volume, grid, rank);
 }

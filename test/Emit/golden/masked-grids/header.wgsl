@@ -6,8 +6,7 @@ const voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL: i32 = 0;
 const voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIDE: i32 = 3;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 fn voxc_m4_4_4_m3_3_3_value_of_slot_level_2(volume: u32, grid: u32, slot: u32) -> u32 {
@@ -25,6 +24,7 @@ fn voxc_m4_4_4_m3_3_3_cell_level_2(volume: u32, grid: u32, cell: vec3<i32>) -> u
     return 0u;
   }
   var rank: u32 = countOneBits(mask & (bit - 1u));
+  // Each word of the mask is followed by how many bits the words before it have.
   rank += voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5u) + 1u);
   return voxc_m4_4_4_m3_3_3_value_of_slot_level_2(volume, grid, rank);
 }
@@ -55,8 +55,7 @@ const voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_SIZE: vec3<i32> = vec3<i32>(4, 4, 4);
 const voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL: i32 = 3;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 fn voxc_m4_4_4_m3_3_3_value_of_slot_level_1(volume: u32, grid: u32, slot: u32) -> u32 {
@@ -74,6 +73,7 @@ fn voxc_m4_4_4_m3_3_3_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u
     return 0u;
   }
   var rank: u32 = countOneBits(mask & (bit - 1u));
+  // Each word of the mask is followed by how many bits the words before it have.
   rank += voxc_m4_4_4_m3_3_3_load_word(volume, grid + 2u * (number >> 5u) + 1u);
   return voxc_m4_4_4_m3_3_3_value_of_slot_level_1(volume, grid, rank);
 }

@@ -6,8 +6,7 @@ const int LEVEL_2_LOG2_CELL = 0;
 const int LEVEL_2_LOG2_SIDE = 3;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 uint value_of_slot_level_2(uint grid, uint slot) { return load_word(grid + 32u + slot); }
@@ -21,6 +20,7 @@ uint cell_level_2(uint grid, ivec3 cell) {
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));
+  // Each word of the mask is followed by how many bits the words before it have.
   rank += load_word(grid + 2u * (number >> 5) + 1u);
   return value_of_slot_level_2(grid, rank);
 }
@@ -47,8 +47,7 @@ const ivec3 LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
 const int LEVEL_1_LOG2_CELL = 3;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // The value of the cell that is not empty after so many others.
 uint value_of_slot_level_1(uint grid, uint slot) { return load_word(grid + 256u + slot); }
@@ -62,6 +61,7 @@ uint cell_level_1(uint grid, ivec3 cell) {
   if ((mask & bit) == 0u)
     return 0u;
   uint rank = uint(bitCount(mask & (bit - 1u)));
+  // Each word of the mask is followed by how many bits the words before it have.
   rank += load_word(grid + 2u * (number >> 5) + 1u);
   return value_of_slot_level_1(grid, rank);
 }

@@ -149,9 +149,7 @@ const ivec3 voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_SIZE = ivec3(2, 2, 2);
 const int voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL = 2;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty: each
-// is the number of a sub-volume. Each word of the mask of a large grid is followed by how many bits the words before it
-// have. Where cells are ranked, the bits behind all values tell how many voxels come before those of a cell, or of an
-// octant of cells.
+// is the number of a sub-volume.
 
 // How many cells that are not empty come before one.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_2(const unsigned int *volume, uint grid, ivec3 cell) {
@@ -205,7 +203,8 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_voxels_before_level_2(const unsigne
   return before;
 }
 
-// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell: in
+// the bits behind all numbers that is told of each cell, or of each octant of cells but the first.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_2(const unsigned int *volume, uint grid, ivec3 cell,
     uint &rank) {
   uint slot = voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_2(volume, grid, cell);
@@ -290,8 +289,7 @@ const ivec3 voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_SIZE = ivec3(2, 2, 2);
 const int voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL = 4;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // How many cells that are not empty come before one.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_1(const unsigned int *volume, uint grid, ivec3 cell) {
@@ -308,7 +306,8 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_value_of_slot_level_1(const unsigne
   return voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid + 2u + 2u * slot);
 }
 
-// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell,
+// which stands behind the value.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_1(const unsigned int *volume, uint grid, ivec3 cell,
     uint &rank) {
   uint slot = voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_1(volume, grid, cell);

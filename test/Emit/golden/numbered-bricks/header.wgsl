@@ -158,9 +158,7 @@ const voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_SIZE: vec3<i32> = vec3<i32>(2, 2, 2
 const voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL: i32 = 2;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty: each
-// is the number of a sub-volume. Each word of the mask of a large grid is followed by how many bits the words before it
-// have. Where cells are ranked, the bits behind all values tell how many voxels come before those of a cell, or of an
-// octant of cells.
+// is the number of a sub-volume.
 
 // How many cells that are not empty come before one.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_2(volume: u32, grid: u32, cell: vec3<i32>) -> u32 {
@@ -224,7 +222,8 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_voxels_before_level_2(volume: u32, grid: u32, cell:
   return before;
 }
 
-// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell: in
+// the bits behind all numbers that is told of each cell, or of each octant of cells but the first.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_2(volume: u32, grid: u32, cell: vec3<i32>, rank: ptr<function,
     u32>) -> u32 {
   let slot = voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_2(volume, grid, cell);
@@ -321,8 +320,7 @@ const voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_SIZE: vec3<i32> = vec3<i32>(2, 2, 2
 const voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL: i32 = 4;
 
 // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-// unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-// Each word of the mask of a large grid is followed by how many bits the words before it have.
+// unless all are alike.
 
 // How many cells that are not empty come before one.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u32 {
@@ -344,7 +342,8 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_value_of_slot_level_1(volume: u32, grid: u32, slot:
   return voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid + 2u + 2u * slot);
 }
 
-// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+// The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell,
+// which stands behind the value.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_1(volume: u32, grid: u32, cell: vec3<i32>, rank: ptr<function,
     u32>) -> u32 {
   let slot = voxc_m2_2_2_m2_2_2_m2_2_2_bits_before_level_1(volume, grid, cell);

@@ -114,9 +114,7 @@
   static inline const int LEVEL_2_LOG2_CELL = 2;
 
   // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty: each
-  // is the number of a sub-volume. Each word of the mask of a large grid is followed by how many bits the words before it
-  // have. Where cells are ranked, the bits behind all values tell how many voxels come before those of a cell, or of an
-  // octant of cells.
+  // is the number of a sub-volume.
 
   // How many cells that are not empty come before one.
   uint bits_before_level_2(uint grid, ivec3 cell) {
@@ -165,7 +163,8 @@
     return before;
   }
 
-  // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+  // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell: in
+  // the bits behind all numbers that is told of each cell, or of each octant of cells but the first.
   uint ranked_value_level_2(uint grid, ivec3 cell, uint &rank) {
     uint slot = bits_before_level_2(grid, cell);
     uint slots;
@@ -225,8 +224,7 @@
   static inline const int LEVEL_1_LOG2_CELL = 4;
 
   // A masked grid has a bit a cell, x fastest, then y, then z, and then the values of the cells that are not empty,
-  // unless all are alike. Where values are ranked, each is followed by how many voxels come before those of its cell.
-  // Each word of the mask of a large grid is followed by how many bits the words before it have.
+  // unless all are alike.
 
   // How many cells that are not empty come before one.
   uint bits_before_level_1(uint grid, ivec3 cell) {
@@ -240,7 +238,8 @@
   // The value of the cell that is not empty after so many others.
   uint value_of_slot_level_1(uint grid, uint slot) { return load_word(grid + 2u + 2u * slot); }
 
-  // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell.
+  // The value of a cell that is not empty. Adds to `rank` how many voxels of the grid come before those of the cell,
+  // which stands behind the value.
   uint ranked_value_level_1(uint grid, ivec3 cell, uint &rank) {
     uint slot = bits_before_level_1(grid, cell);
     rank += load_word(grid + 2u + 2u * slot + 1u);

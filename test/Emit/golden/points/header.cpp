@@ -60,9 +60,8 @@ static inline bool voxc_d4_4_4_5_g4_intersect_level_2(const unsigned int *volume
 const ivec3 voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE = ivec3(4, 4, 4);
 const int voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL = 4;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 static inline uint voxc_d4_4_4_5_g4_slot_level_1(uint grid, ivec3 cell) {
   ivec3 at = cell;
   return grid + 2u * uint(at.x + ((at.y
@@ -74,6 +73,7 @@ static inline uint voxc_d4_4_4_5_g4_look_up_level_1(const unsigned int *volume, 
     voxc_d4_4_4_5_g4_Gap &gap) {
   uint slot = voxc_d4_4_4_5_g4_slot_level_1(grid, cell);
   uint word = voxc_d4_4_4_5_g4_load_word(volume, slot);
+  // The distance stands behind the value.
   uint skip = word == 0u ? voxc_d4_4_4_5_g4_load_word(volume, slot + 1u) : 0u;
   gap.count = int(skip & 0x7fffffffu);
   return word;

@@ -65,9 +65,8 @@ bool voxc_d4_4_4_5_g4_intersect_level_2(VOXC_VOLUME volume, const voxc_d4_4_4_5_
 static const int3 voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE = int3(4, 4, 4);
 static const int voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL = 4;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 uint voxc_d4_4_4_5_g4_slot_level_1(uint grid, int3 cell) {
   int3 at = cell;
   return grid + 2u * uint(at.x + ((at.y
@@ -78,6 +77,7 @@ uint voxc_d4_4_4_5_g4_slot_level_1(uint grid, int3 cell) {
 uint voxc_d4_4_4_5_g4_look_up_level_1(VOXC_VOLUME volume, uint grid, int3 cell, inout voxc_d4_4_4_5_g4_Gap gap) {
   uint slot = voxc_d4_4_4_5_g4_slot_level_1(grid, cell);
   uint word = voxc_d4_4_4_5_g4_load_word(volume, slot);
+  // The distance stands behind the value.
   uint skip = word == 0u ? voxc_d4_4_4_5_g4_load_word(volume, slot + 1u) : 0u;
   gap.count = int(skip & 0x7fffffffu);
   return word;

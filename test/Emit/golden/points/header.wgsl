@@ -63,9 +63,8 @@ fn voxc_d4_4_4_5_g4_intersect_level_2(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, wa
 const voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE: vec3<i32> = vec3<i32>(4, 4, 4);
 const voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL: i32 = 4;
 
-// A grid has a slot a cell, x fastest, then y, then z: what the cell leads to, or its value; then its distance, where
-// that stands beside; then how many voxels come before those of the cell, where they are ranked. The place of a cell's
-// slot: in that granule, where references count granules.
+// A grid has a slot a cell, x fastest, then y, then z.
+// The place of a cell's slot: in that granule, where references count granules.
 fn voxc_d4_4_4_5_g4_slot_level_1(grid: u32, cell: vec3<i32>) -> u32 {
   let at = cell;
   return grid + 2u * u32(at.x + ((at.y
@@ -77,6 +76,7 @@ fn voxc_d4_4_4_5_g4_look_up_level_1(volume: u32, grid: u32, cell: vec3<i32>, gap
     voxc_d4_4_4_5_g4_Gap>) -> u32 {
   let slot = voxc_d4_4_4_5_g4_slot_level_1(grid, cell);
   let word = voxc_d4_4_4_5_g4_load_word(volume, slot);
+  // The distance stands behind the value.
   var skip: u32;
   if (word == 0u) {
     skip = voxc_d4_4_4_5_g4_load_word(volume, slot + 1u);
