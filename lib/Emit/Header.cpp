@@ -126,7 +126,11 @@ std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage l
   const HeaderLanguageKind &kind = kindOf(language);
   const FormatWords words = headerWords(plan, name);
   KernelBuilder builder(plan, words);
-  builder.define("KEEPS_SUMS", kind.keepsSums ? "true" : "false");
+  builder.define("COUNT_LOOKUPS", "false");
+  builder.define("SETTLES", "true"); // Exact arithmetic is at hand.
+  // Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another
+  // order. Where nothing keeps a compiler from doing so, such rays are settled instead.
+  builder.define("COMES_NEAR", kind.keepsSums ? "true" : "false");
   const auto module = moduleOf(std::move(builder), kind, headerPrefix(name));
   if (!module)
     return "#error " + module.error().message + "\n";

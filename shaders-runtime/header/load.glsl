@@ -1,11 +1,3 @@
-// Count the lookups of each ray: not here.
-const bool COUNT_LOOKUPS = false;
-// Exact arithmetic is at hand, and settles what float32 leaves open.
-const bool SETTLES = true;
-// Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another order. Where nothing
-// keeps a compiler from doing so, such rays are settled instead.
-const bool COMES_NEAR = KEEPS_SUMS;
-
 // A word was looked for that is not here. From then on all words are 0: what would be asked for next might follow from it.
 bool lacks_page = false;
 

@@ -51,7 +51,6 @@ const int LEVEL_BRANCH = 1;
 const int LEVEL_LOG2_CELL = 0;
 const int LEVEL_LOG2_SIDE = 3;
 const int LEVEL_LAYER = 1;
-const bool KEEPS_SUMS = true;
 )";
 
 std::string constantOf(std::string_view name, const ConstantValue &value) {

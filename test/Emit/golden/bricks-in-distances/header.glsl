@@ -103,7 +103,6 @@ bool voxc_d7_7_7_15_m2_2_2_intersect_level_1(VOXC_VOLUME volume, const voxc_d7_7
     inout voxc_d7_7_7_15_m2_2_2_Walk walk, uint root) {
   ivec3 before = walk.cell;
   while (voxc_d7_7_7_15_m2_2_2_goes_on(walk)) {
-    voxc_d7_7_7_15_m2_2_2_count_lookup(walk);
     voxc_d7_7_7_15_m2_2_2_Gap gap = voxc_d7_7_7_15_m2_2_2_Gap(0, 1);
     vec3 face = vec3(0);
     uint value = voxc_d7_7_7_15_m2_2_2_locate_level_1(volume, ray, root, walk.cell, gap, face);

@@ -54,7 +54,6 @@ static inline bool voxc_r3_3_3_m2_2_2_intersect_level_2(const unsigned int *volu
     voxc_r3_3_3_m2_2_2_Walk &walk, uint grid) {
   ivec3 begin = walk.cell;
   while (voxc_r3_3_3_m2_2_2_within_level_2(begin, walk.cell)) {
-    voxc_r3_3_3_m2_2_2_count_lookup(walk);
     voxc_r3_3_3_m2_2_2_Gap gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, 1);
     uint value = voxc_r3_3_3_m2_2_2_look_up_level_2(volume, grid, walk.cell >> voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL,
         gap);
@@ -88,7 +87,6 @@ static inline uint voxc_r3_3_3_m2_2_2_cell_level_1(const unsigned int *volume, u
 static inline bool voxc_r3_3_3_m2_2_2_intersect_level_1(const unsigned int *volume, const voxc_r3_3_3_m2_2_2_Ray &ray,
     voxc_r3_3_3_m2_2_2_Walk &walk, uint grid) {
   while (voxc_r3_3_3_m2_2_2_goes_on(walk)) {
-    voxc_r3_3_3_m2_2_2_count_lookup(walk);
     voxc_r3_3_3_m2_2_2_Gap gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL, 1);
     uint value = voxc_r3_3_3_m2_2_2_cell_level_1(volume, grid, walk.cell >> voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL);
     if (value == 0u) {

@@ -60,7 +60,6 @@ fn voxc_r3_3_3_m2_2_2_intersect_level_2(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray
     voxc_r3_3_3_m2_2_2_Walk>, grid: u32) -> bool {
   let begin = (*walk).cell;
   while (voxc_r3_3_3_m2_2_2_within_level_2(begin, (*walk).cell)) {
-    voxc_r3_3_3_m2_2_2_count_lookup(walk);
     var gap: voxc_r3_3_3_m2_2_2_Gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, 1);
     let value = voxc_r3_3_3_m2_2_2_look_up_level_2(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL)), &gap);
@@ -94,7 +93,6 @@ fn voxc_r3_3_3_m2_2_2_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u
 fn voxc_r3_3_3_m2_2_2_intersect_level_1(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray, walk: ptr<function,
     voxc_r3_3_3_m2_2_2_Walk>, grid: u32) -> bool {
   while (voxc_r3_3_3_m2_2_2_goes_on(*walk)) {
-    voxc_r3_3_3_m2_2_2_count_lookup(walk);
     let gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_r3_3_3_m2_2_2_cell_level_1(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL)));

@@ -33,14 +33,6 @@
 // Voxels along each axis.
 const ivec3 voxc_r4_4_4_g8_VOLUME_SIZE = ivec3(4096, 4096, 4096);
 
-// Count the lookups of each ray: not here.
-const bool voxc_r4_4_4_g8_COUNT_LOOKUPS = false;
-// Exact arithmetic is at hand, and settles what float32 leaves open.
-const bool voxc_r4_4_4_g8_SETTLES = true;
-// Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another order. Where
-// nothing keeps a compiler from doing so, such rays are settled instead.
-const bool voxc_r4_4_4_g8_COMES_NEAR = true;
-
 uint voxc_r4_4_4_g8_load_word(VOXC_VOLUME volume, uint place) { return VOXC_LOAD(volume, place); }
 
 // A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
@@ -84,7 +76,6 @@ struct voxc_r4_4_4_g8_Walk {
   ivec3 cell;     // In voxels; outside the volume before and after the walk.
   int axis;       // The axis on which the ray entered the cell; -1 where it started.
   uint voxel;     // Where the voxel that was hit is to be had, as the lowest level finds it.
-  uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
   int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
   ivec3 begin;    // A walk ends where it leaves the box of `size` cells from `begin` on.
@@ -105,18 +96,13 @@ const float voxc_r4_4_4_g8_ROUNDINGS = 12.0f / 8388608.0f;
 // A walk that is about to begin, or to go on.
 voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_walk_at(ivec3 cell) {
   int most_steps = voxc_r4_4_4_g8_VOLUME_SIZE.x + voxc_r4_4_4_g8_VOLUME_SIZE.y + voxc_r4_4_4_g8_VOLUME_SIZE.z;
-  return voxc_r4_4_4_g8_Walk(cell, -1, 0u, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, ivec3(0), voxc_r4_4_4_g8_VOLUME_SIZE);
+  return voxc_r4_4_4_g8_Walk(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, ivec3(0), voxc_r4_4_4_g8_VOLUME_SIZE);
 }
 
 // Ends a walk that takes more steps than any can.
 void voxc_r4_4_4_g8_count_step(inout voxc_r4_4_4_g8_Walk walk) {
   walk.steps_left--;
   walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
-}
-
-void voxc_r4_4_4_g8_count_lookup(inout voxc_r4_4_4_g8_Walk walk) {
-  if (voxc_r4_4_4_g8_COUNT_LOOKUPS)
-    walk.lookups++;
 }
 
 bool voxc_r4_4_4_g8_is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(voxc_r4_4_4_g8_VOLUME_SIZE))); }
@@ -148,7 +134,7 @@ ivec3 voxc_r4_4_4_g8_faces_ahead(const voxc_r4_4_4_g8_Ray ray, ivec3 cell, const
 // About when each coordinate passes its face.
 vec3 voxc_r4_4_4_g8_times_of(const voxc_r4_4_4_g8_Ray ray, vec3 face) {
   vec3 t = (face - ray.origin) * ray.inverse;
-  return voxc_r4_4_4_g8_COMES_NEAR ? t - ray.late : t;
+  return t - ray.late;
 }
 
 // The order of float32 numbers by their bits is one instruction where others would look for NaN. Negative ones are
@@ -547,9 +533,8 @@ voxc_r4_4_4_g8_Start voxc_r4_4_4_g8_come_near(inout voxc_r4_4_4_g8_Ray ray, vec3
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   const int MOST_MOVES = 3;
   // No ordinary ray is, if none comes near.
-  voxc_r4_4_4_g8_Start start = voxc_r4_4_4_g8_Start((voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
-      && voxc_r4_4_4_g8_is_far(ray.origin, ray.moves), 0.0f, 0.0f);
-  if (!voxc_r4_4_4_g8_COMES_NEAR || !start.is_far)
+  voxc_r4_4_4_g8_Start start = voxc_r4_4_4_g8_Start(voxc_r4_4_4_g8_is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+  if (!start.is_far)
     return start;
   vec3 direction = mix(vec3(0.0f), ray.direction, ray.moves);
   const float LAST = 18446744073709551616.0f; // 2^64, at least as many voxels away.
@@ -591,8 +576,7 @@ void voxc_r4_4_4_g8_bound_errors(inout voxc_r4_4_4_g8_Ray ray, vec3 cell, float 
   vec3 half_size = 0.5f * vec3(voxc_r4_4_4_g8_VOLUME_SIZE);
   vec3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
   float error = voxc_r4_4_4_g8_greatest_of(reach) * voxc_r4_4_4_g8_ROUNDINGS + of_origin;
-  if (voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
-    error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
+  error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
   ray.slack = slack;
   ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
   ray.doubt = 2.0f * error;
@@ -666,11 +650,7 @@ voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_behind_face(const voxc_r4_4_4_g8_Ray ray, vox
   range.least[axis] = range.most[axis];
   range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, range);
   ivec3 behind = range.least;
-  bool sure = range.least == range.most;
-  if (voxc_r4_4_4_g8_SETTLES)
-    behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
-  else if (!sure)
-    return walk; // It stays, which is not wrong: only later cells are skipped to.
+  behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
   walk.cell = behind;
   walk.axis = axis;
   return walk;
@@ -732,26 +712,21 @@ bool voxc_r4_4_4_g8_leaves_volume(const voxc_r4_4_4_g8_Ray ray) {
 
 // Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
 bool voxc_r4_4_4_g8_enter_volume(inout voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, bool ordinary) {
-  if (voxc_r4_4_4_g8_COMES_NEAR && ordinary && voxc_r4_4_4_g8_leaves_volume(ray))
+  if (ordinary && voxc_r4_4_4_g8_leaves_volume(ray))
     return false;
   vec3 face = mix(vec3(0.0f), vec3(voxc_r4_4_4_g8_VOLUME_SIZE), ray.falls);
   vec3 cell = floor(ray.origin);
   voxc_r4_4_4_g8_Start near = voxc_r4_4_4_g8_come_near(ray, face);
-  if (voxc_r4_4_4_g8_SETTLES && !ordinary && any(voxc_r4_4_4_g8_starts_tiny(ray)))
+  if (!ordinary && any(voxc_r4_4_4_g8_starts_tiny(ray)))
     near.slack = voxc_r4_4_4_g8_NEVER;
   voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.slack);
   bool has_begun = voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open >= 0;
-  if (voxc_r4_4_4_g8_SETTLES && has_begun && !near.is_far)
+  if (has_begun && !near.is_far)
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   voxc_r4_4_4_g8_Walk start = voxc_r4_4_4_g8_entered(ray, walk, face, sure);
-  if (voxc_r4_4_4_g8_SETTLES && !sure)
+  if (!sure)
     start = voxc_r4_4_4_g8_entered_exactly(ray, walk, near.is_far);
-  if (!voxc_r4_4_4_g8_SETTLES && !sure) {
-    start = walk;
-    start.cell = ivec3(-1);
-    start.open = voxc_r4_4_4_g8_AGAIN;
-  }
   walk = start;
   return voxc_r4_4_4_g8_is_in_volume(walk.cell);
 }
@@ -773,7 +748,7 @@ bool voxc_r4_4_4_g8_is_ordinary(uvec3 origin, uint longest, vec3 component) {
   uint farthest = max(max(place.x, place.y), place.z);
   bool is_scaled = longest - SHORTEST < RANGE;
   bool is_large = min(min(least.x, least.y), least.z) >= floatBitsToUint(voxc_r4_4_4_g8_LEAST_COMPONENT);
-  bool is_near = farthest < (voxc_r4_4_4_g8_COMES_NEAR ? FAR_BITS : floatBitsToUint(voxc_r4_4_4_g8_far_away()));
+  bool is_near = farthest < FAR_BITS;
   return is_scaled && is_large && is_near;
 }
 
@@ -807,7 +782,7 @@ voxc_r4_4_4_g8_Ray voxc_r4_4_4_g8_prepare_ray(uvec3 origin, uvec3 direction, out
   component = mix(vec3(voxc_r4_4_4_g8_LEAST_COMPONENT), component, ray.moves);
   ordinary = voxc_r4_4_4_g8_is_ordinary(origin, longest, component);
   ray.plain = ordinary;
-  if (voxc_r4_4_4_g8_SETTLES && !ordinary) {
+  if (!ordinary) {
     ray.plain = voxc_r4_4_4_g8_are_plain(origin) && voxc_r4_4_4_g8_are_plain(direction);
     component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction,
         uvec3(voxc_r4_4_4_g8_SIGN_BIT))) * voxc_r4_4_4_g8_scaled_exactly(size);
@@ -836,16 +811,16 @@ bool voxc_r4_4_4_g8_goes_nowhere(uvec3 direction) {
 // is left.
 bool voxc_r4_4_4_g8_begin_walk(uvec3 origin, uvec3 direction, uint root, out voxc_r4_4_4_g8_Ray ray,
     inout voxc_r4_4_4_g8_Walk walk) {
-  bool stays = voxc_r4_4_4_g8_SETTLES && voxc_r4_4_4_g8_goes_nowhere(direction);
+  bool stays = voxc_r4_4_4_g8_goes_nowhere(direction);
   bool ordinary;
   ray = voxc_r4_4_4_g8_prepare_ray(origin, stays ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction, ordinary);
   if (root == 0u)
     return false;
-  if (voxc_r4_4_4_g8_SETTLES && !(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction)))
+  if (!(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction)))
     return false;
   voxc_r4_4_4_g8_Walk start = walk;
   bool enters = voxc_r4_4_4_g8_enter_volume(ray, start, ordinary);
-  bool may_have_begun = voxc_r4_4_4_g8_SETTLES; // A dispatch that does not settle begins all its rays.
+  bool may_have_begun = true; // A dispatch that does not settle begins all its rays.
   bool has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open != voxc_r4_4_4_g8_CLOSED);
   if (!enters || !has_begun)
     walk = start;
@@ -854,7 +829,7 @@ bool voxc_r4_4_4_g8_begin_walk(uvec3 origin, uvec3 direction, uint root, out vox
 
 // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
 bool voxc_r4_4_4_g8_end_walk(uvec3 origin, uvec3 direction, inout voxc_r4_4_4_g8_Walk walk, bool hit) {
-  bool may_stay = voxc_r4_4_4_g8_SETTLES; // Packets go on with rays that exact arithmetic has prepared.
+  bool may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
   if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || walk.open == voxc_r4_4_4_g8_AGAIN
       || walk.cell == voxc_r4_4_4_g8_floor_of(origin))
     return hit;
@@ -997,7 +972,7 @@ uint voxc_r4_4_4_g8_time_exactly(const voxc_r4_4_4_g8_Ray ray, int axis, int fac
 uint voxc_r4_4_4_g8_crossing_time(const voxc_r4_4_4_g8_Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
-  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+  if (!sure) {
     bits = voxc_r4_4_4_g8_time_exactly(ray, axis, face);
     sure = true;
   }
@@ -1036,7 +1011,7 @@ int voxc_r4_4_4_g8_first_axis(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8
     if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt))
       sure = false;
   }
-  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+  if (!sure) {
     sure = true;
     for (int axis = 1; axis >= 0; axis--)
       first = axis < walk.axis && voxc_r4_4_4_g8_enters_together(ray, face, axis, walk.axis) ? axis : first;
@@ -1100,8 +1075,6 @@ bool voxc_r4_4_4_g8_intersect_level_2(VOXC_VOLUME volume, const voxc_r4_4_4_g8_R
   path[voxc_r4_4_4_g8_LEVEL_2_DEPTH] = root;
   int top = voxc_r4_4_4_g8_LEVEL_2_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_r4_4_4_g8_count_lookup(walk);
     ivec3 cell = walk.cell >> voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL;
     uint node = path[top];
     int layer = top;
@@ -1145,7 +1118,6 @@ uint voxc_r4_4_4_g8_cell_level_1(VOXC_VOLUME volume, uint grid, ivec3 cell) {
 bool voxc_r4_4_4_g8_intersect_level_1(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
     uint grid) {
   while (voxc_r4_4_4_g8_goes_on(walk)) {
-    voxc_r4_4_4_g8_count_lookup(walk);
     voxc_r4_4_4_g8_Gap gap = voxc_r4_4_4_g8_Gap(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
     uint value = voxc_r4_4_4_g8_cell_level_1(volume, grid, walk.cell >> voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL);
     if (value == 0u) {
@@ -1167,8 +1139,6 @@ uint voxc_r4_4_4_g8_colour_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Walk walk
 // Goes on with a walk to its end, or until it is left.
 bool voxc_r4_4_4_g8_walk_on(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
     uint root) {
-  if (!voxc_r4_4_4_g8_SETTLES)
-    return voxc_r4_4_4_g8_is_in_volume(walk.cell) && voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
   bool hit = false;
   bool is_under_way = true;
   while (is_under_way) {
@@ -1248,7 +1218,7 @@ int voxc_r4_4_4_g8_compare_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4
     return moment == 0u ? 0 : -1;
   int face = voxc_r4_4_4_g8_entered_face(ray, walk);
   int order = voxc_r4_4_4_g8_compare_moment(ray, walk.axis, face, moment);
-  if (voxc_r4_4_4_g8_SETTLES && order == voxc_r4_4_4_g8_UNTOLD)
+  if (order == voxc_r4_4_4_g8_UNTOLD)
     order = voxc_r4_4_4_g8_compare_moment_exactly(ray, walk.axis, face, moment);
   return order;
 }
@@ -1322,8 +1292,6 @@ bool voxc_r4_4_4_g8_walk_within(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray
   }
   if (found && place == 1)
     walk.cell = ivec3(-1);
-  if (!voxc_r4_4_4_g8_SETTLES && found && place == voxc_r4_4_4_g8_UNTOLD)
-    walk.open = voxc_r4_4_4_g8_AGAIN;
   return found && place == 0;
 }
 

@@ -69,14 +69,6 @@ void voxc_r4_4_4_g8_umulExtended(uint a, uint b, out uint high, out uint low) {
   low = other << 16 | lowest & 0xffffu;
 }
 
-// Count the lookups of each ray: not here.
-static const bool voxc_r4_4_4_g8_COUNT_LOOKUPS = false;
-// Exact arithmetic is at hand, and settles what float32 leaves open.
-static const bool voxc_r4_4_4_g8_SETTLES = true;
-// Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another order. Where
-// nothing keeps a compiler from doing so, such rays are settled instead.
-static const bool voxc_r4_4_4_g8_COMES_NEAR = true;
-
 uint voxc_r4_4_4_g8_load_word(VOXC_VOLUME volume, uint place) { return VOXC_LOAD(volume, place); }
 
 // A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
@@ -135,20 +127,18 @@ struct voxc_r4_4_4_g8_Walk {
   int3 cell;      // In voxels; outside the volume before and after the walk.
   int axis;       // The axis on which the ray entered the cell; -1 where it started.
   uint voxel;     // Where the voxel that was hit is to be had, as the lowest level finds it.
-  uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
   int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
   int3 begin;     // A walk ends where it leaves the box of `size` cells from `begin` on.
   int3 size;
 };
 
-voxc_r4_4_4_g8_Walk make_voxc_r4_4_4_g8_Walk(int3 cell, int axis, uint voxel, uint lookups, int steps_left, int open,
-    int3 begin, int3 size) {
+voxc_r4_4_4_g8_Walk make_voxc_r4_4_4_g8_Walk(int3 cell, int axis, uint voxel, int steps_left, int open, int3 begin,
+    int3 size) {
   voxc_r4_4_4_g8_Walk made;
   made.cell = cell;
   made.axis = axis;
   made.voxel = voxel;
-  made.lookups = lookups;
   made.steps_left = steps_left;
   made.open = open;
   made.begin = begin;
@@ -170,19 +160,13 @@ static const float voxc_r4_4_4_g8_ROUNDINGS = 12.0f / 8388608.0f;
 // A walk that is about to begin, or to go on.
 voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_walk_at(int3 cell) {
   int most_steps = voxc_r4_4_4_g8_VOLUME_SIZE.x + voxc_r4_4_4_g8_VOLUME_SIZE.y + voxc_r4_4_4_g8_VOLUME_SIZE.z;
-  return make_voxc_r4_4_4_g8_Walk(cell, -1, 0u, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, (int3)0,
-      voxc_r4_4_4_g8_VOLUME_SIZE);
+  return make_voxc_r4_4_4_g8_Walk(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, (int3)0, voxc_r4_4_4_g8_VOLUME_SIZE);
 }
 
 // Ends a walk that takes more steps than any can.
 void voxc_r4_4_4_g8_count_step(inout voxc_r4_4_4_g8_Walk walk) {
   walk.steps_left--;
   walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
-}
-
-void voxc_r4_4_4_g8_count_lookup(inout voxc_r4_4_4_g8_Walk walk) {
-  if (voxc_r4_4_4_g8_COUNT_LOOKUPS)
-    walk.lookups++;
 }
 
 bool voxc_r4_4_4_g8_is_in_volume(int3 cell) { return all(uint3(cell) < uint3(voxc_r4_4_4_g8_VOLUME_SIZE)); }
@@ -214,7 +198,7 @@ int3 voxc_r4_4_4_g8_faces_ahead(const voxc_r4_4_4_g8_Ray ray, int3 cell, const v
 // About when each coordinate passes its face.
 float3 voxc_r4_4_4_g8_times_of(const voxc_r4_4_4_g8_Ray ray, float3 face) {
   float3 t = (face - ray.origin) * ray.inverse;
-  return voxc_r4_4_4_g8_COMES_NEAR ? t - ray.late : t;
+  return t - ray.late;
 }
 
 // The order of float32 numbers by their bits is one instruction where others would look for NaN. Negative ones are
@@ -635,9 +619,8 @@ voxc_r4_4_4_g8_Start voxc_r4_4_4_g8_come_near(inout voxc_r4_4_4_g8_Ray ray, floa
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   const int MOST_MOVES = 3;
   // No ordinary ray is, if none comes near.
-  voxc_r4_4_4_g8_Start start = make_voxc_r4_4_4_g8_Start((voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
-      && voxc_r4_4_4_g8_is_far(ray.origin, ray.moves), 0.0f, 0.0f);
-  if (!voxc_r4_4_4_g8_COMES_NEAR || !start.is_far)
+  voxc_r4_4_4_g8_Start start = make_voxc_r4_4_4_g8_Start(voxc_r4_4_4_g8_is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+  if (!start.is_far)
     return start;
   float3 direction = voxc_r4_4_4_g8_mix((float3)0.0f, ray.direction, ray.moves);
   const float LAST = 18446744073709551616.0f; // 2^64, at least as many voxels away.
@@ -679,8 +662,7 @@ void voxc_r4_4_4_g8_bound_errors(inout voxc_r4_4_4_g8_Ray ray, float3 cell, floa
   float3 half_size = 0.5f * float3(voxc_r4_4_4_g8_VOLUME_SIZE);
   float3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
   float error = voxc_r4_4_4_g8_greatest_of(reach) * voxc_r4_4_4_g8_ROUNDINGS + of_origin;
-  if (voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
-    error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
+  error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
   ray.slack = slack;
   ray.lowest = voxc_r4_4_4_g8_mix(cell + 0.25f, ray.origin - error, ray.moves);
   ray.doubt = 2.0f * error;
@@ -758,11 +740,7 @@ voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_behind_face(const voxc_r4_4_4_g8_Ray ray, vox
   range.least[axis] = range.most[axis];
   range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, range);
   int3 behind = range.least;
-  bool sure = all(range.least == (range.most));
-  if (voxc_r4_4_4_g8_SETTLES)
-    behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
-  else if (!sure)
-    return walk; // It stays, which is not wrong: only later cells are skipped to.
+  behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
   walk.cell = behind;
   walk.axis = axis;
   return walk;
@@ -824,26 +802,21 @@ bool voxc_r4_4_4_g8_leaves_volume(const voxc_r4_4_4_g8_Ray ray) {
 
 // Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
 bool voxc_r4_4_4_g8_enter_volume(inout voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, bool ordinary) {
-  if (voxc_r4_4_4_g8_COMES_NEAR && ordinary && voxc_r4_4_4_g8_leaves_volume(ray))
+  if (ordinary && voxc_r4_4_4_g8_leaves_volume(ray))
     return false;
   float3 face = voxc_r4_4_4_g8_mix((float3)0.0f, float3(voxc_r4_4_4_g8_VOLUME_SIZE), ray.falls);
   float3 cell = floor(ray.origin);
   voxc_r4_4_4_g8_Start near = voxc_r4_4_4_g8_come_near(ray, face);
-  if (voxc_r4_4_4_g8_SETTLES && !ordinary && any(voxc_r4_4_4_g8_starts_tiny(ray)))
+  if (!ordinary && any(voxc_r4_4_4_g8_starts_tiny(ray)))
     near.slack = voxc_r4_4_4_g8_NEVER;
   voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.slack);
   bool has_begun = voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open >= 0;
-  if (voxc_r4_4_4_g8_SETTLES && has_begun && !near.is_far)
+  if (has_begun && !near.is_far)
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   voxc_r4_4_4_g8_Walk start = voxc_r4_4_4_g8_entered(ray, walk, face, sure);
-  if (voxc_r4_4_4_g8_SETTLES && !sure)
+  if (!sure)
     start = voxc_r4_4_4_g8_entered_exactly(ray, walk, near.is_far);
-  if (!voxc_r4_4_4_g8_SETTLES && !sure) {
-    start = walk;
-    start.cell = (int3)-1;
-    start.open = voxc_r4_4_4_g8_AGAIN;
-  }
   walk = start;
   return voxc_r4_4_4_g8_is_in_volume(walk.cell);
 }
@@ -865,7 +838,7 @@ bool voxc_r4_4_4_g8_is_ordinary(uint3 origin, uint longest, float3 component) {
   uint farthest = max(max(place.x, place.y), place.z);
   bool is_scaled = longest - SHORTEST < RANGE;
   bool is_large = min(min(least.x, least.y), least.z) >= asuint(voxc_r4_4_4_g8_LEAST_COMPONENT);
-  bool is_near = farthest < (voxc_r4_4_4_g8_COMES_NEAR ? FAR_BITS : asuint(voxc_r4_4_4_g8_far_away()));
+  bool is_near = farthest < FAR_BITS;
   return is_scaled && is_large && is_near;
 }
 
@@ -899,7 +872,7 @@ voxc_r4_4_4_g8_Ray voxc_r4_4_4_g8_prepare_ray(uint3 origin, uint3 direction, out
   component = voxc_r4_4_4_g8_mix((float3)voxc_r4_4_4_g8_LEAST_COMPONENT, component, ray.moves);
   ordinary = voxc_r4_4_4_g8_is_ordinary(origin, longest, component);
   ray.plain = ordinary;
-  if (voxc_r4_4_4_g8_SETTLES && !ordinary) {
+  if (!ordinary) {
     ray.plain = voxc_r4_4_4_g8_are_plain(origin) && voxc_r4_4_4_g8_are_plain(direction);
     component = voxc_r4_4_4_g8_mix((float3)1.0f, (float3)-1.0f,
         direction > (uint3)voxc_r4_4_4_g8_SIGN_BIT) * voxc_r4_4_4_g8_scaled_exactly(size);
@@ -928,16 +901,16 @@ bool voxc_r4_4_4_g8_goes_nowhere(uint3 direction) {
 // is left.
 bool voxc_r4_4_4_g8_begin_walk(uint3 origin, uint3 direction, uint root, out voxc_r4_4_4_g8_Ray ray,
     inout voxc_r4_4_4_g8_Walk walk) {
-  bool stays = voxc_r4_4_4_g8_SETTLES && voxc_r4_4_4_g8_goes_nowhere(direction);
+  bool stays = voxc_r4_4_4_g8_goes_nowhere(direction);
   bool ordinary;
   ray = voxc_r4_4_4_g8_prepare_ray(origin, stays ? uint3(asuint(1.0f), 0u, 0u) : direction, ordinary);
   if (root == 0u)
     return false;
-  if (voxc_r4_4_4_g8_SETTLES && !(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction)))
+  if (!(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction)))
     return false;
   voxc_r4_4_4_g8_Walk start = walk;
   bool enters = voxc_r4_4_4_g8_enter_volume(ray, start, ordinary);
-  bool may_have_begun = voxc_r4_4_4_g8_SETTLES; // A dispatch that does not settle begins all its rays.
+  bool may_have_begun = true; // A dispatch that does not settle begins all its rays.
   bool has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open != voxc_r4_4_4_g8_CLOSED);
   if (!enters || !has_begun)
     walk = start;
@@ -946,7 +919,7 @@ bool voxc_r4_4_4_g8_begin_walk(uint3 origin, uint3 direction, uint root, out vox
 
 // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
 bool voxc_r4_4_4_g8_end_walk(uint3 origin, uint3 direction, inout voxc_r4_4_4_g8_Walk walk, bool hit) {
-  bool may_stay = voxc_r4_4_4_g8_SETTLES; // Packets go on with rays that exact arithmetic has prepared.
+  bool may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
   if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || walk.open == voxc_r4_4_4_g8_AGAIN
       || all(walk.cell == (voxc_r4_4_4_g8_floor_of(origin))))
     return hit;
@@ -1105,7 +1078,7 @@ uint voxc_r4_4_4_g8_time_exactly(const voxc_r4_4_4_g8_Ray ray, int axis, int fac
 uint voxc_r4_4_4_g8_crossing_time(const voxc_r4_4_4_g8_Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
-  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+  if (!sure) {
     bits = voxc_r4_4_4_g8_time_exactly(ray, axis, face);
     sure = true;
   }
@@ -1145,7 +1118,7 @@ int voxc_r4_4_4_g8_first_axis(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8
     if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt))
       sure = false;
   }
-  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+  if (!sure) {
     sure = true;
     for (int axis = 1; axis >= 0; axis--) {
       bool chosen_1;
@@ -1214,8 +1187,6 @@ bool voxc_r4_4_4_g8_intersect_level_2(VOXC_VOLUME volume, const voxc_r4_4_4_g8_R
   path[voxc_r4_4_4_g8_LEVEL_2_DEPTH] = root;
   int top = voxc_r4_4_4_g8_LEVEL_2_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_r4_4_4_g8_count_lookup(walk);
     int3 cell = walk.cell >> voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL;
     uint node = path[top];
     int layer = top;
@@ -1265,7 +1236,6 @@ uint voxc_r4_4_4_g8_cell_level_1(VOXC_VOLUME volume, uint grid, int3 cell) {
 bool voxc_r4_4_4_g8_intersect_level_1(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
     uint grid) {
   while (voxc_r4_4_4_g8_goes_on(walk)) {
-    voxc_r4_4_4_g8_count_lookup(walk);
     voxc_r4_4_4_g8_Gap gap = make_voxc_r4_4_4_g8_Gap(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
     uint value = voxc_r4_4_4_g8_cell_level_1(volume, grid, walk.cell >> voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL);
     if (value == 0u) {
@@ -1287,11 +1257,6 @@ uint voxc_r4_4_4_g8_colour_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Walk walk
 // Goes on with a walk to its end, or until it is left.
 bool voxc_r4_4_4_g8_walk_on(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
     uint root) {
-  if (!voxc_r4_4_4_g8_SETTLES) {
-    if (!voxc_r4_4_4_g8_is_in_volume(walk.cell))
-      return false;
-    return voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
-  }
   bool hit = false;
   bool is_under_way = true;
   while (is_under_way) {
@@ -1381,7 +1346,7 @@ int voxc_r4_4_4_g8_compare_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4
     return moment == 0u ? 0 : -1;
   int face = voxc_r4_4_4_g8_entered_face(ray, walk);
   int order = voxc_r4_4_4_g8_compare_moment(ray, walk.axis, face, moment);
-  if (voxc_r4_4_4_g8_SETTLES && order == voxc_r4_4_4_g8_UNTOLD)
+  if (order == voxc_r4_4_4_g8_UNTOLD)
     order = voxc_r4_4_4_g8_compare_moment_exactly(ray, walk.axis, face, moment);
   return order;
 }
@@ -1465,8 +1430,6 @@ bool voxc_r4_4_4_g8_walk_within(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray
   }
   if (found && place == 1)
     walk.cell = (int3)-1;
-  if (!voxc_r4_4_4_g8_SETTLES && found && place == voxc_r4_4_4_g8_UNTOLD)
-    walk.open = voxc_r4_4_4_g8_AGAIN;
   return found && place == 0;
 }
 

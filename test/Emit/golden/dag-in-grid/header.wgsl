@@ -51,14 +51,6 @@ fn voxc_r4_4_4_g8_umulExtended(a: u32, b: u32, high: ptr<function, u32>, low: pt
   *low = (other << 16u) | (lowest & 0xffffu);
 }
 
-// Count the lookups of each ray: not here.
-const voxc_r4_4_4_g8_COUNT_LOOKUPS: bool = false;
-// Exact arithmetic is at hand, and settles what float32 leaves open.
-const voxc_r4_4_4_g8_SETTLES: bool = true;
-// Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another order. Where
-// nothing keeps a compiler from doing so, such rays are settled instead.
-const voxc_r4_4_4_g8_COMES_NEAR: bool = false;
-
 fn voxc_r4_4_4_g8_load_word(volume: u32, place: u32) -> u32 { return voxc_r4_4_4_g8_word(volume, place); }
 
 // A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
@@ -103,7 +95,6 @@ struct voxc_r4_4_4_g8_Walk {
   cell: vec3<i32>,  // In voxels; outside the volume before and after the walk.
   axis: i32,        // The axis on which the ray entered the cell; -1 where it started.
   voxel: u32,       // Where the voxel that was hit is to be had, as the lowest level finds it.
-  lookups: u32,
   steps_left: i32,  // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
   open: i32,        // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
   begin: vec3<i32>, // A walk ends where it leaves the box of `size` cells from `begin` on.
@@ -124,20 +115,13 @@ const voxc_r4_4_4_g8_ROUNDINGS: f32 = 12.0f / 8388608.0f;
 // A walk that is about to begin, or to go on.
 fn voxc_r4_4_4_g8_walk_at(cell: vec3<i32>) -> voxc_r4_4_4_g8_Walk {
   let most_steps = voxc_r4_4_4_g8_VOLUME_SIZE.x + voxc_r4_4_4_g8_VOLUME_SIZE.y + voxc_r4_4_4_g8_VOLUME_SIZE.z;
-  return voxc_r4_4_4_g8_Walk(cell, -1, 0u, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, vec3<i32>(0),
-      voxc_r4_4_4_g8_VOLUME_SIZE);
+  return voxc_r4_4_4_g8_Walk(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, vec3<i32>(0), voxc_r4_4_4_g8_VOLUME_SIZE);
 }
 
 // Ends a walk that takes more steps than any can.
 fn voxc_r4_4_4_g8_count_step(walk: ptr<function, voxc_r4_4_4_g8_Walk>) {
   (*walk).steps_left--;
   (*walk).cell.x |= (*walk).steps_left >> 31u; // All bits: outside, whatever follows.
-}
-
-fn voxc_r4_4_4_g8_count_lookup(walk: ptr<function, voxc_r4_4_4_g8_Walk>) {
-  if (voxc_r4_4_4_g8_COUNT_LOOKUPS) {
-    (*walk).lookups++;
-  }
 }
 
 fn voxc_r4_4_4_g8_is_in_volume(cell: vec3<i32>) -> bool {
@@ -173,8 +157,7 @@ fn voxc_r4_4_4_g8_faces_ahead(ray: voxc_r4_4_4_g8_Ray, cell: vec3<i32>, gap: vox
 
 // About when each coordinate passes its face.
 fn voxc_r4_4_4_g8_times_of(ray: voxc_r4_4_4_g8_Ray, face: vec3<f32>) -> vec3<f32> {
-  let t = (face - ray.origin) * ray.inverse;
-  return select(t, t - ray.late, voxc_r4_4_4_g8_COMES_NEAR);
+  return (face - ray.origin) * ray.inverse;
 }
 
 // The order of float32 numbers by their bits is one instruction where others would look for NaN. Negative ones are
@@ -575,56 +558,11 @@ fn voxc_r4_4_4_g8_is_far(coordinate: vec3<f32>, moves: vec3<bool>) -> bool {
   return any(abs(coordinate) > select(vec3<f32>(voxc_r4_4_4_g8_NEVER), vec3<f32>(voxc_r4_4_4_g8_far_away()), moves));
 }
 
-// Moves coordinates. Those in float32 are sums of two: what the first sum loses is added to the second. Doubles lose
-// one rounding of 2^-53.
-fn voxc_r4_4_4_g8_move_by(way: vec3<f32>, high: ptr<function, vec3<f32>>, low: ptr<function, vec3<f32>>) {
-  let sum = *high + way;
-  let of_way = sum - *high;
-  let of_high = sum - of_way;
-  let lost = (*high - of_high) + (way - of_way);
-  *high = sum;
-  *low += lost;
-}
-
 // Moves a ray that begins far away, to before the last of the faces by which it enters the volume. Once is enough up to
 // a thousand times that distance.
-fn voxc_r4_4_4_g8_come_near(ray: ptr<function, voxc_r4_4_4_g8_Ray>, face: vec3<f32>) -> voxc_r4_4_4_g8_Start {
-  let UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
-  let MOST_MOVES = 3;
+fn voxc_r4_4_4_g8_come_near(ray: ptr<function, voxc_r4_4_4_g8_Ray>) -> voxc_r4_4_4_g8_Start {
   // No ordinary ray is, if none comes near.
-  var start: voxc_r4_4_4_g8_Start = voxc_r4_4_4_g8_Start((voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES)
-      && voxc_r4_4_4_g8_is_far((*ray).origin, (*ray).moves), 0.0f, 0.0f);
-  if (!voxc_r4_4_4_g8_COMES_NEAR || !start.is_far) {
-    return start;
-  }
-  let direction = select(vec3<f32>(0.0f), (*ray).direction, (*ray).moves);
-  let LAST = 18446744073709551616.0f; // 2^64, at least as many voxels away.
-  let upper = bitcast<vec3<f32>>(bitcast<vec3<u32>>(direction) & vec3<u32>(UPPER));
-  var high: vec3<f32> = (*ray).origin; var low: vec3<f32> = vec3<f32>(0.0f);
-  var latest: f32 = 0.0f;
-  for (var moves: i32 = 0; moves < MOST_MOVES && start.is_far; moves++) {
-    let t = select(vec3<f32>(-voxc_r4_4_4_g8_NEVER), (face - high) * (*ray).inverse, (*ray).moves);
-    latest = max(max(t.x, t.y), t.z);
-    let is_ahead = latest > 0.0f && latest < LAST;
-    let moment = select(0.0f, bitcast<f32>(bitcast<u32>(latest * (1.0f - 1.0f / 1048576.0f)) & UPPER), is_ahead);
-    start.wrong += (4.0f * moment + voxc_r4_4_4_g8_far_away()) / 8796093022208.0f; // 2^43.
-    voxc_r4_4_4_g8_move_by(moment * upper, &high, &low);
-    voxc_r4_4_4_g8_move_by(moment * (direction - upper), &high, &low);
-    latest -= moment;
-    start.is_far = voxc_r4_4_4_g8_is_far(high, (*ray).moves);
-  }
-  let whole = high + low;
-  let behind = low - (whole - high);
-  (*ray).origin = select(whole, (*ray).origin, start.is_far);
-  (*ray).late = select(select(vec3<f32>(0.0f), behind * (*ray).inverse, (*ray).moves), (*ray).late, start.is_far);
-  var steep: vec3<f32> = abs((*ray).inverse);
-  // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest
-  // side, which is half of what is far.
-  steep = select(vec3<f32>(0.0f), steep, (*ray).moves);
-  start.slack = 2.0f * start.wrong * max(max(steep.x, steep.y),
-      steep.z) + (latest + 0.5f * voxc_r4_4_4_g8_far_away()) * voxc_r4_4_4_g8_ROUNDINGS / 4.0f;
-  start.wrong += voxc_r4_4_4_g8_far_away() / 4194304.0f; // What is behind, and that rounding.
-  return start;
+  return voxc_r4_4_4_g8_Start(voxc_r4_4_4_g8_is_far((*ray).origin, (*ray).moves), 0.0f, 0.0f);
 }
 
 // Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
@@ -637,9 +575,7 @@ fn voxc_r4_4_4_g8_bound_errors(ray: ptr<function, voxc_r4_4_4_g8_Ray>, cell: vec
   let half_size = 0.5f * vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE);
   let reach = abs((*ray).origin - half_size) + half_size; // To the farther of the volume's two faces.
   var error: f32 = voxc_r4_4_4_g8_greatest_of(reach) * voxc_r4_4_4_g8_ROUNDINGS + of_origin;
-  if (voxc_r4_4_4_g8_COMES_NEAR || voxc_r4_4_4_g8_SETTLES) {
-    error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
-  }
+  error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
   (*ray).slack = slack;
   (*ray).lowest = select(cell + 0.25f, (*ray).origin - error, (*ray).moves);
   (*ray).doubt = 2.0f * error;
@@ -720,12 +656,7 @@ fn voxc_r4_4_4_g8_behind_face(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g
   range.least[axis] = range.most[axis];
   range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, range);
   var behind: vec3<i32> = range.least;
-  let sure = all(range.least == range.most);
-  if (voxc_r4_4_4_g8_SETTLES) {
-    behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
-  } else if (!sure) {
-    return walk; // It stays, which is not wrong: only later cells are skipped to.
-  }
+  behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
   walk.cell = behind;
   walk.axis = axis;
   return walk;
@@ -781,39 +712,24 @@ fn voxc_r4_4_4_g8_entered(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g8_Wa
   return walk;
 }
 
-// True if a coordinate is past the volume, and goes on.
-fn voxc_r4_4_4_g8_leaves_volume(ray: voxc_r4_4_4_g8_Ray) -> bool {
-  let below = vec3<i32>(ray.origin < vec3<f32>(0.0f));
-  let above = vec3<i32>(ray.origin >= vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE));
-  return any(select(above, below, ray.falls) != vec3<i32>(0));
-}
-
 // Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
 fn voxc_r4_4_4_g8_enter_volume(ray: ptr<function, voxc_r4_4_4_g8_Ray>, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
     ordinary: bool) -> bool {
-  if (voxc_r4_4_4_g8_COMES_NEAR && ordinary && voxc_r4_4_4_g8_leaves_volume(*ray)) {
-    return false;
-  }
   let face = select(vec3<f32>(0.0f), vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE), (*ray).falls);
   let cell = floor((*ray).origin);
-  var near: voxc_r4_4_4_g8_Start = voxc_r4_4_4_g8_come_near(ray, face);
-  if (voxc_r4_4_4_g8_SETTLES && !ordinary && any(voxc_r4_4_4_g8_starts_tiny(*ray))) {
+  var near: voxc_r4_4_4_g8_Start = voxc_r4_4_4_g8_come_near(ray);
+  if (!ordinary && any(voxc_r4_4_4_g8_starts_tiny(*ray))) {
     near.slack = voxc_r4_4_4_g8_NEVER;
   }
   voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.slack);
   let has_begun = voxc_r4_4_4_g8_is_in_volume((*walk).cell) || ((*walk).open >= 0);
-  if (voxc_r4_4_4_g8_SETTLES && has_begun && !near.is_far) {
+  if (has_begun && !near.is_far) {
     return true; // Where it has entered need not be found again.
   }
   var sure: bool = ordinary && !near.is_far;
   var start: voxc_r4_4_4_g8_Walk = voxc_r4_4_4_g8_entered(*ray, *walk, face, &sure);
-  if (voxc_r4_4_4_g8_SETTLES && !sure) {
+  if (!sure) {
     start = voxc_r4_4_4_g8_entered_exactly(ray, *walk, near.is_far);
-  }
-  if (!voxc_r4_4_4_g8_SETTLES && !sure) {
-    start = *walk;
-    start.cell = vec3<i32>(-1);
-    start.open = voxc_r4_4_4_g8_AGAIN;
   }
   *walk = start;
   return voxc_r4_4_4_g8_is_in_volume((*walk).cell);
@@ -830,20 +746,12 @@ const voxc_r4_4_4_g8_LEAST_COMPONENT: f32 = 1.0f / 1099511627776.0f / 1099511627
 fn voxc_r4_4_4_g8_is_ordinary(origin: vec3<u32>, longest: u32, component: vec3<f32>) -> bool {
   let SHORTEST = 0x00800000u; // The bits of 2^-126, below which devices may keep no number.
   let RANGE = 0x7e800000u; // From there to 2^127, where no number is left to scale by.
-  let FAR_BITS = 0x56000000u; // Of 2^45.
   let place = origin & vec3<u32>(~voxc_r4_4_4_g8_SIGN_BIT);
   let least = min(place - 1u, bitcast<vec3<u32>>(abs(component)));
   let farthest = max(max(place.x, place.y), place.z);
   let is_scaled = longest - SHORTEST < RANGE;
   let is_large = min(min(least.x, least.y), least.z) >= bitcast<u32>(voxc_r4_4_4_g8_LEAST_COMPONENT);
-  var is_near: bool;
-  var chosen_1: u32;
-  if (voxc_r4_4_4_g8_COMES_NEAR) {
-    chosen_1 = FAR_BITS;
-  } else {
-    chosen_1 = bitcast<u32>(voxc_r4_4_4_g8_far_away());
-  }
-  is_near = farthest < chosen_1;
+  let is_near = farthest < bitcast<u32>(voxc_r4_4_4_g8_far_away());
   return is_scaled && is_large && is_near;
 }
 
@@ -879,7 +787,7 @@ fn voxc_r4_4_4_g8_prepare_ray(origin: vec3<u32>, direction: vec3<u32>, ordinary:
   component = select(vec3<f32>(voxc_r4_4_4_g8_LEAST_COMPONENT), component, ray.moves);
   *ordinary = voxc_r4_4_4_g8_is_ordinary(origin, longest, component);
   ray.plain = *ordinary;
-  if (voxc_r4_4_4_g8_SETTLES && !*ordinary) {
+  if (!*ordinary) {
     ray.plain = voxc_r4_4_4_g8_are_plain(origin) && voxc_r4_4_4_g8_are_plain(direction);
     component = select(vec3<f32>(1.0f), vec3<f32>(-1.0f),
         direction > vec3<u32>(voxc_r4_4_4_g8_SIGN_BIT)) * voxc_r4_4_4_g8_scaled_exactly(size);
@@ -908,18 +816,18 @@ fn voxc_r4_4_4_g8_goes_nowhere(direction: vec3<u32>) -> bool {
 // is left.
 fn voxc_r4_4_4_g8_begin_walk(origin: vec3<u32>, direction: vec3<u32>, root: u32, ray: ptr<function, voxc_r4_4_4_g8_Ray>,
     walk: ptr<function, voxc_r4_4_4_g8_Walk>) -> bool {
-  let stays = voxc_r4_4_4_g8_SETTLES && voxc_r4_4_4_g8_goes_nowhere(direction);
+  let stays = voxc_r4_4_4_g8_goes_nowhere(direction);
   var ordinary: bool;
   *ray = voxc_r4_4_4_g8_prepare_ray(origin, select(direction, vec3<u32>(bitcast<u32>(1.0f), 0u, 0u), stays), &ordinary);
   if (root == 0u) {
     return false;
   }
-  if (voxc_r4_4_4_g8_SETTLES && !(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction))) {
+  if (!(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction))) {
     return false;
   }
   var start: voxc_r4_4_4_g8_Walk = *walk;
   let enters = voxc_r4_4_4_g8_enter_volume(ray, &start, ordinary);
-  let may_have_begun = voxc_r4_4_4_g8_SETTLES; // A dispatch that does not settle begins all its rays.
+  let may_have_begun = true; // A dispatch that does not settle begins all its rays.
   let has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume((*walk).cell)
       || ((*walk).open != voxc_r4_4_4_g8_CLOSED));
   if (!enters || !has_begun) {
@@ -931,7 +839,7 @@ fn voxc_r4_4_4_g8_begin_walk(origin: vec3<u32>, direction: vec3<u32>, root: u32,
 // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
 fn voxc_r4_4_4_g8_end_walk(origin: vec3<u32>, direction: vec3<u32>, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
     hit: bool) -> bool {
-  let may_stay = voxc_r4_4_4_g8_SETTLES; // Packets go on with rays that exact arithmetic has prepared.
+  let may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
   if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || ((*walk).open == voxc_r4_4_4_g8_AGAIN)
       || all((*walk).cell == voxc_r4_4_4_g8_floor_of(origin))) {
     return hit;
@@ -1082,7 +990,7 @@ fn voxc_r4_4_4_g8_time_exactly(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32) ->
 fn voxc_r4_4_4_g8_crossing_time(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, sure: ptr<function, bool>) -> u32 {
   *sure = false;
   var bits: u32 = 0u;
-  if (voxc_r4_4_4_g8_SETTLES && !*sure) {
+  if (!*sure) {
     bits = voxc_r4_4_4_g8_time_exactly(ray, axis, face);
     *sure = true;
   }
@@ -1122,7 +1030,7 @@ fn voxc_r4_4_4_g8_first_axis(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk,
       *sure = false;
     }
   }
-  if (voxc_r4_4_4_g8_SETTLES && !*sure) {
+  if (!*sure) {
     *sure = true;
     for (var axis: i32 = 1; axis >= 0; axis--) {
       first = select(first, axis, axis < walk.axis && voxc_r4_4_4_g8_enters_together(ray, face, axis, walk.axis));
@@ -1190,8 +1098,6 @@ fn voxc_r4_4_4_g8_intersect_level_2(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: 
   path[voxc_r4_4_4_g8_LEVEL_2_DEPTH] = root;
   var top: i32 = voxc_r4_4_4_g8_LEVEL_2_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_r4_4_4_g8_count_lookup(walk);
     let cell = (*walk).cell >> vec3<u32>(u32(voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
@@ -1237,7 +1143,6 @@ fn voxc_r4_4_4_g8_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u32 {
 fn voxc_r4_4_4_g8_intersect_level_1(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
     grid: u32) -> bool {
   while (voxc_r4_4_4_g8_goes_on(*walk)) {
-    voxc_r4_4_4_g8_count_lookup(walk);
     let gap = voxc_r4_4_4_g8_Gap(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_r4_4_4_g8_cell_level_1(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL)));
@@ -1260,9 +1165,6 @@ fn voxc_r4_4_4_g8_colour_of(volume: u32, walk: voxc_r4_4_4_g8_Walk) -> u32 {
 // Goes on with a walk to its end, or until it is left.
 fn voxc_r4_4_4_g8_walk_on(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
     root: u32) -> bool {
-  if (!voxc_r4_4_4_g8_SETTLES) {
-    return voxc_r4_4_4_g8_is_in_volume((*walk).cell) && voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
-  }
   var hit: bool = false;
   var is_under_way: bool = true;
   while (is_under_way) {
@@ -1349,7 +1251,7 @@ fn voxc_r4_4_4_g8_compare_entry(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Wa
   }
   let face = voxc_r4_4_4_g8_entered_face(ray, walk);
   var order: i32 = voxc_r4_4_4_g8_compare_moment(ray, walk.axis, face, moment);
-  if (voxc_r4_4_4_g8_SETTLES && order == voxc_r4_4_4_g8_UNTOLD) {
+  if (order == voxc_r4_4_4_g8_UNTOLD) {
     order = voxc_r4_4_4_g8_compare_moment_exactly(ray, walk.axis, face, moment);
   }
   return order;
@@ -1442,9 +1344,6 @@ fn voxc_r4_4_4_g8_walk_within(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<fu
   }
   if (found && place == 1) {
     (*walk).cell = vec3<i32>(-1);
-  }
-  if (!voxc_r4_4_4_g8_SETTLES && found && place == voxc_r4_4_4_g8_UNTOLD) {
-    (*walk).open = voxc_r4_4_4_g8_AGAIN;
   }
   return found && place == 0;
 }

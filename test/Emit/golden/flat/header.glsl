@@ -102,8 +102,6 @@ bool voxc_s4_g5_intersect_level_1(VOXC_VOLUME volume, const voxc_s4_g5_Ray ray, 
   lowest.layer[0] = 0;
   lowest.layer[1] = 0;
   while (voxc_s4_g5_goes_on(walk)) {
-    // Down to a voxel, or to the gap around the cell.
-    voxc_s4_g5_count_lookup(walk);
     uint node = path[layer];
     uint value = 0u;
     voxc_s4_g5_Gap gap = voxc_s4_g5_Gap(0, 1);

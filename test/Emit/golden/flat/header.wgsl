@@ -108,8 +108,6 @@ fn voxc_s4_g5_intersect_level_1(volume: u32, ray: voxc_s4_g5_Ray, walk: ptr<func
   lowest.layer[0] = 0;
   lowest.layer[1] = 0;
   while (voxc_s4_g5_goes_on(*walk)) {
-    // Down to a voxel, or to the gap around the cell.
-    voxc_s4_g5_count_lookup(walk);
     var node: u32 = path[layer];
     var value: u32 = 0u;
     var gap: voxc_s4_g5_Gap = voxc_s4_g5_Gap(0, 1);

@@ -36,7 +36,6 @@ static inline bool voxc_r3_3_3_r3_3_3_intersect_level_2(const unsigned int *volu
     voxc_r3_3_3_r3_3_3_Walk &walk, uint grid) {
   ivec3 begin = walk.cell;
   while (voxc_r3_3_3_r3_3_3_within_level_2(begin, walk.cell)) {
-    voxc_r3_3_3_r3_3_3_count_lookup(walk);
     uint value = voxc_r3_3_3_r3_3_3_cell_level_2(volume, grid, walk.cell >> voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_CELL);
     if (value == 0u) {
       voxc_r3_3_3_r3_3_3_step_over_voxel(ray, walk);
@@ -75,7 +74,6 @@ static inline uint voxc_r3_3_3_r3_3_3_cell_level_1(const unsigned int *volume, u
 static inline bool voxc_r3_3_3_r3_3_3_intersect_level_1(const unsigned int *volume, const voxc_r3_3_3_r3_3_3_Ray &ray,
     voxc_r3_3_3_r3_3_3_Walk &walk, uint grid) {
   while (voxc_r3_3_3_r3_3_3_goes_on(walk)) {
-    voxc_r3_3_3_r3_3_3_count_lookup(walk);
     voxc_r3_3_3_r3_3_3_Gap gap = voxc_r3_3_3_r3_3_3_Gap(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL, 1);
     uint value = voxc_r3_3_3_r3_3_3_cell_level_1(volume, grid, walk.cell >> voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL);
     if (value == 0u) {

@@ -36,7 +36,6 @@ fn voxc_r3_3_3_r3_3_3_intersect_level_2(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray
     voxc_r3_3_3_r3_3_3_Walk>, grid: u32) -> bool {
   let begin = (*walk).cell;
   while (voxc_r3_3_3_r3_3_3_within_level_2(begin, (*walk).cell)) {
-    voxc_r3_3_3_r3_3_3_count_lookup(walk);
     let value = voxc_r3_3_3_r3_3_3_cell_level_2(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_CELL)));
     if (value == 0u) {
@@ -76,7 +75,6 @@ fn voxc_r3_3_3_r3_3_3_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u
 fn voxc_r3_3_3_r3_3_3_intersect_level_1(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray, walk: ptr<function,
     voxc_r3_3_3_r3_3_3_Walk>, grid: u32) -> bool {
   while (voxc_r3_3_3_r3_3_3_goes_on(*walk)) {
-    voxc_r3_3_3_r3_3_3_count_lookup(walk);
     let gap = voxc_r3_3_3_r3_3_3_Gap(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_r3_3_3_r3_3_3_cell_level_1(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL)));

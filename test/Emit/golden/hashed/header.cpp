@@ -48,7 +48,6 @@ static inline bool voxc_s5_h2_2_2_intersect_level_2(const unsigned int *volume, 
     voxc_s5_h2_2_2_Walk &walk, uint grid) {
   ivec3 begin = walk.cell;
   while (voxc_s5_h2_2_2_within_level_2(begin, walk.cell)) {
-    voxc_s5_h2_2_2_count_lookup(walk);
     uint value = voxc_s5_h2_2_2_look_up_level_2(volume, grid, walk.cell >> voxc_s5_h2_2_2_LEVEL_2_LOG2_CELL);
     if (value == 0u) {
       voxc_s5_h2_2_2_step_over_voxel(ray, walk);
@@ -83,8 +82,6 @@ static inline bool voxc_s5_h2_2_2_intersect_level_1(const unsigned int *volume, 
   path[voxc_s5_h2_2_2_LEVEL_1_DEPTH] = root;
   int top = voxc_s5_h2_2_2_LEVEL_1_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_s5_h2_2_2_count_lookup(walk);
     ivec3 cell = walk.cell >> voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;

@@ -48,7 +48,6 @@ fn voxc_s5_h2_2_2_intersect_level_2(volume: u32, ray: voxc_s5_h2_2_2_Ray, walk: 
     grid: u32) -> bool {
   let begin = (*walk).cell;
   while (voxc_s5_h2_2_2_within_level_2(begin, (*walk).cell)) {
-    voxc_s5_h2_2_2_count_lookup(walk);
     let value = voxc_s5_h2_2_2_look_up_level_2(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_s5_h2_2_2_LEVEL_2_LOG2_CELL)));
     if (value == 0u) {
@@ -85,8 +84,6 @@ fn voxc_s5_h2_2_2_intersect_level_1(volume: u32, ray: voxc_s5_h2_2_2_Ray, walk: 
   path[voxc_s5_h2_2_2_LEVEL_1_DEPTH] = root;
   var top: i32 = voxc_s5_h2_2_2_LEVEL_1_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_s5_h2_2_2_count_lookup(walk);
     let cell = (*walk).cell >> vec3<u32>(u32(voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;

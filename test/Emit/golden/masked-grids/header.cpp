@@ -37,7 +37,6 @@ static inline bool voxc_m4_4_4_m3_3_3_intersect_level_2(const unsigned int *volu
     voxc_m4_4_4_m3_3_3_Walk &walk, uint grid) {
   ivec3 begin = walk.cell;
   while (voxc_m4_4_4_m3_3_3_within_level_2(begin, walk.cell)) {
-    voxc_m4_4_4_m3_3_3_count_lookup(walk);
     uint value = voxc_m4_4_4_m3_3_3_cell_level_2(volume, grid, walk.cell >> voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL);
     if (value == 0u) {
       voxc_m4_4_4_m3_3_3_step_over_voxel(ray, walk);
@@ -78,7 +77,6 @@ static inline uint voxc_m4_4_4_m3_3_3_cell_level_1(const unsigned int *volume, u
 static inline bool voxc_m4_4_4_m3_3_3_intersect_level_1(const unsigned int *volume, const voxc_m4_4_4_m3_3_3_Ray &ray,
     voxc_m4_4_4_m3_3_3_Walk &walk, uint grid) {
   while (voxc_m4_4_4_m3_3_3_goes_on(walk)) {
-    voxc_m4_4_4_m3_3_3_count_lookup(walk);
     voxc_m4_4_4_m3_3_3_Gap gap = voxc_m4_4_4_m3_3_3_Gap(voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL, 1);
     uint value = voxc_m4_4_4_m3_3_3_cell_level_1(volume, grid, walk.cell >> voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL);
     if (value == 0u) {

@@ -38,7 +38,6 @@ fn voxc_m4_4_4_m3_3_3_intersect_level_2(volume: u32, ray: voxc_m4_4_4_m3_3_3_Ray
     voxc_m4_4_4_m3_3_3_Walk>, grid: u32) -> bool {
   let begin = (*walk).cell;
   while (voxc_m4_4_4_m3_3_3_within_level_2(begin, (*walk).cell)) {
-    voxc_m4_4_4_m3_3_3_count_lookup(walk);
     let value = voxc_m4_4_4_m3_3_3_cell_level_2(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL)));
     if (value == 0u) {
@@ -81,7 +80,6 @@ fn voxc_m4_4_4_m3_3_3_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u
 fn voxc_m4_4_4_m3_3_3_intersect_level_1(volume: u32, ray: voxc_m4_4_4_m3_3_3_Ray, walk: ptr<function,
     voxc_m4_4_4_m3_3_3_Walk>, grid: u32) -> bool {
   while (voxc_m4_4_4_m3_3_3_goes_on(*walk)) {
-    voxc_m4_4_4_m3_3_3_count_lookup(walk);
     let gap = voxc_m4_4_4_m3_3_3_Gap(voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_m4_4_4_m3_3_3_cell_level_1(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL)));

@@ -34,8 +34,6 @@ bool voxc_g9_intersect_level_1(VOXC_VOLUME volume, const voxc_g9_Ray ray, inout 
   path[voxc_g9_LEVEL_1_DEPTH] = root;
   int top = voxc_g9_LEVEL_1_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_g9_count_lookup(walk);
     ivec3 cell = walk.cell >> voxc_g9_LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;

@@ -36,8 +36,6 @@ fn voxc_g9_intersect_level_1(volume: u32, ray: voxc_g9_Ray, walk: ptr<function, 
   path[voxc_g9_LEVEL_1_DEPTH] = root;
   var top: i32 = voxc_g9_LEVEL_1_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_g9_count_lookup(walk);
     let cell = (*walk).cell >> vec3<u32>(u32(voxc_g9_LEVEL_1_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;

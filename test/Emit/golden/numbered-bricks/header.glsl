@@ -383,7 +383,6 @@ bool voxc_m2_2_2_m2_2_2_m2_2_2_intersect_level_1(VOXC_VOLUME volume, const voxc_
     inout voxc_m2_2_2_m2_2_2_m2_2_2_Walk walk, uint root) {
   ivec3 before = walk.cell;
   while (voxc_m2_2_2_m2_2_2_m2_2_2_goes_on(walk)) {
-    voxc_m2_2_2_m2_2_2_m2_2_2_count_lookup(walk);
     voxc_m2_2_2_m2_2_2_m2_2_2_Gap gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(0, 1);
     vec3 face = vec3(0);
     uint value = voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume, ray, root, walk.cell, gap, face);

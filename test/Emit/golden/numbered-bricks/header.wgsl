@@ -436,7 +436,6 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_intersect_level_1(volume: u32, ray: voxc_m2_2_2_m2_
     voxc_m2_2_2_m2_2_2_m2_2_2_Walk>, root: u32) -> bool {
   var before: vec3<i32> = (*walk).cell;
   while (voxc_m2_2_2_m2_2_2_m2_2_2_goes_on(*walk)) {
-    voxc_m2_2_2_m2_2_2_m2_2_2_count_lookup(walk);
     var gap: voxc_m2_2_2_m2_2_2_m2_2_2_Gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(0, 1);
     var face: vec3<f32> = vec3<f32>(0);
     let value = voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume, ray, root, (*walk).cell, &gap, &face);

@@ -28,8 +28,6 @@ bool voxc_s9_intersect_level_1(VOXC_VOLUME volume, const voxc_s9_Ray ray, inout 
   path[voxc_s9_LEVEL_1_DEPTH] = root;
   int top = voxc_s9_LEVEL_1_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_s9_count_lookup(walk);
     int3 cell = walk.cell >> voxc_s9_LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;

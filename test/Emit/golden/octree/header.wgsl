@@ -29,8 +29,6 @@ fn voxc_s9_intersect_level_1(volume: u32, ray: voxc_s9_Ray, walk: ptr<function, 
   path[voxc_s9_LEVEL_1_DEPTH] = root;
   var top: i32 = voxc_s9_LEVEL_1_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_s9_count_lookup(walk);
     let cell = (*walk).cell >> vec3<u32>(u32(voxc_s9_LEVEL_1_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;

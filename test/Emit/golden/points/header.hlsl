@@ -31,8 +31,6 @@ bool voxc_d4_4_4_5_g4_intersect_level_2(VOXC_VOLUME volume, const voxc_d4_4_4_5_
   path[voxc_d4_4_4_5_g4_LEVEL_2_DEPTH] = root;
   int top = voxc_d4_4_4_5_g4_LEVEL_2_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_d4_4_4_5_g4_count_lookup(walk);
     int3 cell = walk.cell >> voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL;
     uint node = path[top];
     int layer = top;
@@ -109,7 +107,6 @@ void voxc_d4_4_4_5_g4_march_level_1(const voxc_d4_4_4_5_g4_Ray ray, inout voxc_d
 bool voxc_d4_4_4_5_g4_intersect_level_1(VOXC_VOLUME volume, const voxc_d4_4_4_5_g4_Ray ray,
     inout voxc_d4_4_4_5_g4_Walk walk, uint grid) {
   while (voxc_d4_4_4_5_g4_goes_on(walk)) {
-    voxc_d4_4_4_5_g4_count_lookup(walk);
     voxc_d4_4_4_5_g4_Gap gap = make_voxc_d4_4_4_5_g4_Gap(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1);
     uint value = voxc_d4_4_4_5_g4_look_up_level_1(volume, grid, walk.cell >> voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, gap);
     if (value == 0u) {

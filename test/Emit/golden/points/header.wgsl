@@ -33,8 +33,6 @@ fn voxc_d4_4_4_5_g4_intersect_level_2(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, wa
   path[voxc_d4_4_4_5_g4_LEVEL_2_DEPTH] = root;
   var top: i32 = voxc_d4_4_4_5_g4_LEVEL_2_DEPTH;
   for (;;) {
-    // Down to the leaf, or the empty child, `layer` layers above the cells.
-    voxc_d4_4_4_5_g4_count_lookup(walk);
     let cell = (*walk).cell >> vec3<u32>(u32(voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
@@ -117,7 +115,6 @@ fn voxc_d4_4_4_5_g4_march_level_1(ray: voxc_d4_4_4_5_g4_Ray, walk: ptr<function,
 fn voxc_d4_4_4_5_g4_intersect_level_1(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, walk: ptr<function,
     voxc_d4_4_4_5_g4_Walk>, grid: u32) -> bool {
   while (voxc_d4_4_4_5_g4_goes_on(*walk)) {
-    voxc_d4_4_4_5_g4_count_lookup(walk);
     var gap: voxc_d4_4_4_5_g4_Gap = voxc_d4_4_4_5_g4_Gap(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_d4_4_4_5_g4_look_up_level_1(volume, grid,
         (*walk).cell >> vec3<u32>(u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL)), &gap);

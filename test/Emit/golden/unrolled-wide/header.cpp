@@ -107,9 +107,6 @@ static inline uint voxc_g4_2_g2_seek_level_2_layer_1(const unsigned int *volume,
   leaf = false;
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
     uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
-    bool last = true;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height);
     else
@@ -129,8 +126,6 @@ static inline uint voxc_g4_2_g2_seek_level_2_layer_2(const unsigned int *volume,
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
     uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
     bool last = child == 0u || leaf;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height);
     else if (!last)
@@ -222,9 +217,6 @@ static inline uint voxc_g4_2_g2_seek_level_1_layer_1(const unsigned int *volume,
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     int around = 0;
     uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
-    bool last = true;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height + around);
     else
@@ -245,8 +237,6 @@ static inline uint voxc_g4_2_g2_seek_level_1_layer_2(const unsigned int *volume,
     int around = 0;
     uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
     bool last = child == 0u || leaf;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height + around);
     else if (!last)

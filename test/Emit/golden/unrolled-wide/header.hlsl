@@ -106,9 +106,6 @@ uint voxc_g4_2_g2_seek_level_2_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ra
   leaf = false;
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
     uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
-    bool last = true;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height);
     else
@@ -128,8 +125,6 @@ uint voxc_g4_2_g2_seek_level_2_layer_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ra
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
     uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
     bool last = child == 0u || leaf;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height);
     else if (!last)
@@ -220,9 +215,6 @@ uint voxc_g4_2_g2_seek_level_1_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ra
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     int around = 0;
     uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
-    bool last = true;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height + around);
     else
@@ -243,8 +235,6 @@ uint voxc_g4_2_g2_seek_level_1_layer_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ra
     int around = 0;
     uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
     bool last = child == 0u || leaf;
-    if (last)
-      voxc_g4_2_g2_count_lookup(walk);
     if (child == 0u)
       voxc_g4_2_g2_step_over(ray, walk, height + around);
     else if (!last)

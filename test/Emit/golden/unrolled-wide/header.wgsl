@@ -119,10 +119,6 @@ fn voxc_g4_2_g2_seek_level_2_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
   *leaf = false;
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + 1)) {
     let child = voxc_g4_2_g2_child_level_2(volume, node, (*walk).cell, height, leaf);
-    let last = true;
-    if (last) {
-      voxc_g4_2_g2_count_lookup(walk);
-    }
     if (child == 0u) {
       voxc_g4_2_g2_step_over_int(ray, walk, height);
     } else {
@@ -143,9 +139,6 @@ fn voxc_g4_2_g2_seek_level_2_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + 1)) {
     let child = voxc_g4_2_g2_child_level_2(volume, node, (*walk).cell, height, leaf);
     let last = (child == 0u) || *leaf;
-    if (last) {
-      voxc_g4_2_g2_count_lookup(walk);
-    }
     if (child == 0u) {
       voxc_g4_2_g2_step_over_int(ray, walk, height);
     } else if (!last) {
@@ -248,10 +241,6 @@ fn voxc_g4_2_g2_seek_level_1_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
   while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     var around: i32 = 0;
     let child = voxc_g4_2_g2_child_level_1(volume, node, (*walk).cell, height, leaf, &around);
-    let last = true;
-    if (last) {
-      voxc_g4_2_g2_count_lookup(walk);
-    }
     if (child == 0u) {
       voxc_g4_2_g2_step_over_int(ray, walk, height + around);
     } else {
@@ -273,9 +262,6 @@ fn voxc_g4_2_g2_seek_level_1_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
     var around: i32 = 0;
     let child = voxc_g4_2_g2_child_level_1(volume, node, (*walk).cell, height, leaf, &around);
     let last = (child == 0u) || *leaf;
-    if (last) {
-      voxc_g4_2_g2_count_lookup(walk);
-    }
     if (child == 0u) {
       voxc_g4_2_g2_step_over_int(ray, walk, height + around);
     } else if (!last) {
