@@ -2,7 +2,7 @@
 """Holds what a kind touches to a list: kinds.py TREE LIST
 
 LIST has a line "what | pattern | file file" for each kind: the files of the program, tests and documents apart, that have the
-pattern in their text or their name. Everything else in LIST is prose.
+pattern in their text or their path. Everything else in LIST is prose.
 """
 import re
 import sys
@@ -15,7 +15,7 @@ FOLDERS = ("include", "lib", "tools", "shaders-runtime", "construct-runtime", "c
 def files_with(tree, pattern):
     for folder in FOLDERS:
         for path in sorted((tree / folder).rglob("*")):
-            if path.is_file() and (pattern.search(path.name) or pattern.search(path.read_text(errors="replace"))):
+            if path.is_file() and (pattern.search(path.relative_to(tree).as_posix()) or pattern.search(path.read_text(errors="replace"))):
                 yield str(path.relative_to(tree))
 
 
