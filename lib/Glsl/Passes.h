@@ -48,8 +48,8 @@ void unroll(Module &module, const Constants &constants);
 /// is what stands behind the first "_" of the function's name.
 void shareArrays(Module &module, std::string_view array);
 
-/// Puts what leads (`Declaration::leads`) at the front, behind the types, constants and variables that it needs,
-/// and the prototypes of the functions that it calls, which keep their place.
+/// Puts what leads (`Declaration::leads`) at the front, behind the types, constants and variables that it
+/// needs, and the prototypes of the functions that it calls, which keep their place.
 void lead(Module &module);
 
 /// Gives the function of this name, and all that cannot do without it, one more parameter, the first, which
