@@ -74,6 +74,7 @@ constexpr LevelConstant kLevel[] = {
     {"BEGIN", [](const Plan &p, std::size_t i) -> Value { return firstLayer(p.layout, i); }},
     {"END", [](const Plan &p, std::size_t i) -> Value { return firstLayer(p.layout, i + 1); }},
     // Its shape.
+    {"GRID", [](const Plan &p, std::size_t i) -> Value { return at(p, i).isGrid(); }},
     {"HAS_LAYERS", [](const Plan &p, std::size_t i) -> Value { return at(p, i).hasLayers(); }},
     {"WIDE", [](const Plan &p, std::size_t i) -> Value { return MaskShape(at(p, i)).hasTwoSets(); }},
     {"BITS_OF_X", [](const Plan &p, std::size_t i) -> Value { return at(p, i).log2Size().x; }},

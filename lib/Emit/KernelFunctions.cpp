@@ -183,7 +183,7 @@ private:
   }
 
   void flatLevel(std::size_t index) {
-    down(index, "walk/flat");
+    leaf(index, plan_.layout.strata[index].hasLayers() ? "walk/flat/tree" : "walk/flat/cell");
     leaf(index, "walk/flat/march");
     leaf(index, "walk/flat/climb");
   }

@@ -57,6 +57,20 @@ void forEachExpression(Tree &declaration, const Visit &visit)
     forEachExpression(statement, visit);
 }
 
+/// The names of types in a declaration: of what a function returns and takes, of its variables, of members.
+template <typename Visit> void forEachType(const Declaration &declaration, const Visit &visit) {
+  visit(declaration.type);
+  for (const Parameter &parameter : declaration.parameters)
+    visit(parameter.type);
+  for (const Variable &variable : declaration.variables)
+    visit(variable.type);
+  for (const Statement &statement : declaration.body)
+    forEachStatement(statement, [&](const Statement &inner) {
+      for (const Variable &variable : inner.variables)
+        visit(variable.type);
+    });
+}
+
 /// The variable that an expression is or is a part of: `walk` of walk.cell.x; "" if it is another value.
 inline std::string_view rootOf(const Expression &expression) {
   const Expression *at = &expression;

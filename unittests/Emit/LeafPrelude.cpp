@@ -81,16 +81,8 @@ std::string constants() {
 }
 
 std::vector<std::string> namesIn(const Declaration &declaration) {
-  std::vector<std::string> names = {declaration.type};
-  for (const glsl::Parameter &parameter : declaration.parameters)
-    names.push_back(parameter.type);
-  for (const glsl::Variable &variable : declaration.variables)
-    names.push_back(variable.type);
-  for (const glsl::Statement &statement : declaration.body)
-    glsl::forEachStatement(statement, [&](const glsl::Statement &inner) {
-      for (const glsl::Variable &variable : inner.variables)
-        names.push_back(variable.type);
-    });
+  std::vector<std::string> names;
+  glsl::forEachType(declaration, [&](const std::string &type) { names.push_back(type); });
   glsl::forEachExpression(declaration, [&](const glsl::Expression &expression) {
     if (expression.kind == glsl::Expression::Kind::Name || expression.kind == glsl::Expression::Kind::Call)
       names.push_back(expression.text);

@@ -1,22 +1,12 @@
 // Passes, each on a few lines.
-#include "Glsl/Passes.h"
+#include "PassTesting.h"
 
-#include "Glsl/Parse.h"
-#include "Glsl/Print.h"
 #include "Glsl/Verify.h"
 
 #include <gtest/gtest.h>
 
 namespace voxc::glsl {
 namespace {
-
-template <typename Pass> std::string after(std::string_view text, const Pass &pass) {
-  auto module = parse(text);
-  if (!module)
-    return module.error().message;
-  pass(*module);
-  return print(*module);
-}
 
 TEST(AddPrefix, IsForWhatStandsOutermost) {
   EXPECT_EQ(after("const int SIDE = 4; // SIDE of a cube.\n"

@@ -1,22 +1,12 @@
 // Passes that make a kernel for a plan out of leaves for all plans, each on a few lines.
-#include "Glsl/Passes.h"
+#include "PassTesting.h"
 
-#include "Glsl/Parse.h"
-#include "Glsl/Print.h"
 #include "Glsl/Verify.h"
 
 #include <gtest/gtest.h>
 
 namespace voxc::glsl {
 namespace {
-
-template <typename Pass> std::string after(std::string_view text, const Pass &pass) {
-  auto module = parse(text);
-  if (!module)
-    return module.error().message;
-  pass(*module);
-  return print(*module);
-}
 
 std::string inlined(std::string_view text) {
   return after(text, [](Module &module) { inlineValues(module); });

@@ -70,16 +70,7 @@ private:
   }
 
   void addNames(const Declaration &declaration, Names &names) const {
-    names.insert(declaration.type);
-    for (const Parameter &parameter : declaration.parameters)
-      names.insert(parameter.type);
-    for (const Variable &variable : declaration.variables)
-      names.insert(variable.type);
-    for (const Statement &statement : declaration.body)
-      forEachStatement(statement, [&](const Statement &inner) {
-        for (const Variable &variable : inner.variables)
-          names.insert(variable.type);
-      });
+    forEachType(declaration, [&](const std::string &type) { names.insert(type); });
     forEachExpression(declaration, [&](const Expression &expression) {
       if (expression.kind == Kind::Name || isConstructor(expression))
         names.insert(expression.text);

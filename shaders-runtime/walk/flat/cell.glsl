@@ -1,8 +1,10 @@
-// A tree of depth 0 is one leaf.
 void look_up_layer_level(const Ray ray, ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout Gap gap, inout uint value) {
   if (LEVEL_LAST || layer < LEVEL_END) {
-    gap.log2_side = LEVEL_LOG2_CELL;
-    node = leaf_level(node);
+    gap = Gap(LEVEL_LOG2_CELL, 1);
+    if (LEVEL_GRID)
+      node = look_up_level(ray, node, cell >> LEVEL_LOG2_CELL, gap);
+    else
+      node = leaf_level(node); // A tree of depth 0 is one leaf.
     if (LEVEL_LAST) {
       value = node;
       node = 0u;
