@@ -1,6 +1,6 @@
 // How a ray comes to the voxel that it hits.
 struct Arrival {
-  uint t; // The bits of a float32.
+  uint t;    // The bits of a float32.
   uint face; // Twice the axis on which the ray enters, and 1 more where its coordinate falls.
 };
 

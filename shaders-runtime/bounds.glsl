@@ -43,7 +43,8 @@ int order_told(const Ray ray, int axis, uint moment, bool later, bool sooner, bo
 int compare_moment_by_doubles(const Ray ray, int axis, int face, uint moment) {
   Way to_face = way_to(double(face), exactly(ray.given_origin[axis]));
   double way = exactly(moment) * exactly(ray.given_direction[axis]);
-  double doubt = to_face.is_exact ? double(0.0f) : (abs(to_face.distance) + abs(way)) * double(1.0f / 1125899906842624.0f); // 2^-50.
+  double doubt =
+      to_face.is_exact ? double(0.0f) : (abs(to_face.distance) + abs(way)) * double(1.0f / 1125899906842624.0f); // 2^-50.
   double apart = to_face.distance - way;
   return order_told(ray, axis, moment, apart > doubt, apart < -doubt, to_face.is_exact);
 }

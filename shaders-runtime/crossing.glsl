@@ -3,7 +3,7 @@
 
 // A change of cell.
 struct Crossing {
-  real t;     // Approximate.
+  real t;      // Approximate.
   int axis;    // One that changes,
   int face;    // and the face that it passes.
   ivec3 step;  // The change, a cell at most on each axis.
@@ -35,9 +35,9 @@ struct Range {
 Sum crossing_difference(const Ray ray, int a, float at_a, int b, float at_b) {
   uint speed_a = ray.given_direction[a];
   uint speed_b = ray.given_direction[b];
-  return sum_of_products(uvec4(floatBitsToUint(at_a), ray.given_origin[a] ^ SIGN_BIT,
-                               floatBitsToUint(at_b) ^ SIGN_BIT, ray.given_origin[b]),
-                         uvec4(speed_b, speed_b, speed_a, speed_a));
+  return sum_of_products(
+      uvec4(floatBitsToUint(at_a), ray.given_origin[a] ^ SIGN_BIT, floatBitsToUint(at_b) ^ SIGN_BIT, ray.given_origin[b]),
+      uvec4(speed_b, speed_b, speed_a, speed_a));
 }
 
 const int CUT_SHORT = 2; // No order: the device did not let it be found.
@@ -111,13 +111,9 @@ int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
   return order != 0 ? order : compare_exactly(ray, a, face_a, b, face_b);
 }
 
-int undecided_axis(const Range range) {
-  return range.least.x != range.most.x ? 0 : range.least.y != range.most.y ? 1 : 2;
-}
+int undecided_axis(const Range range) { return range.least.x != range.most.x ? 0 : range.least.y != range.most.y ? 1 : 2; }
 
-int middle_of(const Range range, int axis) {
-  return range.least[axis] + (range.most[axis] - range.least[axis] + 1) / 2;
-}
+int middle_of(const Range range, int axis) { return range.least[axis] + (range.most[axis] - range.least[axis] + 1) / 2; }
 
 // Takes away from a range what lies to one side of a face, where `order` compares it with the crossing.
 void narrow(const Ray ray, const Crossing crossing, int axis, int face, int order, inout Range range) {

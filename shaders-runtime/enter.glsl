@@ -117,7 +117,7 @@ OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, bool starts_far) {
 Walk entered(const Ray ray, Walk walk, real3 face, inout bool sure) {
   const float LATEST = 281474976710656.0f; // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
   real3 t = mix(real3(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
-  bool is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
+  bool is_as_given = ray.slack == 0.0f;                        // Else it has come near, and does not begin here.
   // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
   real3 last_face = mix(real3(NEVER), face, ray.falls);
   bvec3 on_face = equal(ray.origin, is_as_given ? last_face : real3(NEVER));

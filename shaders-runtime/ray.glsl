@@ -7,19 +7,19 @@ struct Ray {
   // before another does. All t are those of this direction, from this origin.
   real3 direction;
   real3 inverse;
-  real3 late; // By how much each t comes late that is counted from there.
-  real slack; // What is wrong of a t, beside a few roundings.
-  real3 lowest; // The least that is certain of the coordinates at the origin,
-  real doubt; // and how much more any coordinate on the way may be, in voxels.
-  real certain; // A coordinate that is at least this far below the next whole number is in its cell.
-  bvec3 moves; // False on an axis whose coordinate never changes.
-  bvec3 falls; // The coordinate falls.
+  real3 late;       // By how much each t comes late that is counted from there.
+  real slack;       // What is wrong of a t, beside a few roundings.
+  real3 lowest;     // The least that is certain of the coordinates at the origin,
+  real doubt;       // and how much more any coordinate on the way may be, in voxels.
+  real certain;     // A coordinate that is at least this far below the next whole number is in its cell.
+  bvec3 moves;      // False on an axis whose coordinate never changes.
+  bvec3 falls;      // The coordinate falls.
   bool is_moderate; // No number as given but 0 is below 2^-40.
-  bool plain; // As given, it has no numbers but 0 and those whose significand has all its bits.
-  ivec3 heading; // -1 where the coordinate falls, else 1.
-  real3 beyond; // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
-  int octant; // A bit for each coordinate that rises, that of x lowest.
-  ivec3 ahead; // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
+  bool plain;       // As given, it has no numbers but 0 and those whose significand has all its bits.
+  ivec3 heading;    // -1 where the coordinate falls, else 1.
+  real3 beyond;     // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+  int octant;       // A bit for each coordinate that rises, that of x lowest.
+  ivec3 ahead;      // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
 };
 
 // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
@@ -31,8 +31,8 @@ struct Gap {
 // How a ray leaves cells through the faces ahead.
 struct Exit {
   real t;       // About when.
-  bvec3 passed;  // The axes whose faces it passes.
-  bool sure;     // It is known to pass that one first.
+  bvec3 passed; // The axes whose faces it passes.
+  bool sure;    // It is known to pass that one first.
 };
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
@@ -42,14 +42,14 @@ struct Walk {
   uint voxel; // Where the voxel that was hit is to be had, as the lowest level finds it.
   uint lookups;
   int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-  int open; // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
-  ivec3 begin; // A walk ends where it leaves the box of `size` cells from `begin` on.
+  int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
+  ivec3 begin;    // A walk ends where it leaves the box of `size` cells from `begin` on.
   ivec3 size;
   bool is_within; // It is known to enter its cell within the ray's bounds.
 };
 
 const int CLOSED = -1;
-const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+const int AGAIN = -2;  // The walk is to be gone on with, from its cell, by who settles.
 const int WITHIN = -3; // Who settles has found that it enters its cell within the ray's bounds.
 
 const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
@@ -58,7 +58,8 @@ const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
 // the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how far it may be from the origin. Else
 // twelve roundings of 2^-23, whichever way each goes: an inverse takes 2.5 of them, the order of two t is certain beyond 11, and a
 // coordinate within 9.5.
-const real ROUNDINGS = DOUBLES ? real(8.0f / 16777216.0f) / real(536870912.0f) : real(IEEE ? 8.0f / 16777216.0f : 12.0f / 8388608.0f);
+const real ROUNDINGS =
+    DOUBLES ? real(8.0f / 16777216.0f) / real(536870912.0f) : real(IEEE ? 8.0f / 16777216.0f : 12.0f / 8388608.0f);
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell) {

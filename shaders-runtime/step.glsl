@@ -25,7 +25,8 @@ void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, co
   }
   // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
   // that are sure need not wait for it.
-  walk.cell = KEEPS_CELL || sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
+  walk.cell =
+      KEEPS_CELL || sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
   walk.open = sure ? CLOSED : gap.count << 5 | gap.log2_side;
   count_step(walk);
 }

@@ -3,9 +3,7 @@
 
 // How far the walk's cell is from the ray's origin, in voxels. That of the cell, not of the point where it is entered,
 // so that it does not matter where walking counts from.
-float travelled(const Ray ray, const Walk walk) {
-  return length(vec3(walk.cell) + 0.5f - uintBitsToFloat(ray.given_origin));
-}
+float travelled(const Ray ray, const Walk walk) { return length(vec3(walk.cell) + 0.5f - uintBitsToFloat(ray.given_origin)); }
 
 // log2 of the side of the largest cubes that look small at the walk's cell; -1 if voxels do not.
 int small_height(const Ray ray, const Walk walk) {

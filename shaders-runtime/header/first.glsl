@@ -3,7 +3,7 @@ bool voxc_format_first(vec3 origin, vec3 direction, out voxc_format_Hit hit) {
   uvec3 from = floatBitsToUint(origin);
   uvec3 way = floatBitsToUint(direction);
   if (PAGED)
-    lacks_page = false; // A ray that waits for a word has the cell in which it waits for its hit, with no colour.
+    lacks_page = false;      // A ray that waits for a word has the cell in which it waits for its hit, with no colour.
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
   Walk walk = walk_at(ivec3(-1));

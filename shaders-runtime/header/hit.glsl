@@ -21,9 +21,7 @@ voxc_format_Hit hit_of(const Ray ray, const Walk walk) {
 }
 
 // The normal of the face by which the ray enters, out of the voxel; 0 where there is none.
-vec3 voxc_format_normal(const voxc_format_Hit hit) {
-  return vec3(ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2))) * hit.side);
-}
+vec3 voxc_format_normal(const voxc_format_Hit hit) { return vec3(ivec3(equal(ivec3(hit.axis), ivec3(0, 1, 2))) * hit.side); }
 
 // Where the ray of a hit enters the voxel, just outside of it, and within its face: rays that go on from there begin in the cell
 // before that face, and need no tmin to leave the voxel. In a voxel in which the ray begins, that is where it begins.

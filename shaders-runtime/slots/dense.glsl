@@ -28,7 +28,9 @@ uint slot_level(uint grid, ivec3 cell) {
 
 // A slot that has its distance in it is empty if it has no alpha, a number in its lowest field, or its highest bit.
 INLINE bool is_empty_level(uint word) {
-  return LEVEL_EMPTY_BY_ALPHA ? (word >> 24) == 0u : LEVEL_DISTANCES_OF_OCTANTS ? (word & LEVEL_FIELD_MASK) != 0u : (word >> 31) != 0u;
+  return LEVEL_EMPTY_BY_ALPHA         ? (word >> 24) == 0u
+         : LEVEL_DISTANCES_OF_OCTANTS ? (word & LEVEL_FIELD_MASK) != 0u
+                                      : (word >> 31) != 0u;
 }
 
 // The value in a slot, or 0 if its cell is empty.

@@ -40,7 +40,8 @@ uint bits_of_bytes_level(uint first, uint bytes) {
   uint array = load_word(LEVEL_ARRAY_HEAD);
   uint few = min(bytes, 4u);
   uint bits = uint(bitCount(load_field_at(array, place_of_word(array, 0u), 8u * first, 8u * few)));
-  return bytes > 4u ? bits + uint(bitCount(load_field_at(array, place_of_word(array, 0u), 8u * first + 32u, 8u * (bytes - few)))) : bits;
+  return bytes > 4u ? bits + uint(bitCount(load_field_at(array, place_of_word(array, 0u), 8u * first + 32u, 8u * (bytes - few))))
+                    : bits;
 }
 
 // How many voxels come before one.

@@ -105,7 +105,8 @@ bool step_compensated(const Ray ray, inout Walk walk, const Gap gap) {
 // The cell of the volume, or beside it, that the ray comes to at a passage.
 ivec3 cell_after(const Pass first, bool rises, vec3 origin, vec3 speed, inout bool sure) {
   ivec3 size = VOLUME_SIZE + 2;
-  return ivec3(cell_at(first, rises, origin.x, speed.x, -1, size.x, sure), cell_at(first, rises, origin.y, speed.y, -1, size.y, sure),
+  return ivec3(cell_at(first, rises, origin.x, speed.x, -1, size.x, sure),
+               cell_at(first, rises, origin.y, speed.y, -1, size.y, sure),
                cell_at(first, rises, origin.z, speed.z, -1, size.z, sure));
 }
 

@@ -1,7 +1,7 @@
 // A step that float32 cannot tell, by doubles from the ray as given: where the ray passes faces one after the other, and where it passes
 // several at one t, as rays of whole numbers do at nearly each step. What doubles get wrong: two roundings of 2^-53 of a t, three of a
 // coordinate, which is a sum of two numbers that may be larger than it. What is closer than that meets exactly, or is not told.
-const double FEW_ROUNDINGS = double(1.0f / 1125899906842624.0f); // 2^-50.
+const double FEW_ROUNDINGS = double(1.0f / 1125899906842624.0f);             // 2^-50.
 const double LATER_THAN_ANY = double(NEVER) * double(NEVER) * double(NEVER); // A direction as given may be small.
 
 dvec3 exactly(uvec3 bits) { return dvec3(exactly(bits.x), exactly(bits.y), exactly(bits.z)); }
@@ -83,7 +83,8 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
 // The cell that the ray is in once a passage has happened, of all of the volume and those beside it.
 ivec3 cell_after(const Passage passage, dvec3 origin, dvec3 speed, inout bool sure) {
   ivec3 size = VOLUME_SIZE + 2;
-  return ivec3(cell_by_doubles(passage, origin.x, speed.x, -1, size.x, sure), cell_by_doubles(passage, origin.y, speed.y, -1, size.y, sure),
+  return ivec3(cell_by_doubles(passage, origin.x, speed.x, -1, size.x, sure),
+               cell_by_doubles(passage, origin.y, speed.y, -1, size.y, sure),
                cell_by_doubles(passage, origin.z, speed.z, -1, size.z, sure));
 }
 

@@ -5,9 +5,10 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
   path[0] = root;
   int layer = 0;
   Lowest lowest;
-  if (KEEPS_LOWEST)
+  if (KEEPS_LOWEST) {
     [[unroll]] for (int i = 0; i < LEVELS; i++)
       lowest.layer[i] = 0;
+  }
   while (goes_on(walk)) {
     // Down to a voxel, or to the gap around the cell.
     count_lookup(walk);

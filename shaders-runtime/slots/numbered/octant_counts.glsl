@@ -17,7 +17,8 @@ uint voxels_before_level(uint grid, ivec3 cell, uint counts) {
   uint earlier = uint(bitCount(octants));
   uint before = 0u;
   if (earlier != 0u)
-    before = load_field_at(grid, place_of_word(grid, LEVEL_HEAD_WORDS), counts + (earlier - 1u) * LEVEL_COUNT_BITS, LEVEL_COUNT_BITS);
+    before =
+        load_field_at(grid, place_of_word(grid, LEVEL_HEAD_WORDS), counts + (earlier - 1u) * LEVEL_COUNT_BITS, LEVEL_COUNT_BITS);
   uint cells = (1u << (place.x | place.y << 1 | place.z << 2)) - 1u;
   cells = (cells | cells << 12) & 0x000f000fu;
   cells = (cells | cells << 2) & 0x00330033u;

@@ -1,4 +1,5 @@
-void look_up_layer_level(const Ray ray, ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout Gap gap, inout uint value) {
+void look_up_layer_level(const Ray ray, ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout Gap gap,
+                         inout uint value) {
   if (LEVEL_LAST || layer < LEVEL_END) {
     gap = Gap(LEVEL_LOG2_CELL, 1);
     if (LEVEL_GRID)
