@@ -1,4 +1,5 @@
-// Text that is GLSL and C++ at once, by macros that shaders-runtime/header/languages/shared.begin defines for either.
+// Text that is GLSL and C++ at once, by macros that shaders-runtime/header/languages/shared.begin defines for
+// either.
 #pragma once
 
 #include "Glsl/Printer.h"
