@@ -84,6 +84,9 @@ install(FILES "${manual}/voxc" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-comple
 install(FILES "${manual}/_voxc" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT tools)
 install(FILES "${manual}/voxc.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT tools)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT tools)
+# What draws the report of voxc bench: text, which needs Python and Matplotlib where it is used.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/tools/report/" DESTINATION "${CMAKE_INSTALL_DATADIR}/voxc/report" COMPONENT tools
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.html" PATTERN "*.css" PATTERN "*.js" PATTERN "__pycache__" EXCLUDE)
 
 # What explains the libraries: docs without records of measurements, and the examples.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT dev PATTERN "evaluation" EXCLUDE)

@@ -25,7 +25,7 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Tools: voxc builds, traces and measures v
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION "graphics")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libvulkan1")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "voxc-viewer, bash-completion | zsh | fish, man-db")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "voxc-viewer, python3-matplotlib, bash-completion | zsh | fish, man-db")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd")
 
 set(CPACK_DEBIAN_VIEWER_PACKAGE_NAME "voxc-viewer")

@@ -21,7 +21,7 @@ endforeach()
 list(REMOVE_DUPLICATES folders)
 list(SORT folders ORDER DESCENDING)
 foreach(folder IN LISTS folders)
-  if(folder MATCHES "/dist-packages/voxc$") # What Python made of the module.
+  if(folder MATCHES "/dist-packages/voxc$|/share/voxc/report(/|$)") # What Python made of its modules.
     file(REMOVE_RECURSE "${folder}/__pycache__")
   endif()
   while(folder MATCHES "/voxc" AND IS_DIRECTORY "${folder}")

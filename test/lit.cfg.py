@@ -61,12 +61,13 @@ if os.path.exists(lavapipe):
     config.available_features.add("vulkan")
 if platform.machine() == "x86_64":
     config.available_features.add("x86-64")
-# The Python that has NumPy need not be the one that runs lit.
-for python in [sys.executable, "/usr/bin/python3"]:
-    if subprocess.run([python, "-c", "import numpy"], capture_output=True).returncode == 0:
-        config.available_features.add("numpy")
-        config.substitutions.insert(0, ("%numpython", python))
-        break
+# The Python that has a module need not be the one that runs lit.
+for module, feature, name in [("numpy", "numpy", "%numpython"), ("matplotlib, PIL", "matplotlib", "%plotpython")]:
+    for python in [sys.executable, "/usr/bin/python3"]:
+        if subprocess.run([python, "-c", "import " + module], capture_output=True).returncode == 0:
+            config.available_features.add(feature)
+            config.substitutions.insert(0, (name, python))
+            break
 # Programs that some tests need, and that a machine may lack.
 for program in ["readelf", "zsh", "fish"]:
     if shutil.which(program):

@@ -10,6 +10,8 @@ from pathlib import Path
 from browser import Browser
 
 HERE = Path(__file__).parent
+# A chart is drawn for several widths; this one is shown on wide screens.
+POINTS = "[...document.querySelectorAll('.wide .point')]"
 TIP = "document.getElementById('tip')"
 TABLE = "document.querySelector('table.sortable')"
 ROWS = f"[...{TABLE}.tBodies[0].rows]"
@@ -27,7 +29,7 @@ def is_drawn(record):
 
 def point(name, index=0):
     """A point by the name in its figures."""
-    return f"[...document.querySelectorAll('.point')].filter(p => p.getAttribute('aria-label').startsWith('{name};'))[{index}]"
+    return f"{POINTS}.filter(p => p.getAttribute('aria-label').startsWith('{name};'))[{index}]"
 
 
 class Report(unittest.TestCase):
@@ -59,7 +61,8 @@ class Report(unittest.TestCase):
         self.browser.click(f"[...{TABLE}.querySelectorAll('button')].find(button => button.textContent === '{heading}')")
 
     def test_has_a_point_for_each_speed(self):
-        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.point').length"), sum(map(is_drawn, self.records)))
+        self.assertEqual(self.browser.evaluate(f"{POINTS}.length"), sum(map(is_drawn, self.records)))
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.narrow .point').length"), sum(map(is_drawn, self.records)))
         self.assertEqual(self.browser.evaluate(f"{ROWS}.length"), len(self.records))
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('.portrait').length"), 2)
 
@@ -72,14 +75,14 @@ class Report(unittest.TestCase):
         self.assertRegex(lines[1], r"^[0-9.]+ [KMG]iB, [0-9.]+ bytes a voxel$")
         self.assertRegex(lines[2], r"^[0-9.]+ Mrays/CPU s, spread [0-9.]+ %")
         self.assertEqual(lines[3], "missed 0, ghost 0, wrong 0 of 20,000 rays")
-        same = self.browser.evaluate("[...document.querySelectorAll('.point.same')].map(p => p.getAttribute('aria-label').split(';')[0])")
+        same = self.browser.evaluate(f"{POINTS}.filter(p => p.matches('.same')).map(p => p.getAttribute('aria-label').split(';')[0])")
         self.assertEqual(same, 4 * ["R(3³) G(8)"])
         self.assertRegex(lines[5], r"^(On the frontier|As good as .*|Beaten by .*, ([0-9.]+× )?as fast at .* size)$")
         self.browser.point_at("document.querySelector('h1')")
         self.assertFalse(self.is_shown(TIP))
 
     def test_pointing_near_tells_the_nearest(self):
-        chart = "document.querySelector('.chart')"
+        chart = "document.querySelector('.chart.wide')"
         middle = self.browser.evaluate(f"""(() => {{ {chart}.scrollIntoView({{block: "center", behavior: "instant"}});
             return [...{chart}.querySelectorAll('.point')].map(p => {{ const b = p.querySelector('use').getBoundingClientRect();
               return [p.getAttribute('aria-label').split(';')[0], b.left + b.width / 2, b.top + b.height / 2]; }}) }})()""")
@@ -92,13 +95,13 @@ class Report(unittest.TestCase):
         self.assertEqual(self.browser.evaluate(f"{TIP}.firstChild.textContent"), nearest)
 
     def test_spreads_and_names_of_other_passes_are_drawn(self):
-        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.point .rounds').length"), sum(map(is_drawn, self.records)))
-        names = self.browser.evaluate("[...document.querySelectorAll('.point')].map(p => p.getAttribute('aria-label').split(';')[0])")
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.wide .point .rounds').length"), sum(map(is_drawn, self.records)))
+        names = self.browser.evaluate(f"{POINTS}.map(p => p.getAttribute('aria-label').split(';')[0])")
         self.assertIn("S(11) +restart-sv", names)
         self.assertIn("R(4³) G(7) −whole-level-dedup", names)
 
     def test_neighbours_have_the_same_axes(self):
-        axes = self.browser.evaluate("""[...document.querySelectorAll('.model:first-child .chart')]
+        axes = self.browser.evaluate("""[...document.querySelectorAll('.model:first-child .chart.wide')]
             .map(chart => [...chart.querySelectorAll('.tick')].map(tick => tick.textContent).join(' '))""")
         self.assertEqual(len(axes), 3)
         self.assertEqual(len(set(axes)), 1)
@@ -161,9 +164,13 @@ class Report(unittest.TestCase):
         self.browser.resize(390, 844)
         self.browser.open(self.page)
         self.assertEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390)
-        labels = "document.querySelector('.chart .{} text')"
-        self.assertTrue(self.is_shown(labels.format("narrow")))
-        self.assertFalse(self.is_shown(labels.format("wide")))
+        chart = "document.querySelector('.chart.{}')"
+        self.assertTrue(self.is_shown(chart.format("narrow")))
+        self.assertFalse(self.is_shown(chart.format("wide")))
+        # What is told of a point is told of it in each drawing.
+        self.browser.point_at("document.querySelector('.narrow .point.on')")
+        self.assertTrue(self.is_shown(TIP))
+        self.assertRegex(self.browser.evaluate(f"{TIP}.textContent"), "Mrays/CPU s")
 
     def test_is_light_and_dark(self):
         colours = set()

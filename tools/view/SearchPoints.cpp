@@ -2,11 +2,11 @@
 #include "view/SearchPoints.h"
 
 #include "bench/RecordFile.h"
-#include "report/Pareto.h"
 #include "view/FormatText.h"
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace voxc::view {
 namespace {
@@ -35,14 +35,19 @@ double meanSeconds(const Times &times) {
   return sum / double(times.secondsPerMray.size());
 }
 
+/// Those lead that no other beats in both size and speed; equal ones all do. The points go from small to
+/// large.
 void markLeading(std::vector<SearchPoint> &points) {
-  std::vector<report::SizeSpeed> places;
-  places.reserve(points.size());
-  for (const SearchPoint &point : points)
-    places.push_back({point.bytes, point.mraysPerS});
-  const std::vector<bool> isOn = report::paretoFrontier(places);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i].isLeading = isOn[i];
+  std::ranges::stable_sort(points, [](const SearchPoint &a, const SearchPoint &b) {
+    return std::pair(a.bytes, -a.mraysPerS) < std::pair(b.bytes, -b.mraysPerS);
+  });
+  const SearchPoint *best = nullptr;
+  for (SearchPoint &point : points) {
+    const bool isEqual = best && point.bytes == best->bytes && point.mraysPerS == best->mraysPerS;
+    point.isLeading = !best || isEqual || point.mraysPerS > best->mraysPerS;
+    if (point.isLeading)
+      best = &point;
+  }
 }
 
 } // namespace
@@ -81,7 +86,6 @@ SearchPoints makeSearchPoints(std::span<const Record> records) {
   for (const auto &[text, times] : formats)
     if (times.secondsPerMray.size() == sets)
       result.points.push_back({text, times.bytes, 1 / meanSeconds(times)});
-  std::ranges::stable_sort(result.points, {}, &SearchPoint::bytes);
   markLeading(result.points);
   return result;
 }

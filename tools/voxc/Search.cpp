@@ -1,14 +1,13 @@
 // voxc search: the formats that are best for an input, these rays and this device, found by measuring those
 // that promise most.
 #include "Outputs.h"
+#include "PythonProgram.h"
 #include "Subcommand.h"
 
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "common/TimeBudget.h"
-#include "report/Cells.h"
-#include "report/Report.h"
 #include "search/KeptWeights.h"
 #include "search/SearchCells.h"
 #include "search/SearchRays.h"
@@ -32,9 +31,8 @@ constexpr double kExploringShare = 0.25;
 /// and both together at most, whatever the formats are that it begins with: less where few seconds are left.
 constexpr double kMostExploring = 0.6, kLeastExploring = 0.25, kSecondsOfMeasuring = 12;
 
-/// Seconds that the report and the end of the process take, and the share of the budget that they are at
-/// most.
-constexpr double kEndSeconds = 0.3, kEndShare = 0.1;
+/// Seconds that the page and the end of the process take, and the share of the budget that they are at most.
+constexpr double kEndSeconds = 1.5, kEndShare = 0.05;
 
 std::vector<std::string> namesOf(const std::vector<bench::RaySet> &sets) {
   std::vector<std::string> names;
@@ -72,6 +70,7 @@ private:
     const Contest &contest;
   };
   Expected<void> tell(const Told &told, Json &figures);
+  void makePage() const;
   void addKnown(const Scene &scene, std::vector<Candidate> &seeds) const;
 
   SearchOptions options_;
@@ -121,10 +120,10 @@ Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &
 }
 
 Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
-  const auto cells = report::readCells({options_.folder});
+  const auto cells = bench::readRecords(options_.folder);
   if (!cells)
     return cells.error();
-  report::SearchVerdict verdict = verdictOf(*cells, told.contest, options_.objective());
+  const bench::SearchVerdict verdict = verdictOf(*cells, told.contest, options_.objective());
   const SearchResult result{.input = options_.input,
                             .arguments = options_.inputArguments,
                             .device = told.axes.devices.front().part.name,
@@ -138,14 +137,25 @@ Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
   bar_->clear();
   addSearchFigures(figures, result);
   std::fputs(searchReport(result).c_str(), stdout);
-  const report::Report report = report::makeReport(*cells, {}, "report.csv", std::move(verdict));
-  for (const auto &[name, text] : {std::pair("/report.html", &report.html), {"/report.csv", &report.csv}})
-    if (Expected<void> written = writeText(options_.folder + name, *text); !written)
-      return written;
-  if (!options_.common.quiet)
+  std::fflush(stdout);
+  if (Expected<void> written = bench::writeVerdict(options_.folder, verdict); !written)
+    return written;
+  if (!progress_.stopped())
+    makePage();
+  return writeStatistics(options_.common.stats, figures);
+}
+
+/// The answer stands without a page, which needs more than voxc.
+void SearchCommand::makePage() const {
+  const auto made = runPythonProgram("bench-report.py", {"--", options_.folder}, progress_.silent());
+  if (options_.common.quiet)
+    return;
+  if (made)
     printNote("wrote report.html, report.csv and " + std::string(bench::kResultsName) + " in " +
               options_.folder);
-  return writeStatistics(options_.common.stats, figures);
+  else
+    printNote("wrote " + std::string(bench::kResultsName) + " in " + options_.folder +
+              ", but no page: " + made.error().message);
 }
 
 Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Explored explored,

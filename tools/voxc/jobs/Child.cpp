@@ -53,16 +53,23 @@ private:
   int ends_[2];
 };
 
+/// A program to be started.
+struct Program {
+  const char *path;
+  bool writesOutput; ///< To the standard output of this process.
+};
+
 /// What the new process does; only calls that are safe after a fork of several threads.
-[[noreturn]] void becomeChild(char *const *arguments, int errorEnd, pid_t parent) {
+[[noreturn]] void becomeChild(const Program &program, char *const *arguments, int errorEnd, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) // It ended before that could be asked for.
     ::_exit(1);
   const int nothing = ::open("/dev/null", O_RDWR);
   ::dup2(nothing, STDIN_FILENO);
-  ::dup2(nothing, STDOUT_FILENO);
+  if (!program.writesOutput)
+    ::dup2(nothing, STDOUT_FILENO);
   ::dup2(errorEnd, STDERR_FILENO);
-  ::execv("/proc/self/exe", arguments);
+  ::execv(program.path, arguments);
   ::_exit(127);
 }
 
@@ -106,17 +113,14 @@ std::string failureOf(int status, const std::string &errors) {
   return line.empty() ? "the process ended with exit code " + std::to_string(WEXITSTATUS(status)) : line;
 }
 
-} // namespace
-
-Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const Progress &progress,
-                               const std::function<void()> &poll) {
-  std::string name = "voxc";
-  std::vector<std::string> words = arguments;
-  std::vector<char *> argv{name.data()};
+/// Starts a program whose first word is its name, and waits for its end.
+Expected<ChildReport> runToEnd(const Program &program, std::vector<std::string> words,
+                               const Progress &progress, const std::function<void()> &poll) {
+  std::vector<char *> argv;
+  argv.reserve(words.size() + 1);
   for (std::string &word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);
-
   Pipe errors;
   if (!errors.isOpen())
     return cannotStart();
@@ -125,9 +129,8 @@ Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const 
   if (child < 0)
     return cannotStart();
   if (child == 0)
-    becomeChild(argv.data(), errors.writeEnd(), parent);
+    becomeChild(program, argv.data(), errors.writeEnd(), parent);
   errors.closeWriteEnd();
-
   std::string text;
   while (!drain(errors.readEnd(), text) && !progress.stopped())
     poll();
@@ -141,10 +144,24 @@ Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const 
   const bool wasInterrupted = WIFEXITED(status) && WEXITSTATUS(status) == kInterruptedExit;
   if (progress.stopped() || (wasInterrupted && isStoppedSoon(progress)))
     return Error::interrupted();
-  ChildReport report{WIFEXITED(status) && WEXITSTATUS(status) == 0, ""};
+  ChildReport report{.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .errors = text};
+  report.succeeded = report.exitCode == 0;
   if (!report.succeeded)
     report.failure = failureOf(status, text);
   return report;
+}
+
+} // namespace
+
+Expected<ChildReport> runChild(const std::vector<std::string> &arguments, const Progress &progress,
+                               const std::function<void()> &poll) {
+  std::vector<std::string> words{"voxc"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return runToEnd({"/proc/self/exe", false}, std::move(words), progress, poll);
+}
+
+Expected<ChildReport> runProgram(const std::vector<std::string> &words, const Progress &progress) {
+  return runToEnd({words.front().c_str(), true}, words, progress, [] {});
 }
 
 } // namespace voxc::tool

@@ -1,13 +1,13 @@
 // Candidates in words.
 #include "search/BuildCommand.h"
 
+#include "bench/SearchVerdict.h"
 #include "common/ShellWord.h"
-#include "report/SearchVerdict.h"
 #include "sweep/Model.h"
 
 namespace voxc::tool {
 
-std::string nameOf(const Candidate &candidate) { return report::plainName(candidate.text, candidate.passes); }
+std::string nameOf(const Candidate &candidate) { return bench::plainName(candidate.text, candidate.passes); }
 
 std::string searchCommand(const std::string &input, const InputArguments &arguments,
                           const std::string &device) {

@@ -14,9 +14,9 @@ namespace voxc::tool {
 
 namespace {
 
+using bench::Finalist;
 using bench::Record;
-using report::Finalist;
-using report::SearchAnswer;
+using bench::SearchAnswer;
 
 template <typename... Values> std::string print(const char *format, const Values &...values) {
   std::array<char, 512> text;
@@ -28,7 +28,7 @@ std::string ratioText(const Finalist &finalist) {
   return finalist.foretoldRatio > 0 ? print("%.2f", finalist.foretoldRatio) : "-";
 }
 
-std::string table(const report::SearchVerdict &verdict) {
+std::string table(const bench::SearchVerdict &verdict) {
   std::string text = "\n        size  speed" + std::string(36, ' ') + "foretold/measured  format\n";
   for (const Finalist &finalist : verdict.frontier)
     text += print("  %10s  %-40s %17s  ", finalist.sizeText.c_str(), finalist.setSpeedsText.c_str(),
@@ -37,7 +37,7 @@ std::string table(const report::SearchVerdict &verdict) {
   return text;
 }
 
-std::string answers(const report::SearchVerdict &verdict) {
+std::string answers(const bench::SearchVerdict &verdict) {
   std::string text;
   for (const SearchAnswer &answer : verdict.answers) {
     const Finalist &finalist = verdict.frontier[answer.finalist];
@@ -100,7 +100,7 @@ Json answerFigures(const Finalist &finalist) {
           {"mrays_per_s", finalist.mraysPerS}};
 }
 
-Json verdictFigures(const report::SearchVerdict &verdict) {
+Json verdictFigures(const bench::SearchVerdict &verdict) {
   Json figures{{"formats", verdict.formats}, {"objective", verdict.objective}};
   for (const SearchAnswer &answer : verdict.answers)
     figures[answer.question] = answerFigures(verdict.frontier[answer.finalist]);
@@ -109,22 +109,22 @@ Json verdictFigures(const report::SearchVerdict &verdict) {
 
 } // namespace
 
-report::SearchVerdict verdictOf(const std::vector<report::Cell> &cells, const Contest &contest,
-                                const std::string &objective) {
+bench::SearchVerdict verdictOf(const std::vector<Record> &cells, const Contest &contest,
+                               const std::string &objective) {
   std::map<std::string, bool> isCompared; // By cells.
   for (const auto &[index, finding] : contest.findings())
     for (const Record &record : finding.records)
       isCompared[record.cell] = contest.isCompared(index);
-  std::vector<const report::Cell *> own;
-  for (const report::Cell &cell : cells)
+  std::vector<const Record *> own;
+  for (const Record &cell : cells)
     if (isCompared.contains(cell.cell))
       own.push_back(&cell);
-  return report::makeSearchVerdict(
-      own, [&](const report::Cell &cell) { return isCompared.at(cell.cell); }, objective);
+  return bench::makeSearchVerdict(
+      own, [&](const Record &cell) { return isCompared.at(cell.cell); }, objective);
 }
 
 std::string searchReport(const SearchResult &result) {
-  const report::SearchVerdict &verdict = result.verdict;
+  const bench::SearchVerdict &verdict = result.verdict;
   std::string text = print("%zu of %zu formats measured on %s in %.0f s; %llu of %llu checked rays wrong",
                            verdict.formats, result.rated, result.device.c_str(), result.seconds,
                            static_cast<unsigned long long>(verdict.wrongRays),
@@ -143,7 +143,7 @@ std::string searchReport(const SearchResult &result) {
 }
 
 void addSearchFigures(Json &figures, const SearchResult &result) {
-  const report::SearchVerdict &verdict = result.verdict;
+  const bench::SearchVerdict &verdict = result.verdict;
   figures["rated"] = result.rated;
   figures["kept"] = result.kept;
   figures["measured"] = verdict.formats;

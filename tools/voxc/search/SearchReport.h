@@ -3,8 +3,8 @@
 
 #include "InputArguments.h"
 
+#include "bench/SearchVerdict.h"
 #include "common/Json.h"
-#include "report/SearchVerdict.h"
 #include "search/Contest.h"
 
 #include <string>
@@ -13,8 +13,8 @@
 namespace voxc::tool {
 
 /// The verdict on what a contest measured; `cells` are the records of its folder, which must outlive it.
-report::SearchVerdict verdictOf(const std::vector<report::Cell> &cells, const Contest &contest,
-                                const std::string &objective);
+bench::SearchVerdict verdictOf(const std::vector<bench::Record> &cells, const Contest &contest,
+                               const std::string &objective);
 
 struct SearchResult {
   std::string input;
@@ -26,7 +26,7 @@ struct SearchResult {
   double seconds = 0;
   const Race &race;
   const Contest &contest;
-  const report::SearchVerdict &verdict;
+  const bench::SearchVerdict &verdict;
 };
 
 /// The frontier as a table, a line for each question that one may ask of it, and the command that builds what

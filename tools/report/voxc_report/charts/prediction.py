@@ -1,0 +1,40 @@
+"""Speeds that a search foretold against those that were measured."""
+from ..speeds import speed_unit
+from ..text import number_text, percent_text
+from ..words import standing_words, stage_title
+from .drawing import CROWD, Canvas, Mark
+from .frontier import NARROW, WIDE
+from .scales import set_speeds
+
+# Points of the band differ by no more than this share of the measured speed.
+BAND = 0.1
+
+
+def note(catalogue, prediction):
+    return (f"{prediction.entry.name}\n{number_text(prediction.foretold)} foretold, {number_text(prediction.measured)} measured: "
+            f"off by {percent_text(prediction.error)}\n{standing_words(catalogue, prediction.entry)}")
+
+
+def draw_band(canvas):
+    """The line on which speeds are as they were foretold, and what lies close to it."""
+    most = canvas.axes.get_ylim()[1]
+    canvas.draw_area("beaten", [0, most * (1 - BAND), most, most], [0, most, most, most / (1 + BAND)])
+    canvas.draw_line("frontier", [0, most], [0, most])
+
+
+def prediction_chart(catalogue, stage, predictions):
+    most = max(max(prediction.foretold, prediction.measured) for prediction in predictions)
+    is_crowded = len(predictions) > CROWD
+    marks = [Mark(prediction.entry.look.family, prediction.entry.variant, "on" if prediction.entry.is_leading else "",
+                  note(catalogue, prediction), prediction.entry.row_id, is_small=is_crowded) for prediction in predictions]
+    drawings = []
+    for width in (WIDE, NARROW):
+        canvas = Canvas(width)
+        set_speeds(canvas.axes.xaxis, canvas.axes.set_xlim, most)
+        set_speeds(canvas.axes.yaxis, canvas.axes.set_ylim, most)
+        canvas.draw_axes("foretold", speed_unit(stage.has_clock) + " measured")
+        draw_band(canvas)
+        for number, prediction in enumerate(predictions):
+            canvas.draw_point(number, prediction.foretold, prediction.measured)
+        drawings.append(canvas.to_page(f"{stage_title(stage)}: speeds foretold and measured", marks, has_notes=width is WIDE))
+    return "".join(drawings)

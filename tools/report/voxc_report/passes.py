@@ -1,0 +1,18 @@
+"""Passes in names: those that most cells have are told once, and a name says where it differs from them."""
+from collections import Counter
+
+
+def usual_passes(lists):
+    """The passes that more than half of the lists have, in the order in which they first came."""
+    counts = Counter(name for passes in lists for name in passes)
+    return [name for name, count in counts.items() if 2 * count > len(lists)]
+
+
+def pass_difference(passes, usual):
+    """" +restart-sv −whole-level-dedup": what a list has beside the usual one, and what it lacks of it."""
+    return "".join([f" +{name}" for name in passes if name not in usual] +
+                   [f" −{name}" for name in usual if name not in passes])
+
+
+def pass_list(passes):
+    return ", ".join(passes)
