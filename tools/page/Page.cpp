@@ -8,7 +8,6 @@
 
 #include "Emit/Template.h"
 #include "common/Command.h"
-#include "plot/Svg.h"
 
 #include <glm/common.hpp>
 
@@ -18,7 +17,17 @@
 namespace voxc::page {
 namespace {
 
-using plot::escaped;
+/// Text with what HTML reserves escaped.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '&'   ? "&amp;"
+              : c == '<' ? "&lt;"
+              : c == '>' ? "&gt;"
+              : c == '"' ? "&quot;"
+                         : std::string(1, c);
+  return result;
+}
 
 /// In groups of three digits.
 std::string grouped(std::uint64_t number) {

@@ -30,8 +30,8 @@ std::vector<double> speeds(const SearchPoints &search) {
 } // namespace
 
 SearchChart::SearchChart(const SearchPoints &search, double width, double height)
-    : x_({"", plot::Spacing::Bytes}, sizes(search), 0, width, kTicks),
-      y_({"", plot::Spacing::Linear}, speeds(search), height, 0, kTicks) {
+    : x_(Scale::bytes(sizes(search), 0, width, kTicks)),
+      y_(Scale::linear(speeds(search), height, 0, kTicks)) {
   for (const SearchPoint &point : search.points) {
     places_.emplace_back(x_.place(point.bytes), y_.place(point.mraysPerS));
     if (!point.isLeading)

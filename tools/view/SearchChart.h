@@ -1,7 +1,7 @@
 // Where the points of a search lie on a chart of size against speed.
 #pragma once
 
-#include "plot/Scale.h"
+#include "view/Scale.h"
 #include "view/SearchPoints.h"
 
 #include <glm/vec2.hpp>
@@ -21,13 +21,13 @@ public:
   const std::vector<glm::dvec2> &places() const { return places_; }
   /// The staircase of what is to be had for a size, from left to right.
   const std::vector<glm::dvec2> &frontier() const { return frontier_; }
-  const std::vector<plot::Tick> &sizeTicks() const { return x_.ticks(); }
-  const std::vector<plot::Tick> &speedTicks() const { return y_.ticks(); }
+  const std::vector<Tick> &sizeTicks() const { return x_.ticks(); }
+  const std::vector<Tick> &speedTicks() const { return y_.ticks(); }
   /// The point that lies nearest to `place`, and at most `reach` pixels from it.
   std::optional<std::size_t> nearest(glm::dvec2 place, double reach) const;
 
 private:
-  plot::Scale x_, y_;
+  Scale x_, y_;
   std::vector<glm::dvec2> places_, frontier_;
 };
 

@@ -1,6 +1,7 @@
 // voxc accuracy: speed against error of every precision, walk and device, on the same rays.
 #include "Figures.h"
 #include "Outputs.h"
+#include "PythonProgram.h"
 #include "Subcommand.h"
 #include "VolumeArgument.h"
 
@@ -43,6 +44,7 @@ private:
   Expected<void> findSeries(const std::vector<Variant> &variants, const Volume &volume, const Oracle &oracle,
                             const Progress &progress, Findings &findings) const;
   Expected<void> tell(const Volume &volume, const Findings &findings) const;
+  void drawPlots() const;
 
   VolumeArgument volume_;
   std::string raysPath_;
@@ -187,7 +189,6 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
                                             const Progress &progress) {
   Findings findings;
   findings.rounds = rounds_;
-  findings.subject = toString(volume.format()) + ", " + std::to_string(rays.rays.size()) + " rays";
   const std::vector<Variant> variants = makeVariants(volume.format(), choice_);
   auto contestants = prepareAll(variants, volume);
   if (!contestants)
@@ -230,6 +231,14 @@ Expected<void> AccuracyCommand::findSeries(const std::vector<Variant> &variants,
   return {};
 }
 
+/// The figures stand without plots, which need more than voxc.
+void AccuracyCommand::drawPlots() const {
+  ProgressBar bar(true);
+  const auto drawn = runPythonProgram("accuracy-plots.py", {folder_}, bar.progress());
+  if (!drawn && !common_.quiet)
+    printNote("there are no plots: " + drawn.error().message);
+}
+
 Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findings) const {
   if (tellsOnStdout(common_))
     printTables(findings);
@@ -238,11 +247,10 @@ Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findi
   figures["rays"] = findings.contestants[0]->hits.size();
   addFindings(figures, findings);
   if (!folder_.empty()) {
-    if (Expected<void> written = writePlots(findings, folder_); !written)
-      return written;
     const std::string path = (std::filesystem::path(folder_) / "accuracy.json").string();
     if (Expected<void> written = writeStatistics(path, figures); !written)
       return written;
+    drawPlots();
   }
   return writeStatistics(common_.stats, figures);
 }

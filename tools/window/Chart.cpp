@@ -22,13 +22,13 @@ ImVec2 at(const ImVec2 &corner, const glm::dvec2 &place) {
 }
 
 void drawTicks(ImDrawList &list, const SearchChart &chart, const ImVec2 &corner, float width) {
-  for (const plot::Tick &tick : chart.speedTicks()) {
+  for (const Tick &tick : chart.speedTicks()) {
     const float y = corner.y + float(tick.place);
     list.AddLine({corner.x, y}, {corner.x + width, y}, kGrid);
     list.AddText({corner.x + 2, std::max(corner.y, y - ImGui::GetTextLineHeight())}, kText,
                  tick.text.c_str());
   }
-  for (const plot::Tick &tick : chart.sizeTicks()) {
+  for (const Tick &tick : chart.sizeTicks()) {
     const float x = corner.x + float(tick.place), half = ImGui::CalcTextSize(tick.text.c_str()).x / 2;
     const float left = std::clamp(x - half, corner.x, std::max(corner.x, corner.x + width - 2 * half));
     list.AddLine({x, corner.y}, {x, corner.y + kHeight}, kGrid);

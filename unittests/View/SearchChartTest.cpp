@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace voxc::view {
 namespace {
 
@@ -41,6 +43,21 @@ TEST(SearchPoints, AreSortedAndKnowTheFrontier) {
   EXPECT_EQ(search.points[1].text, "R(5, 5, 5)");
   EXPECT_EQ(search.device, "cpu");
   EXPECT_EQ(search.model, "hut");
+}
+
+TEST(SearchPoints, LeadByThemselvesWhereOthersAreAsSmallOrAsFast) {
+  const SearchPoints search =
+      makeSearchPoints(std::vector{record("G(5)", 100, 2), record("S(5)", 100, 1), record("R(5^3)", 100, 2),
+                                   record("G(6)", 300, 2), record("S(6)", 400, 3), record("R(6^3)", 500, 3)});
+  std::map<std::string, bool> leads;
+  for (const SearchPoint &point : search.points)
+    leads[point.text] = point.isLeading;
+  EXPECT_EQ(leads, (std::map<std::string, bool>{{"G(5)", true},
+                                                {"S(5)", false},
+                                                {"R(5, 5, 5)", true},
+                                                {"G(6)", false},
+                                                {"S(6)", true},
+                                                {"R(6, 6, 6)", false}}));
 }
 
 TEST(SearchPoints, TakeTheMeanTimeOverAllSetsOfRays) {
@@ -152,6 +169,28 @@ TEST(FormatText, TellsWhatIsWrong) {
   EXPECT_THAT(readFormatText(parseFormatText("G(")).error().message, ::testing::HasSubstr("error"));
   EXPECT_THAT(readFormatText(parseFormatText("G(4) --nonsense")).error().message,
               ::testing::HasSubstr("'nonsense' is no pass"));
+}
+
+std::vector<std::string> texts(const Scale &scale) {
+  std::vector<std::string> result;
+  for (const Tick &tick : scale.ticks())
+    result.push_back(tick.text);
+  return result;
+}
+
+TEST(Scale, GoesFromZeroInRoundSteps) {
+  const Scale scale = Scale::linear({0.3, 0.9}, 0, 100, 5);
+  EXPECT_THAT(texts(scale), ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1"));
+  EXPECT_DOUBLE_EQ(scale.place(0.5), 50);
+  EXPECT_THAT(texts(Scale::linear({}, 0, 1, 2)), ElementsAre("0", "0.5", "1"));
+}
+
+TEST(Scale, CountsBytesInPowersOfTwo) {
+  const Scale scale = Scale::bytes({3000, 16384}, 0, 100, 4);
+  EXPECT_THAT(texts(scale), ElementsAre("2 KiB", "4 KiB", "8 KiB", "16 KiB"));
+  EXPECT_DOUBLE_EQ(scale.place(2048), 0);
+  EXPECT_DOUBLE_EQ(scale.place(16384), 100);
+  EXPECT_THAT(texts(Scale::bytes({1}, 0, 1, 4)), ElementsAre("1 B", "2 B"));
 }
 
 } // namespace

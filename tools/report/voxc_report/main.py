@@ -6,13 +6,13 @@ What was noted is a line each of standard error; why it failed is the last line,
 import argparse
 import os
 import signal
-import stat
 import sys
 
 from .catalogue import make_catalogue
 from .csv_table import to_csv
+from .output import is_file, write
 from .page import bytes_of, make_page
-from .problems import EnvironmentProblem, Problem, UsageProblem
+from .problems import Problem, UsageProblem
 from .records import read_folders
 from .searches import read_verdicts
 
@@ -41,14 +41,6 @@ def model_notes(arguments, records):
     return notes
 
 
-def is_file(path):
-    """Whether a page there is a file, beside which another may stand; and no device."""
-    try:
-        return stat.S_ISREG(os.stat(path).st_mode)
-    except OSError:
-        return True
-
-
 def csv_path(page):
     """Where the figures go: no place if the page goes to standard output or a device."""
     if page == "-" or not is_file(page):
@@ -57,33 +49,6 @@ def csv_path(page):
     if path == page:
         raise UsageProblem(f"-o '{page}' should be the page, such as report.html; the figures go into a .csv beside it")
     return path
-
-
-def write(path, text):
-    """Writes a file as a whole, or leaves what was there."""
-    data = text.encode("utf-8", "replace")
-    try:
-        if path == "-":
-            sys.stdout.buffer.write(data)
-            sys.stdout.buffer.flush()
-        elif not is_file(path):
-            with open(path, "wb") as file:
-                file.write(data)
-        else:
-            write_whole(path, data)
-    except OSError as error:
-        raise EnvironmentProblem(f"cannot write '{path}': {error.strerror}") from error
-
-
-def write_whole(path, data):
-    unfinished = f"{path}.unfinished-{os.getpid()}"
-    try:
-        with open(unfinished, "wb") as file:
-            file.write(data)
-        os.replace(unfinished, path)
-    finally:
-        if os.path.exists(unfinished):
-            os.remove(unfinished)
 
 
 def tell(notes):

@@ -1,4 +1,4 @@
-// What `voxc accuracy` found, and how it is told: tables, JSON, plots. docs/accuracy.md describes the JSON.
+// What `voxc accuracy` found, and how it is told: tables and JSON. docs/accuracy.md describes the JSON.
 #pragma once
 
 #include "accuracy/Series.h"
@@ -21,7 +21,6 @@ struct LodFinding {
 };
 
 struct Findings {
-  std::string subject; ///< The volume's format and the rays, for headings.
   std::vector<std::unique_ptr<Contestant>> contestants;
   std::vector<LodFinding> lods;
   std::vector<SeriesPoint> distances;
@@ -34,10 +33,6 @@ void printTables(const Findings &findings);
 
 /// The findings as `variants`, `lods` and `series`.
 void addFindings(Json &figures, const Findings &findings);
-
-/// Writes the plots of what there is to the folder: accuracy.svg, lod.svg, and of each series NAME-error.svg
-/// and NAME-speed.svg. Errors: as `writeText`.
-Expected<void> writePlots(const Findings &findings, const std::string &folder);
 
 /// What each contestant is called.
 std::vector<std::string> labels(const Findings &findings);
