@@ -1,14 +1,7 @@
 #!/usr/bin/env python3
-"""Starts the plots of voxc accuracy, as bench-report.py starts the report."""
+"""voxc accuracy: draws the plots of its figures."""
 import sys
 
-MISSING = 69
+from voxc_report.start import start
 
-try:
-    from voxc_report.accuracy import main
-except ModuleNotFoundError as error:
-    print(error.name.split(".")[0], file=sys.stderr)
-    sys.exit(MISSING)
-
-if __name__ == "__main__":
-    sys.exit(main())
+sys.exit(start("accuracy"))

@@ -1,14 +1,7 @@
 #!/usr/bin/env python3
-"""Starts the report of voxc bench; voxc runs it with the folder that it lies in beside it."""
+"""voxc bench report: makes the page of records."""
 import sys
 
-MISSING = 69
+from voxc_report.start import start
 
-try:
-    from voxc_report.main import main
-except ModuleNotFoundError as error:
-    print(error.name.split(".")[0], file=sys.stderr)
-    sys.exit(MISSING)
-
-if __name__ == "__main__":
-    sys.exit(main())
+sys.exit(start("main"))

@@ -17,7 +17,7 @@ def read_picture(path):
         with Image.open(path) as picture:
             return picture.convert("RGB")
     except Exception as error:  # Whatever Pillow's many decoders may raise.
-        raise Problem(f"the picture '{path}' cannot be read: {error}") from error
+        raise Problem(f"the picture '{path}' cannot be read: {getattr(error, 'strerror', None) or error}") from error
 
 
 def shrunk(picture, width):

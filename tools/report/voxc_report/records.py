@@ -6,15 +6,18 @@ where it was read.
 import json
 import math
 import os
+import re
 
 from .problems import Problem
 
 SCHEMA = 1
 MOST_COUNT = 2**64 - 1
+SURROGATE = re.compile("[\ud800-\udfff]")
 
 
 def is_text(value):
-    return isinstance(value, str)
+    """Half a character, as JSON may have it by its escapes, is no text."""
+    return isinstance(value, str) and not SURROGATE.search(value)
 
 
 def is_flag(value):

@@ -54,6 +54,11 @@ class Labels(unittest.TestCase):
         placed = labels.place_where_free(wanted, self.FRAME, 10, taken, most=1)
         self.assertEqual([one.label.text for one in placed], ["below"])
 
+    def test_stand_on_another_side_where_there_is_room(self):
+        taken = labels.as_boxes([(105, 90, 400, 110)])
+        [placed] = labels.place_where_free([labels.Label("G(11)", 100, 100)], self.FRAME, 10, taken, most=9)
+        self.assertLess(placed.box[2], 100)
+
 
 class Chart(unittest.TestCase):
     def draw(self, *cells, is_alone=False):

@@ -116,6 +116,11 @@ class Page(unittest.TestCase):
         self.assertIn("&lt;script&gt;alert(1)", html)
         self.assertNotIn("<script>alert", html)
 
+    def test_takes_whatever_text_may_hold(self):
+        name = "a\x00\x1b\u2028\n日本 \U0001f600 \ufffe"
+        html = page([cell(name, 100, 1), cell("G(11)", 200, 2, [name])])
+        self.assertIn("日本 \U0001f600", html)
+
     def test_loads_nothing(self):
         html = page([cell("G(11)", 100, 1)])
         for word in ("http:", "https:", "@import", "url(", "<link", "src="):

@@ -59,6 +59,7 @@ class Records(Folder):
         refused('should have "schema": 1', schema=2)
         refused('should have "schema": 1', schema=True)
         refused('"cell" has a value of another type', cell=1)
+        refused('"cell" has a value of another type', cell="\ud800")
         refused('"model" should be an object', model=[])
         refused('"model.size" has a value', model__size=[1, 2])
         refused('"format.passes" has a value', format__passes=[1])
@@ -89,9 +90,10 @@ class Verdicts(Folder):
 
     def setUp(self):
         super().setUp()
-        self.records = [cell(form, size * KIBI, 4 if rays == "overview" else 1, cell=f"{form} {rays}",
-                             rays={"name": rays, "digest": rays}, made_by={"command": "voxc search hut.obj"})
-                        for form, size in (("G(11)", 10), ("S(11)", 20)) for rays in ("overview", "bounced")]
+        self.records = [cell(form, size * KIBI, median, cell=f"{form} {rays}", rays={"name": rays, "digest": rays},
+                             made_by={"command": "voxc search hut.obj"})
+                        for form, size, speeds in (("G(11)", 10, (4, 1)), ("S(11)", 20, (8, 2)))
+                        for rays, median in zip(("overview", "bounced"), speeds)]
         cells = [record["cell"] for record in self.records]
         self.verdict = {"formats": 2, "cells": cells, "compared": cells[:2],
                         "frontier": [{"name": "G(11) with flat-walk", "size": "10.0 KiB", "speed": "1.60 M/s",

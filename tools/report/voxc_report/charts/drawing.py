@@ -4,6 +4,7 @@ Charts are drawn in pixels of the page. What is drawn has a group id of Matplotl
 style sheet gives colours and widths, so that a chart is light or dark as the page is. Points become links.
 """
 import io
+import math
 import re
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass
@@ -24,10 +25,11 @@ LETTERS, SMALL_LETTERS = 12.5, 11
 CROWD = 60
 
 SVG = "{http://www.w3.org/2000/svg}"
-LINK = "{http://www.w3.org/1999/xlink}href"
 NUMBER = re.compile(r"-?\d+\.\d+")
 ANCHOR = re.compile(r"text-anchor: (\w+)")
-POINT_ID = "point-"
+STROKE = re.compile(r"M[^M]+")
+# What XML cannot hold, and what would break a line.
+CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ufffe\uffff]")
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,7 @@ class Width:
 
 @dataclass
 class Mark:
-    """A point as the page has it."""
+    """What a point is on the page; points are numbered as they are drawn."""
     family: int
     variant: int  # Points of one variant are shown together.
     style: str  # "on", "good" or "".
@@ -85,11 +87,14 @@ class Canvas:
         artist.set_clip_on(False)
         self.axes.add_artist(artist)
 
-    def draw_point(self, number, x, y, least=None, most=None):
-        """A point of the page by its number, with its rounds from the slowest to the fastest, as far as the axis reaches."""
-        if least is not None:
-            self.draw_line(f"{POINT_ID}{number}", [x, x], [least, min(most, self.axes.get_ylim()[1])])
-        self.add(Line2D([x], [y], marker="o", linestyle="", gid=f"{POINT_ID}{number}", transform=self.axes.transData))
+    def draw_points(self, places, rounds=()):
+        """The points of the page, with the rounds of each from the slowest to the fastest, as far as the axis reaches."""
+        top = self.axes.get_ylim()[1]
+        if rounds:
+            x = [x for x, _ in places for x in (x, x, math.nan)]
+            self.draw_line("rounds", x, [y for least, most in rounds for y in (least, min(most, top), math.nan)])
+        x, y = zip(*places)
+        self.add(Line2D(x, y, marker="o", linestyle="", gid="points", transform=self.axes.transData))
 
     def draw_leader(self, x, y, to_x, to_y):
         self.draw_line("leader", [LEFT + x, LEFT + to_x], [self.up(y), self.up(to_y)], IdentityTransform())
@@ -99,6 +104,7 @@ class Canvas:
         self.write(name, text, LEFT + x, TOP + y, size)
 
     def write(self, name, text, x, y, size=LETTERS, anchor="left"):
+        text = CONTROL.sub(" ", text)
         self.figure.text(x, self.whole[1] - y, text, gid=name, size=size, ha=anchor, va="baseline", transform=IdentityTransform(),
                          parse_math=False)
 
@@ -140,29 +146,33 @@ def named_groups(root):
 
 def page_elements(root, marks, has_notes):
     """What was drawn, as elements of a page; points last, those of the frontier on top."""
-    points = {}
+    places, rounds = [], len(marks) * [None]
     for name, group in named_groups(root):
-        if name.startswith(POINT_ID):
-            points.setdefault(int(name.removeprefix(POINT_ID)), []).append(group)
-            continue
-        for path in group.iter(SVG + "path"):
-            yield tag("path", {"class": name, "d": outline(path)}, "")
-        for text in group.iter(SVG + "text"):
-            anchor = ANCHOR.search(text.get("style"))
-            end = {"text-anchor": anchor[1]} if anchor and anchor[1] != "start" else {}
-            yield text_tag("text", {"class": name, "x": rounded(text.get("x")), "y": rounded(text.get("y")), **end}, text.text)
+        if name == "points":
+            places = [{"x": rounded(use.get("x")), "y": rounded(use.get("y"))} for use in group.iter(SVG + "use")]
+        elif name == "rounds":
+            rounds = STROKE.findall(outline(group.find(SVG + "path")))
+        else:
+            yield from named_elements(name, group)
+    points = list(zip(marks, places, rounds, strict=True))
     for style in ("", "good", "on"):
-        for number, groups in points.items():
-            if marks[number].style == style:
-                yield point_element(marks[number], groups, has_notes)
+        yield from (point_element(*point, has_notes) for point in points if point[0].style == style)
 
 
-def point_element(mark, groups, has_notes):
-    use = next(use for group in groups for use in group.iter(SVG + "use"))
-    place = {"x": rounded(use.get("x")), "y": rounded(use.get("y"))}
+def named_elements(name, group):
+    """Lines, areas and text of one name."""
+    for path in group.iter(SVG + "path"):
+        yield tag("path", {"class": name, "d": outline(path)}, "")
+    for text in group.iter(SVG + "text"):
+        anchor = ANCHOR.search(text.get("style"))
+        end = {"text-anchor": anchor[1]} if anchor and anchor[1] != "start" else {}
+        yield text_tag("text", {"class": name, "x": rounded(text.get("x")), "y": rounded(text.get("y")), **end}, text.text or "")
+
+
+def point_element(mark, place, rounds, has_notes):
     content = text_tag("title", {}, mark.note) if has_notes else ""
-    content += "".join(tag("path", {"class": "rounds", "d": outline(path)}, "") for group in groups for path in group.findall(
-        SVG + "path"))
+    if rounds:
+        content += tag("path", {"class": "rounds", "d": rounds}, "")
     if mark.has_errors:
         content += tag("circle", {"class": "ring", "cx": place["x"], "cy": place["y"], "r": 10}, "")
     content += tag("use", {"href": f"#{'s' if mark.is_small else 'm'}{mark.family}", **place}, "")

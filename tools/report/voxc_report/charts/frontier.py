@@ -90,7 +90,7 @@ def frontier_chart(catalogue, stage, own_range, is_alone):
         canvas.draw_axes("Size, logarithmic", speed_unit(stage.has_clock))
         draw_frontier(canvas, stage.leaders)
         draw_names(canvas, catalogue, points, stage.leaders)
-        for number, entry in enumerate(points):
-            canvas.draw_point(number, entry.size, entry.speed.median, entry.speed.min, entry.speed.max)
+        canvas.draw_points([(entry.size, entry.speed.median) for entry in points],
+                           [(entry.speed.min, entry.speed.max) for entry in points])
         drawings.append(canvas.to_page(title, marks, has_notes=width is WIDE))
     return "".join(drawings)

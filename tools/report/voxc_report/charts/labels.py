@@ -104,12 +104,12 @@ def costs(label, boxes, taken, frame, size):
     """How much a name would cover or leave the frame at each of the boxes; crossing something with a leader counts as much as
     covering it, and a long leader a little by itself."""
     result = outside(boxes, frame) + overlaps(boxes, taken).sum(axis=1)
-    for i, box in enumerate(boxes):
-        placed = Placed(label, box, size)
-        if placed.has_leader:
-            x, y = placed.leader_end
-            result[i] += 0.5 * numpy.hypot(x - label.x, y - label.y)
-            result[i] += 10 * overlaps(leader_boxes(label, box, size), taken).sum()
+    far = [i for i, box in enumerate(boxes) if Placed(label, box, size).has_leader]
+    if far:
+        leaders = numpy.vstack([leader_boxes(label, boxes[i], size) for i in far])
+        ends = numpy.array([leader_end(label, boxes[i], size) for i in far])
+        result[far] += 10 * overlaps(leaders, taken).sum(axis=1).reshape(len(far), -1).sum(axis=1)
+        result[far] += 0.5 * numpy.hypot(ends[:, 0] - label.x, ends[:, 1] - label.y)
     return result
 
 

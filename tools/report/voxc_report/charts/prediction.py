@@ -34,7 +34,6 @@ def prediction_chart(catalogue, stage, predictions):
         set_speeds(canvas.axes.yaxis, canvas.axes.set_ylim, most)
         canvas.draw_axes("foretold", speed_unit(stage.has_clock) + " measured")
         draw_band(canvas)
-        for number, prediction in enumerate(predictions):
-            canvas.draw_point(number, prediction.foretold, prediction.measured)
+        canvas.draw_points([(prediction.foretold, prediction.measured) for prediction in predictions])
         drawings.append(canvas.to_page(f"{stage_title(stage)}: speeds foretold and measured", marks, has_notes=width is WIDE))
     return "".join(drawings)
