@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 /// Starts the first program of a name, and a path as it is.
 constexpr const char *kStarter = "/usr/bin/env";
 constexpr const char *kPythons[] = {"python3", "/usr/bin/python3"};
-/// The exit codes of a program that cannot be started, and of one of ours that lacks a module, which it
-/// names.
-constexpr int kNoProgram = 127, kNoModule = 69;
+/// The exit codes where there is no Python, or one that cannot be started, and of a program of ours that
+/// lacks a module, which it names.
+constexpr int kNoPython = 127, kBadPython = 126, kNoModule = 69;
 
 /// Debian's packages of modules.
 constexpr std::pair<const char *, const char *> kPackages[] = {
@@ -30,12 +30,14 @@ fs::path findProgram(const std::string &name) {
   return folder / ".." / "share" / "voxc" / "report" / name;
 }
 
-bool isMissing(const ChildReport &report) {
-  return report.exitCode == kNoProgram || report.exitCode == kNoModule;
+bool hasNoPython(const ChildReport &report) {
+  return report.exitCode == kNoPython || report.exitCode == kBadPython;
 }
 
+bool isMissing(const ChildReport &report) { return hasNoPython(report) || report.exitCode == kNoModule; }
+
 Error missing(const ChildReport &report) {
-  if (report.exitCode == kNoProgram)
+  if (hasNoPython(report))
     return Error::environment("this is drawn by Python with Matplotlib, and there is no Python; install the "
                               "package python3-matplotlib");
   const auto row = std::ranges::find(kPackages, report.failure,
