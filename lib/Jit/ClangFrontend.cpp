@@ -1,7 +1,8 @@
 // Clang as a library: cc1 arguments, an in-memory file system, object code or bitcode out.
 #include "ClangFrontend.h"
 
-#include "Jit/Packet/PacketPass.h"
+#include "KernelPasses.h"
+#include "ObjectCode.h"
 
 #include <clang/Basic/Diagnostic.h>
 #include <clang/Basic/DiagnosticOptions.h>
@@ -11,12 +12,11 @@
 #include <clang/Frontend/CompilerInvocation.h>
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <llvm/ADT/SmallString.h>
-#include <llvm/Passes/PassBuilder.h>
+#include <llvm/Bitcode/BitcodeWriter.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/TargetParser/Host.h>
-#include <llvm/Transforms/Scalar/EarlyCSE.h>
 
 #include <mutex>
 
@@ -72,6 +72,8 @@ std::vector<std::string> arguments(const std::string &mainFile, const ClangOptio
     list.push_back(std::move(argument));
   if (options.vectorLoops)
     list.emplace_back("-vectorize-loops");
+  if (options.isKernel)
+    list.insert(list.end(), {"-disable-llvm-passes", "-disable-llvm-verifier", "-discard-value-names"});
   list.push_back(mainFile);
   return list;
 }
@@ -81,14 +83,6 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> fileSystem(const std::vector<Mem
   for (const MemoryFile &file : files)
     memory->addFile(file.name, 0, llvm::MemoryBuffer::getMemBufferCopy({file.text.data(), file.text.size()}));
   return memory;
-}
-
-/// Packets are made of functions that are optimised, before loops are vectorized.
-void addPackets(llvm::PassBuilder &builder) {
-  builder.registerVectorizerStartEPCallback([](llvm::FunctionPassManager &passes, llvm::OptimizationLevel) {
-    passes.addPass(PacketPass());
-    passes.addPass(llvm::EarlyCSEPass());
-  });
 }
 
 /// What Clang writes when it takes `action` on the first of the files.
@@ -111,7 +105,6 @@ Expected<std::string> compile(clang::FrontendAction &action, const std::vector<M
   auto invocation = std::make_shared<clang::CompilerInvocation>();
   const bool valid = clang::CompilerInvocation::CreateFromArgs(*invocation, list, *diagnostics);
 
-  invocation->getCodeGenOpts().PassBuilderCallbacks.emplace_back(addPackets);
   clang::CompilerInstance compiler;
   compiler.setVerboseOutputStream(llvm::nulls()); // Where it would say how many warnings there were.
   compiler.setInvocation(invocation);
@@ -138,6 +131,44 @@ std::vector<std::string> keyOf(const std::vector<MemoryFile> &files, const Clang
   return key;
 }
 
+/// A kernel as a module, optimised, with what makes code of it.
+struct KernelModule {
+  llvm::LLVMContext context; // Outlives the module.
+  std::unique_ptr<llvm::Module> module;
+  std::unique_ptr<llvm::TargetMachine> machine;
+};
+
+Expected<std::unique_ptr<KernelModule>> compileKernel(const std::vector<MemoryFile> &files,
+                                                      const ClangOptions &options) {
+  auto kernel = std::make_unique<KernelModule>();
+  clang::EmitLLVMOnlyAction action(&kernel->context);
+  if (const Expected<std::string> written = compile(action, files, options); !written)
+    return written.error();
+  kernel->module = action.takeModule();
+  auto machine = machineOf(*kernel->module);
+  if (!machine)
+    return machine.error();
+  kernel->machine = std::move(*machine);
+  if (const Expected<void> optimised = runKernelPasses(*kernel->module, *kernel->machine); !optimised)
+    return optimised.error();
+  return kernel;
+}
+
+Expected<std::string> kernelObject(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+  const auto kernel = compileKernel(files, options);
+  return kernel ? objectOf(*(*kernel)->module, *(*kernel)->machine) : kernel.error();
+}
+
+Expected<std::string> kernelBitcode(const std::vector<MemoryFile> &files, const ClangOptions &options) {
+  const auto kernel = compileKernel(files, options);
+  if (!kernel)
+    return kernel.error();
+  llvm::SmallString<0> bitcode;
+  llvm::raw_svector_ostream stream(bitcode);
+  llvm::WriteBitcodeToFile(*(*kernel)->module, stream);
+  return std::string(bitcode);
+}
+
 } // namespace
 
 Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, const ClangOptions &options,
@@ -149,7 +180,8 @@ Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, cons
     if (std::optional<std::string> found = cache->find(kCacheKind, parts))
       return std::move(*found);
   clang::EmitObjAction action;
-  Expected<std::string> object = compile(action, files, options);
+  Expected<std::string> object =
+      options.isKernel ? kernelObject(files, options) : compile(action, files, options);
   if (cache && object)
     cache->store(kCacheKind, parts, *object);
   return object;
@@ -157,7 +189,7 @@ Expected<std::string> compileToObject(const std::vector<MemoryFile> &files, cons
 
 Expected<std::string> compileToBitcode(const std::vector<MemoryFile> &files, const ClangOptions &options) {
   clang::EmitBCAction action;
-  return compile(action, files, options);
+  return options.isKernel ? kernelBitcode(files, options) : compile(action, files, options);
 }
 
 } // namespace voxc

@@ -18,6 +18,8 @@ struct MemoryFile {
 
 struct ClangOptions {
   int optimisation = 1; ///< 0 to 3, as in -O2.
+  /// The text is a kernel: passes for kernels take the place of Clang's, and make packets.
+  bool isKernel = false;
   /// The processor to compile for, as Clang names it ("x86-64-v3"); "native" is this one, "" the baseline of
   /// this architecture.
   std::string processor = "native";

@@ -2,16 +2,13 @@
 // instruction that a processor lacks never comes into what another runs.
 #include "Variants.h"
 
-#include <llvm/ADT/SmallString.h>
+#include "ObjectCode.h"
+
 #include <llvm/ADT/StringSet.h>
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/IR/LLVMContext.h>
-#include <llvm/IR/LegacyPassManager.h>
 #include <llvm/IR/Module.h>
 #include <llvm/Linker/Linker.h>
-#include <llvm/MC/TargetRegistry.h>
-#include <llvm/Support/raw_ostream.h>
-#include <llvm/Target/TargetMachine.h>
 #include <llvm/Transforms/IPO/Internalize.h>
 
 #include <algorithm>
@@ -50,34 +47,18 @@ std::unique_ptr<llvm::Module> readModule(const std::string &bitcode, llvm::LLVMC
   return llvm::cantFail(llvm::parseBitcodeFile({bitcode, "variant"}, context));
 }
 
-/// Each function becomes code for the processor that its attributes name.
-Expected<std::string> objectOf(llvm::Module &module) {
-  std::string error;
-  const llvm::Target *target = llvm::TargetRegistry::lookupTarget(module.getTargetTriple(), error);
-  if (target == nullptr)
-    return Error::environment(error);
-  const std::unique_ptr<llvm::TargetMachine> machine(
-      target->createTargetMachine(module.getTargetTriple(), "", "", {}, llvm::Reloc::PIC_, std::nullopt,
-                                  llvm::CodeGenOptLevel::Aggressive));
-  llvm::SmallString<0> object;
-  llvm::raw_svector_ostream stream(object);
-  llvm::legacy::PassManager passes;
-  if (machine->addPassesToEmitFile(passes, stream, nullptr, llvm::CodeGenFileType::ObjectFile))
-    return Error::environment("LLVM writes no object files for " + module.getTargetTriple());
-  passes.run(module);
-  return std::string(object);
-}
-
 } // namespace
 
-Expected<std::string> compileVariants(const std::vector<MemoryFile> &files, int optimisation,
+Expected<std::string> compileVariants(const std::vector<MemoryFile> &files, const ClangOptions &options,
                                       std::span<const char *const> processors, const MemoryFile &dispatcher) {
   std::vector<std::future<Expected<std::string>>> variants;
-  for (const char *processor : processors)
-    variants.push_back(std::async(std::launch::async, [&files, optimisation, processor] {
-      return compileToBitcode(files, {.optimisation = optimisation, .processor = processor});
-    }));
-  const auto choice = compileToBitcode({dispatcher}, {.optimisation = optimisation, .processor = ""});
+  for (const char *processor : processors) {
+    ClangOptions own = options;
+    own.processor = processor;
+    variants.push_back(
+        std::async(std::launch::async, [&files, own] { return compileToBitcode(files, own); }));
+  }
+  const auto choice = compileToBitcode({dispatcher}, {.optimisation = options.optimisation, .processor = ""});
   if (!choice)
     return choice.error();
 
@@ -96,7 +77,8 @@ Expected<std::string> compileVariants(const std::vector<MemoryFile> &files, int 
   }
   llvm::internalizeModule(*joined,
                           [&](const llvm::GlobalValue &value) { return exported.contains(value.getName()); });
-  return objectOf(*joined);
+  const auto machine = machineOf(*joined);
+  return machine ? objectOf(*joined, **machine) : machine.error();
 }
 
 } // namespace voxc

@@ -99,7 +99,7 @@ TEST(Packets, DoWhatSingleLanesDo) {
   for (const Body &body : kBodies)
     for (const int lanes : {4, 8, 16}) {
       const std::string text = programOf(body.text, lanes);
-      const auto code = JitCode::compile({{"lanes.cpp", text}}, {.optimisation = 3});
+      const auto code = JitCode::compile({{"lanes.cpp", text}}, {.optimisation = 3, .isKernel = true});
       ASSERT_TRUE(code) << body.name << ": " << code.error().message;
       // 500: the last packet is not full.
       std::vector<std::uint32_t> packets(512, 1), singles(512, 1);
@@ -111,7 +111,8 @@ TEST(Packets, DoWhatSingleLanesDo) {
 
 TEST(Packets, CountTheLanesAtWork) {
   const std::string body = "if (in[number] & 1u) return lanes_at_work<PACKET>(number); return 0u;";
-  const auto code = JitCode::compile({{"lanes.cpp", programOf(body, 8)}}, {.optimisation = 3});
+  const auto code =
+      JitCode::compile({{"lanes.cpp", programOf(body, 8)}}, {.optimisation = 3, .isKernel = true});
   ASSERT_TRUE(code) << code.error().message;
   const std::vector<std::uint32_t> in = {1, 0, 1, 1, 0, 0, 0, 0, 0, 1};
   std::vector<std::uint32_t> out(10);
@@ -121,7 +122,8 @@ TEST(Packets, CountTheLanesAtWork) {
 
 TEST(Packets, RefuseWhatTheyCannotWiden) {
   const std::string body = "return uint(__builtin_readcyclecounter()) + in[number];";
-  const auto code = JitCode::compile({{"lanes.cpp", programOf(body, 8)}}, {.optimisation = 3});
+  const auto code =
+      JitCode::compile({{"lanes.cpp", programOf(body, 8)}}, {.optimisation = 3, .isKernel = true});
   ASSERT_FALSE(code);
   EXPECT_THAT(code.error().message, HasSubstr("voxc cannot make a packet of"));
   EXPECT_THAT(code.error().message, HasSubstr("readcyclecounter"));

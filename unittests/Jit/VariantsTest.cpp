@@ -27,7 +27,8 @@ extern "C" int answer() { return 10 * level(1) + count(); }
 )";
 
 Expected<std::string> compiled(const char *text, const char *dispatcher) {
-  return compileVariants({{"text.cpp", text}}, 2, kProcessors, {"dispatch.cpp", dispatcher});
+  return compileVariants({{"text.cpp", text}}, {.optimisation = 2}, kProcessors,
+                         {"dispatch.cpp", dispatcher});
 }
 
 TEST(Variants, HaveFunctionsAndVariablesOfTheirOwn) {
