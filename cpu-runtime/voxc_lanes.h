@@ -2,6 +2,18 @@
 // compile them as they stand, for one.
 #pragma once
 
+// A kernel can be compiled in parts, each when one of its functions is first called. VOXC_PARTS is the sum of those that are
+// compiled here: all, where it is not defined.
+#define VOXC_PART_OF_BATCHES 1 // What is called for rays, and goes through them one by one.
+#define VOXC_PART_OF_PACKETS 2
+#define VOXC_PART_OF_EXACTNESS 4 // Exact arithmetic, which few rays need.
+#ifdef VOXC_PARTS
+#define VOXC_PART_FUNCTION extern "C" [[gnu::noinline]] // One that another part calls.
+#else
+#define VOXC_PARTS 7
+#define VOXC_PART_FUNCTION [[gnu::noinline]]
+#endif
+
 namespace voxc::glsl {
 
 #if defined(VOXC_PACKETS) && defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__) && defined(__AVX512VL__)

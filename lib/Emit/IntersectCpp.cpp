@@ -15,7 +15,7 @@ namespace voxc {
 namespace {
 
 /// What stands behind the kernel: how many rays, or points, are put to work.
-constexpr std::array kRayFiles = {"work.inc", "packet.inc", "batch.inc", "entry.inc"};
+constexpr std::array kRayFiles = {"work.inc", "packet.inc", "exact.inc", "batch.inc", "entry.inc"};
 constexpr std::array kPointFiles = {"work.inc", "points.inc", "entry.inc"};
 
 /// Every line but empty ones moved right by two columns.

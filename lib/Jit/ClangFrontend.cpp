@@ -74,6 +74,8 @@ std::vector<std::string> arguments(const std::string &mainFile, const ClangOptio
     list.emplace_back("-vectorize-loops");
   if (options.isKernel)
     list.insert(list.end(), {"-disable-llvm-passes", "-disable-llvm-verifier", "-discard-value-names"});
+  for (const std::string &macro : options.macros)
+    list.push_back("-D" + macro);
   list.push_back(mainFile);
   return list;
 }

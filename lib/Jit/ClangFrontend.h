@@ -25,6 +25,7 @@ struct ClangOptions {
   std::string processor = "native";
   /// Whether loops over words take many of them at a time, which -O1 leaves out.
   bool vectorLoops = false;
+  std::vector<std::string> macros; ///< As in -DNAME=1, without -D.
 };
 
 /// Makes LLVM know this processor, once; what compiles and what links calls it.

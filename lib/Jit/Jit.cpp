@@ -2,6 +2,7 @@
 #include "Jit.h"
 
 #include "DebuggerEntries.h"
+#include "LazyLinker.h"
 #include "PerfMap.h"
 
 #include <llvm/Demangle/Demangle.h>
@@ -87,6 +88,7 @@ struct JitCode::State {
   ~State() { entries->withdraw(); } // Before the code and what is told of it goes.
 
   std::unique_ptr<orc::LLJIT> jit;
+  std::unique_ptr<LazyLinker> lazy;
   std::shared_ptr<DebuggerEntries> entries = std::make_shared<DebuggerEntries>();
 };
 
@@ -94,7 +96,8 @@ JitCode::JitCode(std::unique_ptr<State> state) : state_(std::move(state)) {}
 JitCode::~JitCode() = default;
 JitCode::JitCode(JitCode &&) noexcept = default;
 
-Expected<JitCode> JitCode::link(std::string_view object, std::string_view label) {
+Expected<JitCode> JitCode::link(std::string_view object, std::string_view label,
+                                std::vector<LaterPart> later) {
   initializeTarget(); // The object may have been compiled by an earlier process.
   auto jit = orc::LLJITBuilder().create();
   if (!jit)
@@ -102,6 +105,12 @@ Expected<JitCode> JitCode::link(std::string_view object, std::string_view label)
   auto state = std::make_unique<State>();
   state->jit = std::move(*jit);
   addPlugins(*state->jit, state->entries, label);
+  if (!later.empty()) {
+    auto lazy = LazyLinker::define(*state->jit, std::move(later));
+    if (!lazy)
+      return fromLlvm(lazy.takeError());
+    state->lazy = std::move(*lazy);
+  }
   auto buffer = llvm::MemoryBuffer::getMemBufferCopy({object.data(), object.size()});
   if (auto error = state->jit->addObjectFile(std::move(buffer)))
     return fromLlvm(std::move(error));

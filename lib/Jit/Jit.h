@@ -5,6 +5,7 @@
 
 #include "voxc/Support/Error.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,12 +13,21 @@
 
 namespace voxc {
 
+/// Functions that are compiled when one of them is first called, on the thread that calls it.
+struct LaterPart {
+  std::vector<std::string> functions;             ///< extern "C".
+  std::function<Expected<std::string>()> compile; ///< To object code that defines them all.
+};
+
 /// Compiled code; its functions live as long as it does.
 class JitCode {
 public:
   /// Links object code that `compileToObject` made for this processor. Debuggers know its functions by name;
-  /// so does perf where VOXC_PERF asks for it, with the label behind each name. Error: the linker's message.
-  static Expected<JitCode> link(std::string_view object, std::string_view label = {});
+  /// so does perf where VOXC_PERF asks for it, with the label behind each name. What the object calls and
+  /// does not define may be in one of the `later` parts; where such a part then cannot be compiled, which
+  /// only a defect could bring about, the process ends. Error: the linker's message.
+  static Expected<JitCode> link(std::string_view object, std::string_view label = {},
+                                std::vector<LaterPart> later = {});
   /// Compiles and links. Errors: as of either.
   static Expected<JitCode> compile(const std::vector<MemoryFile> &files, const ClangOptions &options,
                                    const CompileCache *cache = nullptr, std::string_view label = {});

@@ -36,9 +36,36 @@ ClangOptions optionsFor(const std::string &processor) {
   return {.optimisation = 3, .isKernel = true, .processor = processor};
 }
 
-Expected<std::string> compile(const std::string &text, const std::string &processor,
-                              const CompileCache *cache = nullptr) {
-  return compileToObject(kernelFiles(text), optionsFor(processor), cache);
+/// The parts of a kernel's text, as cpu-runtime/voxc_lanes.h numbers them.
+enum Parts { kBatches = 1, kPackets = 2, kExactness = 4 };
+
+Expected<std::string> compileParts(const std::string &text, int parts, const CompileCache *cache) {
+  ClangOptions options = optionsFor("native");
+  options.macros = {"VOXC_PARTS=" + std::to_string(parts)};
+  return compileToObject(kernelFiles(text), options, cache);
+}
+
+/// A part that waits until one of its functions is called, and keeps what it needs for that.
+LaterPart laterPart(const std::shared_ptr<const std::string> &text, Parts part,
+                    std::vector<std::string> functions, const CompileCache *cache) {
+  const auto kept = cache ? std::make_shared<const CompileCache>(*cache) : nullptr;
+  return {std::move(functions), [=] { return compileParts(*text, part, kept.get()); }};
+}
+
+/// The code of a kernel's text, with as much compiled as is asked for.
+Expected<JitCode> codeOf(const Plan &plan, std::string text, const CpuKernelOptions &options) {
+  const bool hasPackets = options.start == CpuStart::Fast || plan.isOfPoints();
+  const auto object = compileParts(text, hasPackets ? kBatches + kPackets : kBatches, options.cache);
+  if (!object)
+    return object.error();
+  std::vector<LaterPart> later;
+  if (!plan.isOfPoints()) {
+    const auto kept = std::make_shared<const std::string>(std::move(text));
+    if (!hasPackets)
+      later.push_back(laterPart(kept, kPackets, {"trace_packet"}, options.cache));
+    later.push_back(laterPart(kept, kExactness, {"prepare", "go_on_exactly"}, options.cache));
+  }
+  return JitCode::link(*object, plan.layout.format, std::move(later));
 }
 
 bool isIdentifier(const std::string &name) {
@@ -49,21 +76,17 @@ bool isIdentifier(const std::string &name) {
 
 } // namespace
 
-Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords, const CompileCache *cache,
-                                     Addressing addressing) {
-  PlanOptions options = kCpuPlan;
-  options.addressing = addressing;
-  const auto plan = makePlan(format, options);
-  return plan ? compileCpuKernel(*plan, countWords, cache) : plan.error();
+Expected<CpuKernel> compileCpuKernel(const Format &format, const CpuKernelOptions &options) {
+  PlanOptions planned = kCpuPlan;
+  planned.addressing = options.addressing;
+  const auto plan = makePlan(format, planned);
+  return plan ? compileCpuKernel(*plan, options) : plan.error();
 }
 
-Expected<CpuKernel> compileCpuKernel(const Plan &plan, bool countWords, const CompileCache *cache) {
+Expected<CpuKernel> compileCpuKernel(const Plan &plan, const CpuKernelOptions &options) {
   if (const std::string problem = problemOf(plan, EmitTarget::Processor); !problem.empty())
     return Error::input(problem);
-  const auto object = compile(emitIntersectCpp(plan, kSymbol, countWords), "native", cache);
-  if (!object)
-    return object.error();
-  auto code = JitCode::link(*object, plan.layout.format);
+  auto code = codeOf(plan, emitIntersectCpp(plan, kSymbol, options.countWords), options);
   if (!code)
     return code.error();
   const auto function = code->find(kSymbol);
@@ -72,7 +95,7 @@ Expected<CpuKernel> compileCpuKernel(const Plan &plan, bool countWords, const Co
   return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function),
                    plan.layout.storageDigest,
                    std::make_shared<const JitCode>(std::move(*code)),
-                   countWords,
+                   options.countWords,
                    plan.addressing == Addressing::Paged,
                    plan.bounded};
 }
@@ -89,7 +112,7 @@ Expected<std::string> compileCpuObject(const Plan &plan, const CpuObjectOptions 
     return Error::input(problem);
   const std::string text = emitIntersectCpp(plan, options.symbol);
   if (!kHasVariants || !options.processor.empty())
-    return compile(text, options.processor);
+    return compileToObject(kernelFiles(text), optionsFor(options.processor));
   const std::string dispatch = emitDispatchCpp(options.symbol);
   return compileVariants(kernelFiles(text), optionsFor(""), kVariants, {"dispatch.cpp", dispatch});
 }

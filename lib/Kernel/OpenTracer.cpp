@@ -29,7 +29,8 @@ private:
 
 Expected<std::unique_ptr<Tracer>> openOnCpu(const Volume &volume, const Format &format,
                                             const TracerChoice &choice) {
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, choice.countWords, choice.cache);
+  const Expected<CpuKernel> kernel = compileCpuKernel(
+      format, {.countWords = choice.countWords, .cache = choice.cache, .start = choice.start});
   if (!kernel)
     return kernel.error();
   return createCpuTracer(*kernel, volume, choice.threads);

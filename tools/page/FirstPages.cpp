@@ -41,7 +41,7 @@ Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const Pict
                                                 const Clip &clip, std::uint32_t pageBytes) {
   Format format = volume.format();
   askForBounds(format);
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, false, nullptr, Addressing::Paged);
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, {.addressing = Addressing::Paged});
   if (!kernel)
     return kernel.error();
   const std::uint32_t pageWords = pageBytes / sizeof(std::uint32_t);

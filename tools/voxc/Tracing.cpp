@@ -9,6 +9,12 @@
 #include <cstdlib>
 
 namespace voxc::tool {
+namespace {
+
+/// Fewer are traced one by one in less time than packets take to compile.
+constexpr std::uint64_t kManyRays = 1 << 18;
+
+} // namespace
 
 void Tracing::declare(const CommandLine &command) {
   const OptionGroup group(command, "Device");
@@ -52,6 +58,8 @@ Expected<void> Tracing::openDevice(const CommonOptions &common) {
   return {};
 }
 
+void Tracing::expectRays(std::uint64_t rays) { start_ = rays < kManyRays ? CpuStart::Soon : CpuStart::Fast; }
+
 Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json &figures) {
   auto tracer = device_ ? makeVulkanTracer(volume, format, figures) : makeCpuTracer(volume, format, figures);
   if (!tracer)
@@ -63,7 +71,7 @@ Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json
 Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, const Format &format,
                                                          Json &figures) {
   const Stopwatch watch;
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, false, cache_);
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, {.cache = cache_, .start = start_});
   if (!kernel)
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();
@@ -73,7 +81,8 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, c
 Expected<void> Tracing::prepareToCountWords(const Volume &volume, const Format &format) {
   if (device_)
     return {};
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, true, cache_);
+  const Expected<CpuKernel> kernel =
+      compileCpuKernel(format, {.countWords = true, .cache = cache_, .start = start_});
   if (!kernel)
     return kernel.error();
   auto tracer = createCpuTracer(*kernel, volume, threads_);

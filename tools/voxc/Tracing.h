@@ -6,6 +6,7 @@
 #include "common/Json.h"
 #include "common/UserCache.h"
 #include "voxc/IR/Format.h"
+#include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Trace/CpuKernel.h"
 #include "voxc/Trace/PagedTracer.h"
 #include "voxc/Trace/Tracer.h"
@@ -30,6 +31,10 @@ public:
   /// Looks for kernels among those that were compiled before: for commands that do not measure compiling.
   /// Asked before the device is opened.
   void useCache() { cache_ = compileCache(); }
+
+  /// Tells how many rays will be traced, where that is known: for few a kernel on this processor is compiled
+  /// in part. Asked before it is compiled.
+  void expectRays(std::uint64_t rays);
 
   /// Opens the device; asked first, so that its absence is told before long work. Where no device was named
   /// and there is none of Vulkan's, it is this processor, and a note says so.
@@ -76,6 +81,7 @@ private:
   unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
   const CompileCache *cache_ = nullptr;
+  CpuStart start_ = CpuStart::Fast;
   std::string order_ = "auto";
   std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
   std::unique_ptr<Tracer> tracer_;

@@ -28,7 +28,8 @@ Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedCpuTracer(const PagedVo
                                                                    const PagingOptions &options,
                                                                    Json &figures) {
   const Stopwatch watch;
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, false, cache_, Addressing::Paged);
+  const Expected<CpuKernel> kernel =
+      compileCpuKernel(format, {.cache = cache_, .addressing = Addressing::Paged, .start = start_});
   if (!kernel)
     return kernel.error();
   figures["kernel_seconds"] = watch.seconds();

@@ -196,11 +196,12 @@ TEST_P(Bounds, GoOnInVolumesOfWhichPagesAreThere) {
     ASSERT_TRUE(paged);
     const auto rays = raysThrough(oracle, format.extent(), 20, random());
     std::vector<Hit> hits(rays.size());
-    auto tracer = device_
-                      ? createPagedTracer(*device_, *compileKernel(format, {.addressing = Addressing::Paged}),
-                                          *paged, {leastPagingBytes(*paged), 2})
-                      : createPagedCpuTracer(*compileCpuKernel(format, false, nullptr, Addressing::Paged),
-                                             *paged, {leastPagingBytes(*paged), 2});
+    auto tracer =
+        device_ ? createPagedTracer(*device_, *compileKernel(format, {.addressing = Addressing::Paged}),
+                                    *paged, {leastPagingBytes(*paged), 2})
+                : createPagedCpuTracer(
+                      *compileCpuKernel(format, {.addressing = Addressing::Paged, .start = CpuStart::Fast}),
+                      *paged, {leastPagingBytes(*paged), 2});
     ASSERT_TRUE(tracer) << tracer.error().message;
     ASSERT_TRUE((*tracer)->trace(rays, hits));
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -217,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(On, Bounds, ::testing::Values("cpu", "llvmpipe"), test:
 TEST(BoundedRay, GoesAlone) {
   const Format format = asking(*parseFormat("G(3)"), kQuestions[1]);
   const Volume volume = build(*parseFormat("G(3)"), test::hardScenes(format.extent())[1]);
-  const CpuKernel kernel = *compileCpuKernel(format);
+  const CpuKernel kernel = *compileCpuKernel(format, {.start = CpuStart::Fast});
   const auto at = [&](float tmin, float tmax) {
     return *intersect(volume, kernel, BoundedRay{{-1, 1, 1}, tmin, {1, 0, 0}, tmax});
   };

@@ -63,7 +63,8 @@ protected:
 
   static std::vector<Hit> cpuHits(const Volume &volume, const Format &format, std::span<const Ray> rays,
                                   bool countSteps = false) {
-    const auto kernel = compiledOnce(format, [&] { return compileCpuKernel(format); });
+    const auto kernel =
+        compiledOnce(format, [&] { return compileCpuKernel(format, {.start = CpuStart::Fast}); });
     return traced(createCpuTracer(kernel, volume, 2), rays, countSteps);
   }
 
@@ -201,7 +202,9 @@ TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
   const auto rays = test::verifyRays(scene.extent, 2000, 11);
-  const auto words = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume, 2), rays);
+  const auto words = countedWords(
+      createCpuTracer(*compileCpuKernel(format, {.countWords = true, .start = CpuStart::Fast}), *volume, 2),
+      rays);
   const auto plain = cpuHits(*volume, format, rays, true);
   std::uint64_t lookups = 0, read = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -225,7 +228,9 @@ TEST_F(CpuKernels, CountAWordForEachCellOfAGridAlsoWhereWalksAreCutShort) {
   const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
   ASSERT_TRUE(volume) << volume.error().message;
   const std::vector<Ray> rays = {{{262143.5f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}}};
-  const auto hits = countedWords(createCpuTracer(*compileCpuKernel(format, true), *volume), rays);
+  const auto hits = countedWords(
+      createCpuTracer(*compileCpuKernel(format, {.countWords = true, .start = CpuStart::Fast}), *volume),
+      rays);
   EXPECT_EQ(hits[0].steps, 262143u - 3 + 1 + 1) << "the cells, and the root's offset once";
   if (auto device = Device::open("llvmpipe"); device) {
     const auto theirs =
@@ -240,7 +245,7 @@ TEST_F(CpuKernels, CountWordsOnlyIfTheyWereMadeToDoSo) {
   const auto volume = build(format, test::hardScenes(format.extent())[1]);
   ASSERT_TRUE(volume) << volume.error().message;
   for (const bool counts : {false, true}) {
-    const auto tracer = createCpuTracer(*compileCpuKernel(format, counts), *volume);
+    const auto tracer = createCpuTracer(*compileCpuKernel(format, {.countWords = counts}), *volume);
     const std::vector<Ray> rays(1, {{0, 0, 0}, {1, 0, 0}});
     std::vector<Hit> hits(1);
     EXPECT_FALSE((*tracer)->trace(rays, hits, {.countWords = !counts}));
@@ -253,7 +258,7 @@ TEST_F(CpuKernels, AnswerOneRayAtATimeFromAnyThread) {
   const test::HardScene scene = test::hardScenes(format.extent())[7];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
-  const auto kernel = compileCpuKernel(format);
+  const auto kernel = compileCpuKernel(format, {.start = CpuStart::Fast});
   ASSERT_TRUE(kernel) << kernel.error().message;
   const auto rays = test::verifyRays(scene.extent, 2000, 5);
   const auto expected = cpuHits(*volume, format, rays);

@@ -92,7 +92,7 @@ Format walkedInTurn(Format format) {
 }
 
 void expectExactOnCpu(const Volume &volume, const HardScene &scene) {
-  const auto kernel = compileCpuKernel(walkedInTurn(volume.format()));
+  const auto kernel = compileCpuKernel(walkedInTurn(volume.format()), {.start = CpuStart::Fast});
   ASSERT_TRUE(kernel) << kernel.error().message;
   expectExact(createCpuTracer(*kernel, volume, 2), volume, scene);
 }

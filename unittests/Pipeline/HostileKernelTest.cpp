@@ -74,7 +74,7 @@ TEST(HostileKernel, FindsInEveryCellWhatLookupsFind) {
   int passed = 0;
   for (int i = 0; i < test::rounds(16); ++i) {
     const Format format = test::randomFormat(random, 3);
-    const auto kernel = compileCpuKernel(format);
+    const auto kernel = compileCpuKernel(format, {.start = CpuStart::Fast});
     ASSERT_TRUE(kernel) << kernel.error().message;
     const auto scenes = test::hardScenes(format.extent());
     const auto built = Constructor::compile(format)->build(*scenes[random() % scenes.size()].source());
@@ -100,7 +100,7 @@ public:
   BothTracers(Device &device, const Format &format, Addressing addressing,
               std::shared_ptr<const Volume> volume)
       : volume_(std::move(volume)) {
-    const auto cpu = compileCpuKernel(format);
+    const auto cpu = compileCpuKernel(format, {.start = CpuStart::Fast});
     const auto kernel = compileKernel(format, {addressing, device.info().loops, device.info().arithmetic});
     tracers_[0] = std::move(*createCpuTracer(*cpu, *volume_, 1));
     tracers_[1] = std::move(*createTracer(device, *kernel, *volume_, 1));

@@ -57,7 +57,7 @@ Expected<Volume> build(VoxelSource &source) {
 }
 
 std::vector<Hit> trace(const Volume &volume, const std::vector<Ray> &rays) {
-  const auto kernel = compileCpuKernel(volume.format());
+  const auto kernel = compileCpuKernel(volume.format(), {.start = CpuStart::Fast});
   EXPECT_TRUE(kernel) << kernel.error().message;
   auto tracer = createCpuTracer(*kernel, volume, 2);
   EXPECT_TRUE(tracer) << tracer.error().message;

@@ -55,7 +55,7 @@ inline HardScene noise(Int3 extent, int seed) {
 inline std::vector<Hit> residentHits(const Volume &volume, const Format &format,
                                      const std::vector<Ray> &rays) {
   std::vector<Hit> hits(rays.size());
-  const auto kernel = compileCpuKernel(format);
+  const auto kernel = compileCpuKernel(format, {.start = CpuStart::Fast});
   EXPECT_TRUE(kernel);
   EXPECT_TRUE((*createCpuTracer(*kernel, volume, 2))->trace(rays, hits));
   return hits;
@@ -76,7 +76,7 @@ inline std::string differences(const std::vector<Hit> &expected, const std::vect
 using MadeTracer = Expected<std::unique_ptr<PagedTracer>>;
 
 inline CpuKernel cpuKernel(const Format &format) {
-  const auto kernel = compileCpuKernel(format, false, nullptr, Addressing::Paged);
+  const auto kernel = compileCpuKernel(format, {.addressing = Addressing::Paged, .start = CpuStart::Fast});
   EXPECT_TRUE(kernel);
   return *kernel;
 }

@@ -105,7 +105,7 @@ class PlannedCpuKernels : public PlannedKernels {};
 
 TEST_P(PlannedCpuKernels, HitTheSame) {
   expectTheSameHits(kCpuPlan, [&](const Plan &plan) -> Expected<Hits> {
-    const Expected<CpuKernel> kernel = compileCpuKernel(plan);
+    const Expected<CpuKernel> kernel = compileCpuKernel(plan, {.start = CpuStart::Fast});
     return kernel ? traced(createCpuTracer(*kernel, *volume_, 2)) : kernel.error();
   });
   EXPECT_GT(tried_, 1);

@@ -33,7 +33,7 @@ std::vector<Ray> raysOf(int count) {
 
 /// What a kernel of this processor counts, a ray.
 double counted(const Format &format, const Volume &volume, std::span<const Ray> rays, bool words) {
-  const auto kernel = compileCpuKernel(format, words);
+  const auto kernel = compileCpuKernel(format, {.countWords = words});
   EXPECT_TRUE(kernel) << kernel.error().message;
   auto tracer = createCpuTracer(*kernel, volume, 1);
   std::vector<Hit> hits(rays.size());

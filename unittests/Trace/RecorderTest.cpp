@@ -35,7 +35,7 @@ Model makeModel(const char *text, std::size_t scene, std::size_t rayCount) {
     model.rays.insert(model.rays.end(), hard.begin(), hard.end());
   }
   model.expected.resize(model.rays.size());
-  auto tracer = createCpuTracer(*compileCpuKernel(format), model.volume);
+  auto tracer = createCpuTracer(*compileCpuKernel(format, {.start = CpuStart::Fast}), model.volume);
   EXPECT_TRUE((*tracer)->trace(model.rays, model.expected));
   return model;
 }
@@ -126,7 +126,8 @@ TEST_F(RecorderTest, TracesRaysWithBounds) {
   std::vector<BoundedRay> rays;
   for (const Ray &ray : model.rays)
     rays.push_back(bounded(ray, {float(rays.size() % 8), 20}));
-  ASSERT_TRUE((*createCpuTracer(*compileCpuKernel(format), model.volume))->trace(rays, model.expected));
+  ASSERT_TRUE((*createCpuTracer(*compileCpuKernel(format, {.start = CpuStart::Fast}), model.volume))
+                  ->trace(rays, model.expected));
   const Kernel kernel = *compileKernel(format, {.loops = device_->info().loops});
   const std::uint64_t bytes = rays.size() * sizeof(BoundedRay);
   Placed placed{*DeviceVolume::upload(*device_, model.volume, Addressing::Buffer),

@@ -66,7 +66,7 @@ public:
 
 class Cpu final : public BackEnd {
 public:
-  explicit Cpu(const Format &format) : kernel_(*compileCpuKernel(format)) {}
+  explicit Cpu(const Format &format) : kernel_(*compileCpuKernel(format, {.start = CpuStart::Fast})) {}
   Expected<OwnedTracer> make(const Volume &volume) const override {
     return createCpuTracer(kernel_, volume, 2);
   }

@@ -9,17 +9,28 @@
 
 namespace voxc {
 
+/// How much of a kernel is compiled before its first ray. The hits are the same, and so is the speed in the
+/// end. Exact arithmetic, which few rays need, is compiled for the first of them in any case.
+enum class CpuStart {
+  Soon, ///< What traces rays one by one; packets once there were some 260,000 rays, and the next wait for
+        ///< that.
+  Fast, ///< Packets too: for many rays, and for what is timed.
+};
+
+struct CpuKernelOptions {
+  bool countWords = false;             ///< A kernel for `TraceOptions::countWords` and nothing else.
+  const CompileCache *cache = nullptr; ///< Where it is looked for first; copied.
+  /// `Paged` makes one for `createPagedCpuTracer`; the others are one here. A plan has its own.
+  Addressing addressing = Addressing::Buffer;
+  CpuStart start = CpuStart::Soon;
+};
+
 /// Emits and compiles the kernel of `format` for this very processor, in the process. An error here is a
-/// defect of voxc and says so. `countWords`: a kernel for `TraceOptions::countWords` and nothing else. It is
-/// looked for in `cache` first. `addressing`: `Paged` makes one for `createPagedCpuTracer`; the others are
-/// one here.
-Expected<CpuKernel> compileCpuKernel(const Format &format, bool countWords = false,
-                                     const CompileCache *cache = nullptr,
-                                     Addressing addressing = Addressing::Buffer);
+/// defect of voxc and says so.
+Expected<CpuKernel> compileCpuKernel(const Format &format, const CpuKernelOptions &options = {});
 
 /// The same of a finished plan for `EmitTarget::Processor`; `Input` if it is none.
-Expected<CpuKernel> compileCpuKernel(const Plan &plan, bool countWords = false,
-                                     const CompileCache *cache = nullptr);
+Expected<CpuKernel> compileCpuKernel(const Plan &plan, const CpuKernelOptions &options = {});
 
 struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "voxc/IR/Format.h"
+#include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Trace/Tracer.h"
 
 #include <memory>
@@ -24,8 +25,9 @@ struct TracerChoice {
   /// Where kernels are looked for first, and also pipelines where no device is given: the next start compiles
   /// nothing. It must outlive the tracer. Null: none.
   const CompileCache *cache = nullptr;
-  bool optimise = false;   ///< As in `KernelOptions`.
-  bool countWords = false; ///< A tracer for `TraceOptions::countWords` and nothing else.
+  bool optimise = false;           ///< As in `KernelOptions`.
+  bool countWords = false;         ///< A tracer for `TraceOptions::countWords` and nothing else.
+  CpuStart start = CpuStart::Soon; ///< How much is compiled before the first ray, on this processor.
 };
 
 /// Compiles the kernel of a volume and makes a tracer with it, which owns whatever it opens. `volume` must
