@@ -37,7 +37,7 @@ std::string pipeline() {
   // What an earlier branch has decided is not asked again, but has a way of its own. Not before there are
   // packets, which would go all of these ways; rays that go one by one gain a sixth by it.
   const std::string packets = "packet,early-cse<>,jump-threading,correlated-propagation," + blocks + "," +
-                              combine + "," + lateBlocks + ",slp-vectorizer,vector-combine," + combine +
+                              combine + ",gvn," + combine + "," + lateBlocks + "," + combine +
                               ",loop-mssa(licm),instsimplify," + blocks;
 #ifdef NDEBUG
   const std::string check;
