@@ -1414,6 +1414,7 @@ struct Rays {
   uint fewest_lanes; // That a packet goes on with.
   float spread;
   uint left; // What a step that is left to exact arithmetic adds to the look-ups that are counted.
+  bool in_packets = true;
 
   template <typename Kernel> Kernel kernel() const { return {words, ray_words, hit_words, count_lookups, fewest_lanes, spread}; }
 };
@@ -1494,22 +1495,30 @@ VOXC_INLINE uint trace_lane(Kernel kernel, uint ray_number, bool goes_on, const 
   return sure ? DONE : UNTIMED + uint(walk.axis);
 }
 
+using Lanes = Kernel<false>;
+
 // Traces the rays of a list, `count` at most LANES, side by side.
-[[gnu::noinline]] void trace_packet(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared,
-                                    uint *outcomes) {
+VOXC_PART_FUNCTION void trace_packet(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared,
+                                     uint *outcomes);
+#if VOXC_PARTS & VOXC_PART_OF_PACKETS
+void trace_packet(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared, uint *outcomes) {
   const uint lane = lane_number(LANES);
   if (lane >= count || list[lane] == NONE)
     return;
   const uint ray_number = list[lane] % BATCH; // It is below: so that offsets are seen to be small.
-  outcomes[lane] = trace_lane(rays.kernel<Kernel<false>>(), ray_number, goes_on, prepared, lane);
+  outcomes[lane] = trace_lane(rays.kernel<Lanes>(), ray_number, goes_on, prepared, lane);
 }
+#endif
 
-// Traces one ray, as fast as it goes without others.
-[[gnu::noinline]] uint trace_alone(const Rays &rays, uint ray_number, bool goes_on, const Prepared *prepared) {
-  return trace_lane(rays.kernel<Kernel<false>>(), ray_number, goes_on, prepared, 0);
-}
+// Exact arithmetic, for single rays.
 
-// The rest is exact arithmetic, for single rays.
+// Makes a ray ready for a lane. False if there is nothing that it could hit.
+VOXC_PART_FUNCTION bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane);
+
+// Does for a ray what its outcome asks for. True if it is to go on.
+VOXC_PART_FUNCTION bool go_on_exactly(const Rays &rays, uint ray_number, uint outcome);
+
+#if VOXC_PARTS & VOXC_PART_OF_EXACTNESS
 using Exact = Kernel<true>;
 
 [[gnu::noinline]] bool begin_exactly(Exact &kernel, uint at, bool goes_on, Exact::Ray &ray, Exact::Walk &walk) {
@@ -1519,8 +1528,7 @@ using Exact = Kernel<true>;
   return kernel.begin_walk(kernel.load_origin(at), kernel.load_direction(at), kernel.load_word(0), ray, walk);
 }
 
-// Makes a ray ready for a lane. False if there is nothing that it could hit.
-[[gnu::noinline]] bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane) {
+bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane) {
   Exact kernel = rays.kernel<Exact>();
   const uint at = 6 * ray_number;
   Exact::Walk walk;
@@ -1566,6 +1574,45 @@ using Exact = Kernel<true>;
   count_left(rays, ray_number);
 }
 
+bool go_on_exactly(const Rays &rays, uint ray_number, uint outcome) {
+  if (outcome >= UNTIMED) {
+    find_arrival(rays, ray_number, int(outcome - UNTIMED));
+    return false;
+  }
+  return settle(rays, ray_number);
+}
+#endif
+
+#if VOXC_PARTS & VOXC_PART_OF_BATCHES
+// Traces one ray, as fast as it goes without others.
+[[gnu::noinline]] uint trace_alone(const Rays &rays, uint ray_number, bool goes_on, const Prepared *prepared, uint lane) {
+  return trace_lane(rays.kernel<Lanes>(), ray_number, goes_on, prepared, lane);
+}
+
+// Traces the rays of a list, `count` at most LANES.
+void trace_rays(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared, uint *outcomes) {
+  if (LANES > 1 && rays.in_packets && count > 1)
+    return trace_packet(rays, list, count, goes_on, prepared, outcomes);
+  for (uint lane = 0; lane < count; lane++)
+    if (list[lane] != NONE)
+      outcomes[lane] = trace_alone(rays, list[lane], goes_on, prepared, lane);
+}
+
+#if VOXC_PARTS & VOXC_PART_OF_PACKETS
+bool are_worth_packets(uint) { return true; }
+#else
+// To compile packets takes as long as to trace so many rays one by one.
+constexpr uint WORTH_PACKETS = 1 << 18;
+
+bool are_worth_packets(uint count) {
+  static uint traced = 0;
+  if (__atomic_load_n(&traced, __ATOMIC_RELAXED) >= WORTH_PACKETS)
+    return true;
+  __atomic_fetch_add(&traced, count, __ATOMIC_RELAXED);
+  return false;
+}
+#endif
+
 // A packet with less than half of its lanes at work lets them go, where there are enough others to go on with.
 constexpr uint FEWEST_LANES = LANES / 2;
 constexpr uint WORTH_PACKING = 4 * LANES;
@@ -1573,13 +1620,16 @@ constexpr uint WORTH_PACKING = 4 * LANES;
 constexpr uint MOST_PACKINGS = 16;
 
 // As many as any walk has.
-uint most_steps() { return uint(Exact::VOLUME_SIZE.x + Exact::VOLUME_SIZE.y + Exact::VOLUME_SIZE.z); }
+uint most_steps() { return uint(Lanes::VOLUME_SIZE.x + Lanes::VOLUME_SIZE.y + Lanes::VOLUME_SIZE.z); }
 
 // Tells of a ray whose walk would not have ended.
 void tell_endless(const Rays &rays, uint ray_number) {
   for (uint axis = 0; axis < 3; axis++)
     rays.hit_words[6 * ray_number + axis] = 0x80000001u;
 }
+
+// Whether exact arithmetic has to say how it goes on.
+bool is_left_open(uint outcome) { return outcome == OPEN || outcome > UNPREPARED; }
 
 // Traces rays which exact arithmetic has to prepare, in one packet.
 void trace_hard(Rays rays, const uint *list, uint count) {
@@ -1594,17 +1644,12 @@ void trace_hard(Rays rays, const uint *list, uint count) {
   }
   for (uint step = 0; step < most_steps() && left > 0; step++) {
     uint outcomes[LANES];
-    if (LANES > 1 && count == 1)
-      outcomes[0] = trace_alone(rays, numbers[0], true, &prepared);
-    else
-      trace_packet(rays, numbers, count, true, &prepared, outcomes);
+    trace_rays(rays, numbers, count, true, &prepared, outcomes);
     for (uint lane = 0; lane < count; lane++) {
       if (numbers[lane] == NONE)
         continue;
-      if (outcomes[lane] == OPEN && settle(rays, numbers[lane]))
+      if (is_left_open(outcomes[lane]) && go_on_exactly(rays, numbers[lane], outcomes[lane]))
         continue;
-      if (outcomes[lane] >= UNTIMED)
-        find_arrival(rays, numbers[lane], int(outcomes[lane] - UNTIMED));
       numbers[lane] = NONE;
       left--;
     }
@@ -1617,14 +1662,15 @@ void trace_hard(Rays rays, const uint *list, uint count) {
 // Traces rays packet by packet; then those again of which a step had to be settled, until all are done.
 void answer_batch(Rays rays, uint count) {
   // A walk that is let go looks again where it goes on.
-  const bool counts = rays.count_lookups || Exact::COUNT_WORDS;
+  const bool counts = rays.count_lookups || Lanes::COUNT_WORDS;
+  rays.in_packets = are_worth_packets(count);
   uint list[BATCH];
   uint hard[LANES] = {};
   uint hard_count = 0;
   for (uint i = 0; i < count; i++)
     list[i] = i;
   for (uint step = 0; step <= MOST_PACKINGS + most_steps() && count > 0; step++) {
-    const bool packs = step < MOST_PACKINGS && count > WORTH_PACKING && !counts;
+    const bool packs = rays.in_packets && step < MOST_PACKINGS && count > WORTH_PACKING && !counts;
     uint left = 0;
     for (uint first = 0; first < count; first += LANES) {
       const uint size = min(count - first, LANES);
@@ -1632,21 +1678,14 @@ void answer_batch(Rays rays, uint count) {
         fetch_packet(rays, list[first] + 2 * LANES); // Beyond the last: no harm, and often those of the next batch.
       rays.fewest_lanes = packs && size == LANES ? FEWEST_LANES : 0;
       uint outcomes[LANES];
-      if (LANES > 1 && size == 1)
-        outcomes[0] = trace_alone(rays, list[first], step > 0, nullptr);
-      else
-        trace_packet(rays, list + first, size, step > 0, nullptr, outcomes);
+      trace_rays(rays, list + first, size, step > 0, nullptr, outcomes);
       for (uint lane = 0; lane < size; lane++) {
         const uint ray_number = list[first + lane];
         if (outcomes[lane] == DONE)
           continue;
-        if (outcomes[lane] >= UNTIMED) {
-          find_arrival(rays, ray_number, int(outcomes[lane] - UNTIMED));
-          continue;
-        }
         if (outcomes[lane] == UNPREPARED)
           hard[hard_count++] = ray_number;
-        else if (outcomes[lane] == LET_GO || settle(rays, ray_number))
+        else if (outcomes[lane] == LET_GO || go_on_exactly(rays, ray_number, outcomes[lane]))
           list[left++] = ray_number;
         if (hard_count == LANES) {
           trace_hard(rays, hard, hard_count);
@@ -1660,9 +1699,11 @@ void answer_batch(Rays rays, uint count) {
   for (uint i = 0; i < count; i++)
     tell_endless(rays, list[i]);
 }
+#endif
 
 } // namespace
 
+#if VOXC_PARTS & VOXC_PART_OF_BATCHES
 // Answers `count` rays, six floats each, from the words of a volume by as many hits, six words each.
 extern "C" void voxc_intersect(const uint *words, const float *rays, uint *hits, unsigned long long count,
                            int count_lookups, float spread) {
@@ -1673,3 +1714,4 @@ extern "C" void voxc_intersect(const uint *words, const float *rays, uint *hits,
     answer_batch(batch, count - first < BATCH ? uint(count - first) : BATCH);
   }
 }
+#endif
