@@ -9,7 +9,7 @@
 namespace voxc::glsl {
 namespace {
 
-using Kind = Declaration::Kind;
+using Outer = Declaration::Kind;
 
 void addNames(const Declaration &declaration, Names &names) {
   forEachType(declaration, [&](const std::string &type) { names.insert(type); });
@@ -20,7 +20,7 @@ void addNames(const Declaration &declaration, Names &names) {
 }
 
 bool declares(const Declaration &declaration, const Names &names) {
-  const bool isOfVariables = declaration.kind == Kind::Variable || declaration.kind == Kind::Block;
+  const bool isOfVariables = declaration.kind == Outer::Variable || declaration.kind == Outer::Block;
   return (!declaration.name.empty() && names.contains(declaration.name)) ||
          (isOfVariables && std::ranges::any_of(declaration.variables, [&](const Variable &variable) {
             return names.contains(variable.name);
@@ -29,7 +29,7 @@ bool declares(const Declaration &declaration, const Names &names) {
 
 /// A remark, a directive, a layout: what follows may need it, and nothing names it.
 bool isUnnamed(const Declaration &declaration) {
-  return declaration.kind == Kind::Directive || declaration.kind == Kind::Layout;
+  return declaration.kind == Outer::Directive || declaration.kind == Outer::Layout;
 }
 
 Declaration prototypeOf(const Declaration &function) {
@@ -43,7 +43,7 @@ Declaration prototypeOf(const Declaration &function) {
 /// One of those that come before, with no empty line above it but of the first.
 void put(std::vector<Declaration> &declarations, Declaration declaration) {
   std::vector<std::string> &above = declaration.notes.above;
-  if (!declarations.empty() && !above.empty() && above.front().empty() && declaration.kind == Kind::Variable)
+  if (!declarations.empty() && !above.empty() && above.front().empty() && declaration.kind == Outer::Variable)
     above.erase(above.begin());
   declarations.push_back(std::move(declaration));
 }
@@ -59,7 +59,7 @@ void lead(Module &module) {
   for (auto at = module.declarations.rbegin(); at != module.declarations.rend(); ++at) {
     if (at->leads) {
       leading.push_back(std::move(*at));
-    } else if (at->kind == Kind::Function) {
+    } else if (at->kind == Outer::Function) {
       if (names.contains(at->name)) {
         for (const Parameter &parameter : at->parameters)
           names.insert(parameter.type);
