@@ -13,10 +13,10 @@
 
 namespace voxc {
 
-/// Functions that are compiled when one of them is first called, on the thread that calls it.
+/// Functions that are compiled when one of them is first called, while the call waits.
 struct LaterPart {
   std::vector<std::string> functions;             ///< extern "C".
-  std::function<Expected<std::string>()> compile; ///< To object code that defines them all.
+  std::function<Expected<std::string>()> compile; ///< To object code that defines them all; on any thread.
 };
 
 /// Compiled code; its functions live as long as it does.

@@ -4,6 +4,9 @@
 #include <llvm/Support/ErrorHandling.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include <future>
+#include <system_error>
+
 namespace voxc {
 namespace {
 
@@ -11,6 +14,16 @@ namespace orc = llvm::orc;
 
 /// There is no way back from the middle of a kernel.
 [[noreturn]] void endProcess() { llvm::report_fatal_error("voxc cannot compile a part of a kernel"); }
+
+/// On a thread of its own where there may be one: that of whoever traces may have a stack too small for a
+/// compiler.
+Expected<std::string> compiled(const LaterPart &part) {
+  try {
+    return std::async(std::launch::async, part.compile).get();
+  } catch (const std::system_error &) {
+    return part.compile();
+  }
+}
 
 /// What ORC knows of a part before it is compiled.
 class PartUnit final : public orc::MaterializationUnit {
@@ -21,7 +34,7 @@ public:
   llvm::StringRef getName() const override { return "a part that is compiled later"; }
 
   void materialize(std::unique_ptr<orc::MaterializationResponsibility> responsibility) override {
-    const Expected<std::string> object = part_.compile();
+    const Expected<std::string> object = compiled(part_);
     if (object)
       return jit_.getObjLinkingLayer().emit(std::move(responsibility),
                                             llvm::MemoryBuffer::getMemBufferCopy(*object));

@@ -8,6 +8,7 @@
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace voxc {
@@ -37,7 +38,12 @@ ClangOptions optionsFor(const std::string &processor) {
 }
 
 /// The parts of a kernel's text, as cpu-runtime/voxc_lanes.h numbers them.
-enum Parts { kBatches = 1, kPackets = 2, kExactness = 4 };
+enum Parts { kBatches = 1, kPackets = 2, kExactness = 4, kAll = kBatches + kPackets + kExactness };
+
+int partsAtOnce(CpuStart start) {
+  constexpr std::array kParts = {int{kBatches}, kBatches + kPackets, int{kAll}};
+  return kParts[static_cast<std::size_t>(start)];
+}
 
 Expected<std::string> compileParts(const std::string &text, int parts, const CompileCache *cache) {
   ClangOptions options = optionsFor("native");
@@ -54,17 +60,16 @@ LaterPart laterPart(const std::shared_ptr<const std::string> &text, Parts part,
 
 /// The code of a kernel's text, with as much compiled as is asked for.
 Expected<JitCode> codeOf(const Plan &plan, std::string text, const CpuKernelOptions &options) {
-  const bool hasPackets = options.start == CpuStart::Fast || plan.isOfPoints();
-  const auto object = compileParts(text, hasPackets ? kBatches + kPackets : kBatches, options.cache);
+  const int parts = plan.isOfPoints() ? kAll : partsAtOnce(options.start);
+  const auto object = compileParts(text, parts, options.cache);
   if (!object)
     return object.error();
+  const auto kept = std::make_shared<const std::string>(std::move(text));
   std::vector<LaterPart> later;
-  if (!plan.isOfPoints()) {
-    const auto kept = std::make_shared<const std::string>(std::move(text));
-    if (!hasPackets)
-      later.push_back(laterPart(kept, kPackets, {"trace_packet"}, options.cache));
+  if ((parts & kPackets) == 0)
+    later.push_back(laterPart(kept, kPackets, {"trace_packet"}, options.cache));
+  if ((parts & kExactness) == 0)
     later.push_back(laterPart(kept, kExactness, {"prepare", "go_on_exactly"}, options.cache));
-  }
   return JitCode::link(*object, plan.layout.format, std::move(later));
 }
 

@@ -64,7 +64,7 @@ Expected<CpuKernel> KernelShelf::cpuKernel(const Format &format, Addressing addr
   const std::string key = keyOf(format, addressing);
   if (const auto known = cpu_.find(key); known != cpu_.end())
     return known->second;
-  auto kernel = compileCpuKernel(format, {.addressing = addressing, .start = CpuStart::Fast});
+  auto kernel = compileCpuKernel(format, {.addressing = addressing, .start = CpuStart::Whole});
   if (kernel)
     cpu_.emplace(key, *kernel);
   return kernel;

@@ -148,7 +148,8 @@ private:
     if (Expected<void> asked = ask(*format, tmin_ || tmax_ ? 1 : file->version(), rays.isBounded()); !asked)
       return asked;
     tracing_.useCache();
-    tracing_.expectRays(std::uint64_t{rays.size()} * std::max(options_.repeat, 1u));
+    if (options_.repeat <= 1 && common_.stats.empty()) // Else times are what is asked for.
+      tracing_.expectRays(rays.size());
     if (Expected<void> opened = tracing_.openDevice(common_); !opened)
       return opened;
     if (Expected<void> prepared = memory_.isGiven() ? memory_.prepare(tracing_, *format, figures)

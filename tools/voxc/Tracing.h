@@ -32,8 +32,8 @@ public:
   /// Asked before the device is opened.
   void useCache() { cache_ = compileCache(); }
 
-  /// Tells how many rays will be traced, where that is known: for few a kernel on this processor is compiled
-  /// in part. Asked before it is compiled.
+  /// Tells how many rays will be traced, where that is known and nothing is timed: for few a kernel on this
+  /// processor is compiled in part. Asked before it is compiled.
   void expectRays(std::uint64_t rays);
 
   /// Opens the device; asked first, so that its absence is told before long work. Where no device was named
@@ -81,7 +81,7 @@ private:
   unsigned threads_ = 0; ///< 0: the device's own choice.
   bool optimise_ = false;
   const CompileCache *cache_ = nullptr;
-  CpuStart start_ = CpuStart::Fast;
+  CpuStart start_ = CpuStart::Whole;
   std::string order_ = "auto";
   std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
   std::unique_ptr<Tracer> tracer_;

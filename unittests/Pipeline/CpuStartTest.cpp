@@ -107,6 +107,12 @@ TEST(CpuStart, CompilesPartsWhenTheyAreAskedFor) {
   traceMany(*soon, volume);
   ASSERT_TRUE(traced(*soon, volume, numbersOf(std::vector<Ray>(2, kEasyRay), false)).size() == 2);
   EXPECT_EQ(objectsIn(*cache), 3u) << "many rays are traced in packets";
+  const auto whole = compileCpuKernel(format, {.cache = &*cache, .start = CpuStart::Whole});
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_EQ(objectsIn(*cache), 4u) << "what is timed compiles nothing on the way";
+  ASSERT_TRUE(intersect(volume, *whole, still));
+  traceMany(*whole, volume);
+  EXPECT_EQ(objectsIn(*cache), 4u);
   std::filesystem::remove_all(folder);
 }
 

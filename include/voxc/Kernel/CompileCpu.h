@@ -10,11 +10,12 @@
 namespace voxc {
 
 /// How much of a kernel is compiled before its first ray. The hits are the same, and so is the speed in the
-/// end. Exact arithmetic, which few rays need, is compiled for the first of them in any case.
+/// end.
 enum class CpuStart {
-  Soon, ///< What traces rays one by one; packets once there were some 260,000 rays, and the next wait for
-        ///< that.
-  Fast, ///< Packets too: for many rays, and for what is timed.
+  Soon,  ///< What traces rays one by one. Exact arithmetic, which few rays need, is compiled for the first of
+         ///< these, and packets once there were some 260,000 rays: rays then wait for that.
+  Fast,  ///< Packets too: for many rays.
+  Whole, ///< All of it: for what is timed.
 };
 
 struct CpuKernelOptions {
