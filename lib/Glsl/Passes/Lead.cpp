@@ -27,7 +27,7 @@ bool declares(const Declaration &declaration, const Names &names) {
           }));
 }
 
-/// A remark, a directive, a layout: what follows may need it, and nothing names it.
+/// What follows may need a directive or a layout, and nothing names it.
 bool isUnnamed(const Declaration &declaration) {
   return declaration.kind == Outer::Directive || declaration.kind == Outer::Layout;
 }
