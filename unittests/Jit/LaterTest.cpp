@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdint>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include <pthread.h>
 
 namespace voxc {
 namespace {
@@ -70,6 +74,38 @@ TEST(LaterParts, MayBeCalledFirstByManyThreads) {
       threads.emplace_back([&, i] { wrong += answer(i) != (i & 1 ? 2 : 3) * i; });
   }
   EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(counts.later, 1);
+}
+
+/// As that of a job of a game.
+constexpr std::size_t kSmallStack = 128 << 10;
+/// A compiler goes into each parenthesis.
+constexpr std::size_t kDeep = 200;
+
+TEST(LaterParts, MayBeCalledFirstWhereTheStackIsSmall) {
+  const std::string deep = "extern \"C\" int twice(int x) { return 2 * " + std::string(kDeep, '(') + "x" +
+                           std::string(kDeep, ')') +
+                           "; }\nextern \"C\" int thrice(int x) { return 3 * x; }\n";
+  Counts counts;
+  const auto first = compileToObject({{"first.cpp", kFirst}}, {});
+  ASSERT_TRUE(first) << first.error().message;
+  const auto code = JitCode::link(
+      *first, {},
+      {part({"twice", "thrice"}, deep.c_str(), counts.later), part({"other"}, kNever, counts.never)});
+  ASSERT_TRUE(code) << code.error().message;
+  void *answer = *code->find("answer");
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, kSmallStack), 0);
+  pthread_t thread;
+  const auto ask = [](void *function) -> void * {
+    return reinterpret_cast<void *>(static_cast<std::intptr_t>(reinterpret_cast<Function>(function)(5)));
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, ask, answer), 0);
+  void *result = nullptr;
+  ASSERT_EQ(pthread_join(thread, &result), 0);
+  pthread_attr_destroy(&attributes);
+  EXPECT_EQ(reinterpret_cast<std::intptr_t>(result), 10);
   EXPECT_EQ(counts.later, 1);
 }
 
