@@ -59,7 +59,7 @@ bool trace_ray(uint ray_number, bool goes_on) {
 void leave(uint ray_number) {
   uint place = atomicAdd(left_count, 1u);
   left_rays[place] = ray_number;
-  if ((place & 63u) == 0u)
+  if (place % gl_WorkGroupSize.x == 0u)
     atomicAdd(left_groups[0], 1u);
 }
 

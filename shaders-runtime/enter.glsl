@@ -160,7 +160,7 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   Walk start = entered(ray, walk, face, sure);
-  if (REFINES && !SETTLES && !sure && ordinary && !near.is_far)
+  if ((REFINES ? !SETTLES : NEAREST && SETTLES) && !sure && ordinary && !near.is_far)
     start = entered_compensated(ray, walk, sure);
   if (IEEE && !REFINES && SETTLES && !sure && ordinary && !near.is_far)
     start = entered_by_doubles(ray, walk, sure);

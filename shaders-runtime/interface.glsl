@@ -1,7 +1,8 @@
 // Before a function that is seldom called: kernels in C++ keep it out of the loops, into which all others go.
 #define OUT_OF_LINE
 
-layout(local_size_x = 64) in;
+// A host that wants workgroups of another size says so.
+layout(local_size_x = 64, local_size_x_id = 7) in;
 
 // Count the lookups of each ray; off, it costs nothing.
 layout(constant_id = 0) const bool COUNT_LOOKUPS = false;

@@ -43,6 +43,16 @@ OUT_OF_LINE vec3 scaled_exactly(uvec3 size) {
   return result;
 }
 
+// The inverse of a component, within 1.0001 roundings where sums and products are rounded to nearest, and the device's own inverse within
+// some: what that leaves of 1 is known exactly.
+float mended_inverse(float component) {
+  float inverse = 1.0f / component;
+  precise float one = component * inverse;
+  precise float rest = (1.0f - one) - lost_of(one, component, inverse);
+  precise float mended = inverse + inverse * rest;
+  return mended;
+}
+
 // Makes a ray ready, whose direction is scaled by a power of two so that its longest component is in [1, 2).
 Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   Ray ray;
@@ -65,6 +75,8 @@ Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   ray.origin = real3(uintBitsToFloat(origin));
   ray.direction = real3(component);
   ray.inverse = 1.0f / ray.direction;
+  if (NEAREST)
+    ray.inverse = real3(mended_inverse(component.x), mended_inverse(component.y), mended_inverse(component.z));
   ray.late = real3(0.0f);
   ray.falls = lessThan(sign, ivec3(0));
   ray.heading = sign | 1;

@@ -59,7 +59,7 @@ const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
 // twelve roundings of 2^-23, whichever way each goes: an inverse takes 2.5 of them, the order of two t is certain beyond 11, and a
 // coordinate within 9.5.
 const real ROUNDINGS =
-    DOUBLES ? real(8.0f / 16777216.0f) / real(536870912.0f) : real(IEEE ? 8.0f / 16777216.0f : 12.0f / 8388608.0f);
+    DOUBLES ? real(8.0f / 16777216.0f) / real(536870912.0f) : real(IEEE || NEAREST ? 8.0f / 16777216.0f : 12.0f / 8388608.0f);
 
 // A walk that is about to begin, or to go on.
 Walk walk_at(ivec3 cell) {

@@ -18,6 +18,12 @@ std::string preamble(const Plan &plan) {
   if (plan.addressing == Addressing::Segments)
     text += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
             "require\n";
+  // SPIR-V's capability and execution mode RoundingModeRTE.
+  if (plan.arithmetic == Arithmetic::Nearest)
+    text +=
+        "#extension GL_EXT_spirv_intrinsics : require\n"
+        "// Sums and products of float32 are rounded to nearest.\n"
+        "spirv_execution_mode(extensions = [\"SPV_KHR_float_controls\"], capabilities = [4467], 4462, 32);\n";
   return text;
 }
 

@@ -40,6 +40,7 @@ constexpr PlanConstant kPlan[] = {
     {"NARROW_PACKETS", [](const Plan &p) -> Value { return p.packetWidth == PacketWidth::Narrow; }},
     {"EXACT", [](const Plan &p) -> Value { return p.isExact(); }},
     {"IEEE", [](const Plan &p) -> Value { return p.arithmetic == Arithmetic::Ieee; }},
+    {"NEAREST", [](const Plan &p) -> Value { return p.arithmetic == Arithmetic::Nearest; }},
     {"KEEPS_CELL", [](const Plan &p) -> Value { return p.speculative; }},
     {"TELLS_FACES", [](const Plan &p) -> Value { return p.gapFaces == GapFaces::Lookup; }},
     {"CUT", [](const Plan &p) -> Value { return p.loops == Loops::Cut; }},

@@ -14,7 +14,7 @@
 namespace voxc {
 namespace {
 
-constexpr const char *kBeforeStep[] = {"ray", "number", "products", "crossing"};
+constexpr const char *kBeforeStep[] = {"ray", "number", "products", "pairs", "crossing"};
 constexpr const char *kAfterStep[] = {"step", "near", "enter", "prepare", "root"};
 
 class FunctionEmitter {
@@ -37,7 +37,7 @@ private:
   void walkFunctions() {
     for (const char *path : kBeforeStep)
       file(path);
-    if (plan_.steps == Steps::Refined)
+    if (plan_.steps == Steps::Refined || plan_.arithmetic == Arithmetic::Nearest)
       file("step/compensated");
     else if (plan_.arithmetic == Arithmetic::Ieee)
       file("step/doubles");

@@ -17,7 +17,7 @@ Expected<void> checkKernel(const Kernel &kernel, ShadingLanguage language) {
                         std::string(toString(kernel.addressing)) + ": leave that out");
   if (kernel.arithmetic != Arithmetic::Any)
     return Error::input("a kernel of arithmetic=" + std::string(toString(kernel.arithmetic)) +
-                        " has doubles, which " + name + " has not: compile it with arithmetic=any");
+                        " asks for what " + name + " cannot say: compile it with arithmetic=any");
   return {};
 }
 

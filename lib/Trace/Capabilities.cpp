@@ -25,6 +25,7 @@ constexpr CoreFeature kCoreFeatures[] = {
 constexpr std::uint32_t kShader = 1;
 constexpr std::uint32_t kSampledBuffer = 46;
 constexpr std::uint32_t kPhysicalStorageBufferAddresses = 5347;
+constexpr std::uint32_t kRoundingModeRte = 4467;
 
 Error missing(const PhysicalDevice &device, std::string_view what) {
   return Error::environment("this kernel needs " + std::string(what) + ", which " + device.info.name +
@@ -38,6 +39,8 @@ Expected<void> checkCapability(const PhysicalDevice &device, std::uint32_t capab
     return {};
   if (capability == kPhysicalStorageBufferAddresses)
     return missing(device, "device addresses");
+  if (capability == kRoundingModeRte)
+    return device.roundsToNearest ? Expected<void>() : missing(device, "float32 that is rounded to nearest");
   const auto *row = std::ranges::find(kCoreFeatures, capability, &CoreFeature::capability);
   if (row == std::end(kCoreFeatures))
     return Error::environment("this kernel needs SPIR-V's capability " + std::to_string(capability) +
@@ -80,7 +83,7 @@ Expected<void> checkKernel(const PhysicalDevice &device, const Kernel &kernel) {
   if (kernel.loops == Loops::Whole && device.info.loops == Loops::Cut)
     return Error::input("this kernel is for devices that run every loop to its end, which " +
                         device.info.name + " does not: compile one with loops=cut");
-  if (kernel.arithmetic == Arithmetic::Ieee && device.info.arithmetic == Arithmetic::Any)
+  if (kernel.arithmetic == Arithmetic::Ieee && device.info.arithmetic != Arithmetic::Ieee)
     return Error::input(
         "this kernel is for devices whose arithmetic is that of IEEE 754, which is not known of " +
         device.info.name + ": compile one with arithmetic=any");

@@ -51,7 +51,7 @@ void useFeatures(PhysicalDevice &device, const HostFeatures &features) {
   device.features = features.core;
   device.info.deviceAddresses = features.bufferDeviceAddress;
   if (!features.core.shaderFloat64)
-    device.info.arithmetic = Arithmetic::Any; // It counts with doubles.
+    device.info.arithmetic = withoutDoubles(device);
 }
 
 } // namespace

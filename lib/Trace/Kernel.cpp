@@ -68,7 +68,7 @@ Expected<void> parseFacts(std::string_view facts, Kernel &kernel) {
   if (!digest || !addressing || !loops || !arithmetic || !(rest.empty() || kernel.bounded))
     return Error::input(
         "this kernel's own description is broken: it should end in \"storage=<16 hex digits> "
-        "addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>\", and may have "
+        "addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|nearest|ieee>\", and may have "
         "\"bounds=yes\" behind that");
   kernel.storageDigest = *digest;
   kernel.addressing = *addressing;

@@ -67,8 +67,10 @@ void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
   driver.pNext = &maintenance;
   VkPhysicalDeviceIDProperties identity{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
   identity.pNext = &driver;
+  VkPhysicalDeviceFloatControlsProperties floats{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FLOAT_CONTROLS_PROPERTIES};
+  floats.pNext = &identity;
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-  properties.pNext = &identity;
+  properties.pNext = &floats;
   vk.GetPhysicalDeviceProperties2(device.handle, &properties);
   device.info.uuid = hexadecimal(identity.deviceUUID);
   device.info.fastTexels = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
@@ -82,6 +84,8 @@ void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
   features.pNext = &addresses;
   vk.GetPhysicalDeviceFeatures2(device.handle, &features);
   device.features = features.features;
+  device.roundsToNearest = floats.shaderRoundingModeRTEFloat32;
+  device.info.arithmetic = withoutDoubles(device);
   // Of no other driver do we know that its inverse is rounded to nearest.
   if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && device.features.shaderFloat64)
     device.info.arithmetic = Arithmetic::Ieee;
@@ -89,6 +93,10 @@ void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
 }
 
 } // namespace
+
+Arithmetic withoutDoubles(const PhysicalDevice &device) {
+  return device.roundsToNearest ? Arithmetic::Nearest : Arithmetic::Any;
+}
 
 std::vector<VkQueueFamilyProperties> queueFamilies(const VulkanFunctions &vk, VkPhysicalDevice device) {
   std::uint32_t count = 0;

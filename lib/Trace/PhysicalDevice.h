@@ -18,10 +18,14 @@ struct PhysicalDevice {
   VkPhysicalDeviceMemoryProperties memory{};
   std::uint32_t queueFamily = 0;   ///< A family that computes, if the device is usable.
   std::uint32_t timestampBits = 0; ///< Valid bits of its timestamps; 0 if it has none.
+  bool roundsToNearest = false;    ///< Sums and products of float32, where a kernel asks for it.
   int rank = 0;                    ///< Of its kind; the best is 0.
 };
 
 std::vector<VkQueueFamilyProperties> queueFamilies(const VulkanFunctions &vk, VkPhysicalDevice device);
+
+/// What kernels may rely on where the device counts with float32 alone.
+Arithmetic withoutDoubles(const PhysicalDevice &device);
 
 /// What these functions say of a device.
 PhysicalDevice describe(const VulkanFunctions &vk, VkPhysicalDevice handle);

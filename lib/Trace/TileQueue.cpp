@@ -9,14 +9,17 @@
 namespace voxc {
 namespace {
 
+// On a GPU both passes of a tile end with a few long rays, while most of it has nothing to do.
 constexpr std::uint64_t kMaxTileRays = std::uint64_t{1} << 20;
+constexpr std::uint64_t kMaxTileRaysOfGpu = std::uint64_t{1} << 22;
 
 } // namespace
 
 TileQueue::TileQueue(Device::State &device, std::array<Slot, 2> slots)
     : device_(&device), slots_(std::move(slots)) {
   std::uint64_t groups = device.physical.limits.maxComputeWorkGroupCount[0];
-  tileRays_ = static_cast<std::uint32_t>(std::min(kMaxTileRays, groups * kWorkgroupSize));
+  const std::uint64_t most = device.info().kind == "cpu" ? kMaxTileRays : kMaxTileRaysOfGpu;
+  tileRays_ = static_cast<std::uint32_t>(std::min(most, groups * kWorkgroupSize));
 }
 
 Expected<TileQueue> TileQueue::create(Device::State &device) {

@@ -1,25 +1,11 @@
-// A step that float32 cannot tell, by sums of two float32 from the ray as given (compensated arithmetic; Dekker 1971, Knuth): where the ray
-// passes faces one after the other, and where it passes several at one t, as rays of whole numbers do at nearly each step.
+// A step that float32 cannot tell, by sums of two float32 from the ray as given (pairs.glsl): where the ray passes
+// faces one after the other, and where it passes several at one t, as rays of whole numbers do at nearly each step.
 //
 // No number of a moderate ray but 0 is below 2^-40, so that each is a multiple of 2^-63, and each product of two a multiple of 2^-126: what
 // float32 loses of a sum or a product is a float32. A t is wrong by less than 2^-44 of it: a quotient by the inverse is within 2^-23, what is left
 // of the way then is rounded twice, and multiplied by the inverse again. A coordinate is wrong by less than 2^-43 of the two numbers that it
 // is the sum of. What is closer than DOUBT meets exactly, or is not told.
 const float DOUBT = 1.0f / 4398046511104.0f; // 2^-42.
-
-// A number, as a sum of two of which the second is below what the first is rounded by.
-struct Pair {
-  float high;
-  float low;
-};
-
-// The sum of two numbers, exactly.
-Pair sum_of(float a, float b) {
-  precise float sum = a + b;
-  precise float of_b = sum - a;
-  precise float lost = (a - (sum - of_b)) + (b - of_b);
-  return Pair(sum, lost);
-}
 
 // How much later one moment is than another.
 float delay(const Pair later, const Pair earlier) { return (later.high - earlier.high) + (later.low - earlier.low); }
@@ -31,19 +17,28 @@ struct Pass {
   float speed; // and the direction.
 };
 
+// What is left of a way when nearly all of it is gone at that speed for that time.
+float left_of(float way, float t, float speed) {
+  if (REFINES)
+    return fma(-t, speed, way);
+  precise float gone = t * speed;
+  precise float left = (way - gone) - lost_of(gone, t, speed);
+  return left;
+}
+
 // At moment `otherwise` if it does not.
 Pass pass_of(bool passes, float otherwise, float face, float origin, float speed, float inverse) {
   Pair way = sum_of(face, -origin);
   float t = way.high * inverse;
-  float rest = (fma(-t, speed, way.high) + way.low) * inverse;
+  float rest = (left_of(way.high, t, speed) + way.low) * inverse;
   return Pass(passes ? Pair(t, rest) : Pair(otherwise, 0.0f), way, speed);
 }
 
 // Whether two coordinates pass their faces at one t: the ways by each other's speed are equal in all bits. False says nothing.
 bool meet(const Pass a, const Pass b) {
-  float of_a = a.way.high * b.speed;
-  float of_b = b.way.high * a.speed;
-  bool is_same = of_a == of_b && fma(a.way.high, b.speed, -of_a) == fma(b.way.high, a.speed, -of_b);
+  precise float of_a = a.way.high * b.speed;
+  precise float of_b = b.way.high * a.speed;
+  bool is_same = of_a == of_b && lost_of(of_a, a.way.high, b.speed) == lost_of(of_b, b.way.high, a.speed);
   bool is_whole = a.way.low == 0.0f && b.way.low == 0.0f;
   return is_same && (is_whole || (a.way.low == b.way.low && a.speed == b.speed));
 }
@@ -59,8 +54,8 @@ bool is_passed(const Pass first, const Pass other, inout bool sure) {
 // The cell of a coordinate at the first passage, of `side` from `corner` on, if it is not among those that change then. Those that pass with it
 // rise, or all of them fall.
 int cell_at(const Pass first, bool rises, float origin, float speed, int corner, int side, inout bool sure) {
-  float way = first.t.high * speed;
-  float rest = fma(first.t.low, speed, fma(first.t.high, speed, -way));
+  precise float way = first.t.high * speed;
+  float rest = first.t.low * speed + lost_of(way, first.t.high, speed);
   Pair sum = sum_of(origin, way);
   Pair place = sum_of(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
   float whole = floor(place.high + 0.5f);

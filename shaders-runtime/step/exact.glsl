@@ -76,12 +76,18 @@ void settle_step(const Ray ray, inout Walk walk) {
   Gap gap = Gap(walk.open & 31, walk.open >> 5);
   walk.open = CLOSED;
   walk.cell = ~walk.cell;
-  if (!IEEE || REFINES) {
+  if (!(IEEE || NEAREST) || REFINES) {
     walk = settled(ray, walk, gap);
     return;
   }
+  // A loop, through which no lane goes where these tell.
+  if (NEAREST) {
+    for (bool is_left = !step_compensated(ray, walk, gap); is_left; is_left = false)
+      walk = settled(ray, walk, gap);
+    return;
+  }
   ++settlings;
-  // A loop, through which no lane goes where doubles tell.
+  // A loop, as above.
   for (bool is_left = !step_by_doubles(ray, walk, gap); is_left; is_left = false)
     walk = settled(ray, walk, gap);
 }

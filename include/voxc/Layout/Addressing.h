@@ -32,12 +32,15 @@ enum class Loops {
 
 /// What the device's floating point is known to be.
 enum class Arithmetic {
-  Any,  ///< As Vulkan promises: rounded one way or the other, an inverse wrong by 2.5 roundings, no doubles.
+  Any, ///< As Vulkan promises: rounded one way or the other, an inverse wrong by 2.5 roundings, no doubles.
+  Nearest, ///< Sums and products of float32 are rounded to nearest, where a kernel asks for it; the rest as
+           ///< in `Any`.
   Ieee, ///< As IEEE 754 has it: rounded to nearest, inverses too; doubles, which may be wrong by a few
         ///< roundings.
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Loops> = {"whole", "cut"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Arithmetic> = {"any", "ieee"};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<Arithmetic> = {"any", "nearest", "ieee"};
 
 } // namespace voxc

@@ -15,7 +15,7 @@ namespace voxc {
 inline constexpr std::uint32_t kWorkgroupSize = 64;
 
 /// SPIR-V with its voxc facts, which travel inside the module as an OpModuleProcessed string: "voxc kernel 3
-/// storage=<16 hex digits> addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|ieee>", and
+/// storage=<16 hex digits> addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|nearest|ieee>", and
 /// " bounds=yes" behind it if rays have bounds.
 ///
 /// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each, `Ray`; with bounds 8,
@@ -38,7 +38,7 @@ struct Kernel {
   std::uint64_t storageDigest = 0;
   Addressing addressing = Addressing::Buffer;
   Loops loops = Loops::Cut;                ///< `Whole`: only for devices that run every loop to its end.
-  Arithmetic arithmetic = Arithmetic::Any; ///< `Ieee`: only for devices of such arithmetic.
+  Arithmetic arithmetic = Arithmetic::Any; ///< Other than `Any`: only for devices of such arithmetic.
   bool bounded = false;                    ///< Rays are `BoundedRay`s.
 
   /// Reads the facts out of a module. Errors: not SPIR-V, truncated, or not made by voxc.

@@ -1,0 +1,129 @@
+// Kernels of voxc, by their interface (voxc/Trace/Kernel.h).
+#include "KernelSubject.h"
+
+#include "Difference.h"
+
+#include <algorithm>
+#include <array>
+
+namespace voxc::gpu {
+namespace {
+
+// Specialization constants of a kernel.
+constexpr std::uint32_t kSettles = 3, kComesNear = 6, kGroup = 7;
+// Tasks of a dispatch.
+constexpr std::uint32_t kAll = 0, kLeftOver = 1;
+
+constexpr std::uint64_t kListHead = 4; // Words before the numbers of rays in the list.
+
+Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool settles, std::uint32_t group) {
+  const std::array constants = {ProgramConstant{kSettles, settles}, ProgramConstant{kComesNear, 0},
+                                ProgramConstant{kGroup, group}};
+  return Program::make(gpu, kernel.spirv, 4, 3, constants);
+}
+
+} // namespace
+
+/// A kernel that is ready, with workgroups of a size.
+struct KernelSubject::Way {
+  std::uint32_t group;
+  Program leaves, settles;
+  GpuBuffer list; ///< Of the rays that the first leaves to the second.
+
+  std::vector<GpuStep> stepsOf(std::uint64_t rays, std::uint32_t mostGroups, bool atOnce) const;
+};
+
+std::vector<GpuStep> KernelSubject::Way::stepsOf(std::uint64_t rays, std::uint32_t mostGroups,
+                                                 bool atOnce) const {
+  std::vector<GpuStep> steps;
+  const std::uint64_t most = std::uint64_t{mostGroups} * group;
+  if (!atOnce)
+    steps.push_back({.written = &list, .words = {0, 1, 1, 0}});
+  for (std::uint64_t first = 0; first < rays; first += most) {
+    const auto count = static_cast<std::uint32_t>(std::min(most, rays - first));
+    steps.push_back({.program = atOnce ? &settles : &leaves,
+                     .words = {static_cast<std::uint32_t>(first), count, kAll},
+                     .groupsX = (count + group - 1) / group});
+  }
+  if (!atOnce)
+    steps.push_back(
+        {.program = &settles, .words = {0, static_cast<std::uint32_t>(rays), kLeftOver}, .groups = &list});
+  return steps;
+}
+
+Expected<KernelSubject> KernelSubject::make(const Gpu &gpu, const Volume &volume,
+                                            const KernelOptions &options) {
+  auto words = gpu.makeBuffer(volume.words().size() * sizeof(std::uint32_t));
+  if (!words)
+    return words.error();
+  if (auto uploaded = gpu.upload(*words, std::as_bytes(std::span(volume.words()))); !uploaded)
+    return uploaded.error();
+  return KernelSubject(gpu, volume, options, std::move(*words));
+}
+
+Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::uint32_t group,
+                                                    std::uint64_t mostRays) const {
+  auto leaves = makeVariant(*gpu_, kernel, false, group);
+  if (!leaves)
+    return leaves.error();
+  auto settles = makeVariant(*gpu_, kernel, true, group);
+  if (!settles)
+    return settles.error();
+  auto list = gpu_->makeBuffer((kListHead + mostRays) * sizeof(std::uint32_t));
+  if (!list)
+    return list.error();
+  return Way{group, std::move(*leaves), std::move(*settles), std::move(*list)};
+}
+
+Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, bool atOnce) const {
+  for (const Program *const program : {&way.leaves, &way.settles})
+    program->bind(std::array{&set.buffer, &set.hits, &words_, &way.list});
+  const std::vector<GpuStep> steps = way.stepsOf(set.rays.size(), gpu_->facts().mostGroups, atOnce);
+  const auto times = timeSteps(*gpu_, steps, options_->seconds);
+  if (!times)
+    return times.error();
+  std::vector<Hit> hits(set.rays.size());
+  if (auto read = gpu_->download(set.hits, std::as_writable_bytes(std::span(hits))); !read)
+    return read.error();
+  std::array<std::uint32_t, kListHead> list{};
+  if (auto read = gpu_->download(way.list, std::as_writable_bytes(std::span(list))); !read)
+    return read.error();
+  const Difference difference = differenceOf(hits, set.exact);
+  return tool::Json{{"rays", set.name},
+                    {"count", set.rays.size()},
+                    {"group", way.group},
+                    {"dispatches", atOnce ? 1 : 2},
+                    {"mrays_per_s", speedJson(set.rays.size(), *times)},
+                    {"step_seconds", times->steps},
+                    {"left", atOnce ? 0 : list[3]},
+                    {"hits", std::ranges::count_if(hits, &Hit::isHit)},
+                    {"error", difference.toJson()}};
+}
+
+Expected<tool::Json> KernelSubject::measure(const Kernel &kernel, std::span<const RaysThere> sets) const {
+  if (kernel.storageDigest != volume_->storageDigest())
+    return Error::input("the kernel was made for volumes that are stored in another way");
+  std::uint64_t mostRays = 0;
+  for (const RaysThere &set : sets)
+    mostRays = std::max<std::uint64_t>(mostRays, set.rays.size());
+  tool::Json rows = tool::Json::array(), programs = tool::Json::array();
+  std::vector<std::uint32_t> groups = options_->groups;
+  groups.insert(groups.begin(), kWorkgroupSize);
+  for (const std::uint32_t group : groups) {
+    const auto way = makeWay(kernel, group, mostRays);
+    if (!way)
+      return way.error();
+    programs.push_back(
+        {{"group", group}, {"leaves", figuresJson(way->leaves)}, {"settles", figuresJson(way->settles)}});
+    for (const RaysThere &set : sets)
+      for (const bool atOnce : {false, true}) {
+        auto row = trace(*way, set, atOnce);
+        if (!row)
+          return row.error();
+        rows.push_back(std::move(*row));
+      }
+  }
+  return tool::Json{{"programs", programs}, {"rows", rows}};
+}
+
+} // namespace voxc::gpu

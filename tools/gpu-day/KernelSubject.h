@@ -1,0 +1,39 @@
+// A volume of a format and its kernels on a device.
+#pragma once
+
+#include "Subject.h"
+
+#include "voxc/Trace/Kernel.h"
+#include "voxc/Volume/Volume.h"
+
+namespace voxc::gpu {
+
+struct KernelOptions {
+  double seconds = 0.1;              ///< That each figure is measured for.
+  std::vector<std::uint32_t> groups; ///< Workgroups of other sizes than the kernel's, measured too.
+};
+
+/// A volume on a device.
+class KernelSubject {
+public:
+  /// Brings the words there. Error: `Environment`, as where they do not fit.
+  static Expected<KernelSubject> make(const Gpu &gpu, const Volume &volume, const KernelOptions &options);
+
+  /// Traces all sets by a kernel of the volume; a row of JSON for each set and way of tracing. Errors: the
+  /// kernel is none of the volume's (`Input`); those of the device.
+  Expected<tool::Json> measure(const Kernel &kernel, std::span<const RaysThere> sets) const;
+
+private:
+  struct Way;
+  KernelSubject(const Gpu &gpu, const Volume &volume, const KernelOptions &options, GpuBuffer words)
+      : gpu_(&gpu), volume_(&volume), options_(&options), words_(std::move(words)) {}
+  Expected<Way> makeWay(const Kernel &kernel, std::uint32_t group, std::uint64_t mostRays) const;
+  Expected<tool::Json> trace(const Way &way, const RaysThere &set, bool atOnce) const;
+
+  const Gpu *gpu_;
+  const Volume *volume_;
+  const KernelOptions *options_;
+  GpuBuffer words_;
+};
+
+} // namespace voxc::gpu

@@ -1,0 +1,165 @@
+// Tables of figures.
+#include "Table.h"
+
+#include "bench/Digest.h"
+#include "bench/RecordFile.h"
+#include "common/Command.h"
+#include "common/Files.h"
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace voxc::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+using tool::Json;
+using namespace tool::bench;
+
+/// What is told of a format in a table: rows of two dispatches, as tracers run them, in groups of 64.
+bool isOfTables(const Json &row) { return row.value("dispatches", 2) == 2 && row.value("group", 64) == 64; }
+
+Expected<std::vector<fs::path>> filesOf(const std::string &folder) {
+  std::error_code failure;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
+    files.push_back(entry->path());
+  if (failure)
+    return Error::input("folder '" + folder + "' cannot be read: " + failure.message());
+  std::ranges::sort(files);
+  return files;
+}
+
+Record recordOf(const Json &cell, const std::string &precision, const Json &row) {
+  Record record;
+  const Json &device = cell.at("device"), &speed = row.at("mrays_per_s"), &error = row.at("error");
+  record.model = {cell.at("scene"), cell.at("scene"), Digest().add(std::string(cell.at("scene"))).hex()};
+  record.format.label = cell.at("label");
+  record.format.name = cell.value("format", record.format.label);
+  record.format.digest = Digest().add(record.format.label).add(record.format.name).hex();
+  record.precision = precision == "fast" ? "fast" : "exact";
+  record.device = {device.at("name"), "vulkan", device.at("driver"), {}, "gpu"};
+  record.rays = {row.at("rays"), "file", row.at("count"), {}, Digest().add(std::string(row.at("rays"))).hex(),
+                 "given"};
+  if (cell.contains("words"))
+    record.volume = {cell["words"].get<std::uint64_t>(), cell["bytes"].get<std::uint64_t>()};
+  if (cell.contains("voxels"))
+    record.model.voxels = cell["voxels"].get<std::uint64_t>();
+  const double median = speed.at("median"), least = speed.at("min"), most = speed.at("max");
+  record.speed.rounds = speed.at("runs").get<std::uint64_t>();
+  record.speed.mraysPerDeviceS = Speed{least, median, most, (most - least) / median};
+  record.speed.steady = (most - least) / median <= 0.1;
+  record.speed.order = "given";
+  record.error.rays = record.rays.count;
+  record.error.missed = error.at("missed").get<std::uint64_t>();
+  record.error.ghost = error.at("ghost").get<std::uint64_t>();
+  record.error.wrong = error.at("wrong").get<std::uint64_t>();
+  record.error.colour = error.at("colour").get<std::uint64_t>();
+  record.error.maxUlpDt = error.at("max_ulp_dt").get<double>();
+  record.madeBy = {tool::versionText(), "none", device.at("name"), {}, "voxc-gpu-day"};
+  record.cell = cellDigest(record);
+  return record;
+}
+
+std::string number(const char *format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::uint64_t differencesOf(const Json &rows) {
+  std::uint64_t all = 0;
+  for (const Json &row : rows)
+    for (const char *const kind : {"missed", "ghost", "wrong", "colour"})
+      all += row.at("error").value(kind, std::uint64_t{0});
+  return all;
+}
+
+/// The rows of one scene: a format and precision each, a column for each set of rays.
+class SceneTable {
+public:
+  explicit SceneTable(std::string scene) : scene_(std::move(scene)) {}
+
+  void add(const Json &cell, const std::string &precision, const Json &rows) {
+    std::string line = "| " + std::string(cell.at("label")) + " | " +
+                       (cell.contains("bytes") ? number("%.1f", cell["bytes"].get<double>() / 1e6) : "") +
+                       " | " + precision + " |";
+    std::vector<std::string> sets;
+    std::uint64_t rays = 0, ulp = 0;
+    for (const Json &row : rows)
+      if (isOfTables(row)) {
+        sets.push_back(row.at("rays"));
+        line += " " + number("%.2f", row.at("mrays_per_s").at("median").get<double>() / 1000) + " |";
+        rays += row.at("count").get<std::uint64_t>();
+        ulp = std::max(ulp, row.at("error").value("max_ulp_dt", std::uint64_t{0}));
+      }
+    if (sets_.empty())
+      sets_ = sets;
+    lines_ += line + " " + std::to_string(differencesOf(rows)) + " | " + std::to_string(ulp) + " |\n";
+    rays_ = std::max(rays_, rays);
+  }
+
+  std::string text() const {
+    std::string head = "| Format | MB | precision |", rule = "|---|---|---|";
+    for (const std::string &set : sets_) {
+      head += " " + set + " |";
+      rule += "---|";
+    }
+    return "## " + scene_ + "\n\nGrays/s of " + std::to_string(rays_) +
+           " rays; those that are not the oracle's; and the most that a t is off, in ulps.\n\n" + head +
+           " wrong | ulp |\n" + rule + "---|---|\n" + lines_;
+  }
+
+private:
+  std::string scene_, lines_;
+  std::vector<std::string> sets_;
+  std::uint64_t rays_ = 0;
+};
+
+} // namespace
+
+Expected<void> writeTables(const std::string &folder, const std::string &output) {
+  const auto files = filesOf(folder);
+  if (!files)
+    return files.error();
+  Json all{{"schema", 1}, {"cells", Json::array()}, {"failed", Json::object()}};
+  std::map<std::string, SceneTable> tables;
+  std::string records, device, failures;
+  for (const fs::path &file : *files) {
+    const auto text = readTextFile(file.string());
+    if (!text)
+      return text.error();
+    if (file.extension() == ".failed") {
+      all["failed"][file.stem().string()] = *text;
+      failures += "- " + file.stem().string() + ": " + *text;
+      continue;
+    }
+    const Json cell = Json::parse(*text, nullptr, false);
+    if (file.extension() != ".json" || !cell.is_object() || !cell.contains("kernels"))
+      return Error::input("'" + file.string() + "' has no figures of voxc-gpu-day measure");
+    device = std::string(cell["device"]["name"]) + ", " + std::string(cell["device"]["driver"]);
+    for (const auto &[precision, kernel] : cell["kernels"].items()) {
+      for (const Json &row : kernel["rows"])
+        if (isOfTables(row))
+          records += toJson(recordOf(cell, precision, row)).dump() + "\n";
+      tables.try_emplace(cell["scene"], cell["scene"]).first->second.add(cell, precision, kernel["rows"]);
+    }
+    all["cells"].push_back(cell);
+  }
+  std::string table = "# " + device + "\n";
+  for (const auto &[scene, rows] : tables)
+    table += "\n" + rows.text();
+  if (!failures.empty())
+    table += "\n## Failed\n\n" + failures;
+  const auto path = [&](const char *name) { return (fs::path(output) / name).string(); };
+  for (const auto &[name, text] : {std::pair<const char *, std::string>{"gpu-day.json", all.dump(1) + "\n"},
+                                   {"results.jsonl", records},
+                                   {"table.md", table}})
+    if (auto written = tool::writeText(path(name), text); !written)
+      return written;
+  return {};
+}
+
+} // namespace voxc::gpu
