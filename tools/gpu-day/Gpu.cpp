@@ -42,7 +42,9 @@ Expected<void> choose(Gpu::State &state, std::string_view name) {
   vkEnumeratePhysicalDevices(state.instance, &count, devices.data());
   for (const bool processors : {false, true})
     for (const VkPhysicalDevice device : devices) {
-      VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+      VkPhysicalDeviceFloatControlsProperties floats{
+          VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FLOAT_CONTROLS_PROPERTIES};
+      VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES, &floats};
       VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
       vkGetPhysicalDeviceProperties2(device, &properties);
       const VkPhysicalDeviceProperties &of = properties.properties;
@@ -50,14 +52,15 @@ Expected<void> choose(Gpu::State &state, std::string_view name) {
         continue;
       state.physical = device;
       state.secondsOfTick = double(of.limits.timestampPeriod) * 1e-9;
-      state.facts = {of.deviceName,
-                     std::string(driver.driverName) + " " + driver.driverInfo,
-                     std::to_string(VK_API_VERSION_MAJOR(of.apiVersion)) + "." +
-                         std::to_string(VK_API_VERSION_MINOR(of.apiVersion)) + "." +
-                         std::to_string(VK_API_VERSION_PATCH(of.apiVersion)),
-                     0,
-                     processors,
-                     of.limits.maxComputeWorkGroupCount[0]};
+      state.facts = {.name = of.deviceName,
+                     .driver = std::string(driver.driverName) + " " + driver.driverInfo,
+                     .api = std::to_string(VK_API_VERSION_MAJOR(of.apiVersion)) + "." +
+                            std::to_string(VK_API_VERSION_MINOR(of.apiVersion)) + "." +
+                            std::to_string(VK_API_VERSION_PATCH(of.apiVersion)),
+                     .isProcessor = processors,
+                     .roundsToNearest = floats.shaderRoundingModeRTEFloat32 != VK_FALSE,
+                     .mostGroups = of.limits.maxComputeWorkGroupCount[0],
+                     .mostStorageBytes = of.limits.maxStorageBufferRange};
       vkGetPhysicalDeviceMemoryProperties(device, &state.memory);
       for (std::uint32_t heap = 0; heap < state.memory.memoryHeapCount; ++heap)
         if (state.memory.memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)

@@ -20,8 +20,10 @@ struct GpuFacts {
   std::string name, driver, api;
   std::uint64_t memoryBytes = 0;
   bool isProcessor = false;
-  std::uint32_t mostGroups = 0; ///< Of a dispatch.
-  bool hasStatistics = false;   ///< Of pipelines: VK_KHR_pipeline_executable_properties.
+  bool roundsToNearest = false;       ///< Float32, where a program asks for it.
+  std::uint32_t mostGroups = 0;       ///< Of a dispatch.
+  std::uint64_t mostStorageBytes = 0; ///< Of a buffer that a program reads.
+  bool hasStatistics = false;         ///< Of pipelines: VK_KHR_pipeline_executable_properties.
 };
 
 /// Memory on the device, for all that programs bind.

@@ -16,22 +16,14 @@ constexpr std::uint32_t kAll = 0, kLeftOver = 1;
 
 constexpr std::uint64_t kListHead = 4; // Words before the numbers of rays in the list.
 
-Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool settles, std::uint32_t group) {
-  const std::array constants = {ProgramConstant{kSettles, settles}, ProgramConstant{kComesNear, 0},
+Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool settles, std::uint32_t group,
+                              bool anywhere) {
+  const std::array constants = {ProgramConstant{kSettles, settles}, ProgramConstant{kComesNear, anywhere},
                                 ProgramConstant{kGroup, group}};
   return Program::make(gpu, kernel.spirv, 4, 3, constants);
 }
 
 } // namespace
-
-/// A kernel that is ready, with workgroups of a size.
-struct KernelSubject::Way {
-  std::uint32_t group;
-  Program leaves, settles;
-  GpuBuffer list; ///< Of the rays that the first leaves to the second.
-
-  std::vector<GpuStep> stepsOf(std::uint64_t rays, std::uint32_t mostGroups, bool atOnce) const;
-};
 
 std::vector<GpuStep> KernelSubject::Way::stepsOf(std::uint64_t rays, std::uint32_t mostGroups,
                                                  bool atOnce) const {
@@ -53,6 +45,10 @@ std::vector<GpuStep> KernelSubject::Way::stepsOf(std::uint64_t rays, std::uint32
 
 Expected<KernelSubject> KernelSubject::make(const Gpu &gpu, const Volume &volume,
                                             const KernelOptions &options) {
+  if (volume.words().size_bytes() > gpu.facts().mostStorageBytes)
+    return Error::environment("the volume has " + std::to_string(volume.words().size_bytes()) +
+                              " bytes, and a buffer of the device holds " +
+                              std::to_string(gpu.facts().mostStorageBytes));
   auto words = gpu.makeBuffer(volume.words().size() * sizeof(std::uint32_t));
   if (!words)
     return words.error();
@@ -62,11 +58,17 @@ Expected<KernelSubject> KernelSubject::make(const Gpu &gpu, const Volume &volume
 }
 
 Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::uint32_t group,
-                                                    std::uint64_t mostRays) const {
-  auto leaves = makeVariant(*gpu_, kernel, false, group);
+                                                    std::uint64_t mostRays, bool anywhere) const {
+  if (kernel.storageDigest != volume_->storageDigest())
+    return Error::input("the kernel was made for volumes that are stored in another way");
+  if (kernel.arithmetic == Arithmetic::Ieee ||
+      (kernel.arithmetic == Arithmetic::Nearest && !gpu_->facts().roundsToNearest))
+    return Error::environment("the kernel relies on arithmetic=" + std::string(toString(kernel.arithmetic)) +
+                              ", which is not known of the device");
+  auto leaves = makeVariant(*gpu_, kernel, false, group, anywhere);
   if (!leaves)
     return leaves.error();
-  auto settles = makeVariant(*gpu_, kernel, true, group);
+  auto settles = makeVariant(*gpu_, kernel, true, group, anywhere);
   if (!settles)
     return settles.error();
   auto list = gpu_->makeBuffer((kListHead + mostRays) * sizeof(std::uint32_t));
@@ -75,11 +77,15 @@ Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::u
   return Way{group, std::move(*leaves), std::move(*settles), std::move(*list)};
 }
 
-Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, bool atOnce) const {
+void KernelSubject::bind(const Way &way, const GpuBuffer &rays, const GpuBuffer &hits) const {
   for (const Program *const program : {&way.leaves, &way.settles})
-    program->bind(std::array{&set.buffer, &set.hits, &words_, &way.list});
+    program->bind(std::array{&rays, &hits, &words_, &way.list});
+}
+
+Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, bool atOnce) const {
+  bind(way, set.buffer, set.hits);
   const std::vector<GpuStep> steps = way.stepsOf(set.rays.size(), gpu_->facts().mostGroups, atOnce);
-  const auto times = timeSteps(*gpu_, steps, options_->seconds);
+  const auto times = timeSteps(*gpu_, steps, options_.seconds);
   if (!times)
     return times.error();
   std::vector<Hit> hits(set.rays.size());
@@ -88,7 +94,9 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
   std::array<std::uint32_t, kListHead> list{};
   if (auto read = gpu_->download(way.list, std::as_writable_bytes(std::span(list))); !read)
     return read.error();
-  const Difference difference = differenceOf(hits, set.exact);
+  Difference difference = differenceOf(hits, set.exact);
+  if (volume_->layout().payload == Payload::Occupancy)
+    difference.colour = 0; // It keeps none.
   return tool::Json{{"rays", set.name},
                     {"count", set.rays.size()},
                     {"group", way.group},
@@ -101,23 +109,21 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
 }
 
 Expected<tool::Json> KernelSubject::measure(const Kernel &kernel, std::span<const RaysThere> sets) const {
-  if (kernel.storageDigest != volume_->storageDigest())
-    return Error::input("the kernel was made for volumes that are stored in another way");
   std::uint64_t mostRays = 0;
   for (const RaysThere &set : sets)
     mostRays = std::max<std::uint64_t>(mostRays, set.rays.size());
   tool::Json rows = tool::Json::array(), programs = tool::Json::array();
-  std::vector<std::uint32_t> groups = options_->groups;
+  std::vector<std::uint32_t> groups = options_.groups;
   groups.insert(groups.begin(), kWorkgroupSize);
   for (const std::uint32_t group : groups) {
-    const auto way = makeWay(kernel, group, mostRays);
+    const auto way = makeWay(kernel, group, mostRays, false);
     if (!way)
       return way.error();
     programs.push_back(
         {{"group", group}, {"leaves", figuresJson(way->leaves)}, {"settles", figuresJson(way->settles)}});
     for (const RaysThere &set : sets)
-      for (const bool atOnce : {false, true}) {
-        auto row = trace(*way, set, atOnce);
+      for (int atOnce = 0; atOnce <= int(options_.atOnce); ++atOnce) {
+        auto row = trace(*way, set, atOnce != 0);
         if (!row)
           return row.error();
         rows.push_back(std::move(*row));

@@ -1,6 +1,8 @@
 // Rays on a device, and times of programs.
 #include "Subject.h"
 
+#include "Clock.h"
+
 #include <algorithm>
 
 namespace voxc::gpu {
@@ -50,6 +52,7 @@ Expected<Times> timeSteps(const Gpu &gpu, std::span<const GpuStep> steps, double
     for (std::size_t i = 0; i < steps.size(); ++i)
       ofStep[i].push_back((*run)[i]);
   }
+  times.megahertz = clockMegahertz();
   std::ranges::sort(times.totals);
   for (std::vector<double> &all : ofStep) {
     std::ranges::sort(all);
@@ -60,10 +63,13 @@ Expected<Times> timeSteps(const Gpu &gpu, std::span<const GpuStep> steps, double
 
 tool::Json speedJson(std::size_t rays, const Times &times) {
   const auto speed = [&](double seconds) { return static_cast<double>(rays) / seconds / 1e6; };
-  return {{"runs", times.totals.size()},
-          {"median", speed(times.median())},
-          {"min", speed(times.totals.back())},
-          {"max", speed(times.totals.front())}};
+  tool::Json figures{{"runs", times.totals.size()},
+                     {"median", speed(times.median())},
+                     {"min", speed(times.totals.back())},
+                     {"max", speed(times.totals.front())}};
+  if (times.megahertz)
+    figures["clock_mhz"] = *times.megahertz;
+  return figures;
 }
 
 tool::Json figuresJson(const Program &program) {

@@ -25,8 +25,9 @@ Expected<RaysThere> bringRays(const Gpu &gpu, const std::string &name, std::span
 
 /// Seconds of many runs of the same steps.
 struct Times {
-  std::vector<double> totals; ///< Of all steps of a run, in rising order.
-  std::vector<double> steps;  ///< The median of each step.
+  std::vector<double> totals;        ///< Of all steps of a run, in rising order.
+  std::vector<double> steps;         ///< The median of each step.
+  std::optional<unsigned> megahertz; ///< The device's clock behind the last run.
   double median() const { return totals[totals.size() / 2]; }
 };
 

@@ -91,7 +91,7 @@ public:
     for (const Json &row : rows)
       if (isOfTables(row)) {
         sets.push_back(row.at("rays"));
-        line += " " + number("%.2f", row.at("mrays_per_s").at("median").get<double>() / 1000) + " |";
+        line += " " + number("%.3g", row.at("mrays_per_s").at("median").get<double>() / 1000) + " |";
         rays += row.at("count").get<std::uint64_t>();
         ulp = std::max(ulp, row.at("error").value("max_ulp_dt", std::uint64_t{0}));
       }
@@ -118,45 +118,110 @@ private:
   std::uint64_t rays_ = 0;
 };
 
+/// All that a day has found.
+class Day {
+public:
+  Expected<void> readFolder(const fs::path &folder);
+  std::string json() const { return all_.dump(1) + "\n"; }
+  const std::string &records() const { return records_; }
+  std::string table() const;
+
+private:
+  Expected<void> readFile(const fs::path &file);
+  void addCell(const Json &cell);
+  void addLattice(const Json &cell);
+  void fail(const std::string &what, const std::string &sentence);
+
+  Json all_{{"schema", 1}, {"cells", Json::array()}, {"lattice", Json::array()}, {"failed", Json::object()}};
+  std::map<std::string, SceneTable> tables_;
+  std::string records_, device_, failures_, lattice_;
+  std::uint64_t latticeRays_ = 0;
+};
+
+void Day::fail(const std::string &what, const std::string &sentence) {
+  all_["failed"][what] = sentence;
+  failures_ += "- " + what + ": " + sentence + "\n";
+}
+
+void Day::addCell(const Json &cell) {
+  for (const auto &[kind, kernel] : cell["kernels"].items()) {
+    if (kernel.contains("failed")) {
+      fail(std::string(cell.at("label")) + ", " + kind, kernel["failed"]);
+      continue;
+    }
+    for (const Json &row : kernel["rows"])
+      if (isOfTables(row))
+        records_ += toJson(recordOf(cell, kind, row)).dump() + "\n";
+    tables_.try_emplace(cell["scene"], cell["scene"]).first->second.add(cell, kind, kernel["rows"]);
+  }
+  all_["cells"].push_back(cell);
+}
+
+void Day::addLattice(const Json &cell) {
+  for (const auto &[kind, found] : cell["lattice"].items()) {
+    const auto rays = found.at("rays").get<std::uint64_t>();
+    latticeRays_ += rays;
+    lattice_ += "| " + std::string(cell.at("format")) + " | " + kind + " | " + std::to_string(rays) + " | " +
+                std::to_string(found.at("hits").get<std::uint64_t>()) + " | " +
+                std::to_string(found.at("wrong").get<std::uint64_t>()) + " |\n";
+  }
+  all_["lattice"].push_back(cell);
+}
+
+Expected<void> Day::readFile(const fs::path &file) {
+  const auto text = readTextFile(file.string());
+  if (!text)
+    return text.error();
+  if (file.extension() == ".failed") {
+    fail(file.stem().string(), text->substr(0, text->find('\n')));
+    return {};
+  }
+  const Json cell = Json::parse(*text, nullptr, false);
+  if (!cell.is_object() || !cell.contains("device") ||
+      !(cell.contains("kernels") || cell.contains("lattice")))
+    return Error::input("'" + file.string() + "' has no figures of voxc-gpu-day");
+  device_ = std::string(cell["device"]["name"]) + ", " + std::string(cell["device"]["driver"]);
+  if (cell.contains("kernels"))
+    addCell(cell);
+  else
+    addLattice(cell);
+  return {};
+}
+
+Expected<void> Day::readFolder(const fs::path &folder) {
+  const auto files = filesOf(folder.string());
+  if (!files)
+    return files.error();
+  for (const fs::path &file : *files)
+    if (file.extension() == ".json" || file.extension() == ".failed")
+      if (auto read = readFile(file); !read)
+        return read;
+  return {};
+}
+
+std::string Day::table() const {
+  std::string text = "# " + device_ + "\n";
+  for (const auto &[scene, rows] : tables_)
+    text += "\n" + rows.text();
+  if (!lattice_.empty())
+    text += "\n## Hard rays\n\n" + std::to_string(latticeRays_) +
+            " rays of a lattice against exact hits by integers, all compared on the device.\n\n"
+            "| Format | arithmetic | rays | hits | wrong |\n|---|---|---|---|---|\n" +
+            lattice_;
+  return failures_.empty() ? text : text + "\n## Failed\n\n" + failures_;
+}
+
 } // namespace
 
 Expected<void> writeTables(const std::string &folder, const std::string &output) {
-  const auto files = filesOf(folder);
-  if (!files)
-    return files.error();
-  Json all{{"schema", 1}, {"cells", Json::array()}, {"failed", Json::object()}};
-  std::map<std::string, SceneTable> tables;
-  std::string records, device, failures;
-  for (const fs::path &file : *files) {
-    const auto text = readTextFile(file.string());
-    if (!text)
-      return text.error();
-    if (file.extension() == ".failed") {
-      all["failed"][file.stem().string()] = *text;
-      failures += "- " + file.stem().string() + ": " + *text;
-      continue;
-    }
-    const Json cell = Json::parse(*text, nullptr, false);
-    if (file.extension() != ".json" || !cell.is_object() || !cell.contains("kernels"))
-      return Error::input("'" + file.string() + "' has no figures of voxc-gpu-day measure");
-    device = std::string(cell["device"]["name"]) + ", " + std::string(cell["device"]["driver"]);
-    for (const auto &[precision, kernel] : cell["kernels"].items()) {
-      for (const Json &row : kernel["rows"])
-        if (isOfTables(row))
-          records += toJson(recordOf(cell, precision, row)).dump() + "\n";
-      tables.try_emplace(cell["scene"], cell["scene"]).first->second.add(cell, precision, kernel["rows"]);
-    }
-    all["cells"].push_back(cell);
-  }
-  std::string table = "# " + device + "\n";
-  for (const auto &[scene, rows] : tables)
-    table += "\n" + rows.text();
-  if (!failures.empty())
-    table += "\n## Failed\n\n" + failures;
+  Day day;
+  for (const char *const part : {"cells", "lattice"})
+    if (auto read = day.readFolder(fs::path(folder) / part); !read)
+      return read;
   const auto path = [&](const char *name) { return (fs::path(output) / name).string(); };
-  for (const auto &[name, text] : {std::pair<const char *, std::string>{"gpu-day.json", all.dump(1) + "\n"},
-                                   {"results.jsonl", records},
-                                   {"table.md", table}})
+  for (const auto &[name, text] :
+       {std::pair{"gpu-day.json", day.json()}, std::pair{"results.jsonl", day.records()},
+        std::pair{"table.md", day.table()}})
     if (auto written = tool::writeText(path(name), text); !written)
       return written;
   return {};

@@ -7,9 +7,9 @@
 
 namespace voxc::gpu {
 
-/// Reads every *.json of `folder`, as `measure` wrote them, and those that failed, *.failed with a sentence;
-/// writes gpu-day.json, results.jsonl and table.md to `output`. Errors: a file that is none of these
-/// (`Input`), or that cannot be written (`Environment`).
+/// Reads the figures below `folder`: cells/*.json, as `measure` wrote them, lattice/*.json of `lattice`, and
+/// of those that failed *.failed with a sentence. Writes gpu-day.json, results.jsonl and table.md to
+/// `output`. Errors: a file that is none of these (`Input`), or that cannot be written (`Environment`).
 Expected<void> writeTables(const std::string &folder, const std::string &output);
 
 } // namespace voxc::gpu

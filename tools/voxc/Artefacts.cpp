@@ -21,18 +21,19 @@ namespace {
 /// Plans for one target each, made of a format when they are first asked for; or one plan, if it is for that.
 class Plans {
 public:
-  Plans(const std::variant<Format, Plan> &source, Addressing addressing)
-      : source_(source), addressing_(addressing) {}
+  Plans(const std::variant<Format, Plan> &source, const PlanOptions &device)
+      : source_(source), device_(device) {}
 
   /// The format, unless there is a plan alone.
   const Format *format() const { return std::get_if<Format>(&source_); }
   /// The plan that was given; null without.
   const Plan *given() const { return std::get_if<Plan>(&source_); }
 
-  Expected<const Plan *> device() { return planFor(EmitTarget::Device, {.addressing = addressing_}); }
+  Expected<const Plan *> device() { return planFor(EmitTarget::Device, device_); }
   /// For devices of other interfaces, which run every loop to its end.
   Expected<const Plan *> translated() {
-    return planFor(EmitTarget::Device, {.addressing = addressing_, .loops = Loops::Whole}, translated_);
+    return planFor(EmitTarget::Device, {.addressing = device_.addressing, .loops = Loops::Whole},
+                   translated_);
   }
   Expected<const Plan *> cpu() { return planFor(EmitTarget::Processor, kCpuPlan); }
   Expected<const Plan *> functions(EmitTarget target = EmitTarget::Functions) {
@@ -59,7 +60,7 @@ private:
   }
 
   std::variant<Format, Plan> source_;
-  Addressing addressing_;
+  PlanOptions device_;
   std::array<std::optional<Plan>, 4> made_; ///< In the order of `EmitTarget`.
   std::optional<Plan> translated_;
 };
@@ -109,7 +110,7 @@ public:
 
 private:
   Generator(const std::variant<Format, Plan> &source, const KernelChoices &choices)
-      : plans_(source, choices.addressing), choices_(choices) {}
+      : plans_(source, choices.device), choices_(choices) {}
 
   Plans plans_;
   KernelChoices choices_;

@@ -16,7 +16,7 @@ namespace voxc::tool {
 
 /// How kernels are compiled.
 struct KernelChoices {
-  Addressing addressing = Addressing::Buffer;
+  PlanOptions device;    ///< Of kernels for devices.
   bool optimise = false; ///< spirv-opt.
   CpuObjectOptions cpu;
   std::string name; ///< Of the functions in a header; "" takes one made of the format.

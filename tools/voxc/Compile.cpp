@@ -32,8 +32,8 @@ std::vector<std::string> addressingNames() {
   return names;
 }
 
-std::vector<std::string> languageNames() {
-  return {kEnumNames<HeaderLanguage>.begin(), kEnumNames<HeaderLanguage>.end()};
+template <typename Enum> std::vector<std::string> namesOf() {
+  return {kEnumNames<Enum>.begin(), kEnumNames<Enum>.end()};
 }
 
 class CompileCommand final : public Subcommand {
@@ -56,6 +56,8 @@ private:
   std::string folder_ = ".";
   std::vector<std::string> kinds_{"construct", "glsl"};
   std::string addressing_{toString(Addressing::Buffer)};
+  std::string loops_{toString(Loops::Cut)};
+  std::string arithmetic_{toString(Arithmetic::Any)};
   std::string language_{toString(HeaderLanguage::Shared)};
   bool optimise_ = false;
   CpuObjectOptions cpu_;
@@ -85,6 +87,21 @@ void CompileCommand::declare(const CommandLine &command) {
           .takes("buffer|segments")
           .oneOf(addressingNames())
           .showsDefault();
+  const Option loops =
+      command
+          .add("--loops", loops_,
+               "Whether the device runs every loop to its end, as GPUs do, or may cut it short")
+          .takes("whole|cut")
+          .oneOf(namesOf<Loops>())
+          .showsDefault();
+  const Option arithmetic = command
+                                .add("--arithmetic", arithmetic_,
+                                     "What the kernel relies on: that the device rounds float32 to nearest "
+                                     "if it is told to, or that "
+                                     "it counts as IEEE 754 says; any is right everywhere")
+                                .takes("any|nearest|ieee")
+                                .oneOf(namesOf<Arithmetic>())
+                                .showsDefault();
   command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
   command.add("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
       .takes("NAME")
@@ -104,9 +121,9 @@ void CompileCommand::declare(const CommandLine &command) {
            "GLSL and C++ in "
            "one text")
       .takes("shared|glsl|essl|cpp|cuda|hlsl|wgsl")
-      .oneOf(languageNames())
+      .oneOf(namesOf<HeaderLanguage>())
       .showsDefault();
-  planOptions_ = {addressing.name()};
+  planOptions_ = {addressing.name(), loops.name(), arithmetic.name()};
   const std::size_t before = command.options().size();
   attributes_.declare(command);
   attributes_.declareBounds(command);
@@ -144,7 +161,8 @@ Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Form
   const auto *addressing =
       std::ranges::find(kAddressings, addressing_, [](Addressing each) { return toString(each); });
   const HeaderLanguage language = *fromString<HeaderLanguage>(language_);
-  const KernelChoices choices = {*addressing, optimise_, cpu_, name_, language};
+  const PlanOptions device = {*addressing, *fromString<Loops>(loops_), *fromString<Arithmetic>(arithmetic_)};
+  const KernelChoices choices = {device, optimise_, cpu_, name_, language};
   return makeArtefacts(source, kinds_, choices, folder_ == "-");
 }
 

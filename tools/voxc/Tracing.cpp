@@ -31,6 +31,11 @@ void Tracing::declare(const CommandLine &command) {
       .takes("N")
       .between(1u, 1024u);
   addOrderArgument(command, order_);
+  command
+      .add("--arithmetic", arithmetic_,
+           "What kernels for a Vulkan device rely on, as of voxc compile; default: all that is known of it")
+      .takes("any|nearest|ieee")
+      .oneOf({kEnumNames<Arithmetic>.begin(), kEnumNames<Arithmetic>.end()});
   command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
 }
 
@@ -68,6 +73,10 @@ Expected<void> Tracing::prepare(const Volume &volume, const Format &format, Json
   return {};
 }
 
+Arithmetic Tracing::arithmetic() const {
+  return arithmetic_.empty() ? device_->info().arithmetic : *fromString<Arithmetic>(arithmetic_);
+}
+
 Expected<std::unique_ptr<Tracer>> Tracing::makeCpuTracer(const Volume &volume, const Format &format,
                                                          Json &figures) {
   const Stopwatch watch;
@@ -98,7 +107,7 @@ Expected<std::unique_ptr<Tracer>> Tracing::makeVulkanTracer(const Volume &volume
   const Addressing addressing = device_->addressingFor(volume);
   Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing,
                                                    .loops = device_->info().loops,
-                                                   .arithmetic = device_->info().arithmetic,
+                                                   .arithmetic = arithmetic(),
                                                    .optimise = optimise_,
                                                    .cache = cache_});
   if (!kernel)

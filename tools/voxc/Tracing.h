@@ -20,7 +20,7 @@ namespace voxc::tool {
 
 class Tracing {
 public:
-  /// Adds --device, --threads, --order and --spirv-opt to a command.
+  /// Adds --device, --threads, --order, --arithmetic and --spirv-opt to a command.
   void declare(const CommandLine &command);
 
   /// Chooses as --device and --threads do, in a command that has several of these.
@@ -67,6 +67,8 @@ public:
   unsigned threads() const { return threads_; }
 
 private:
+  /// What kernels for the open device rely on.
+  Arithmetic arithmetic() const;
   Expected<std::unique_ptr<Tracer>> makeCpuTracer(const Volume &volume, const Format &format, Json &figures);
   Expected<std::unique_ptr<Tracer>> makeVulkanTracer(const Volume &volume, const Format &format,
                                                      Json &figures);
@@ -79,6 +81,7 @@ private:
 
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.
+  std::string arithmetic_;
   bool optimise_ = false;
   const CompileCache *cache_ = nullptr;
   CpuStart start_ = CpuStart::Whole;

@@ -43,7 +43,7 @@ Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const Page
   const Stopwatch watch;
   const Expected<Kernel> kernel = compileKernel(format, {.addressing = Addressing::Paged,
                                                          .loops = device_->info().loops,
-                                                         .arithmetic = device_->info().arithmetic,
+                                                         .arithmetic = arithmetic(),
                                                          .optimise = optimise_,
                                                          .cache = cache_});
   if (!kernel)

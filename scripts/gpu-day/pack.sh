@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# Makes the pack of a GPU day: programs, kernels, scenes and rays for a machine that has a driver and nothing else:
+#   scripts/gpu-day.sh pack FILE.tar.xz [--scene NAME=INPUT]... [--cameras CAMERAS.json] [--peers DIR] [--bin DIR]
+# A scene is any INPUT of voxc build; without one it is builtin:terrain:1024. Peers are tracers by hand with a scene of their own:
+# a folder with svdag.comp, t_svdag.cpp and so on, as its run script compiles them.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$here/../..
+file=$(realpath -m "$1")
+shift
+scenes=() peers='' bin=$root/build/release/bin cameras=$here/cameras.json
+while [ $# -gt 0 ]; do
+  case $1 in
+  --scene) scenes+=("$2") ;;
+  --peers) peers=$(realpath "$2") ;;
+  --cameras) cameras=$(realpath "$2") ;;
+  --bin) bin=$(realpath "$2") ;;
+  *) echo "gpu-day: unknown option '$1'; there are --scene, --cameras, --peers and --bin" >&2; exit 2 ;;
+  esac
+  shift 2
+done
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+pack=$work/gpu-day
+mkdir -p "$pack"/{bin,lib,scenes,kernels,lattice,cuda,peers}
+
+# Programs, and the libraries that a machine may lack.
+cp "$bin/voxc" "$bin/voxc-gpu-day" "$pack/bin"
+strip "$pack"/bin/*
+ldd "$bin/voxc" "$bin/voxc-gpu-day" | awk '$3 ~ /^\// {print $3}' | sort -u |
+  grep -v -E '/(libc|libm|libdl|libpthread|librt|ld-linux[^/]*)\.so' | xargs -I{} cp -L {} "$pack/lib"
+# What drivers of NVIDIA ask of a system with no display.
+for library in libX11 libXext libxcb libXau libXdmcp libbsd libmd; do
+  cp -L /usr/lib/x86_64-linux-gnu/$library.so.[0-9] "$pack/lib" 2>/dev/null || true
+done
+strip "$pack"/lib/*
+cp "$here/run.sh" "$pack"
+cp "$cameras" "$pack/cameras.json"
+grep -v '^#' "$here/formats.txt" >"$pack/formats.txt"
+
+# Scenes, small: shapes shared, colours apart.
+if [ -n "$peers" ]; then
+  (cd "$work" && g++ -O2 -std=c++20 "$peers/dump.cpp" -o dump -pthread && ./dump 1024 reference >&2)
+  scenes=("reference=$work/reference.ply" "${scenes[@]}")
+elif [ ${#scenes[@]} = 0 ]; then
+  scenes=(terrain=builtin:terrain:1024)
+fi
+for scene in "${scenes[@]}"; do
+  "$bin/voxc" build 'R(2^3) M(2^3) M(2^3) M(2^3) M(2^3)' "${scene#*=}" --share-grids --values-apart --short-pointers \
+    --compress -o "$pack/scenes/${scene%%=*}.hvx" --quiet
+  echo "${scene%%=*}" >>"$pack/scenes.txt"
+done
+
+# Kernels: exact and fast ones that round to nearest, and exact ones that rely on nothing.
+kernel() { # NAME KIND FORMAT OPTION...
+  "$bin/voxc" compile "$3" --emit=spirv --loops whole "${@:4}" -o "$work/kernel" --quiet
+  spirv-val --target-env vulkan1.2 "$work/kernel/intersect.spv"
+  mv "$work/kernel/intersect.spv" "$1.$2.spv"
+}
+while IFS=$'\t' read -r name format passes; do
+  # shellcheck disable=SC2086 # Passes are words.
+  for kind in exact fast any; do
+    case $kind in
+    exact) options='--arithmetic nearest' ;;
+    fast) options='--arithmetic nearest --precision fast' ;;
+    any) options='--arithmetic any' ;;
+    esac
+    kernel "$pack/kernels/$name" $kind "$format" $passes $options
+  done
+done <"$pack/formats.txt"
+
+# Hard rays: small volumes of every kind of level.
+for program in lattice compare; do
+  glslangValidator -V --target-env vulkan1.2 --quiet "$root/tools/gpu-day/$program.comp" -o "$pack/lattice/$program.spv"
+done
+number=0
+for format in 'R(6^3)' 'D(3^3,6) R(3^3)' 'G(6)' 'S(6)' 'M(3^3) M(3^3)' 'R(2^3) G(4)' 'H(3^3) G(3)'; do
+  number=$((number + 1))
+  "$bin/voxc" build "$format" builtin:terrain:64 -o "$pack/lattice/$number.hvx" --compress --quiet
+  for kind in nearest any; do kernel "$pack/lattice/$number" $kind "$format" --arithmetic $kind; done
+done
+
+# CUDA: the header's functions as PTX, and their text for a toolkit that may be there.
+for name in octants dag; do
+  IFS=$'\t' read -r _ format passes < <(grep -P "^$name\t" "$pack/formats.txt")
+  for kind in exact fast; do
+    mkdir -p "$pack/cuda/$name.$kind"
+    # shellcheck disable=SC2086 # Passes are words.
+    "$bin/voxc" compile "$format" $passes --precision $kind --emit=header --language cuda --name scene \
+      -o "$pack/cuda/$name.$kind" --quiet
+    clang++-19 -x cuda --cuda-device-only --cuda-gpu-arch=sm_70 -nocudainc -nocudalib -std=c++20 -O3 \
+      -Wno-unknown-cuda-version -I "$pack/cuda/$name.$kind" -S "$root/tools/gpu-day/trace.cu" \
+      -o "$pack/cuda/$name.clang-$kind.ptx"
+  done
+done
+cp "$root/tools/gpu-day/trace.cu" "$pack/cuda"
+
+# Tracers by hand: their kernels, and what makes their nodes.
+if [ -n "$peers" ]; then
+  for kind in own aadf aadf3 svdag; do # Without their measurements.
+    sed 's/\breport("/if(0) report("/' "$peers/t_$kind.cpp" >"$work/t_$kind.cpp"
+    g++ -O2 -std=c++20 -static -I "$peers" "$work/t_$kind.cpp" -o "$pack/peers/t_$kind" -pthread
+    strip "$pack/peers/t_$kind"
+  done
+  for kind in aadf aadf3 tree64v4 svdag; do
+    glslangValidator -V --quiet "$peers/$kind.comp" -o "$pack/peers/$kind.spv"
+  done
+  glslangValidator -V --quiet -DSTACK "$peers/svdag.comp" -o "$pack/peers/svdag_stack.spv"
+fi
+
+tar -C "$work" -c gpu-day | xz -T0 -6 >"$file"
+echo "gpu-day: $file, $(($(stat -c %s "$file") / 1000000)) MB: scripts/gpu-day.sh run FILE OUT there"

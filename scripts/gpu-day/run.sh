@@ -1,0 +1,122 @@
+#!/bin/sh
+# Measures all that a pack holds on the GPU of this machine, of which it needs a driver and nothing else; in the unpacked pack:
+#   sh run.sh OUT [SECONDS=480] [DEVICE]
+# It ends after so many seconds, and goes on where it ended when it is run again. OUT has gpu-day.json, results.jsonl, which
+# `voxc bench report` reads, and table.md.
+set -u
+pack=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$1/cells" "$1/lattice" "$1/volumes" "$1/lib"
+out=$(cd "$1" && pwd)
+seconds=${2:-480} device=${3:-}
+start=$(date +%s)
+PATH=$PATH:/sbin:/usr/sbin
+export PATH
+
+say() { echo "gpu-day: $(($(date +%s) - start)) s: $*"; }
+is_over() { [ $(($(date +%s) - start)) -ge "$seconds" ]; }
+
+# Libraries that this machine lacks, and no others: a driver brings its own.
+for library in "$pack"/lib/*; do
+  name=$(basename "$library")
+  ldconfig -p | grep -q -F "$name " || ln -sf "$library" "$out/lib/$name"
+done
+LD_LIBRARY_PATH=$out/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+export LD_LIBRARY_PATH
+if ! "$pack/bin/voxc" --version >/dev/null 2>&1; then # Those here are older than what the programs need.
+  for library in "$pack"/lib/*; do ln -sf "$library" "$out/lib/"; done
+fi
+"$pack/bin/voxc" devices | tee "$out/devices.txt"
+if command -v nvidia-smi >/dev/null; then nvidia-smi -q -d CLOCK,POWER >"$out/nvidia-smi.txt" 2>&1; fi
+
+# One figure file, unless it is there; a failure is a sentence in its place, and the next one is begun.
+cell() { # FOLDER NAME PROGRAM ARGUMENT...
+  into=$out/$1/$2
+  shift 2
+  if [ -e "$into.json" ] || [ -e "$into.failed" ] || is_over; then return; fi
+  "$@" -o "$into.part" 2>"$into.error"
+  status=$?
+  if [ -e "$into.part" ]; then
+    mv "$into.part" "$into.json"
+  elif [ -s "$into.error" ]; then
+    sed 's/^voxc-gpu-day: error: //' "$into.error" | head -n 1 >"$into.failed"
+  else
+    echo "the program ended with status $status" >"$into.failed"
+  fi
+  say "$(basename "$into")$([ -e "$into.failed" ] && echo ": $(cat "$into.failed")")"
+  rm -f "$into.error"
+}
+
+gpu_day=$pack/bin/voxc-gpu-day
+jobs=$(nproc)
+tab=$(printf '\t')
+
+# Right before fast: hard rays, as many as ten thousand million in all.
+for volume in "$pack"/lattice/*.hvx; do
+  number=$(basename "$volume" .hvx)
+  cell lattice "$number" "$gpu_day" lattice "$volume" --kernel "$pack/lattice/$number.nearest.spv" \
+    --kernel "$pack/lattice/$number.any.spv" --programs "$pack/lattice" --device "$device" --label "$number" --seed "$number" \
+    --count "${GPU_DAY_RAYS:-750000000}" --seconds "${GPU_DAY_RAY_SECONDS:-10}"
+done
+
+while read -r name; do
+  scene=$pack/scenes/$name.hvx
+  # Volumes, as many at a time as there are processors; rays with the oracle's hits meanwhile.
+  running=0
+  while IFS="$tab" read -r format_name format passes; do
+    volume=$out/volumes/$name.$format_name.hvx
+    if [ -e "$volume" ] || is_over; then continue; fi
+    # shellcheck disable=SC2086 # Passes are words.
+    "$pack/bin/voxc" build "$format" "$scene" $passes --threads 1 -o "$volume" --quiet </dev/null &
+    running=$((running + 1))
+    if [ $((running % jobs)) -eq 0 ]; then wait; fi
+  done <"$pack/formats.txt"
+  if is_over; then break; fi
+  "$gpu_day" rays "$scene" "$pack/cameras.json" --scene "$name" --size "${GPU_DAY_SIZE:-3840x2160}" -o "$out/rays/$name" || exit 1
+  if [ "$name" = reference ] && [ ! -e "$out/peers/svdag.bin" ]; then
+    mkdir -p "$out/peers"
+    (cd "$out/peers" && for kind in 'own 1024 tree64.bin tree64v4.bin' 'aadf 1024 aadf.bin' 'aadf3 1024 aadf3.bin' \
+      'svdag 1024 svdag.bin'; do
+      # shellcheck disable=SC2086 # A program and its arguments.
+      "$pack"/peers/t_$kind >/dev/null &
+    done && wait)
+  fi
+  wait
+  say "volumes and rays of $name"
+  while IFS="$tab" read -r format_name format passes; do
+    cell cells "$name.$format_name" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" --label "$format $passes" \
+      --device "$device" --seconds 0.05 --volume "$out/volumes/$name.$format_name.hvx" \
+      --kernel "$pack/kernels/$format_name.exact.spv" --kernel "$pack/kernels/$format_name.fast.spv" \
+      --kernel "$pack/kernels/$format_name.any.spv" </dev/null
+  done <"$pack/formats.txt"
+  first=$(head -n 1 "$pack/scenes.txt")
+  if [ "$name" != "$first" ]; then continue; fi # What follows tells of programs more than of scenes.
+  for code in octants.clang dag.clang octants.nvcc dag.nvcc; do
+    format_name=${code%.*} compiler=${code#*.}
+    if [ "$compiler" = nvcc ]; then
+      command -v nvcc >/dev/null || [ -x /usr/local/cuda/bin/nvcc ] || continue
+      for kind in exact fast; do
+        [ -e "$out/$code-$kind.ptx" ] ||
+          (LD_LIBRARY_PATH='' PATH=$PATH:/usr/local/cuda/bin nvcc -arch=native -O3 -std=c++20 -I "$pack/cuda/$format_name.$kind" \
+            -ptx "$pack/cuda/trace.cu" -o "$out/$code-$kind.ptx" >"$out/nvcc.txt" 2>&1) &
+      done
+      wait
+      codes=$out/$code
+    else
+      codes=$pack/cuda/$code
+    fi
+    cell cells "$name.$format_name-cuda-$compiler" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" \
+      --label "$format_name, CUDA by $compiler" --device "$device" --seconds 0.05 \
+      --volume "$out/volumes/$name.$format_name.hvx" --cuda "$codes-exact.ptx" --cuda "$codes-fast.ptx"
+  done
+  if [ "$name" = reference ]; then
+    for peer in tree64v4 aadf aadf3 svdag svdag_stack; do
+      cell cells "$name.hand-$peer" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" --label "by hand: $peer" \
+        --device "$device" --seconds 0.05 --peer "$pack/peers/$peer.spv" --nodes "$out/peers/${peer%_stack}.bin"
+    done
+  fi
+  cell cells "$name.octants-groups" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name, sizes of groups" \
+    --label octants --device "$device" --seconds 0.05 --set bounce --set shadow --volume "$out/volumes/$name.octants.hvx" \
+    --kernel "$pack/kernels/octants.exact.spv" --group 32 --group 128 --group 256 --at-once
+done <"$pack/scenes.txt"
+"$gpu_day" table "$out" -o "$out" && cat "$out/table.md"
+if is_over; then say 'run it again to go on'; fi

@@ -1,0 +1,16 @@
+// The functions of the CUDA header on a device of NVIDIA's, by the driver alone.
+#pragma once
+
+#include "Subject.h"
+
+#include "voxc/Volume/Volume.h"
+
+namespace voxc::gpu {
+
+/// Traces all sets by the function `trace` of a PTX text or of a cubin (trace.cu): rows as of a kernel of
+/// Vulkan, timed by events. Errors: `Environment`, where there is no driver, or it refuses the code; what
+/// CUDA says.
+Expected<tool::Json> measureCuda(const std::string &code, const Volume &volume,
+                                 std::span<const RaysThere> sets, double seconds);
+
+} // namespace voxc::gpu
