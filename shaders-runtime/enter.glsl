@@ -164,8 +164,11 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     start = entered_compensated(ray, walk, sure);
   if (IEEE && !REFINES && SETTLES && !sure && ordinary && !near.is_far)
     start = entered_by_doubles(ray, walk, sure);
-  if (SETTLES && !sure)
-    start = entered_exactly(ray, walk, near.is_far);
+  if (SETTLES && !sure) {
+    Ray moved = ray; // What a function may change by reference stands in memory; the ray itself need not.
+    start = entered_exactly(moved, walk, near.is_far);
+    ray = moved;
+  }
   if (!SETTLES && !sure) {
     start = walk;
     start.cell = ivec3(-1);

@@ -26,6 +26,10 @@ if ! "$pack/bin/voxc" --version >/dev/null 2>&1; then # Those here are older tha
   for library in "$pack"/lib/*; do ln -sf "$library" "$out/lib/"; done
 fi
 "$pack/bin/voxc" devices | tee "$out/devices.txt"
+if ! grep -q '^0: ' "$out/devices.txt"; then
+  echo "gpu-day: there is no Vulkan device; 'VK_LOADER_DEBUG=all $pack/bin/voxc devices' says what the loader found" >&2
+  exit 3
+fi
 if command -v nvidia-smi >/dev/null; then nvidia-smi -q -d CLOCK,POWER >"$out/nvidia-smi.txt" 2>&1; fi
 
 # One figure file, unless it is there; a failure is a sentence in its place, and the next one is begun.
@@ -83,30 +87,31 @@ while read -r name; do
   wait
   say "volumes and rays of $name"
   while IFS="$tab" read -r format_name format passes; do
+    kernels=''
+    for kernel in "$pack/kernels/$format_name".*.spv; do kernels="$kernels --kernel $kernel"; done
+    # shellcheck disable=SC2086 # Kernels are words.
     cell cells "$name.$format_name" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" --label "$format $passes" \
-      --device "$device" --seconds 0.05 --volume "$out/volumes/$name.$format_name.hvx" \
-      --kernel "$pack/kernels/$format_name.exact.spv" --kernel "$pack/kernels/$format_name.fast.spv" \
-      --kernel "$pack/kernels/$format_name.any.spv" </dev/null
+      --device "$device" --seconds 0.05 --volume "$out/volumes/$name.$format_name.hvx" $kernels </dev/null
   done <"$pack/formats.txt"
   first=$(head -n 1 "$pack/scenes.txt")
   if [ "$name" != "$first" ]; then continue; fi # What follows tells of programs more than of scenes.
   for code in octants.clang dag.clang octants.nvcc dag.nvcc; do
-    format_name=${code%.*} compiler=${code#*.}
+    format_name=${code%.*} compiler=${code#*.} codes=$pack/cuda
     if [ "$compiler" = nvcc ]; then
-      command -v nvcc >/dev/null || [ -x /usr/local/cuda/bin/nvcc ] || continue
-      for kind in exact fast; do
-        [ -e "$out/$code-$kind.ptx" ] ||
-          (LD_LIBRARY_PATH='' PATH=$PATH:/usr/local/cuda/bin nvcc -arch=native -O3 -std=c++20 -I "$pack/cuda/$format_name.$kind" \
-            -ptx "$pack/cuda/trace.cu" -o "$out/$code-$kind.ptx" >"$out/nvcc.txt" 2>&1) &
+      nvcc=$(PATH=$PATH:/usr/local/cuda/bin command -v nvcc) || continue
+      codes=$out/cuda
+      mkdir -p "$codes"
+      for kind in exact-1 exact-16 fast-1 fast-16; do
+        if [ -e "$codes/$code-$kind.ptx" ]; then continue; fi
+        LD_LIBRARY_PATH='' "$nvcc" -arch=native -O3 -std=c++20 -DBLOCKS=${kind#*-} -I "$pack/cuda/$format_name.${kind%-*}" \
+          -ptx "$pack/cuda/trace.cu" -o "$codes/$code-$kind.ptx" >"$codes/$code-$kind.txt" 2>&1 &
       done
       wait
-      codes=$out/$code
-    else
-      codes=$pack/cuda/$code
     fi
     cell cells "$name.$format_name-cuda-$compiler" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" \
       --label "$format_name, CUDA by $compiler" --device "$device" --seconds 0.05 \
-      --volume "$out/volumes/$name.$format_name.hvx" --cuda "$codes-exact.ptx" --cuda "$codes-fast.ptx"
+      --volume "$out/volumes/$name.$format_name.hvx" --cuda "$codes/$code-exact-1.ptx" --cuda "$codes/$code-exact-16.ptx" \
+      --cuda "$codes/$code-fast-1.ptx" --cuda "$codes/$code-fast-16.ptx"
   done
   if [ "$name" = reference ]; then
     for peer in tree64v4 aadf aadf3 svdag svdag_stack; do

@@ -88,8 +88,9 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
   const auto times = timeSteps(*gpu_, steps, options_.seconds);
   if (!times)
     return times.error();
-  std::vector<Hit> hits(set.rays.size());
-  if (auto read = gpu_->download(set.hits, std::as_writable_bytes(std::span(hits))); !read)
+  hits_.resize(set.rays.size()); // Kept: pages of a new one would take longer than the rays.
+  const std::span<Hit> hits(hits_);
+  if (auto read = gpu_->download(set.hits, std::as_writable_bytes(hits)); !read)
     return read.error();
   std::array<std::uint32_t, kListHead> list{};
   if (auto read = gpu_->download(way.list, std::as_writable_bytes(std::span(list))); !read)

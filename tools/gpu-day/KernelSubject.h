@@ -49,6 +49,7 @@ private:
   const Volume *volume_;
   KernelOptions options_;
   GpuBuffer words_;
+  mutable std::vector<Hit> hits_;
 };
 
 } // namespace voxc::gpu

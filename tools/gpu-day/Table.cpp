@@ -37,9 +37,11 @@ Record recordOf(const Json &cell, const std::string &precision, const Json &row)
   const Json &device = cell.at("device"), &speed = row.at("mrays_per_s"), &error = row.at("error");
   record.model = {cell.at("scene"), cell.at("scene"), Digest().add(std::string(cell.at("scene"))).hex()};
   record.format.label = cell.at("label");
+  record.precision = precision.find("fast") != std::string::npos ? "fast" : "exact";
+  if (precision != record.precision)
+    record.format.label += ", " + precision;
   record.format.name = cell.value("format", record.format.label);
   record.format.digest = Digest().add(record.format.label).add(record.format.name).hex();
-  record.precision = precision == "fast" ? "fast" : "exact";
   record.device = {device.at("name"), "vulkan", device.at("driver"), {}, "gpu"};
   record.rays = {row.at("rays"), "file", row.at("count"), {}, Digest().add(std::string(row.at("rays"))).hex(),
                  "given"};

@@ -3,6 +3,14 @@
 #ifdef __clang__
 #define __global__ __attribute__((global))
 #endif
+#ifndef BLOCKS // Of 64 threads, at least so many on a multiprocessor: a bound on registers.
+#define BLOCKS 1
+#endif
+#ifdef __clang__
+#define BOUNDS __attribute__((launch_bounds(64, BLOCKS)))
+#else
+#define BOUNDS __launch_bounds__(64, BLOCKS)
+#endif
 #include "voxc_scene.cuh"
 
 struct Hit { // As hits lie in the buffers of all kernels (voxc/Trace/Ray.h).
@@ -12,7 +20,7 @@ struct Hit { // As hits lie in the buffers of all kernels (voxc/Trace/Ray.h).
   unsigned steps;
 };
 
-extern "C" __global__ void trace(const unsigned *words, const float *rays, Hit *hits, unsigned count) {
+extern "C" __global__ void BOUNDS trace(const unsigned *words, const float *rays, Hit *hits, unsigned count) {
 #ifdef __clang__
   const unsigned i =
       __nvvm_read_ptx_sreg_ctaid_x() * __nvvm_read_ptx_sreg_ntid_x() + __nvvm_read_ptx_sreg_tid_x();
