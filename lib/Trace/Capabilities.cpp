@@ -68,6 +68,8 @@ bool isEverywhere(std::uint32_t capability) { return capability == kShader || ca
 std::string_view featureOf(std::uint32_t capability) {
   if (capability == kPhysicalStorageBufferAddresses)
     return "bufferDeviceAddress";
+  if (capability == kRoundingModeRte)
+    return "shaderRoundingModeRTEFloat32";
   const auto *row = std::ranges::find(kCoreFeatures, capability, &CoreFeature::capability);
   return row == std::end(kCoreFeatures) ? std::string_view{} : row->member;
 }

@@ -87,7 +87,8 @@ Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
                       {1, "SPREAD", "float32", "0"},
                       {2, "COUNT_WORDS", "bool", "false"},
                       {3, "SETTLES", "bool", "true"},
-                      {6, "COMES_NEAR", "bool", "true"}};
+                      {6, "COMES_NEAR", "bool", "true"},
+                      {7, "gl_WorkGroupSize.x", "uint32", "64"}};
   result.features = std::move(*features);
   return result;
 }

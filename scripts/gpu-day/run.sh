@@ -59,7 +59,7 @@ for volume in "$pack"/lattice/*.hvx; do
   number=$(basename "$volume" .hvx)
   cell lattice "$number" "$gpu_day" lattice "$volume" --kernel "$pack/lattice/$number.nearest.spv" \
     --kernel "$pack/lattice/$number.any.spv" --programs "$pack/lattice" --device "$device" --label "$number" --seed "$number" \
-    --count "${GPU_DAY_RAYS:-750000000}" --seconds "${GPU_DAY_RAY_SECONDS:-10}"
+    --count "${GPU_DAY_RAYS:-750000000}" --seconds "${GPU_DAY_RAY_SECONDS:-5}"
 done
 
 while read -r name; do

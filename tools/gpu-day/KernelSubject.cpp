@@ -96,7 +96,7 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
   if (auto read = gpu_->download(way.list, std::as_writable_bytes(std::span(list))); !read)
     return read.error();
   Difference difference = differenceOf(hits, set.exact);
-  if (volume_->layout().payload == Payload::Occupancy)
+  if (const PayloadKind &kind = kindOf(volume_->layout().payload); !kind.varies && !kind.oneColour)
     difference.colour = 0; // It keeps none.
   return tool::Json{{"rays", set.name},
                     {"count", set.rays.size()},

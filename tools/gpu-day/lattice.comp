@@ -41,13 +41,14 @@ struct LatticeRay {
   ivec3 direction;
 };
 
-const int KINDS = 8;
+const uint KINDS = 8u;
 
-LatticeRay draw_ray() {
+// A workgroup draws rays of one kind: those from far away take a hundred times as many steps as others.
+LatticeRay draw_ray(uint kind) {
   int side = edge * UNIT;
   LatticeRay ray = LatticeRay(between(ivec3(-side), ivec3(2 * side)), between(ivec3(-1023), ivec3(1023)));
   ivec3 corner = between(ivec3(0), ivec3(edge)) * UNIT;
-  switch (int(draw() % uint(KINDS))) {
+  switch (int(kind)) {
   case 0: // Anywhere.
     break;
   case 1: { // Along an axis, often within a face or along an edge.
@@ -174,7 +175,7 @@ void main() {
     return;
   state = (first + number) * 2654435761u ^ seed;
   draw();
-  LatticeRay ray = draw_ray();
+  LatticeRay ray = draw_ray((first + number) / gl_WorkGroupSize.x % KINDS);
   for (int axis = 0; axis < 3; axis++) {
     rays[6u * number + axis] = float(ray.origin[axis]) / float(UNIT);
     rays[6u * number + 3u + axis] = float(ray.direction[axis]);

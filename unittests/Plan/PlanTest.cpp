@@ -44,7 +44,7 @@ TEST(PlanText, IsReadAsItWasPrinted) {
     const Plan plan =
         *makePlan(format, {.addressing = random() % 2 ? Addressing::Segments : Addressing::Buffer,
                            .loops = random() % 2 ? Loops::Whole : Loops::Cut,
-                           .arithmetic = random() % 2 ? Arithmetic::Any : Arithmetic::Ieee});
+                           .arithmetic = static_cast<Arithmetic>(random() % 3)});
     EXPECT_EQ(problemOf(plan), "") << printPlan(plan);
     Diagnostics diagnostics;
     const Plan parsed = parsePlan(printPlan(plan), diagnostics);

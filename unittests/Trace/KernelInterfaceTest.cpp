@@ -79,6 +79,7 @@ void expectWhatIsDeclared(const char *format, const KernelOptions &options) {
 TEST(KernelInterface, IsWhatTheModuleHas) {
   expectWhatIsDeclared("R(2,2,2) G(2)", {});
   expectWhatIsDeclared("R(2,2,2) G(2)", {.addressing = Addressing::Segments});
+  expectWhatIsDeclared("R(2,2,2) G(2)", {.arithmetic = Arithmetic::Nearest});
   expectWhatIsDeclared("R(2,2,2) G(2)", {.arithmetic = Arithmetic::Ieee});
   expectWhatIsDeclared("format detail=cone { level 1: svdag(2) }", {});
   expectWhatIsDeclared("format query=any { level 1: svdag(2) }", {});
@@ -87,6 +88,8 @@ TEST(KernelInterface, IsWhatTheModuleHas) {
 TEST(KernelInterface, TellsTheFeaturesThatAreNeeded) {
   const Format format = *parseFormat("G(3)");
   EXPECT_THAT(interfaceOf(*compileKernel(format))->features, ElementsAre());
+  EXPECT_THAT(interfaceOf(*compileKernel(format, {.arithmetic = Arithmetic::Nearest}))->features,
+              ElementsAre("shaderRoundingModeRTEFloat32"));
   EXPECT_THAT(interfaceOf(*compileKernel(format, {.arithmetic = Arithmetic::Ieee}))->features,
               ElementsAre("shaderFloat64"));
   EXPECT_THAT(interfaceOf(*compileKernel(format, {.addressing = Addressing::Segments}))->features,

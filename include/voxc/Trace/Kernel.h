@@ -11,12 +11,12 @@
 
 namespace voxc {
 
-/// Invocations in a workgroup of every kernel; local_size_x of the GLSL.
+/// Invocations in a workgroup of every kernel, unless a host says otherwise; local_size_x of the GLSL.
 inline constexpr std::uint32_t kWorkgroupSize = 64;
 
 /// SPIR-V with its voxc facts, which travel inside the module as an OpModuleProcessed string: "voxc kernel 3
-/// storage=<16 hex digits> addressing=<buffer|segments|paged> loops=<whole|cut> arithmetic=<any|nearest|ieee>", and
-/// " bounds=yes" behind it if rays have bounds.
+/// storage=<16 hex digits> addressing=<buffer|segments|paged> loops=<whole|cut>
+/// arithmetic=<any|nearest|ieee>", and " bounds=yes" behind it if rays have bounds.
 ///
 /// Interface of a kernel, descriptor set 0: binding 0 the rays (6 floats each, `Ray`; with bounds 8,
 /// `BoundedRay`), 1 the hits (6 words each), 2
@@ -25,7 +25,8 @@ inline constexpr std::uint32_t kWorkgroupSize = 64;
 /// them, their number, and the rays' own numbers, 4 the page table (`Paged`; docs/paging.md).
 /// Push constants: uint first_ray, uint ray_count, uint task. Specialization constants: 0 (bool) count
 /// lookups; 1 (float) the cone's spread, in kernels of `detail=cone` (`TraceOptions::spread`); 2 (bool) count
-/// words read; 3 (bool) settle; 4 (uint) log2 of a page's words and 5 (uint) pages of the volume (`Paged`).
+/// words read; 3 (bool) settle; 4 (uint) log2 of a page's words and 5 (uint) pages of the volume (`Paged`); 6
+/// (bool) rays may begin far away; 7 (uint) invocations of a workgroup, by default `kWorkgroupSize`.
 ///
 /// A dispatch of task 0 traces the rays from their beginning. One that settles, as by default, traces all to
 /// their end and needs no list. One that does not is faster: rays that it cannot tell all of it leaves with a

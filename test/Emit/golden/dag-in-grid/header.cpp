@@ -549,6 +549,23 @@ static inline float voxc_r4_4_4_g8_quotient(const voxc_r4_4_4_g8_Sum &sum, uint 
   return negative != (divisor >= voxc_r4_4_4_g8_SIGN_BIT) ? -size : size;
 }
 
+// What float32 loses of a sum or a product (compensated arithmetic; Dekker 1971, Knuth). It is a float32 itself where
+// sums and products are rounded to nearest, and no number is so small that a device may not keep it.
+
+// A number, as a sum of two of which the second is below what the first is rounded by.
+struct voxc_r4_4_4_g8_Pair {
+  float high;
+  float low;
+};
+
+// The sum of two numbers, exactly.
+static inline voxc_r4_4_4_g8_Pair voxc_r4_4_4_g8_sum_of(float a, float b) {
+  float sum = a + b;
+  float of_b = sum - a;
+  float lost = (a - (sum - of_b)) + (b - of_b);
+  return voxc_r4_4_4_g8_Pair(sum, lost);
+}
+
 // The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
 // face at one t, rising ones change cell first, falling ones just after.
 
@@ -1006,8 +1023,12 @@ static inline bool voxc_r4_4_4_g8_enter_volume(voxc_r4_4_4_g8_Ray &ray, voxc_r4_
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   voxc_r4_4_4_g8_Walk start = voxc_r4_4_4_g8_entered(ray, walk, face, sure);
-  if (!sure)
-    start = voxc_r4_4_4_g8_entered_exactly(ray, walk, near.is_far);
+  if (!sure) {
+    // What a function may change by reference stands in memory; the ray itself need not.
+    voxc_r4_4_4_g8_Ray moved = ray;
+    start = voxc_r4_4_4_g8_entered_exactly(moved, walk, near.is_far);
+    ray = moved;
+  }
   walk = start;
   return voxc_r4_4_4_g8_is_in_volume(walk.cell);
 }
@@ -1251,7 +1272,8 @@ static inline uint voxc_r4_4_4_g8_rounded(uint value, int exponent, bool inexact
   return voxc_r4_4_4_g8_rounded(value, exponent, distance.inexact || rest != 0);
 }
 
-// The same, as fast as it can be told.
+// The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
+// a dispatch that does not settle would leave each of them to one that does.
 static inline uint voxc_r4_4_4_g8_crossing_time(const voxc_r4_4_4_g8_Ray &ray, int axis, int face, bool &sure) {
   sure = false;
   uint bits = 0u;

@@ -298,6 +298,23 @@ fn voxc_r4_4_4_g8_quotient(sum: voxc_r4_4_4_g8_Sum, divisor: u32) -> f32 {
   return select(size, -size, negative != (divisor >= voxc_r4_4_4_g8_SIGN_BIT));
 }
 
+// What float32 loses of a sum or a product (compensated arithmetic; Dekker 1971, Knuth). It is a float32 itself where
+// sums and products are rounded to nearest, and no number is so small that a device may not keep it.
+
+// A number, as a sum of two of which the second is below what the first is rounded by.
+struct voxc_r4_4_4_g8_Pair {
+  high: f32,
+  low: f32,
+}
+
+// The sum of two numbers, exactly.
+fn voxc_r4_4_4_g8_sum_of(a: f32, b: f32) -> voxc_r4_4_4_g8_Pair {
+  let sum = a + b;
+  let of_b = sum - a;
+  let lost = (a - (sum - of_b)) + (b - of_b);
+  return voxc_r4_4_4_g8_Pair(sum, lost);
+}
+
 // The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
 // face at one t, rising ones change cell first, falling ones just after.
 
@@ -729,7 +746,10 @@ fn voxc_r4_4_4_g8_enter_volume(ray: ptr<function, voxc_r4_4_4_g8_Ray>, walk: ptr
   var sure: bool = ordinary && !near.is_far;
   var start: voxc_r4_4_4_g8_Walk = voxc_r4_4_4_g8_entered(*ray, *walk, face, &sure);
   if (!sure) {
-    start = voxc_r4_4_4_g8_entered_exactly(ray, *walk, near.is_far);
+    // What a function may change by reference stands in memory; the ray itself need not.
+    var moved: voxc_r4_4_4_g8_Ray = *ray;
+    start = voxc_r4_4_4_g8_entered_exactly(&moved, *walk, near.is_far);
+    *ray = moved;
   }
   *walk = start;
   return voxc_r4_4_4_g8_is_in_volume((*walk).cell);
@@ -861,7 +881,7 @@ fn voxc_r4_4_4_g8_is_below(a: voxc_r4_4_4_g8_Wide, b: voxc_r4_4_4_g8_Wide) -> bo
   return (a.high < b.high) || (a.high == b.high && a.low < b.low);
 }
 
-fn voxc_r4_4_4_g8_sum_of(a: voxc_r4_4_4_g8_Wide, b: voxc_r4_4_4_g8_Wide) -> voxc_r4_4_4_g8_Wide {
+fn voxc_r4_4_4_g8_sum_of_wide(a: voxc_r4_4_4_g8_Wide, b: voxc_r4_4_4_g8_Wide) -> voxc_r4_4_4_g8_Wide {
   var carry: u32;
   let low = voxc_r4_4_4_g8_uaddCarry(a.low, b.low, &carry);
   return voxc_r4_4_4_g8_Wide(a.high + b.high + carry, low);
@@ -925,7 +945,7 @@ fn voxc_r4_4_4_g8_distance_to(face: u32, origin: u32) -> voxc_r4_4_4_g8_Distance
   let b = voxc_r4_4_4_g8_shifted(voxc_r4_4_4_g8_Wide(0u, significand), clamp(61 - top + exponent, -63, 63),
       &distance.inexact);
   if (origin >= voxc_r4_4_4_g8_SIGN_BIT) {
-    a = voxc_r4_4_4_g8_sum_of(a, b);
+    a = voxc_r4_4_4_g8_sum_of_wide(a, b);
   } else {
     if (voxc_r4_4_4_g8_is_below(a, b)) {
       a = voxc_r4_4_4_g8_difference_of(b, a);
@@ -986,7 +1006,8 @@ fn voxc_r4_4_4_g8_time_exactly(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32) ->
   return voxc_r4_4_4_g8_rounded(value, exponent, distance.inexact || (rest != 0));
 }
 
-// The same, as fast as it can be told.
+// The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
+// a dispatch that does not settle would leave each of them to one that does.
 fn voxc_r4_4_4_g8_crossing_time(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, sure: ptr<function, bool>) -> u32 {
   *sure = false;
   var bits: u32 = 0u;

@@ -266,6 +266,29 @@ template <bool SETTLES> struct Kernel {
     return negative != (divisor >= SIGN_BIT) ? -size : size;
   }
 
+  // What float32 loses of a sum or a product (compensated arithmetic; Dekker 1971, Knuth). It is a float32 itself where
+  // sums and products are rounded to nearest, and no number is so small that a device may not keep it.
+
+  // A number, as a sum of two of which the second is below what the first is rounded by.
+  struct Pair {
+    float high;
+    float low;
+  };
+
+  // The sum of two numbers, exactly.
+  Pair sum_of(float a, float b) {
+    float sum = a + b;
+    float of_b = sum - a;
+    float lost = (a - (sum - of_b)) + (b - of_b);
+    return Pair(sum, lost);
+  }
+
+  // What is lost of a product of two numbers, exactly.
+  float lost_of(float product, float a, float b) {
+    // There a multiplication is fused with an addition.
+    return fma(a, b, -product);
+  }
+
   // The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
   // face at one t, rising ones change cell first, falling ones just after.
 
@@ -411,29 +434,14 @@ template <bool SETTLES> struct Kernel {
     return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
   }
 
-  // A step that float32 cannot tell, by sums of two float32 from the ray as given (compensated arithmetic; Dekker 1971,
-  // Knuth): where the ray passes faces one after the other, and where it passes several at one t, as rays of whole
-  // numbers do at nearly each step.
+  // A step that float32 cannot tell, by sums of two float32 from the ray as given (pairs.glsl): where the ray passes
+  // faces one after the other, and where it passes several at one t, as rays of whole numbers do at nearly each step.
   // No number of a moderate ray but 0 is below 2^-40, so that each is a multiple of 2^-63, and each product of two a
   // multiple of 2^-126: what float32 loses of a sum or a product is a float32. A t is wrong by less than 2^-44 of it: a
   // quotient by the inverse is within 2^-23, what is left of the way then is rounded twice, and multiplied by the inverse
   // again. A coordinate is wrong by less than 2^-43 of the two numbers that it is the sum of. What is closer than DOUBT
   // meets exactly, or is not told.
   static inline const float DOUBT = 1.0f / 4398046511104.0f; // 2^-42.
-
-  // A number, as a sum of two of which the second is below what the first is rounded by.
-  struct Pair {
-    float high;
-    float low;
-  };
-
-  // The sum of two numbers, exactly.
-  Pair sum_of(float a, float b) {
-    float sum = a + b;
-    float of_b = sum - a;
-    float lost = (a - (sum - of_b)) + (b - of_b);
-    return Pair(sum, lost);
-  }
 
   // How much later one moment is than another.
   float delay(const Pair &later, const Pair &earlier) { return (later.high - earlier.high) + (later.low - earlier.low); }
@@ -445,11 +453,14 @@ template <bool SETTLES> struct Kernel {
     float speed; // and the direction.
   };
 
+  // What is left of a way when nearly all of it is gone at that speed for that time.
+  float left_of(float way, float t, float speed) { return fma(-t, speed, way); }
+
   // At moment `otherwise` if it does not.
   Pass pass_of(bool passes, float otherwise, float face, float origin, float speed, float inverse) {
     Pair way = sum_of(face, -origin);
     float t = way.high * inverse;
-    float rest = (fma(-t, speed, way.high) + way.low) * inverse;
+    float rest = (left_of(way.high, t, speed) + way.low) * inverse;
     return Pass(passes ? Pair(t, rest) : Pair(otherwise, 0.0f), way, speed);
   }
 
@@ -458,7 +469,7 @@ template <bool SETTLES> struct Kernel {
   bool meet(const Pass &a, const Pass &b) {
     float of_a = a.way.high * b.speed;
     float of_b = b.way.high * a.speed;
-    bool is_same = of_a == of_b && fma(a.way.high, b.speed, -of_a) == fma(b.way.high, a.speed, -of_b);
+    bool is_same = of_a == of_b && lost_of(of_a, a.way.high, b.speed) == lost_of(of_b, b.way.high, a.speed);
     bool is_whole = a.way.low == 0.0f && b.way.low == 0.0f;
     return is_same && (is_whole || (a.way.low == b.way.low && a.speed == b.speed));
   }
@@ -475,7 +486,7 @@ template <bool SETTLES> struct Kernel {
   // Those that pass with it rise, or all of them fall.
   int cell_at(const Pass &first, bool rises, float origin, float speed, int corner, int side, bool &sure) {
     float way = first.t.high * speed;
-    float rest = fma(first.t.low, speed, fma(first.t.high, speed, -way));
+    float rest = first.t.low * speed + lost_of(way, first.t.high, speed);
     Pair sum = sum_of(origin, way);
     Pair place = sum_of(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
     float whole = floor(place.high + 0.5f);
@@ -902,8 +913,11 @@ template <bool SETTLES> struct Kernel {
     Walk start = entered(ray, walk, face, sure);
     if (!SETTLES && !sure && ordinary && !near.is_far)
       start = entered_compensated(ray, walk, sure);
-    if (SETTLES && !sure)
-      start = entered_exactly(ray, walk, near.is_far);
+    if (SETTLES && !sure) {
+      Ray moved = ray; // What a function may change by reference stands in memory; the ray itself need not.
+      start = entered_exactly(moved, walk, near.is_far);
+      ray = moved;
+    }
     if (!SETTLES && !sure) {
       start = walk;
       start.cell = ivec3(-1);
@@ -1161,7 +1175,8 @@ template <bool SETTLES> struct Kernel {
     return floatBitsToUint(value);
   }
 
-  // The same, as fast as it can be told.
+  // The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
+  // a dispatch that does not settle would leave each of them to one that does.
   uint crossing_time(const Ray &ray, int axis, int face, bool &sure) {
     sure = false;
     uint bits = 0u;

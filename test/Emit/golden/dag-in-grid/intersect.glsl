@@ -4,7 +4,8 @@
 // Before a function that is seldom called: kernels in C++ keep it out of the loops, into which all others go.
 #define OUT_OF_LINE
 
-layout(local_size_x = 64) in;
+// A host that wants workgroups of another size says so.
+layout(local_size_x = 64, local_size_x_id = 7) in;
 
 // A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
 // as given.
@@ -363,6 +364,23 @@ float quotient(const Sum sum, uint divisor) {
   float value = float(magnitude.high) * 4294967296.0f + float(magnitude.low);
   float size = value / float(significand_of(divisor)) * power_of_two(sum.exponent - exponent_of(divisor) - 150);
   return negative != (divisor >= SIGN_BIT) ? -size : size;
+}
+
+// What float32 loses of a sum or a product (compensated arithmetic; Dekker 1971, Knuth). It is a float32 itself where
+// sums and products are rounded to nearest, and no number is so small that a device may not keep it.
+
+// A number, as a sum of two of which the second is below what the first is rounded by.
+struct Pair {
+  float high;
+  float low;
+};
+
+// The sum of two numbers, exactly.
+Pair sum_of(float a, float b) {
+  precise float sum = a + b;
+  precise float of_b = sum - a;
+  precise float lost = (a - (sum - of_b)) + (b - of_b);
+  return Pair(sum, lost);
 }
 
 // The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
@@ -792,8 +810,11 @@ bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
   Walk start = entered(ray, walk, face, sure);
-  if (SETTLES && !sure)
-    start = entered_exactly(ray, walk, near.is_far);
+  if (SETTLES && !sure) {
+    Ray moved = ray; // What a function may change by reference stands in memory; the ray itself need not.
+    start = entered_exactly(moved, walk, near.is_far);
+    ray = moved;
+  }
   if (!SETTLES && !sure) {
     start = walk;
     start.cell = ivec3(-1);
@@ -1027,11 +1048,12 @@ OUT_OF_LINE uint time_exactly(const Ray ray, int axis, int face) {
   return rounded(value, exponent, distance.inexact || rest != 0);
 }
 
-// The same, as fast as it can be told.
+// The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
+// a dispatch that does not settle would leave each of them to one that does.
 uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
-  if (SETTLES && !sure) {
+  if (!sure) {
     bits = time_exactly(ray, axis, face);
     sure = true;
   }
@@ -1188,7 +1210,7 @@ bool trace_ray(uint ray_number, bool goes_on) {
 void leave(uint ray_number) {
   uint place = atomicAdd(left_count, 1u);
   left_rays[place] = ray_number;
-  if ((place & 63u) == 0u)
+  if (place % gl_WorkGroupSize.x == 0u)
     atomicAdd(left_groups[0], 1u);
 }
 
