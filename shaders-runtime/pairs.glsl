@@ -8,7 +8,7 @@ struct Pair {
 };
 
 // The sum of two numbers, exactly.
-Pair sum_of(float a, float b) {
+Pair exact_sum(float a, float b) {
   precise float sum = a + b;
   precise float of_b = sum - a;
   precise float lost = (a - (sum - of_b)) + (b - of_b);

@@ -137,7 +137,7 @@ uint time_by_doubles(const Ray ray, int axis, int face, out bool sure) {
 // The same, by sums of two float32 (pairs.glsl), which get less than 2^-43 of it wrong. Not sure where 2^-42 of it could be rounded to
 // another float32. It is found for the scaled direction, so that it is that of the given one times a power of two.
 uint time_by_pairs(const Ray ray, int axis, int face, out bool sure) {
-  Pair way = sum_of(float(face), -uintBitsToFloat(ray.given_origin[axis]));
+  Pair way = exact_sum(float(face), -uintBitsToFloat(ray.given_origin[axis]));
   float speed = float(ray.direction[axis]);
   float inverse = float(ray.inverse[axis]);
   precise float first = way.high * inverse;

@@ -28,7 +28,7 @@ float left_of(float way, float t, float speed) {
 
 // At moment `otherwise` if it does not.
 Pass pass_of(bool passes, float otherwise, float face, float origin, float speed, float inverse) {
-  Pair way = sum_of(face, -origin);
+  Pair way = exact_sum(face, -origin);
   float t = way.high * inverse;
   float rest = (left_of(way.high, t, speed) + way.low) * inverse;
   return Pass(passes ? Pair(t, rest) : Pair(otherwise, 0.0f), way, speed);
@@ -56,12 +56,12 @@ bool is_passed(const Pass first, const Pass other, inout bool sure) {
 int cell_at(const Pass first, bool rises, float origin, float speed, int corner, int side, inout bool sure) {
   precise float way = first.t.high * speed;
   float rest = first.t.low * speed + lost_of(way, first.t.high, speed);
-  Pair sum = sum_of(origin, way);
-  Pair place = sum_of(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
+  Pair sum = exact_sum(origin, way);
+  Pair place = exact_sum(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
   float whole = floor(place.high + 0.5f);
   float above = (place.high - whole) + place.low;
   bool is_close = speed != 0.0f && abs(above) <= (abs(origin) + abs(way)) * DOUBT;
-  bool meets = meet(first, Pass(first.t, sum_of(whole, -origin), speed));
+  bool meets = meet(first, Pass(first.t, exact_sum(whole, -origin), speed));
   sure = sure && (meets || !is_close || side == 1);
   bool is_below = is_close ? speed < 0.0f && !rises : above < 0.0f; // It falls through that face with the others.
   return int(clamp(whole - (is_below ? 1.0f : 0.0f), float(corner), float(corner + side - 1)));

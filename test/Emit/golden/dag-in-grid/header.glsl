@@ -273,23 +273,6 @@ float voxc_r4_4_4_g8_quotient(const voxc_r4_4_4_g8_Sum sum, uint divisor) {
   return negative != (divisor >= voxc_r4_4_4_g8_SIGN_BIT) ? -size : size;
 }
 
-// What float32 loses of a sum or a product (compensated arithmetic; Dekker 1971, Knuth). It is a float32 itself where
-// sums and products are rounded to nearest, and no number is so small that a device may not keep it.
-
-// A number, as a sum of two of which the second is below what the first is rounded by.
-struct voxc_r4_4_4_g8_Pair {
-  float high;
-  float low;
-};
-
-// The sum of two numbers, exactly.
-voxc_r4_4_4_g8_Pair voxc_r4_4_4_g8_sum_of(float a, float b) {
-  precise float sum = a + b;
-  precise float of_b = sum - a;
-  precise float lost = (a - (sum - of_b)) + (b - of_b);
-  return voxc_r4_4_4_g8_Pair(sum, lost);
-}
-
 // The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
 // face at one t, rising ones change cell first, falling ones just after.
 

@@ -298,23 +298,6 @@ fn voxc_r4_4_4_g8_quotient(sum: voxc_r4_4_4_g8_Sum, divisor: u32) -> f32 {
   return select(size, -size, negative != (divisor >= voxc_r4_4_4_g8_SIGN_BIT));
 }
 
-// What float32 loses of a sum or a product (compensated arithmetic; Dekker 1971, Knuth). It is a float32 itself where
-// sums and products are rounded to nearest, and no number is so small that a device may not keep it.
-
-// A number, as a sum of two of which the second is below what the first is rounded by.
-struct voxc_r4_4_4_g8_Pair {
-  high: f32,
-  low: f32,
-}
-
-// The sum of two numbers, exactly.
-fn voxc_r4_4_4_g8_sum_of(a: f32, b: f32) -> voxc_r4_4_4_g8_Pair {
-  let sum = a + b;
-  let of_b = sum - a;
-  let lost = (a - (sum - of_b)) + (b - of_b);
-  return voxc_r4_4_4_g8_Pair(sum, lost);
-}
-
 // The moments at which a ray changes cell, in exact order. Cells are half-open, so where several coordinates pass a
 // face at one t, rising ones change cell first, falling ones just after.
 
@@ -881,7 +864,7 @@ fn voxc_r4_4_4_g8_is_below(a: voxc_r4_4_4_g8_Wide, b: voxc_r4_4_4_g8_Wide) -> bo
   return (a.high < b.high) || (a.high == b.high && a.low < b.low);
 }
 
-fn voxc_r4_4_4_g8_sum_of_wide(a: voxc_r4_4_4_g8_Wide, b: voxc_r4_4_4_g8_Wide) -> voxc_r4_4_4_g8_Wide {
+fn voxc_r4_4_4_g8_sum_of(a: voxc_r4_4_4_g8_Wide, b: voxc_r4_4_4_g8_Wide) -> voxc_r4_4_4_g8_Wide {
   var carry: u32;
   let low = voxc_r4_4_4_g8_uaddCarry(a.low, b.low, &carry);
   return voxc_r4_4_4_g8_Wide(a.high + b.high + carry, low);
@@ -945,7 +928,7 @@ fn voxc_r4_4_4_g8_distance_to(face: u32, origin: u32) -> voxc_r4_4_4_g8_Distance
   let b = voxc_r4_4_4_g8_shifted(voxc_r4_4_4_g8_Wide(0u, significand), clamp(61 - top + exponent, -63, 63),
       &distance.inexact);
   if (origin >= voxc_r4_4_4_g8_SIGN_BIT) {
-    a = voxc_r4_4_4_g8_sum_of_wide(a, b);
+    a = voxc_r4_4_4_g8_sum_of(a, b);
   } else {
     if (voxc_r4_4_4_g8_is_below(a, b)) {
       a = voxc_r4_4_4_g8_difference_of(b, a);

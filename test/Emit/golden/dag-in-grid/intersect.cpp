@@ -276,7 +276,7 @@ template <bool SETTLES> struct Kernel {
   };
 
   // The sum of two numbers, exactly.
-  Pair sum_of(float a, float b) {
+  Pair exact_sum(float a, float b) {
     float sum = a + b;
     float of_b = sum - a;
     float lost = (a - (sum - of_b)) + (b - of_b);
@@ -458,7 +458,7 @@ template <bool SETTLES> struct Kernel {
 
   // At moment `otherwise` if it does not.
   Pass pass_of(bool passes, float otherwise, float face, float origin, float speed, float inverse) {
-    Pair way = sum_of(face, -origin);
+    Pair way = exact_sum(face, -origin);
     float t = way.high * inverse;
     float rest = (left_of(way.high, t, speed) + way.low) * inverse;
     return Pass(passes ? Pair(t, rest) : Pair(otherwise, 0.0f), way, speed);
@@ -487,12 +487,12 @@ template <bool SETTLES> struct Kernel {
   int cell_at(const Pass &first, bool rises, float origin, float speed, int corner, int side, bool &sure) {
     float way = first.t.high * speed;
     float rest = first.t.low * speed + lost_of(way, first.t.high, speed);
-    Pair sum = sum_of(origin, way);
-    Pair place = sum_of(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
+    Pair sum = exact_sum(origin, way);
+    Pair place = exact_sum(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
     float whole = floor(place.high + 0.5f);
     float above = (place.high - whole) + place.low;
     bool is_close = speed != 0.0f && abs(above) <= (abs(origin) + abs(way)) * DOUBT;
-    bool meets = meet(first, Pass(first.t, sum_of(whole, -origin), speed));
+    bool meets = meet(first, Pass(first.t, exact_sum(whole, -origin), speed));
     sure = sure && (meets || !is_close || side == 1);
     bool is_below = is_close ? speed < 0.0f && !rises : above < 0.0f; // It falls through that face with the others.
     return int(clamp(whole - (is_below ? 1.0f : 0.0f), float(corner), float(corner + side - 1)));
