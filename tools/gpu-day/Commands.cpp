@@ -1,0 +1,219 @@
+// Rays, figures and checks, from files to files.
+#include "Commands.h"
+
+#include "CudaSubject.h"
+#include "KernelSubject.h"
+#include "Mapped.h"
+#include "PeerSubject.h"
+#include "RaySets.h"
+
+#include "common/CameraFile.h"
+#include "common/Files.h"
+#include "voxc/Support/File.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+
+namespace voxc::gpu {
+namespace {
+
+namespace fs = std::filesystem;
+using tool::Json;
+
+/// The cameras of a file whose names are that of the scene, or begin with it and a dash; all if there are
+/// none.
+Expected<std::vector<std::string>> namesOfCameras(const Options &options) {
+  auto names = tool::cameraNames(options.cameras);
+  if (!names)
+    return names;
+  std::vector<std::string> own;
+  std::ranges::copy_if(*names, std::back_inserter(own), [&](const std::string &name) {
+    return name == options.scene || name.starts_with(options.scene + "-");
+  });
+  return own.empty() ? names : own;
+}
+
+} // namespace
+
+Expected<void> makeRays(const Options &options) {
+  const auto volume = Volume::load(options.volume, {.trusted = true});
+  if (!volume)
+    return volume.error();
+  const auto names = namesOfCameras(options);
+  if (!names)
+    return names.error();
+  int width = 0, height = 0;
+  if (std::sscanf(options.size.c_str(), "%dx%d", &width, &height) != 2 || width < 1 || height < 1 ||
+      width > tool::kMaxPictureSide || height > tool::kMaxPictureSide)
+    return Error::usage("--size is '" + options.size + "'; it should be WxH, pixels of a picture");
+  std::vector<NamedCamera> cameras;
+  for (const std::string &name : *names) {
+    const auto of = tool::readCamera(options.cameras, name);
+    if (!of)
+      return of.error();
+    cameras.push_back({name, cameraFromAngles(volume->info().extent, of->position, of->pitch, of->yaw,
+                                              of->fov, width, height)});
+  }
+  return makeRaySets(*volume, cameras, options.output);
+}
+
+namespace {
+
+/// The sets of a folder, by their names.
+std::vector<std::string> setsOf(const Options &options) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::directory_entry &entry : fs::directory_iterator(options.folder, ignored))
+    if (const std::string name = entry.path().stem().string();
+        entry.path().extension() == ".rays" &&
+        (options.only.empty() || std::ranges::find(options.only, name) != options.only.end()))
+      names.push_back(name);
+  std::ranges::sort(names);
+  return names;
+}
+
+/// The rays of a folder on the device, with the files that they come from.
+struct Brought {
+  std::vector<MappedBytes> files;
+  std::vector<RaysThere> sets;
+};
+
+Expected<Brought> bringSets(const Gpu &gpu, const Options &options) {
+  Brought brought;
+  for (const std::string &name : setsOf(options)) {
+    const std::string path = (fs::path(options.folder) / name).string();
+    for (const char *const ending : {".rays", ".hits"}) {
+      auto file = MappedBytes::open(path + ending);
+      if (!file)
+        return file.error();
+      brought.files.push_back(std::move(*file));
+    }
+    const std::size_t last = brought.files.size() - 1;
+    const auto rays = brought.files[last - 1].as<Ray>();
+    const auto hits = brought.files[last].as<Hit>();
+    if (rays.size() != hits.size())
+      return Error::input("'" + path + ".hits' has not as many records as its rays");
+    auto set = bringRays(gpu, name, rays, hits, kPeerColumns);
+    if (!set)
+      return set.error();
+    brought.sets.push_back(std::move(*set));
+  }
+  if (brought.sets.empty())
+    return Error::input("folder '" + options.folder + "' has no rays");
+  return brought;
+}
+
+Json deviceJson(const GpuFacts &facts) {
+  return {{"name", facts.name},
+          {"driver", facts.driver},
+          {"vulkan", facts.api},
+          {"memory_bytes", facts.memoryBytes},
+          {"processor", facts.isProcessor}};
+}
+
+/// Of NAME.KIND.spv or NAME.KIND.ptx.
+std::string kindOf(const std::string &path) { return fs::path(path).stem().extension().string().erase(0, 1); }
+
+Expected<Json> measureVolume(const Gpu &gpu, const Options &options, std::span<const RaysThere> sets,
+                             Json &figures) {
+  const auto volume = Volume::load(options.volume, {.trusted = true});
+  if (!volume)
+    return volume.error();
+  figures["format"] = toString(volume->format());
+  figures["extent"] = {volume->info().extent.x, volume->info().extent.y, volume->info().extent.z};
+  figures["voxels"] = volume->info().voxels;
+  figures["words"] = volume->words().size();
+  figures["bytes"] = volume->words().size_bytes();
+  const KernelOptions how{options.seconds, options.groups, options.atOnce};
+  const auto subject = KernelSubject::make(gpu, *volume, how);
+  if (!subject)
+    return subject.error();
+  // One that a device does not take is told of; the others are measured.
+  Json kernels = Json::object();
+  const auto keep = [&](const std::string &path, Expected<Json> rows) {
+    kernels[kindOf(path)] = rows ? std::move(*rows) : Json{{"failed", rows.error().message}};
+  };
+  for (const std::string &path : options.kernels) {
+    const auto kernel = Kernel::load(path);
+    if (!kernel)
+      return kernel.error();
+    keep(path, subject->measure(*kernel, sets));
+  }
+  for (const std::string &path : options.cudas) {
+    const auto code = readTextFile(path);
+    if (!code)
+      return code.error();
+    keep(path, measureCuda(*code, *volume, sets, options.seconds));
+  }
+  return kernels;
+}
+
+Expected<Json> measureByHand(const Gpu &gpu, const Options &options, std::span<const RaysThere> sets) {
+  const auto spirv = MappedBytes::open(options.peer);
+  if (!spirv)
+    return spirv.error();
+  const auto nodes = MappedBytes::open(options.nodes);
+  if (!nodes)
+    return nodes.error();
+  auto rows = measurePeer(gpu, spirv->as<std::uint32_t>(), nodes->as<std::uint32_t>(), sets, options.seconds);
+  if (!rows)
+    return rows.error();
+  return Json{{"by hand", std::move(*rows)}};
+}
+
+} // namespace
+
+Expected<void> measure(const Options &options) {
+  const auto gpu = Gpu::open(options.device);
+  if (!gpu)
+    return gpu.error();
+  const auto brought = bringSets(*gpu, options);
+  if (!brought)
+    return brought.error();
+  Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu->facts())}};
+  auto kernels = options.peer.empty() ? measureVolume(*gpu, options, brought->sets, figures)
+                                      : measureByHand(*gpu, options, brought->sets);
+  if (!kernels)
+    return kernels.error();
+  figures["kernels"] = std::move(*kernels);
+  return tool::writeText(options.output, figures.dump(1) + "\n");
+}
+
+Expected<void> checkHardRays(const Options &options) {
+  const auto gpu = Gpu::open(options.device);
+  if (!gpu)
+    return gpu.error();
+  const auto volume = Volume::load(options.volume, {.trusted = true});
+  if (!volume)
+    return volume.error();
+  const auto lattice = MappedBytes::open((fs::path(options.programs) / "lattice.spv").string());
+  if (!lattice)
+    return lattice.error();
+  const auto compare = MappedBytes::open((fs::path(options.programs) / "compare.spv").string());
+  if (!compare)
+    return compare.error();
+  Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu->facts())}};
+  figures["format"] = toString(volume->format());
+  std::uint64_t wrong = 0;
+  for (const std::string &path : options.kernels) {
+    const auto kernel = Kernel::load(path);
+    if (!kernel)
+      return kernel.error();
+    auto checked =
+        checkLattice(*gpu, *volume, *kernel, {lattice->as<std::uint32_t>(), compare->as<std::uint32_t>()},
+                     options.lattice);
+    if (!checked)
+      return checked.error();
+    wrong += (*checked)["wrong"].get<std::uint64_t>();
+    figures["lattice"][kindOf(path)] = std::move(*checked);
+  }
+  if (auto written = tool::writeText(options.output, figures.dump(1) + "\n"); !written)
+    return written;
+  if (wrong > 0)
+    return Error::input(std::to_string(wrong) + " hits are not the exact ones");
+  return {};
+}
+
+} // namespace voxc::gpu
