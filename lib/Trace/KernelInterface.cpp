@@ -83,12 +83,11 @@ Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
                      {3, "left", "read write", kListHeader, kListHeaderBytes, {{"ray", "uint32", 0}}, 4}};
   result.pushConstants = kTile;
   result.pushConstantBytes = sizeof(RayTile);
-  result.constants = {{0, "COUNT_LOOKUPS", "bool", "false"},
-                      {1, "SPREAD", "float32", "0"},
-                      {2, "COUNT_WORDS", "bool", "false"},
-                      {3, "SETTLES", "bool", "true"},
-                      {6, "COMES_NEAR", "bool", "true"},
-                      {7, "gl_WorkGroupSize.x", "uint32", "64"}};
+  result.constants = {
+      {0, "COUNT_LOOKUPS", "bool", "false"}, {1, "SPREAD", "float32", "0"},
+      {2, "COUNT_WORDS", "bool", "false"},   {3, "SETTLES", "bool", "true"},
+      {6, "COMES_NEAR", "bool", "true"},     {7, "gl_WorkGroupSize.x", "uint32", "64"},
+  };
   result.features = std::move(*features);
   return result;
 }

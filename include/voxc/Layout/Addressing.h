@@ -35,8 +35,8 @@ enum class Arithmetic {
   Any, ///< As Vulkan promises: rounded one way or the other, an inverse wrong by 2.5 roundings, no doubles.
   Nearest, ///< Sums and products of float32 are rounded to nearest, where a kernel asks for it; the rest as
            ///< in `Any`.
-  Ieee, ///< As IEEE 754 has it: rounded to nearest, inverses too; doubles, which may be wrong by a few
-        ///< roundings.
+  Ieee,    ///< As IEEE 754 has it: rounded to nearest, inverses too; doubles, which may be wrong by a few
+           ///< roundings.
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Loops> = {"whole", "cut"};

@@ -44,8 +44,8 @@ struct KernelInterface {
   std::vector<KernelField> pushConstants;
   std::uint32_t pushConstantBytes = 0;
   std::vector<KernelConstant> constants;
-  /// What the module needs of a device, by the names that Vulkan's structures of features and properties have:
-  /// "shaderInt64", "bufferDeviceAddress".
+  /// What the module needs of a device, by the names that Vulkan's structures of features and properties
+  /// have: "shaderInt64", "bufferDeviceAddress".
   std::vector<std::string_view> features;
 };
 
