@@ -72,15 +72,18 @@ void addStages(Json &figures, double totalSeconds) {
 std::string stagesText(const Json &figures) {
   if (!figures.contains("stages"))
     return {};
-  long left = hundredths(figures["total_seconds"]);
+  // A part is what is printed of all up to its end, less what was printed before: so no rounding is left over.
+  double end = 0;
+  long before = 0;
   std::string parts;
-  for (const Stage &stage : kStages)
-    if (const long part = hundredths(figures["stages"].value(stage.name, 0.0)); part > 0) {
+  for (const Stage &stage : kStages) {
+    end += figures["stages"].value(stage.name, 0.0);
+    if (const long part = hundredths(end) - before; part > 0)
       parts += std::string(stage.name) + " " + printed(part) + ", ";
-      left -= part;
-    }
-  return printed(hundredths(figures["total_seconds"])) + " s: " + parts + "rest " +
-         printed(std::max(left, 0L));
+    before = hundredths(end);
+  }
+  const long total = hundredths(figures["total_seconds"]);
+  return printed(total) + " s: " + parts + "rest " + printed(std::max(total - before, 0L));
 }
 
 } // namespace voxc::tool
