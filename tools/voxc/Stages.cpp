@@ -72,7 +72,8 @@ void addStages(Json &figures, double totalSeconds) {
 std::string stagesText(const Json &figures) {
   if (!figures.contains("stages"))
     return {};
-  // A part is what is printed of all up to its end, less what was printed before: so no rounding is left over.
+  // A part is what is printed of all up to its end, less what was printed before: so no rounding is left
+  // over.
   double end = 0;
   long before = 0;
   std::string parts;
