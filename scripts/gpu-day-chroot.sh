@@ -7,6 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 readonly build="${1:-build/release}"
+readonly desk=/srv/check # In the root: where the pack is, and what it measures.
 work="$(mktemp -d -p "${TMPDIR:-/var/tmp}" gpu-day.XXXXXX)"
 root=$work/root
 trap 'umount -q "$root/proc" || true; umount -q "$root/dev" || true; rm -rf --one-file-system "$work"' EXIT
@@ -16,14 +17,16 @@ mirror="$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' | awk '$2 == "b
 debootstrap --variant=minbase --include=mesa-vulkan-drivers,xz-utils bookworm "$root" "$mirror" > /dev/null
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
-cp scripts/gpu-day.sh "$work/day.tar.xz" "$root/root"
-measure() {
-  chroot "$root" /usr/bin/env -i PATH=/usr/bin:/bin HOME=/root GPU_DAY_SIZE=96x54 GPU_DAY_RAYS=2000000 "$@"
+mkdir -p "$root$desk"
+cp scripts/gpu-day.sh "$work/day.tar.xz" "$root$desk"
+measure() { # SECONDS
+  chroot "$root" /usr/bin/env -i PATH=/usr/bin:/bin HOME="$desk" GPU_DAY_SIZE=96x54 GPU_DAY_RAYS=2000000 \
+    sh "$desk/gpu-day.sh" run "$desk/day.tar.xz" "$desk/out" "$1"
 }
-measure sh /root/gpu-day.sh run /root/day.tar.xz /root/out 1 > "$work/first" # Ends at once.
+measure 1 > "$work/first" # Ends at once.
 grep -q 'run it again to go on' "$work/first"
-measure sh /root/gpu-day.sh run /root/day.tar.xz /root/out 1800 > "$work/second"
-python3 - "$root/root/out/gpu-day.json" << 'PYTHON'
+measure 1800 > "$work/second"
+python3 - "$root$desk/out/gpu-day.json" << 'PYTHON'
 import json
 import sys
 
@@ -42,4 +45,4 @@ failed = {what: why for what, why in day["failed"].items() if "CUDA" not in why}
 print(failed or "nothing failed but CUDA, of which there is no driver")
 sys.exit(wrong > 0 or rows < 100 or len(checked) != 14 or bool(failed))
 PYTHON
-"$build/bin/voxc" bench report "$root/root/out" -o "$work/report.html" --quiet
+"$build/bin/voxc" bench report "$root$desk/out" -o "$work/report.html" --quiet
