@@ -32,7 +32,7 @@ Expected<void> makeRays(const Options &options);
 Expected<void> measure(const Options &options);
 
 /// Checks kernels on hard rays (LatticeSubject.h). Errors: as above, and `Input` if a hit is not the exact
-/// one.
+/// one; then the figures are written all the same.
 Expected<void> checkHardRays(const Options &options);
 
 } // namespace voxc::gpu

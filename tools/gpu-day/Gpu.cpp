@@ -60,6 +60,8 @@ Expected<void> choose(Gpu::State &state, std::string_view name) {
                      .isProcessor = processors,
                      .roundsToNearest = floats.shaderRoundingModeRTEFloat32 != VK_FALSE,
                      .mostGroups = of.limits.maxComputeWorkGroupCount[0],
+                     .mostInGroup = std::min(of.limits.maxComputeWorkGroupSize[0],
+                                             of.limits.maxComputeWorkGroupInvocations),
                      .mostStorageBytes = of.limits.maxStorageBufferRange};
       vkGetPhysicalDeviceMemoryProperties(device, &state.memory);
       for (std::uint32_t heap = 0; heap < state.memory.memoryHeapCount; ++heap)
@@ -125,29 +127,32 @@ Expected<void> makeDevice(Gpu::State &state) {
 
 /// What records and times commands.
 Expected<void> makeCommands(Gpu::State &state) {
+  constexpr const char *kVerb = "make its commands";
   VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   poolInfo.queueFamilyIndex = state.family;
-  VkCommandPool pool = VK_NULL_HANDLE;
-  VkResult result = vkCreateCommandPool(state.device, &poolInfo, nullptr, &pool);
-  state.pool = {state.device, pool};
+  auto pool = make<OwnedCommandPool>(state.device, vkCreateCommandPool, poolInfo, kVerb);
+  if (!pool)
+    return pool.error();
+  state.pool = std::move(*pool);
   VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-  commands.commandPool = pool;
+  commands.commandPool = state.pool.get();
   commands.commandBufferCount = 1;
-  if (result == VK_SUCCESS)
-    result = vkAllocateCommandBuffers(state.device, &commands, &state.commands);
-  VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  VkFence fence = VK_NULL_HANDLE;
-  if (result == VK_SUCCESS)
-    result = vkCreateFence(state.device, &fenceInfo, nullptr, &fence);
-  state.fence = {state.device, fence};
+  if (const VkResult result = vkAllocateCommandBuffers(state.device, &commands, &state.commands);
+      result != VK_SUCCESS)
+    return gpuError(kVerb, result);
+  auto fence = make<OwnedFence>(state.device, vkCreateFence,
+                                VkFenceCreateInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO}, kVerb);
+  if (!fence)
+    return fence.error();
+  state.fence = std::move(*fence);
   VkQueryPoolCreateInfo queriesInfo{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   queriesInfo.queryType = VK_QUERY_TYPE_TIMESTAMP;
   queriesInfo.queryCount = kMostSteps + 1;
-  VkQueryPool queries = VK_NULL_HANDLE;
-  if (result == VK_SUCCESS)
-    result = vkCreateQueryPool(state.device, &queriesInfo, nullptr, &queries);
-  state.queries = {state.device, queries};
-  return result == VK_SUCCESS ? Expected<void>() : gpuError("make its commands", result);
+  auto queries = make<OwnedQueries>(state.device, vkCreateQueryPool, queriesInfo, kVerb);
+  if (!queries)
+    return queries.error();
+  state.queries = std::move(*queries);
+  return {};
 }
 
 Expected<void> makeStaging(Gpu::State &state) {

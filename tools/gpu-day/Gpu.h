@@ -22,6 +22,7 @@ struct GpuFacts {
   bool isProcessor = false;
   bool roundsToNearest = false;       ///< Float32, where a program asks for it.
   std::uint32_t mostGroups = 0;       ///< Of a dispatch.
+  std::uint32_t mostInGroup = 0;      ///< Invocations of a workgroup, along x.
   std::uint64_t mostStorageBytes = 0; ///< Of a buffer that a program reads.
   bool hasStatistics = false;         ///< Of pipelines: VK_KHR_pipeline_executable_properties.
 };
@@ -69,8 +70,5 @@ private:
   explicit Gpu(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
-
-/// What Vulkan returned, as an error: "the device cannot VERB: REASON".
-Error gpuError(const char *verb, VkResult result);
 
 } // namespace voxc::gpu

@@ -84,24 +84,25 @@ Expected<GpuBuffer> makeBuffer(const Gpu::State &state, std::uint64_t bytes, VkM
   info.size = made.bytes;
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-  VkBuffer buffer = VK_NULL_HANDLE;
-  if (const VkResult result = vkCreateBuffer(state.device, &info, nullptr, &buffer); result != VK_SUCCESS)
-    return gpuError("make a buffer", result);
-  made.buffer = {state.device, buffer};
+  auto buffer = make<OwnedBuffer>(state.device, vkCreateBuffer, info, "make a buffer");
+  if (!buffer)
+    return buffer.error();
+  made.buffer = std::move(*buffer);
   VkMemoryRequirements needs{};
-  vkGetBufferMemoryRequirements(state.device, buffer, &needs);
+  vkGetBufferMemoryRequirements(state.device, made.buffer.get(), &needs);
   VkMemoryAllocateInfo allocation{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   allocation.allocationSize = needs.size;
   allocation.memoryTypeIndex = typeWith(state.memory, needs.memoryTypeBits, wanted);
   if (allocation.memoryTypeIndex == kNoType)
     return Error::environment("the device has no memory of the kind that a buffer needs");
-  VkDeviceMemory memory = VK_NULL_HANDLE;
-  if (const VkResult result = vkAllocateMemory(state.device, &allocation, nullptr, &memory);
+  constexpr const char *kVerb = "give a buffer memory";
+  auto memory = make<OwnedMemory>(state.device, vkAllocateMemory, allocation, kVerb);
+  if (!memory)
+    return memory.error();
+  made.memory = std::move(*memory);
+  if (const VkResult result = vkBindBufferMemory(state.device, made.buffer.get(), made.memory.get(), 0);
       result != VK_SUCCESS)
-    return gpuError("give a buffer memory", result);
-  made.memory = {state.device, memory};
-  if (const VkResult result = vkBindBufferMemory(state.device, buffer, memory, 0); result != VK_SUCCESS)
-    return gpuError("give a buffer memory", result);
+    return gpuError(kVerb, result);
   return made;
 }
 

@@ -44,7 +44,7 @@ std::vector<GpuStep> KernelSubject::Way::stepsOf(std::uint64_t rays, std::uint32
 }
 
 Expected<KernelSubject> KernelSubject::make(const Gpu &gpu, const Volume &volume,
-                                            const KernelOptions &options) {
+                                            const MeasureOptions &options) {
   if (volume.words().size_bytes() > gpu.facts().mostStorageBytes)
     return Error::environment("the volume has " + std::to_string(volume.words().size_bytes()) +
                               " bytes, and a buffer of the device holds " +
@@ -61,6 +61,12 @@ Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::u
                                                     std::uint64_t mostRays, bool anywhere) const {
   if (kernel.storageDigest != volume_->storageDigest())
     return Error::input("the kernel was made for volumes that are stored in another way");
+  if (kernel.addressing != Addressing::Buffer || kernel.bounded)
+    return Error::input("the kernel is not one of words in one buffer and of rays without bounds");
+  if (group < 1 || group > gpu_->facts().mostInGroup)
+    return Error::usage("a workgroup of " + std::to_string(group) +
+                        " invocations was asked for; it should be 1 to " +
+                        std::to_string(gpu_->facts().mostInGroup));
   if (kernel.arithmetic == Arithmetic::Ieee ||
       (kernel.arithmetic == Arithmetic::Nearest && !gpu_->facts().roundsToNearest))
     return Error::environment("the kernel relies on arithmetic=" + std::string(toString(kernel.arithmetic)) +

@@ -8,7 +8,7 @@
 
 namespace voxc::gpu {
 
-struct KernelOptions {
+struct MeasureOptions {
   double seconds = 0.1;              ///< That each figure is measured for.
   std::vector<std::uint32_t> groups; ///< Workgroups of other sizes than the kernel's, measured too.
   bool atOnce = false;               ///< Trace in one dispatch, which settles, too.
@@ -18,7 +18,7 @@ struct KernelOptions {
 class KernelSubject {
 public:
   /// Brings the words there. Error: `Environment`, as where they do not fit.
-  static Expected<KernelSubject> make(const Gpu &gpu, const Volume &volume, const KernelOptions &options);
+  static Expected<KernelSubject> make(const Gpu &gpu, const Volume &volume, const MeasureOptions &options);
 
   /// Traces all sets by a kernel of the volume, none of whose rays begins far away; a row of JSON for each
   /// set and way of tracing. Errors: the kernel is none of the volume's (`Input`); those of the device.
@@ -41,13 +41,13 @@ public:
   void bind(const Way &way, const GpuBuffer &rays, const GpuBuffer &hits) const;
 
 private:
-  KernelSubject(const Gpu &gpu, const Volume &volume, const KernelOptions &options, GpuBuffer words)
+  KernelSubject(const Gpu &gpu, const Volume &volume, const MeasureOptions &options, GpuBuffer words)
       : gpu_(&gpu), volume_(&volume), options_(options), words_(std::move(words)) {}
   Expected<tool::Json> trace(const Way &way, const RaysThere &set, bool atOnce) const;
 
   const Gpu *gpu_;
   const Volume *volume_;
-  KernelOptions options_;
+  MeasureOptions options_;
   GpuBuffer words_;
   mutable std::vector<Hit> hits_;
 };

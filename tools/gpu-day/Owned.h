@@ -1,6 +1,8 @@
 // Objects of a Vulkan device that are destroyed with what owns them.
 #pragma once
 
+#include "voxc/Support/Error.h"
+
 #include <vulkan/vulkan.h>
 
 #include <utility>
@@ -10,6 +12,7 @@ namespace voxc::gpu {
 /// One object, which `destroy` ends.
 template <typename Handle, void (*destroy)(VkDevice, Handle, const VkAllocationCallbacks *)> class Owned {
 public:
+  using Type = Handle;
   Owned() = default;
   Owned(VkDevice device, Handle handle) : device_(device), handle_(handle) {}
   Owned(Owned &&other) noexcept
@@ -41,5 +44,17 @@ using OwnedPool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;
 using OwnedCommandPool = Owned<VkCommandPool, vkDestroyCommandPool>;
 using OwnedQueries = Owned<VkQueryPool, vkDestroyQueryPool>;
 using OwnedFence = Owned<VkFence, vkDestroyFence>;
+
+/// What Vulkan returned, as an error: "the device cannot VERB: REASON".
+Error gpuError(const char *verb, VkResult result);
+
+/// Makes an object by a function of Vulkan's, as vkCreateFence.
+template <typename Object, typename Create, typename Info>
+Expected<Object> make(VkDevice device, Create create, const Info &info, const char *verb) {
+  typename Object::Type handle = VK_NULL_HANDLE;
+  if (const VkResult result = create(device, &info, nullptr, &handle); result != VK_SUCCESS)
+    return gpuError(verb, result);
+  return Object(device, handle);
+}
 
 } // namespace voxc::gpu

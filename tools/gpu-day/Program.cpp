@@ -13,11 +13,7 @@ Expected<OwnedSetLayout> makeSetLayout(VkDevice device, std::uint32_t bindings) 
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   info.bindingCount = bindings;
   info.pBindings = places.data();
-  VkDescriptorSetLayout made = VK_NULL_HANDLE;
-  if (const VkResult result = vkCreateDescriptorSetLayout(device, &info, nullptr, &made);
-      result != VK_SUCCESS)
-    return gpuError("describe buffers", result);
-  return OwnedSetLayout(device, made);
+  return make<OwnedSetLayout>(device, vkCreateDescriptorSetLayout, info, "describe buffers");
 }
 
 Expected<OwnedLayout> makeLayout(VkDevice device, VkDescriptorSetLayout set, std::uint32_t pushWords) {
@@ -27,10 +23,7 @@ Expected<OwnedLayout> makeLayout(VkDevice device, VkDescriptorSetLayout set, std
   info.pSetLayouts = &set;
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &range;
-  VkPipelineLayout made = VK_NULL_HANDLE;
-  if (const VkResult result = vkCreatePipelineLayout(device, &info, nullptr, &made); result != VK_SUCCESS)
-    return gpuError("describe a program", result);
-  return OwnedLayout(device, made);
+  return make<OwnedLayout>(device, vkCreatePipelineLayout, info, "describe a program");
 }
 
 /// The set's pool, which holds that set alone.
@@ -40,10 +33,7 @@ Expected<OwnedPool> makePool(VkDevice device, std::uint32_t bindings) {
   info.maxSets = 1;
   info.poolSizeCount = 1;
   info.pPoolSizes = &size;
-  VkDescriptorPool made = VK_NULL_HANDLE;
-  if (const VkResult result = vkCreateDescriptorPool(device, &info, nullptr, &made); result != VK_SUCCESS)
-    return gpuError("bind buffers", result);
-  return OwnedPool(device, made);
+  return make<OwnedPool>(device, vkCreateDescriptorPool, info, "bind buffers");
 }
 
 Expected<OwnedPipeline> makePipeline(const Gpu::State &state, std::span<const std::uint32_t> spirv,
@@ -51,11 +41,9 @@ Expected<OwnedPipeline> makePipeline(const Gpu::State &state, std::span<const st
   VkShaderModuleCreateInfo moduleInfo{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   moduleInfo.codeSize = spirv.size_bytes();
   moduleInfo.pCode = spirv.data();
-  VkShaderModule module = VK_NULL_HANDLE;
-  if (const VkResult result = vkCreateShaderModule(state.device, &moduleInfo, nullptr, &module);
-      result != VK_SUCCESS)
-    return gpuError("take a program", result);
-  const OwnedShader shader(state.device, module);
+  const auto shader = make<OwnedShader>(state.device, vkCreateShaderModule, moduleInfo, "take a program");
+  if (!shader)
+    return shader.error();
   std::vector<VkSpecializationMapEntry> entries;
   for (const ProgramConstant &constant : constants)
     entries.push_back({constant.id,
@@ -68,7 +56,7 @@ Expected<OwnedPipeline> makePipeline(const Gpu::State &state, std::span<const st
   info.flags = state.facts.hasStatistics ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0;
   info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = module;
+  info.stage.module = shader->get();
   info.stage.pName = "main";
   info.stage.pSpecializationInfo = &specialization;
   info.layout = layout;

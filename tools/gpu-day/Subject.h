@@ -35,7 +35,7 @@ struct Times {
 /// each. Error: as of `Gpu::run`.
 Expected<Times> timeSteps(const Gpu &gpu, std::span<const GpuStep> steps, double seconds);
 
-/// "mrays_per_s" with median, least and most, and the spread, of so many rays.
+/// Million rays a second, of so many rays: runs, median, min, max, and clock_mhz where that is known.
 tool::Json speedJson(std::size_t rays, const Times &times);
 
 /// The figures of a driver about a program, by its names for them.

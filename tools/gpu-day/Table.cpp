@@ -60,7 +60,7 @@ Record recordOf(const Json &cell, const std::string &precision, const Json &row)
   record.error.wrong = error.at("wrong").get<std::uint64_t>();
   record.error.colour = error.at("colour").get<std::uint64_t>();
   record.error.maxUlpDt = error.at("max_ulp_dt").get<double>();
-  record.madeBy = {tool::versionText(), "none", device.at("name"), {}, "voxc-gpu-day"};
+  record.madeBy = {tool::versionText(), "none", "not known", {}, "voxc-gpu-day"};
   record.cell = cellDigest(record);
   return record;
 }
@@ -161,6 +161,10 @@ void Day::addCell(const Json &cell) {
 
 void Day::addLattice(const Json &cell) {
   for (const auto &[kind, found] : cell["lattice"].items()) {
+    if (found.contains("failed")) {
+      fail("hard rays, " + std::string(cell.at("format")) + ", " + kind, found["failed"]);
+      continue;
+    }
     const auto rays = found.at("rays").get<std::uint64_t>();
     latticeRays_ += rays;
     lattice_ += "| " + std::string(cell.at("format")) + " | " + kind + " | " + std::to_string(rays) + " | " +
