@@ -4,13 +4,16 @@
 #   scripts/gpu-day.sh run FILE.tar.xz OUT [SECONDS [DEVICE]]  there: measures; run again, it goes on
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-case ${1:-} in
-pack) shift; exec bash "$here/gpu-day/pack.sh" "$@" ;;
-run)
-  mkdir -p "$3"
-  [ -e "$3/gpu-day/run.sh" ] || tar -xJf "$2" -C "$3"
-  out=$3
+case ${1:-}:$# in
+pack:[2-9] | pack:[1-9][0-9]) shift; exec bash "$here/gpu-day/pack.sh" "$@" ;;
+run:[3-5])
+  file=$2 out=$3
   shift 3
+  if [ ! -e "$out/gpu-day" ]; then # Whole, or not there.
+    mkdir -p "$out/unpacking"
+    tar -xJf "$file" -C "$out/unpacking"
+    mv "$out/unpacking/gpu-day" "$out"
+  fi
   exec sh "$out/gpu-day/run.sh" "$out" "$@"
   ;;
 *) echo "usage: $0 pack FILE [OPTION...] | run FILE OUT [SECONDS [DEVICE]]" >&2; exit 2 ;;

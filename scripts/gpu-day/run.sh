@@ -74,17 +74,21 @@ while read -r name; do
     running=$((running + 1))
     if [ $((running % jobs)) -eq 0 ]; then wait; fi
   done <"$pack/formats.txt"
-  if is_over; then break; fi
-  "$gpu_day" rays "$scene" "$pack/cameras.json" --scene "$name" --size "${GPU_DAY_SIZE:-3840x2160}" -o "$out/rays/$name" || exit 1
-  if [ "$name" = reference ] && [ ! -e "$out/peers/svdag.bin" ]; then
-    mkdir -p "$out/peers"
-    (cd "$out/peers" && for kind in 'own 1024 tree64.bin tree64v4.bin' 'aadf 1024 aadf.bin' 'aadf3 1024 aadf3.bin' \
+  rm -f "$out/cells/$name.rays.failed"
+  if ! is_over && ! "$gpu_day" rays "$scene" "$pack/cameras.json" --scene "$name" --size "${GPU_DAY_SIZE:-3840x2160}" \
+    -o "$out/rays/$name" 2>"$out/rays.error"; then
+    sed 's/^voxc-gpu-day: error: //' "$out/rays.error" | head -n 1 >"$out/cells/$name.rays.failed"
+  fi
+  if [ "$name" = reference ] && [ -e "$pack/peers/svdag.spv" ] && [ ! -e "$out/peers" ] && ! is_over; then
+    mkdir -p "$out/nodes"
+    (cd "$out/nodes" && for kind in 'own 1024 tree64.bin tree64v4.bin' 'aadf 1024 aadf.bin' 'aadf3 1024 aadf3.bin' \
       'svdag 1024 svdag.bin'; do
       # shellcheck disable=SC2086 # A program and its arguments.
       "$pack"/peers/t_$kind >/dev/null &
-    done && wait)
+    done && wait) && mv "$out/nodes" "$out/peers"
   fi
   wait
+  if is_over; then break; fi
   say "volumes and rays of $name"
   while IFS="$tab" read -r format_name format passes; do
     kernels=''
@@ -113,7 +117,7 @@ while read -r name; do
       --volume "$out/volumes/$name.$format_name.hvx" --cuda "$codes/$code-exact-1.ptx" --cuda "$codes/$code-exact-16.ptx" \
       --cuda "$codes/$code-fast-1.ptx" --cuda "$codes/$code-fast-16.ptx"
   done
-  if [ "$name" = reference ]; then
+  if [ -e "$out/peers" ]; then
     for peer in tree64v4 aadf aadf3 svdag svdag_stack; do
       cell cells "$name.hand-$peer" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" --label "by hand: $peer" \
         --device "$device" --seconds 0.05 --peer "$pack/peers/$peer.spv" --nodes "$out/peers/${peer%_stack}.bin"
