@@ -122,4 +122,39 @@ struct Host {
   void (*finish_cell)(void *self, const PlacedCell *cell);
 };
 
+/// What an edit makes of an aligned cube.
+enum class Effect : uint32_t {
+  Keep,   ///< Nothing.
+  Set,    ///< All its voxels become one value; 0: none is left.
+  Change, ///< Something that only smaller cubes tell, or single voxels.
+};
+
+/// What the program that edits a volume offers beside: what the edit is, and what the volume was.
+struct EditHost {
+  void *self;
+  /// `value`: what the voxels become, where it is `Set`.
+  Effect (*effect)(void *self, Voxel low, int log2_side, uint32_t *value);
+  /// What a voxel becomes.
+  uint32_t (*voxel)(void *self, Voxel at, uint32_t old);
+  /// The root of an old sub-volume of a tree; the children of an old inner node, in Morton order, all of which
+  /// are empty before; the cells of an old grid, by their number, all of which are 0 before.
+  void (*root)(void *self, unsigned level, uint32_t old, Node *root);
+  void (*children)(void *self, unsigned level, const Node *node, Node *children);
+  void (*read_cells)(void *self, unsigned level, uint32_t old, uint32_t *cells);
+  /// The value of one cell of an old grid; and all of its cells that were not kept (`Host::keep`), to those
+  /// that were, of which those of value 0 go.
+  uint32_t (*cell)(void *self, unsigned level, uint32_t old, uint32_t cell);
+  void (*keep_others)(void *self, unsigned level, uint32_t old);
+  /// The words of an old grid to be changed: those of the volume, or a copy; zeros if `old` is 0. Null once the
+  /// edit has failed.
+  uint32_t *(*open)(void *self, unsigned level, uint32_t old, uint64_t count);
+  /// Words of an open grid that are about to change.
+  void (*touch)(void *self, unsigned level, const uint32_t *words, uint64_t count);
+  /// Ends the changes of the open grid of a level; returns what leads to it. `shared`: a copy is interned.
+  uint32_t (*close)(void *self, unsigned level, bool shared);
+  void (*abandon)(void *self, unsigned level);
+  /// A node, or all of a sub-volume, which is a node without kind, was replaced by a cube of one value.
+  void (*replaced)(void *self, unsigned level, int layers, const Node *old, int log2_side, uint32_t value);
+};
+
 } // namespace voxc::construct

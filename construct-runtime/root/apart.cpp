@@ -1,7 +1,4 @@
-uint32_t construct_level_${N}(Build &build, Voxel low) {
-%if shares-sub-volumes-apart
-  build.forget(${N});
-%end
-  const Node root = construct_level_${N}_node(build, low, LEVEL_${N}_LAYERS);
+// What leads to a sub-volume of this root. One of a single cell is a leaf.
+uint32_t root_level_${N}(Build &build, const Node &root) {
   return root.kind == Node::Leaf ? build.intern_leaf(${N}, root.value) : root.value;
 }

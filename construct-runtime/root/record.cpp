@@ -1,5 +1,5 @@
-uint32_t construct_level_${N}(Build &build, Voxel low) {
-  const Node root = construct_level_${N}_node(build, low, LEVEL_${N}_LAYERS);
+// What leads to a sub-volume of this root, which gets a record of its own.
+uint32_t root_level_${N}(Build &build, const Node &root) {
   if (root.kind == Node::Empty)
     return 0;
   constexpr int kMasks = mask_words(LEVEL_${N}_CHILDREN);

@@ -175,6 +175,24 @@ Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
   return remember(BlockRecord::InternLeaf, at(level).leaves, NodeMap::hashOf(value), level, {&value, 1});
 }
 
+void NodeStore::adopt(unsigned level, std::span<const std::uint32_t> words, Ref place) {
+  NodeMap &map = at(level).nodes;
+  const std::uint32_t hash = NodeMap::hashOf(words);
+  if (map.find(hash, words, written(level)))
+    return;
+  if (auto inserted = map.insert(hash, place); !inserted)
+    fail(inserted.error());
+}
+
+void NodeStore::adoptLeaf(unsigned level, std::uint32_t value, Ref place) {
+  NodeMap &map = at(level).leaves;
+  const std::uint32_t hash = NodeMap::hashOf(value);
+  if (map.find(hash))
+    return;
+  if (auto inserted = map.insert(hash, place); !inserted)
+    fail(inserted.error());
+}
+
 std::uint32_t NodeStore::fetch(unsigned level, std::span<const std::uint32_t> words) {
   const std::uint32_t hash = NodeMap::hashOf(words);
   at(level).nodes.fetch(hash);

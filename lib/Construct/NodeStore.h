@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace voxc {
@@ -62,6 +63,9 @@ public:
   /// The same with the hash of the words.
   Ref intern(unsigned level, std::span<const std::uint32_t> words, std::uint32_t hash);
   Ref internLeaf(unsigned level, std::uint32_t value);
+  /// Interns what is there already, unless something equal is interned: a node, or the word of a leaf.
+  void adopt(unsigned level, std::span<const std::uint32_t> words, Ref place);
+  void adoptLeaf(unsigned level, std::uint32_t value, Ref place);
   /// What leads to a leaf that was interned before, if it was; 1 after a failure.
   std::optional<Ref> knownLeaf(unsigned level, std::uint32_t value);
   /// The same, and 0 where there is none.
@@ -99,6 +103,8 @@ public:
 
   void fail(Error error);
   const std::optional<Error> &failure() const { return failure_; }
+  /// Goes on after a failure: what was put before it stays.
+  std::optional<Error> takeFailure() { return std::exchange(failure_, std::nullopt); }
 
   WordStore &words() { return words_; }
   /// What each level has come to; without shared nodes if references are not counted.

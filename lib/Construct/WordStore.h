@@ -35,6 +35,8 @@ public:
   /// The first page is never settled.
   void setRoot(std::uint32_t offset) { setHead(0, offset); }
   void setHead(std::uint64_t word, std::uint32_t value) { words()[word] = value; }
+  /// Words that are there, to be changed. Not of words that settle.
+  std::uint32_t *at(std::uint64_t word) const { return words() + word; }
   /// Forgets all words but the first; keeps the memory. Not for words that settle.
   void clear() { size_ = 1; }
 

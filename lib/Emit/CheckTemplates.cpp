@@ -79,8 +79,12 @@ int main() {
       stratum.implied = implied;
       for (const std::string_view file : kind->accessor(stratum))
         demand("shaders-runtime", shaderFiles(), "slots/" + std::string(file) + ".glsl");
-      for (const std::string_view file : kind->construction(stratum))
+      for (const std::string_view file : kind->writing(stratum))
         demand("construct-runtime", constructFiles(), "slots/" + std::string(file) + ".cpp");
+      if (!kind->construct.empty())
+        demand("construct-runtime", constructFiles(), "slots/" + std::string(kind->construct) + ".cpp");
+      if (!kind->edit.empty())
+        demand("construct-runtime", constructFiles(), "edit/" + std::string(kind->edit) + ".cpp");
     }
   return problems == 0 ? 0 : 1;
 }

@@ -22,10 +22,14 @@ void addEmptyCells(TemplateNames &names, const Stratum &stratum) {
   holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
   holes["slot-of-value"] =
       stratum.tagShift() == 0 ? "placed.value" : "placed.value << " + std::to_string(stratum.tagShift());
+  const std::string value =
+      stratum.tagShift() == 0 ? "word" : "word >> " + std::to_string(stratum.tagShift());
   holes["empty-tag"] = isTagged ? "0x80000000u" : "0u";
   holes["word-is-empty"] = !isTagged    ? "(word >> 24) == 0"
                            : hasOctants ? "(word & " + holes["field-mask"] + ") != 0"
                                         : "(word >> 31) != 0";
+  holes["value-of-slot"] =
+      stratum.empty() == Empty::Zero ? "word" : holes["word-is-empty"] + " ? 0 : " + value;
 }
 
 std::string count(int log2, std::string_view unit) {
@@ -44,6 +48,7 @@ void addWords(TemplateNames &names, const Plan &plan, std::size_t index) {
   holes["words-of-slot"] = std::string("terminating integer") + (isBeside ? ", distance" : "") +
                            (stratum.ranked ? ", voxels before" : "");
   holes["write"] = stratum.sharing == Sharing::Level ? "intern" : "append";
+  holes["shares-grids"] = stratum.sharing == Sharing::Level ? "true" : "false";
   holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
   holes["slots-of-children"] = stratum.implied ? "children.filled & ~children.leaves" : "children.filled";
   auto &conditions = names.conditions;

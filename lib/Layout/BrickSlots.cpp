@@ -83,9 +83,8 @@ constexpr std::array<std::string_view, 5> kAccessor = {"masked/head", "masked/ra
                                                        "masked/slots", "brick/cell"};
 constexpr std::array<std::string_view, 4> kOfVoxels = {"masked/head", "brick/rank", "masked/there",
                                                        "brick/cell"};
-constexpr std::array<std::string_view, 3> kConstruction = {"masked/pack", "masked/write", "masked/construct"};
-constexpr std::array<std::string_view, 3> kConstructionOfVoxels = {"brick/pack", "masked/write",
-                                                                   "masked/construct"};
+constexpr std::array<std::string_view, 2> kWriting = {"masked/pack", "masked/write"};
+constexpr std::array<std::string_view, 2> kWritingOfVoxels = {"brick/pack", "masked/write"};
 
 std::span<const std::string_view> accessor(const Stratum &stratum) {
   if (stratum.implied)
@@ -93,10 +92,10 @@ std::span<const std::string_view> accessor(const Stratum &stratum) {
   return kAccessor;
 }
 
-std::span<const std::string_view> construction(const Stratum &stratum) {
+std::span<const std::string_view> writing(const Stratum &stratum) {
   if (stratum.implied)
-    return kConstructionOfVoxels;
-  return kConstruction;
+    return kWritingOfVoxels;
+  return kWriting;
 }
 
 } // namespace
@@ -104,7 +103,9 @@ std::span<const std::string_view> construction(const Stratum &stratum) {
 extern const SlotKind kBrickSlots = {.name = "brick",
                                      .summary = "64 bits for 4 x 4 x 4 cells, then a slot for each not empty",
                                      .accessor = accessor,
-                                     .construction = construction,
+                                     .writing = writing,
+                                     .construct = "masked/construct",
+                                     .edit = "mask",
                                      .numbered = "numbered-brick",
                                      .array = &kArray,
                                      .tellsByMasks = true,

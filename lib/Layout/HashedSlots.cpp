@@ -119,13 +119,17 @@ std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return
 
 constexpr std::array<std::string_view, 1> kFiles = {"hashed"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
+constexpr std::array<std::string_view, 1> kWriting = {"hashed/table"};
+std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
 
 } // namespace
 
 extern const SlotKind kHashedSlots = {.name = "hashed",
                                       .summary = "a table of the cells that are not empty, found by probing",
                                       .accessor = files,
-                                      .construction = files,
+                                      .writing = writing,
+                                      .construct = "hashed/construct",
+                                      .edit = "table",
                                       .lookUpLoops = true,
                                       .cost = {wordsRead, line, noSlotLine},
                                       .problem = problem,

@@ -41,9 +41,9 @@ double wordsRead(const Stratum &stratum, int, bool isEmpty) {
 
 constexpr std::array<std::string_view, 6> kAccessor = {"masked/head",  "masked/rank", "masked/there",
                                                        "masked/slots", "masked/cell", "cell"};
-constexpr std::array<std::string_view, 3> kConstruction = {"masked/pack", "masked/write", "masked/construct"};
+constexpr std::array<std::string_view, 2> kWriting = {"masked/pack", "masked/write"};
 std::span<const std::string_view> accessor(const Stratum &) { return kAccessor; }
-std::span<const std::string_view> construction(const Stratum &) { return kConstruction; }
+std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
 
 } // namespace
 
@@ -51,7 +51,9 @@ extern const SlotKind kMaskedSlots = {.name = "masked",
                                       .summary =
                                           "a mask of the cells, then a slot for each that is not empty",
                                       .accessor = accessor,
-                                      .construction = construction,
+                                      .writing = writing,
+                                      .construct = "masked/construct",
+                                      .edit = "mask",
                                       .numbered = "numbered",
                                       .tellsByMasks = true,
                                       .ranks = true,

@@ -108,7 +108,9 @@ std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()
 extern const SlotKind kMirroredSlots = {.name = "mirrored",
                                         .summary = "masks, then references that may reflect their node",
                                         .accessor = files,
-                                        .construction = files,
+                                        .writing = files,
+                                        .forbidsEdits = "keeps nodes that may be reflected, and its words do "
+                                                        "not tell which of them are their own mirror image",
                                         .root = root,
                                         .encodings = encodingBits<Leaves>,
                                         .sharing = Sharing::SubVolume,

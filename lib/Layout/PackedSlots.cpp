@@ -144,8 +144,8 @@ std::span<const std::string_view> accessor(const Stratum &stratum) {
   return MaskShape(stratum).hasTwoSets() ? kWideNode : kNode;
 }
 
-constexpr std::array<std::string_view, 1> kConstruction = {"packed"};
-std::span<const std::string_view> construction(const Stratum &) { return kConstruction; }
+constexpr std::array<std::string_view, 1> kWriting = {"packed"};
+std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
 std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()->place); }
 
 } // namespace
@@ -153,7 +153,8 @@ std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
                                       .accessor = accessor,
-                                      .construction = construction,
+                                      .writing = writing,
+                                      .edit = "tree",
                                       .root = root,
                                       .encodings = encodingBits<Leaves>,
                                       .sharing = Sharing::SubVolume,

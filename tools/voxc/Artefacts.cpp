@@ -6,6 +6,7 @@
 #include "voxc/Emit/Emit.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/Translate.h"
+#include "voxc/Layout/Edits.h"
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <algorithm>
@@ -148,6 +149,16 @@ Expected<std::string> makeConstruct(Generator &generator) {
                : printed(generator.plans().device(), emitConstruct);
 }
 
+Expected<std::string> makeEdit(Generator &generator) {
+  const Plan *const given = generator.plans().given();
+  const Expected<const Plan *> plan = given ? Expected<const Plan *>(given) : generator.plans().device();
+  if (!plan)
+    return plan.error();
+  if (const std::string reason = whyNoEdits((*plan)->layout); !reason.empty())
+    return Error::input("this format cannot be edited: " + reason);
+  return emitEdit(**plan);
+}
+
 Expected<std::string> makeGlsl(Generator &generator) {
   return printed(generator.plans().device(), emitIntersect);
 }
@@ -228,6 +239,7 @@ std::vector<Artefact> artefactsOf(std::span<const EmbeddedFile> embedded) {
 }
 
 std::vector<Artefact> constructCompanions(Generator &) { return artefactsOf(constructHeaders()); }
+std::vector<Artefact> editCompanions(Generator &) { return artefactsOf(editHeaders()); }
 std::vector<Artefact> cppCompanions(Generator &) { return artefactsOf(intersectHeaders()); }
 
 std::vector<Artefact> cpuCompanions(Generator &generator) {
@@ -262,6 +274,7 @@ constexpr ArtefactKind kArtefacts[] = {
     {"cpu-plan", "cpu.plan", makeCpuPlanText, noCompanions},
     {"header-plan", "header.plan", makeHeaderPlanText, noCompanions},
     {"construct", "construct.cpp", makeConstruct, constructCompanions},
+    {"edit", "edit.cpp", makeEdit, editCompanions},
     {"glsl", "intersect.glsl", makeGlsl, noCompanions},
     {"spirv", "intersect.spv", makeSpirv, noCompanions},
     {"spvasm", "intersect.spvasm", makeSpirvText, noCompanions},

@@ -74,8 +74,8 @@ void CompileCommand::declare(const CommandLine &command) {
       .showsDefault();
   command
       .add("--emit", kinds_,
-           "What to write, of ir, plan, cpu-plan, header-plan, construct, glsl, spirv, spvasm, interface, "
-           "hlsl, msl, cpp, cpu, header, c, webgl, rint, separated by commas")
+           "What to write, of ir, plan, cpu-plan, header-plan, construct, edit, glsl, spirv, spvasm, "
+           "interface, hlsl, msl, cpp, cpu, header, c, webgl, rint, separated by commas")
       .list()
       .takes("KINDS")
       .oneOf(artefactNames())

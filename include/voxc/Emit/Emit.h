@@ -24,6 +24,10 @@ std::string problemOf(const Plan &plan, EmitTarget target);
 /// construct.cpp: one function a level; needs only `constructHeaders()` beside it.
 std::string emitConstruct(const Plan &plan);
 
+/// edit.cpp: one function a level that changes a sub-volume; needs only `editHeaders()` beside it. The layout
+/// can be edited (`whyNoEdits`).
+std::string emitEdit(const Plan &plan);
+
 /// intersect.glsl: a complete compute shader; one function a level, a unit and a root function.
 std::string emitIntersect(const Plan &plan);
 

@@ -99,10 +99,16 @@ struct ArrayForm {
 struct SlotKind {
   std::string_view name; ///< In plan text.
   std::string_view summary;
-  /// The runtime files of a level: of its accessor, in shaders-runtime/slots, and of its construction, in
-  /// construct-runtime/slots.
+  /// The runtime files of a level: of its accessor, in shaders-runtime/slots; of what writes a node when its
+  /// children are known, in construct-runtime/slots.
   std::span<const std::string_view> (*accessor)(const Stratum &stratum);
-  std::span<const std::string_view> (*construction)(const Stratum &stratum);
+  std::span<const std::string_view> (*writing)(const Stratum &stratum);
+  /// Of grids: the file there that collects the cells of one. "": trees have construct-runtime/descent.
+  std::string_view construct = {};
+  /// The file of construct-runtime/edit that changes a sub-volume. "": none can be changed, for this reason,
+  /// which follows "the level" and has no full stop.
+  std::string_view edit = {};
+  std::string_view forbidsEdits = {};
   /// Those of these files alone, beside those of all.
   std::vector<SlotConstant> (*constants)(const Stratum &stratum) = noConstants;
   /// Of trees: the file of construct-runtime/root that ends a sub-volume. Null: they are none.
@@ -214,6 +220,10 @@ inline bool findsValueLater(const Stratum &stratum) {
 inline bool countsMaskWords(const Stratum &stratum) {
   return stratum.slots->tellsByMasks && stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
 }
+
+/// `SlotKind::forbidsEdits` of kinds by which numbers come into play.
+inline constexpr std::string_view kFixedArray =
+    "has numbers in place of references, and the array that they lead to ends where the build left it";
 
 /// To follow the level that numbers should lead to.
 inline constexpr std::string_view kMisplacedNumbers =

@@ -21,6 +21,9 @@ std::span<const EmbeddedFile> constructFiles();
 /// The headers of construct-runtime: what construct.cpp includes.
 std::span<const EmbeddedFile> constructHeaders();
 
+/// Those and voxc_edit.h: what edit.cpp includes.
+std::span<const EmbeddedFile> editHeaders();
+
 /// The leaves of cpu-runtime.
 std::span<const EmbeddedFile> cpuFiles();
 

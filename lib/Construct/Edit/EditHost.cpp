@@ -1,0 +1,138 @@
+// From the table of functions to the change and the store.
+#include "EditHost.h"
+
+#include <algorithm>
+#include <new>
+#include <unordered_set>
+
+namespace voxc {
+namespace {
+
+using construct::Node;
+using construct::Voxel;
+
+Int3 cellOf(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
+
+std::string placeText(Int3 at) {
+  return "(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ", " + std::to_string(at.z) + ")";
+}
+
+EditHost &hostOf(void *self) { return *static_cast<EditHost *>(self); }
+
+} // namespace
+
+EditHost::EditHost(EditStore &store, const Layout &layout, Int3 extent)
+    : BuildHost(store.nodes()), words_(store), old_(layout), tally_(old_), extent_(extent),
+      facts_(layout.voxelFacts()), colours_(facts_) {
+  if (layout.hasOneColour() && store.words()[1] != 0)
+    colours_.take(store.words()[1]);
+  fillTable();
+}
+
+void EditHost::begin(VoxelChange &change) {
+  change_ = &change;
+  more_ = 0;
+  old_.read(words_.words());
+  tally_.forget();
+}
+
+/// Only cubes within the extent become something as a whole.
+CubeChange EditHost::changeOf(const Cube &cube) {
+  CubeChange change = change_->of(cube);
+  if (change.kind != CubeChange::Set)
+    return change;
+  for (int axis = 0; axis < 3; ++axis)
+    if (cube.low[axis] + cube.side() > extent_[axis])
+      return {CubeChange::Some};
+  change.word = checked(cube.low, change.word);
+  return change;
+}
+
+std::uint32_t EditHost::voxel(Int3 at, std::uint32_t old) {
+  if (at.x >= extent_.x || at.y >= extent_.y || at.z >= extent_.z)
+    return old;
+  const std::uint32_t word = checked(at, change_->voxel(at, old));
+  more_ += (word != 0 ? 1 : 0) - (old != 0 ? 1 : 0);
+  return word;
+}
+
+/// What the volume keeps of a voxel's word. A word that its format cannot keep fails the edit.
+std::uint32_t EditHost::checked(Int3 at, std::uint32_t word) {
+  if (word == 0)
+    return 0;
+  if (facts_.alpha == Alpha::Positive && word >> 24 == 0)
+    store().fail(Error::input("voxel " + placeText(at) +
+                              " would have an alpha of 0, but the format states "
+                              "alpha=positive; a build without visible-voxels can have it"));
+  const bool isOld = word == kOccupied && !kindOf(facts_.payload).varies; // A voxel that stays as it is.
+  if (colours_.isStated() && !isOld && !colours_.take(word))
+    store().fail(colours_.broken("voxel " + placeText(at) + " would be", word));
+  return kindOf(facts_.payload).varies ? word : kOccupied;
+}
+
+void EditHost::keepOthers(unsigned level, Ref old) {
+  std::vector<KeptCell> cells(store().kept(level).begin(), store().kept(level).end());
+  std::unordered_set<std::uint32_t> changed;
+  for (const KeptCell &kept : cells)
+    changed.insert(kept.cell);
+  if (old != 0)
+    old_.cells(level, old, [&](std::uint64_t cell, std::uint32_t value) {
+      if (!changed.contains(static_cast<std::uint32_t>(cell)))
+        cells.push_back({static_cast<std::uint32_t>(cell), value});
+    });
+  store().drop(level);
+  for (const KeptCell &kept : cells)
+    if (kept.value != 0)
+      store().keep(level, kept.cell, kept.value);
+}
+
+void EditHost::replaced(unsigned level, int layers, const Node &old, int log2Side, std::uint32_t word) {
+  more_ += word == 0 ? 0 : std::int64_t{1} << 3 * log2Side;
+  more_ -= static_cast<std::int64_t>(layers == 0 ? tally_.ofSubVolume(level, old.value)
+                                                 : tally_.ofNode(level, layers, old));
+}
+
+void EditHost::fillTable() {
+  construct::EditHost &table = edits_;
+  table.self = this;
+  table.effect = [](void *self, Voxel low, int log2Side, std::uint32_t *value) {
+    EditHost &host = hostOf(self);
+    const CubeChange change = host.store().failure() ? CubeChange{} : host.changeOf({cellOf(low), log2Side});
+    *value = change.word;
+    return change.kind == CubeChange::Keep  ? construct::Effect::Keep
+           : change.kind == CubeChange::Set ? construct::Effect::Set
+                                            : construct::Effect::Change;
+  };
+  table.voxel = [](void *self, Voxel at, std::uint32_t old) { return hostOf(self).voxel(cellOf(at), old); };
+  table.root = [](void *self, unsigned level, std::uint32_t old, Node *root) {
+    *root = hostOf(self).old_.root(level, old);
+  };
+  table.children = [](void *self, unsigned level, const Node *node, Node *children) {
+    hostOf(self).old_.children(level, *node,
+                               [&](std::uint64_t index, const Node &child) { children[index] = child; });
+  };
+  table.read_cells = [](void *self, unsigned level, std::uint32_t old, std::uint32_t *cells) {
+    hostOf(self).old_.cells(level, old,
+                            [&](std::uint64_t cell, std::uint32_t value) { cells[cell] = value; });
+  };
+  table.cell = [](void *self, unsigned level, std::uint32_t old, std::uint32_t cell) {
+    return hostOf(self).old_.cell(level, old, cell);
+  };
+  table.keep_others = [](void *self, unsigned level, std::uint32_t old) {
+    hostOf(self).keepOthers(level, old);
+  };
+  table.open = [](void *self, unsigned level, std::uint32_t old, construct::uint64_t count) {
+    return hostOf(self).words_.open(level, old, count);
+  };
+  table.touch = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
+    hostOf(self).words_.touch(level, words, count);
+  };
+  table.close = [](void *self, unsigned level, bool shared) {
+    return hostOf(self).words_.close(level, shared);
+  };
+  table.abandon = [](void *self, unsigned level) { hostOf(self).words_.abandon(level); };
+  table.replaced = [](void *self, unsigned level, int layers, const Node *old, int log2Side,
+                      std::uint32_t word) { hostOf(self).replaced(level, layers, *old, log2Side, word); };
+}
+
+} // namespace voxc

@@ -1,0 +1,123 @@
+// A store, the code that edits it, and the states that it has been in.
+#include "voxc/Construct/EditableVolume.h"
+
+#include "Adoption.h"
+#include "EditCode.h"
+
+#include "voxc/Source/Sources.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <optional>
+
+namespace voxc {
+
+struct EditableVolume::State {
+  VolumeInfo info;
+  Layout layout;
+  std::shared_ptr<WorkingMemory> memory;
+  EditCode code;
+  double compileSeconds = 0;
+  const CompileCache *cache = nullptr;
+  std::unique_ptr<EditStore> store;
+  std::unique_ptr<EditHost> host;
+  std::uint64_t firstWords = 0;
+  std::optional<Volume> volume;           ///< As it is now, once it was asked for.
+  std::optional<Constructor> constructor; ///< Once there was a compaction.
+
+  Volume asVolume(std::span<const std::uint32_t> words, std::uint64_t voxels,
+                  std::shared_ptr<const void> owner) const {
+    VolumeInfo own = info;
+    own.voxels = voxels;
+    own.wordCounts.reset(); // Words that no state has are of no level.
+    return {std::move(own), words, std::move(owner)};
+  }
+};
+
+EditableVolume::EditableVolume(std::unique_ptr<State> state) : state_(std::move(state)) {}
+EditableVolume::~EditableVolume() = default;
+EditableVolume::EditableVolume(EditableVolume &&) noexcept = default;
+EditableVolume &EditableVolume::operator=(EditableVolume &&) noexcept = default;
+
+Expected<EditableVolume> EditableVolume::create(const Volume &volume, const EditableOptions &options) {
+  const Stopwatch watch;
+  auto code = EditCode::compile(volume.format(), options.cache);
+  if (!code)
+    return code.error();
+  auto memory = options.memory ? options.memory : WorkingMemory::createDefault();
+  std::unique_ptr<State> state(new State{
+      .info = volume.info(), .layout = volume.layout(), .memory = memory, .code = std::move(*code)});
+  state->compileSeconds = watch.seconds();
+  state->cache = options.cache;
+  state->firstWords = volume.words().size();
+  auto store = EditStore::create(volume.words(), state->layout, memory);
+  if (!store)
+    return store.error();
+  state->store = std::move(*store);
+  state->host = std::make_unique<EditHost>(*state->store, state->layout, state->info.extent);
+  state->code.begin(*state->host);
+  if (options.shareWithFirst) {
+    OldNodes nodes(state->layout);
+    nodes.read(state->store->words());
+    Adoption(nodes, state->store->nodes(), state->firstWords).subVolume(1, state->store->root());
+    if (auto failure = state->store->nodes().takeFailure())
+      return *failure;
+  }
+  return EditableVolume(std::move(state));
+}
+
+Expected<EditReport> EditableVolume::apply(VoxelChange &change) {
+  EditStore &store = *state_->store;
+  const std::uint64_t before = store.words().size();
+  state_->host->begin(change);
+  const Ref root = state_->code.edit(store.root());
+  state_->volume.reset();
+  if (auto failure = store.nodes().takeFailure()) {
+    store.rollBack();
+    return *failure;
+  }
+  store.commit(root);
+  if (state_->layout.hasOneColour())
+    store.setHead(root, state_->host->colour());
+  const std::int64_t more = state_->host->moreVoxels();
+  state_->info.voxels += static_cast<std::uint64_t>(more);
+  return EditReport{more, store.words().size() - before};
+}
+
+EditableVolume::Snapshot EditableVolume::snapshot() {
+  state_->store->seal();
+  return {state_->store->root(), state_->info.voxels};
+}
+
+void EditableVolume::restore(const Snapshot &snapshot) {
+  state_->store->setHead(snapshot.root, 0);
+  state_->info.voxels = snapshot.voxels;
+  state_->volume.reset();
+}
+
+const Volume &EditableVolume::volume() {
+  if (!state_->volume)
+    state_->volume = state_->asVolume(state_->store->words(), state_->info.voxels, nullptr);
+  return *state_->volume;
+}
+
+std::uint64_t EditableVolume::voxels() const { return state_->info.voxels; }
+std::uint64_t EditableVolume::words() const { return state_->store->words().size(); }
+std::vector<WordRange> EditableVolume::takeChanges() { return state_->store->takeChanges(); }
+double EditableVolume::compileSeconds() const { return state_->compileSeconds; }
+
+bool EditableVolume::wantsCompaction() const { return words() > state_->firstWords + state_->firstWords / 2; }
+
+BuildResult EditableVolume::compact(const BuildOptions &options) const {
+  if (!state_->constructor) {
+    auto constructor = Constructor::compile(state_->info.format, state_->cache);
+    if (!constructor)
+      return constructor.error();
+    state_->constructor.emplace(std::move(*constructor));
+  }
+  const auto volume =
+      std::make_shared<const Volume>(state_->asVolume(state_->store->words(), state_->info.voxels, nullptr));
+  const auto source = makeVolumeSource(volume);
+  return state_->constructor->build(*source, options);
+}
+
+} // namespace voxc
