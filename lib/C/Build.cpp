@@ -1,9 +1,8 @@
 // Building volumes in C.
+#include "C/BuildOptions.h"
 #include "C/FormatHandle.h"
 #include "Source/GridExtent.h"
-#include "Support/ParallelFor.h"
 #include "voxc/Components/Components.h"
-#include "voxc/Construct/Constructor.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/Input/Arguments.h"
 #include "voxc/Source/Sources.h"
@@ -15,11 +14,6 @@ using namespace voxc::c;
 
 namespace {
 
-std::shared_ptr<WorkingMemory> memoryOf(const voxc_build_options &options) {
-  return options.memory_bytes > 0 ? WorkingMemory::create(options.memory_bytes)
-                                  : WorkingMemory::createDefault();
-}
-
 /// Builds an opened source; `provenance` is what the input says of itself.
 voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_build_options &given,
                   std::shared_ptr<WorkingMemory> memory, const Progress &progress,
@@ -27,13 +21,9 @@ voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_bui
   const Expected<Constructor> constructor = Constructor::compile(format->format);
   if (!constructor)
     return wrap(constructor.error());
-  BuildOptions options;
+  BuildOptions options = buildOptionsOf(given, progress);
   options.provenance = textOr(given.provenance, provenance.c_str());
-  options.threads = threadsOrAll(given.threads);
   options.memory = std::move(memory);
-  options.path = textOr(given.path, "");
-  options.progress = progress;
-  options.compress = given.compress != 0;
   Expected<Built> built = constructor->build(source, options);
   if (!built)
     return wrap(built.error());

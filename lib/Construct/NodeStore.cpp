@@ -176,20 +176,12 @@ Ref NodeStore::internLeaf(unsigned level, std::uint32_t value) {
 }
 
 void NodeStore::adopt(unsigned level, std::span<const std::uint32_t> words, Ref place) {
-  NodeMap &map = at(level).nodes;
-  const std::uint32_t hash = NodeMap::hashOf(words);
-  if (map.find(hash, words, written(level)))
-    return;
-  if (auto inserted = map.insert(hash, place); !inserted)
+  if (auto inserted = at(level).nodes.insert(NodeMap::hashOf(words), place); !inserted)
     fail(inserted.error());
 }
 
 void NodeStore::adoptLeaf(unsigned level, std::uint32_t value, Ref place) {
-  NodeMap &map = at(level).leaves;
-  const std::uint32_t hash = NodeMap::hashOf(value);
-  if (map.find(hash))
-    return;
-  if (auto inserted = map.insert(hash, place); !inserted)
+  if (auto inserted = at(level).leaves.insert(NodeMap::hashOf(value), place); !inserted)
     fail(inserted.error());
 }
 

@@ -63,7 +63,7 @@ public:
   /// The same with the hash of the words.
   Ref intern(unsigned level, std::span<const std::uint32_t> words, std::uint32_t hash);
   Ref internLeaf(unsigned level, std::uint32_t value);
-  /// Interns what is there already, unless something equal is interned: a node, or the word of a leaf.
+  /// Interns what is there already and was not interned before: a node, or the word of a leaf.
   void adopt(unsigned level, std::span<const std::uint32_t> words, Ref place);
   void adoptLeaf(unsigned level, std::uint32_t value, Ref place);
   /// What leads to a leaf that was interned before, if it was; 1 after a failure.
@@ -107,6 +107,7 @@ public:
   std::optional<Error> takeFailure() { return std::exchange(failure_, std::nullopt); }
 
   WordStore &words() { return words_; }
+  const WordStore &words() const { return words_; }
   /// What each level has come to; without shared nodes if references are not counted.
   std::vector<LevelReport> report() const;
   /// Counts references from now on, of which a report tells.

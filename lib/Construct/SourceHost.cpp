@@ -13,11 +13,6 @@ constexpr unsigned kCallsBetweenReports = 256;
 
 } // namespace
 
-std::string placeText(Int3 voxel) {
-  return "(" + std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " + std::to_string(voxel.z) +
-         ")";
-}
-
 MortonProgress::MortonProgress(Int3 extent, const Progress &progress) : progress_(progress) {
   const auto longest = static_cast<std::uint32_t>(std::max({extent.x, extent.y, extent.z, 1}));
   totalCodes_ = std::uint64_t{1} << (3 * std::bit_width(longest - 1));
@@ -31,20 +26,11 @@ bool MortonProgress::at(Int3 low, std::uint64_t voxels) {
   return !progress_.stopped();
 }
 
-void SourceHost::proveAlpha(Int3 low, const std::uint32_t *voxels) {
-  for (unsigned i = 0; i < 512; ++i) {
-    if (voxels[i] == 0 || voxels[i] >> 24 != 0)
-      continue;
-    return store().fail(Error::input("voxel " + placeText(low + mortonCell(i)) +
-                                     " has an alpha of 0, but the format states alpha=positive; build it "
-                                     "without visible-voxels"));
-  }
-}
-
-void SourceHost::proveColours(Int3 low, const std::uint32_t *voxels) {
+void SourceHost::prove(Int3 low, const std::uint32_t *voxels) {
   for (unsigned i = 0; i < 512; ++i)
-    if (voxels[i] != 0 && !colours_.take(voxels[i]))
-      return store().fail(colours_.broken("voxel " + placeText(low + mortonCell(i)) + " is", voxels[i]));
+    if (voxels[i] != 0)
+      if (auto problem = proof_.prove(low + mortonCell(i), voxels[i]))
+        return store().fail(std::move(*problem));
 }
 
 void SourceHost::readBrick(Int3 low, construct::Brick &brick) {
@@ -53,12 +39,10 @@ void SourceHost::readBrick(Int3 low, construct::Brick &brick) {
     brick = {};
     return store().fail(done.error());
   }
-  if (facts_.alpha == Alpha::Positive)
-    proveAlpha(low, voxels);
-  if (colours_.isStated())
-    proveColours(low, voxels);
-  if (!kindOf(facts_.payload).varies)
-    std::replace_if(voxels, voxels + 512, [](std::uint32_t word) { return word != 0; }, kOccupied);
+  if (proof_.isNeeded())
+    prove(low, voxels);
+  if (!proof_.keepsWords())
+    std::transform(voxels, voxels + 512, voxels, [this](std::uint32_t word) { return proof_.kept(word); });
   std::ranges::copy(bitsOf(voxels), brick.filled);
   for (const std::uint64_t bits : brick.filled)
     voxels_ += static_cast<std::uint64_t>(std::popcount(bits));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "BuildHost.h"
-#include "ColourFact.h"
+#include "VoxelProof.h"
 
 #include "voxc/Layout/Layout.h"
 #include "voxc/Source/VoxelSource.h"
@@ -29,24 +29,21 @@ class SourceHost : public BuildHost {
 public:
   /// `facts`: what the volume's format states of its voxels.
   SourceHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress)
-      : BuildHost(store), source_(source), facts_(facts), colours_(facts),
-        progress_(source.extent(), progress) {}
+      : BuildHost(store), source_(source), proof_(facts), progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
   /// The one colour of all voxels so far, of a payload of one; 0: none yet.
-  std::uint32_t colour() const { return colours_.one(); }
+  std::uint32_t colour() const { return proof_.colour(); }
 
 protected:
   bool isEmpty(const Cube &cube) override { return source_.empty(cube); }
   void readBrick(Int3 low, construct::Brick &brick) override;
 
 private:
-  void proveColours(Int3 low, const std::uint32_t *voxels);
-  void proveAlpha(Int3 low, const std::uint32_t *voxels);
+  void prove(Int3 low, const std::uint32_t *voxels);
 
   VoxelSource &source_;
-  VoxelFacts facts_;
-  ColourFact colours_;
+  VoxelProof proof_;
   MortonProgress progress_;
   std::uint64_t voxels_ = 0;
 };

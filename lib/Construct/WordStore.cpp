@@ -31,14 +31,25 @@ Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memo
   WordStore store(memory);
   store.settle_ = std::move(settle);
   store.settledBegin_ = store.settledEnd_ = WorkingMemory::pageBytes();
-  auto block = memory->reserve(mostWords * sizeof(std::uint32_t));
+  if (auto begun = store.begin(memory->reserve(mostWords * sizeof(std::uint32_t))); !begun)
+    return begun.error();
+  return store;
+}
+
+Expected<WordStore> WordStore::createShared(const std::shared_ptr<WorkingMemory> &memory,
+                                            std::uint64_t mostWords) {
+  WordStore store(memory);
+  if (auto begun = store.begin(memory->reserveShared(mostWords * sizeof(std::uint32_t))); !begun)
+    return begun.error();
+  return store;
+}
+
+Expected<void> WordStore::begin(Expected<MemoryBlock> block) {
   if (!block)
     return block.error();
-  store.block_ = std::move(*block);
+  block_ = std::move(*block);
   const std::uint32_t root = 0;
-  if (auto appended = store.append({&root, 1}); !appended)
-    return appended.error();
-  return store;
+  return append({&root, 1});
 }
 
 Expected<void> WordStore::append(std::span<const std::uint32_t> words) {

@@ -23,6 +23,12 @@ public:
   static Expected<WordStore> create(const std::shared_ptr<WorkingMemory> &memory, Settle settle = {},
                                     std::uint64_t mostWords = std::uint64_t{1} << 32);
 
+  /// Words of which there are views.
+  static Expected<WordStore> createShared(const std::shared_ptr<WorkingMemory> &memory,
+                                          std::uint64_t mostWords);
+  /// All words as they are, at other addresses: words of the head may be others there. Of `createShared`.
+  Expected<MemoryBlock> view() const { return memory_->view(block_, bytes()); }
+
   std::uint64_t size() const { return size_; }
   std::span<const std::uint32_t> span() const { return {words(), size_}; }
   /// Bytes [first, second) were settled.
@@ -44,6 +50,7 @@ public:
   MemoryBlock take() { return std::move(block_); }
 
 private:
+  Expected<void> begin(Expected<MemoryBlock> block);
   explicit WordStore(std::shared_ptr<WorkingMemory> memory) : memory_(std::move(memory)) {}
   std::uint32_t *words() const { return reinterpret_cast<std::uint32_t *>(block_.data()); }
   std::uint64_t bytes() const { return size_ * sizeof(std::uint32_t); }

@@ -83,14 +83,19 @@ bool VoxelEdit::touches(const Cube &cube) const {
   return true;
 }
 
-Expected<std::unique_ptr<VoxelSource>> makeEditedSource(std::shared_ptr<const Volume> volume,
-                                                        std::vector<VoxelEdit> edits) {
-  const Int3 extent = volume->info().extent;
+Expected<void> checkEdits(std::span<const VoxelEdit> edits, Int3 extent) {
   for (std::size_t i = 0; i < edits.size(); ++i)
     if (!fits(edits[i], extent))
       return Error::input("edit " + std::to_string(i + 1) + " has " + toText(edits[i].size) +
                           " voxels from " + toText(edits[i].low) + " on, but the volume ends at " +
                           toText(extent));
+  return {};
+}
+
+Expected<std::unique_ptr<VoxelSource>> makeEditedSource(std::shared_ptr<const Volume> volume,
+                                                        std::vector<VoxelEdit> edits) {
+  if (auto checked = checkEdits(edits, volume->info().extent); !checked)
+    return checked.error();
   return std::unique_ptr<VoxelSource>(std::make_unique<EditedSource>(
       makeVolumeSource(std::move(volume)), std::make_shared<const std::vector<VoxelEdit>>(std::move(edits))));
 }

@@ -199,6 +199,8 @@ Expected<MemoryBlock> WorkingMemory::allocate(std::uint64_t bytes) {
 Expected<void> WorkingMemory::extend(MemoryBlock &block, std::uint64_t bytes) {
   const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
   const std::lock_guard lock(state_->mutex);
+  if (block.file_ >= 0)
+    return addShared(block, size);
   const bool fits = size <= bound_ && state_->inMemory + size <= bound_ / 4 * 3;
   return fits ? addMemory(block, size) : addScratch(block, size);
 }
@@ -218,6 +220,40 @@ Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes)
   block.inMemory_ += bytes;
   block.size_ += bytes;
   return {};
+}
+
+Expected<MemoryBlock> WorkingMemory::reserveShared(std::uint64_t most) {
+  auto block = reserve(most);
+  if (!block)
+    return block;
+  block->file_ = ::memfd_create("voxc", MFD_CLOEXEC);
+  if (block->file_ < 0)
+    return Error::environment("cannot get shared memory: " + reason());
+  return block;
+}
+
+Expected<void> WorkingMemory::addShared(MemoryBlock &block, std::uint64_t bytes) {
+  if (::ftruncate(block.file_, static_cast<off_t>(block.size_ + bytes)) != 0 ||
+      ::mmap(block.data_ + block.size_, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, block.file_,
+             static_cast<off_t>(block.size_)) == MAP_FAILED)
+    return Error::environment("cannot get " + megabytes(bytes) + " of memory: " + reason());
+  ::madvise(block.data_ + block.size_, bytes, MADV_HUGEPAGE);
+  state_->inMemory += bytes;
+  block.inMemory_ += bytes;
+  block.size_ += bytes;
+  return {};
+}
+
+Expected<MemoryBlock> WorkingMemory::view(const MemoryBlock &block, std::uint64_t bytes) {
+  const std::uint64_t size = wholePages(bytes);
+  void *const address = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE, block.file_, 0);
+  if (address == MAP_FAILED)
+    return lackOfAddresses(size);
+  MemoryBlock view;
+  view.owner_ = shared_from_this();
+  view.data_ = static_cast<std::byte *>(address);
+  view.size_ = view.reserved_ = size;
+  return view;
 }
 
 Expected<void> WorkingMemory::addScratch(MemoryBlock &block, std::uint64_t bytes) {
@@ -274,6 +310,8 @@ Expected<void> WorkingMemory::resize(MemoryBlock &block, std::uint64_t bytes) {
 
 void WorkingMemory::release(MemoryBlock &block) {
   ::munmap(block.data_, block.reserved_);
+  if (block.file_ >= 0)
+    ::close(block.file_);
   const std::lock_guard lock(state_->mutex);
   state_->inMemory -= block.inMemory_;
   std::erase_if(state_->watched, [&](const auto &span) {
@@ -327,6 +365,7 @@ MemoryBlock &MemoryBlock::operator=(MemoryBlock &&other) noexcept {
   std::swap(reserved_, other.reserved_);
   std::swap(inMemory_, other.inMemory_);
   std::swap(extents_, other.extents_);
+  std::swap(file_, other.file_);
   return *this;
 }
 

@@ -49,6 +49,7 @@ public:
 
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
   Expected<UpdateReport> update(const Volume &before, const Volume &after) override;
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override;
 
 private:
   /// Traces the rays once. `before` rays of `total` were traced by earlier repeats.
@@ -92,6 +93,13 @@ Expected<UpdateReport> CpuTracer::update(const Volume &before, const Volume &aft
     return fits.error();
   if (before.words().data() != words_.data() || before.words().size() != words_.size())
     return notTraced();
+  words_ = after.words();
+  return UpdateReport{};
+}
+
+Expected<UpdateReport> CpuTracer::follow(const Volume &after, std::span<const WordRange> /*changed*/) {
+  if (auto fits = checkFit(kernel_.storageDigest, after, "cpu"); !fits)
+    return fits.error();
   words_ = after.words();
   return UpdateReport{};
 }

@@ -31,6 +31,12 @@ public:
       edge_ = longestEdge(after.info().extent);
     return report;
   }
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override {
+    auto report = tracer_->follow(after, changed);
+    if (report)
+      edge_ = longestEdge(after.info().extent);
+    return report;
+  }
 
 private:
   Expected<double> learn(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);

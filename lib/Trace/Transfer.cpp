@@ -35,6 +35,41 @@ Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer
   return {};
 }
 
+Expected<std::uint64_t> Transfer::upload(std::span<const std::uint32_t> words,
+                                         std::span<const WordRange> ranges, Buffer &buffer) {
+  std::vector<VkBufferCopy> regions;
+  std::uint64_t staged = 0, copied = 0;
+  auto stage = buffer.writable() ? Expected<Buffer *>(&buffer) : staging(uploadStaging_, BufferPlace::Upload);
+  if (!stage)
+    return stage.error();
+  const auto flush = [&]() -> Expected<void> {
+    const std::span<const VkBufferCopy> waiting = regions;
+    auto done = waiting.empty() ? Expected<void>() : copy(**stage, buffer, waiting);
+    regions.clear();
+    staged = 0;
+    return done;
+  };
+  for (const WordRange &range : ranges) {
+    const auto bytes = std::as_bytes(words.subspan(range.first, range.end - range.first));
+    const std::uint64_t at = range.first * sizeof(std::uint32_t);
+    copied += bytes.size();
+    if (staged + bytes.size() > kStagingBytes)
+      if (auto flushed = flush(); !flushed)
+        return flushed.error();
+    if (buffer.writable() || bytes.size() > kStagingBytes) {
+      if (auto uploaded = upload(bytes, buffer, at); !uploaded)
+        return uploaded.error();
+      continue;
+    }
+    std::memcpy((*stage)->writable() + staged, bytes.data(), bytes.size());
+    regions.push_back({staged, at, bytes.size()});
+    staged += bytes.size();
+  }
+  if (auto flushed = flush(); !flushed)
+    return flushed.error();
+  return copied;
+}
+
 Expected<void> Transfer::download(const Buffer &buffer, std::span<std::byte> bytes) {
   if (buffer.readable()) {
     std::memcpy(bytes.data(), buffer.readable(), bytes.size());
@@ -63,11 +98,12 @@ Expected<Buffer *> Transfer::staging(std::optional<Buffer> &buffer, BufferPlace 
   return &*buffer;
 }
 
-Expected<void> Transfer::copy(const Buffer &from, const Buffer &to, const VkBufferCopy &region) {
+Expected<void> Transfer::copy(const Buffer &from, const Buffer &to, std::span<const VkBufferCopy> regions) {
   auto commands = commands_.begin();
   if (!commands)
     return commands.error();
-  device_->vk.CmdCopyBuffer(*commands, from.get(), to.get(), 1, &region);
+  device_->vk.CmdCopyBuffer(*commands, from.get(), to.get(), static_cast<std::uint32_t>(regions.size()),
+                            regions.data());
   recordBarrier(*device_, *commands);
   if (auto submitted = commands_.submit(); !submitted)
     return submitted;

@@ -61,6 +61,19 @@ std::span<const std::uint32_t> partOf(std::span<const std::uint32_t> words, std:
   return words.subspan(first, std::min<std::uint64_t>(partWords, words.size() - first));
 }
 
+/// The ranges that lie in the part `index`, of so many words, counted from its first word.
+std::vector<WordRange> rangesWithin(std::span<const WordRange> ranges, std::uint64_t index,
+                                    std::uint64_t partWords, std::uint64_t words) {
+  std::vector<WordRange> within;
+  const std::uint64_t begin = index == 0 ? 0 : index * partWords;
+  for (const WordRange &range : ranges) {
+    const std::uint64_t first = std::max(range.first, begin), end = std::min(range.end, begin + words);
+    if (first < end)
+      within.push_back({first - begin, end - begin});
+  }
+  return within;
+}
+
 /// Whether block `index` of a part holds what it held before.
 bool isBlockEqual(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
                   std::uint64_t index) {
@@ -115,13 +128,48 @@ Expected<UpdateReport> VolumeWords::update(Transfer &transfer, std::span<const s
       return copied.error();
     report.copiedBytes += *copied;
   }
+  return updated(transfer, after.size(), report);
+}
+
+/// Ends an update of all parts.
+Expected<UpdateReport> VolumeWords::updated(Transfer &transfer, std::uint64_t words, UpdateReport report) {
   if (zeros_.use_count() == 1)
     zeros_ = nullptr;
-  count_ = after.size();
+  count_ = words;
   if (addressing_ == Addressing::Segments)
     if (auto told = uploadTable(transfer); !told)
       return told.error();
   return report;
+}
+
+Expected<UpdateReport> VolumeWords::follow(Transfer &transfer, std::span<const std::uint32_t> after,
+                                           std::span<const WordRange> changed) {
+  if (auto checked = checkAddressing(*device_, after.size(), addressing_); !checked)
+    return checked.error();
+  UpdateReport report;
+  parts_.resize(1 + (after.size() - 1) / partWords());
+  for (std::uint64_t index = 0; index < parts_.size(); ++index) {
+    const auto words = partOf(after, partWords(), index);
+    auto copied =
+        followPart(transfer, parts_[index], words, rangesWithin(changed, index, partWords(), words.size()));
+    if (!copied)
+      return copied.error();
+    report.copiedBytes += *copied;
+  }
+  return updated(transfer, after.size(), report);
+}
+
+/// A part that is new, or one that stands for several, is copied as a whole.
+Expected<std::uint64_t> VolumeWords::followPart(Transfer &transfer, Part &part,
+                                                std::span<const std::uint32_t> after,
+                                                std::span<const WordRange> changed) {
+  if (part && changed.empty())
+    return std::uint64_t{0};
+  if (!part || part == zeros_)
+    return updatePart(transfer, part, {}, after);
+  if (auto room = makeRoom(transfer, part, after.size()); !room)
+    return room.error();
+  return transfer.upload(after, changed, *part);
 }
 
 Expected<std::uint64_t> VolumeWords::updatePart(Transfer &transfer, Part &part,

@@ -28,6 +28,10 @@ public:
   Expected<UpdateReport> update(Transfer &transfer, std::span<const std::uint32_t> before,
                                 std::span<const std::uint32_t> after);
 
+  /// The same where it is known which words of `after` are others: those alone are copied.
+  Expected<UpdateReport> follow(Transfer &transfer, std::span<const std::uint32_t> after,
+                                std::span<const WordRange> changed);
+
   /// How many there are.
   std::uint64_t count() const { return count_; }
 
@@ -45,6 +49,9 @@ private:
   std::uint64_t partWords() const;
   Expected<std::uint64_t> updatePart(Transfer &transfer, Part &part, std::span<const std::uint32_t> before,
                                      std::span<const std::uint32_t> after);
+  Expected<std::uint64_t> followPart(Transfer &transfer, Part &part, std::span<const std::uint32_t> after,
+                                     std::span<const WordRange> changed);
+  Expected<UpdateReport> updated(Transfer &transfer, std::uint64_t words, UpdateReport report);
   Expected<void> makeRoom(Transfer &transfer, Part &part, std::uint64_t words);
   Expected<void> uploadTable(Transfer &transfer);
 

@@ -132,10 +132,22 @@ Expected<UpdateReport> VulkanTracer::update(const Volume &before, const Volume &
   if (before.words().size() != words_.count())
     return notTraced();
   const VkBuffer binding = words_.binding().get();
-  auto report = words_.update(transfer_, before.words(), after.words());
+  return rebound(words_.update(transfer_, before.words(), after.words()), after, binding);
+}
+
+Expected<UpdateReport> VulkanTracer::follow(const Volume &after, std::span<const WordRange> changed) {
+  if (auto fits = checkFit(storageDigest_, after, "spirv"); !fits)
+    return fits.error();
+  const VkBuffer binding = words_.binding().get();
+  return rebound(words_.follow(transfer_, after.words(), changed), after, binding);
+}
+
+/// Ends an update: words may lie in another buffer than before.
+Expected<UpdateReport> VulkanTracer::rebound(Expected<UpdateReport> report, const Volume &after,
+                                             VkBuffer before) {
   if (report)
     extent_ = after.info().extent;
-  if (!report || !batch_ || words_.binding().get() == binding)
+  if (!report || !batch_ || words_.binding().get() == before)
     return report;
   if (auto bound = bind(*batch_); !bound)
     return bound.error();

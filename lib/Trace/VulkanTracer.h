@@ -19,6 +19,7 @@ public:
 
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
   Expected<UpdateReport> update(const Volume &before, const Volume &after) override;
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override;
 
 private:
   struct Work;
@@ -27,6 +28,7 @@ private:
                TracePipeline pipeline, TileQueue tiles, bool bounded, Int3 extent);
   Expected<void> reserve(std::uint64_t rays);
   Expected<void> bind(const RayBuffers &batch);
+  Expected<UpdateReport> rebound(Expected<UpdateReport> report, const Volume &after, VkBuffer before);
   Expected<void> traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work);
   Expected<void> download(std::span<Hit> hits, Work &work);
   /// Goes on with rays that the device cut short (`Kernel`), until none is left.

@@ -6,6 +6,7 @@
 #include "VolumeHead.h"
 
 #include "voxc/Support/File.h"
+#include "voxc/Volume/Volume.h"
 
 #include <algorithm>
 
@@ -70,6 +71,8 @@ PagedVolume::PagedVolume(PagedVolume &&) noexcept = default;
 PagedVolume &PagedVolume::operator=(PagedVolume &&) noexcept = default;
 
 Expected<PagedVolume> PagedVolume::open(const std::string &path) {
+  if (auto checked = checkNoJournal(path); !checked)
+    return checked.error();
   auto opened = MappedFile::open(path);
   if (!opened)
     return opened.error();

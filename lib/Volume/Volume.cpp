@@ -8,6 +8,7 @@
 #include "voxc/Support/File.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace voxc {
 
@@ -59,7 +60,20 @@ std::uint64_t Volume::bytes() const {
 std::uint64_t Volume::mostCubes() const { return state_->mostCubes; }
 void Volume::allowCubes(std::uint64_t most) { state_->mostCubes = most; }
 
+std::string journalPathOf(const std::string &volumePath) { return volumePath + ".journal"; }
+
+Expected<void> checkNoJournal(const std::string &volumePath) {
+  std::error_code ignored;
+  if (std::filesystem::exists(journalPathOf(volumePath), ignored))
+    return Error::input("edits of '" + volumePath + "' wait in '" + journalPathOf(volumePath) +
+                        "'; 'voxc edit " + volumePath + " --compact -o " + volumePath + "' puts them into it");
+  return {};
+}
+
 Expected<Volume> Volume::load(const std::string &path, const LoadOptions &options) {
+  if (!options.withoutJournal)
+    if (auto checked = checkNoJournal(path); !checked)
+      return checked.error();
   auto opened = MappedFile::open(path);
   if (!opened)
     return opened.error();

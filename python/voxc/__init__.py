@@ -10,6 +10,7 @@ is empty. What cannot be done raises voxc.Error with the sentence that the tools
 """
 from ._library import Error, lib as _lib
 from .building import build
+from .editable import Editable
 from .format import Format
 from .picture import save_picture
 from .search import search
@@ -18,5 +19,5 @@ from .tracer import BOUNDED_RAY, HIT, RAY, Tracer, devices, normals
 from .volume import Volume
 
 __version__ = _lib.voxc_version().decode()
-__all__ = ["BOUNDED_RAY", "Error", "Format", "HIT", "InputWarning", "RAY", "Tracer", "Volume", "build", "devices", "normals",
+__all__ = ["BOUNDED_RAY", "Editable", "Error", "Format", "HIT", "InputWarning", "RAY", "Tracer", "Volume", "build", "devices", "normals",
            "save_picture", "search"]

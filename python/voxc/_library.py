@@ -23,6 +23,7 @@ class Error(Exception):
 
 REPORT = ctypes.CFUNCTYPE(c_int, c_void_p, c_char_p, c_double, c_uint64)
 VOXEL = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_int32, c_int32, c_int32)
+EDITED_VOXEL = ctypes.CFUNCTYPE(c_uint32, c_void_p, c_int32, c_int32, c_int32, c_uint32)
 SENTENCE = ctypes.CFUNCTYPE(None, c_void_p, c_char_p)
 IS_EMPTY = ctypes.CFUNCTYPE(c_int, c_void_p, c_int32, c_int32, c_int32, c_int32)
 
@@ -39,6 +40,10 @@ class LoadOptions(ctypes.Structure):
 class DeviceInfo(ctypes.Structure):
     _fields_ = [("name", ctypes.c_char * 256), ("kind", ctypes.c_char * 32), ("uuid", ctypes.c_char * 40),
                 ("memory_bytes", c_uint64), ("usable", c_int)]
+
+
+class Snapshot(ctypes.Structure):
+    _fields_ = [("root", c_uint64), ("voxels", c_uint64)]
 
 
 class TracerOptions(ctypes.Structure):
@@ -117,6 +122,21 @@ FUNCTIONS = {
     "voxc_build_source": (c_void_p, [c_void_p, POINTER(Source), POINTER(BuildOptions), POINTER(c_void_p)]),
     "voxc_build_input": (c_void_p, [c_void_p, c_char_p, POINTER(InputOptions), POINTER(BuildOptions),
                                     POINTER(c_void_p)]),
+    "voxc_editable_create": (c_void_p, [c_void_p, POINTER(c_void_p)]),
+    "voxc_editable_free": (None, [c_void_p]),
+    "voxc_editable_set_box": (c_void_p, [c_void_p, POINTER(c_int32), POINTER(c_int32), c_uint32]),
+    "voxc_editable_set_sphere": (c_void_p, [c_void_p, POINTER(c_int32), c_int32, c_uint32]),
+    "voxc_editable_set_voxels": (c_void_p, [c_void_p, c_void_p, c_void_p, c_uint64]),
+    "voxc_editable_paste": (c_void_p, [c_void_p, c_void_p, POINTER(c_int32)]),
+    "voxc_editable_apply": (c_void_p, [c_void_p, POINTER(c_int32), POINTER(c_int32), EDITED_VOXEL, c_void_p]),
+    "voxc_editable_snapshot": (Snapshot, [c_void_p]),
+    "voxc_editable_restore": (None, [c_void_p, Snapshot]),
+    "voxc_editable_view": (c_void_p, [c_void_p, Snapshot, POINTER(c_void_p)]),
+    "voxc_editable_voxels": (c_uint64, [c_void_p]),
+    "voxc_editable_words": (c_uint64, [c_void_p]),
+    "voxc_editable_wants_compaction": (c_int, [c_void_p]),
+    "voxc_editable_compact": (c_void_p, [c_void_p, POINTER(BuildOptions), POINTER(c_void_p)]),
+    "voxc_tracer_follow": (c_void_p, [c_void_p, c_void_p, POINTER(c_uint64)]),
     "voxc_tracer_create": (c_void_p, [c_void_p, POINTER(TracerOptions), POINTER(c_void_p)]),
     "voxc_render": (c_void_p, [c_void_p, POINTER(PictureOptions), c_void_p]),
 }

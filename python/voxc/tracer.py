@@ -109,6 +109,7 @@ class Tracer:
     def __init__(self, volume, device=None, *, threads=None, query=None, outputs=None, precision=None, passes=None,
                  bounds=False):
         self._volume = volume
+        self._followed = None
         self._options = dict(device=c.text(device), threads=threads, query=c.text(query), outputs=list_of(outputs),
                              precision=c.text(precision), passes=list_of(passes))
         self._handle = self._create(bounds=int(bounds))
@@ -121,7 +122,8 @@ class Tracer:
 
     def _create(self, bounds):
         options = c.options(c.TracerOptions, bounds=bounds, **self._options)
-        return c.make(c.lib.voxc_tracer_create, self._volume._handle, ctypes.byref(options))
+        volume = self._followed.view() if self._followed else self._volume
+        return c.make(c.lib.voxc_tracer_create, volume._handle, ctypes.byref(options))
 
     def __del__(self):
         handles = [getattr(self, name, None) for name in ("_handle", "_bounded_handle")]
@@ -158,7 +160,20 @@ class Tracer:
             c.check(c.lib.voxc_tracer_update(handle, volume._handle, ctypes.byref(copied)))
             total += copied.value
         self._volume = volume
+        self._followed = None
         return total
+
+    def follow(self, editable):
+        """Goes on with an `Editable` as it is now, which was made of the volume of this tracer, or followed by it before. Only
+        what changed since then is brought to the device; returns how many bytes that was. No other tracer may follow the
+        same one."""
+        copied = ctypes.c_uint64()
+        c.check(c.lib.voxc_tracer_follow(self._handle, editable._handle, ctypes.byref(copied)))
+        self._followed = editable
+        if self._bounded_handle and self._bounded_handle.value != self._handle.value:
+            c.lib.voxc_tracer_free(self._bounded_handle)
+            self._bounded_handle = None
+        return copied.value
 
     def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,
                progress=None, clip_box=None, clip_planes=None, orthographic=False, view_height=None):

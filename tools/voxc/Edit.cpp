@@ -1,4 +1,4 @@
-// voxc edit: replaces boxes of a volume, and builds only what they touch.
+// voxc edit: replaces boxes of a volume: in a journal beside it, or by a build of what they touch.
 #include "BuildArguments.h"
 #include "BuildFigures.h"
 #include "Figures.h"
@@ -11,11 +11,13 @@
 #include "common/Terminal.h"
 #include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Construct/EditJournal.h"
 #include "voxc/Source/Edit.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,7 +74,7 @@ Expected<VoxelEdit> parsePaste(const std::string &text) {
       at == std::string::npos ? std::nullopt : parseInts<3>(std::string_view(text).substr(at + 1));
   if (!low)
     return Error::usage("'" + text + "' does not say where to; write FILE.hvx@X,Y,Z");
-  Expected<Volume> volume = Volume::load(text.substr(0, at));
+  Expected<Volume> volume = loadEdited(text.substr(0, at), {}, compileCache());
   if (!volume)
     return volume.error();
   const Int3 extent = volume->info().extent;
@@ -106,32 +108,32 @@ public:
           .add(kind.option, written_[kind.option], std::string(kind.summary) + "; may be given several times")
           .takes(kind.type)
           .repeated();
-    command.add("-o,--output", output_, "Volume to write; may be the one that is read")
-        .takes("V.hvx")
-        .required();
+    const Option output =
+        command.add("-o,--output", output_, "Volume to write; may be the one that is read").takes("V.hvx");
+    command
+        .addFlag("--journal", journal_,
+                 "Add the edits to the journal beside the volume in place of writing a file: at once on the "
+                 "disk, and "
+                 "part of the volume for every command")
+        .excludes(output);
+    command
+        .addFlag("--compact", compact_,
+                 "Write the volume with all edits of its journal, and others if there are any")
+        .needs(output);
     addMemoryArguments(command, arguments_);
     addCompressArgument(command, arguments_.compress);
     addCommonOptions(command, common_);
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
-    Expected<Volume> loaded = volume_.load();
-    if (!loaded)
-      return loaded.error();
-    const auto volume = std::make_shared<const Volume>(std::move(*loaded));
-    if (volume->streams().size() > 1 && !common_.quiet)
-      printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
+    if (!journal_ && output_.empty())
+      return Error::usage("it is not said where the edits go; give -o V.hvx, or --journal");
     Expected<std::vector<VoxelEdit>> edits = readEdits();
     if (!edits)
       return edits.error();
-    ProgressBar bar(common_.quiet);
-    Json figures;
-    if (Expected<void> edited = edit(volume, *edits, bar.progress(), figures); !edited)
-      return edited;
-    bar.clear();
-    return tellFigures(common_, figures);
+    if (edits->empty() && !compact_)
+      return Error::usage("there is nothing to edit; give --clear, --fill or --paste");
+    return journal_ ? addToJournal(*edits) : writeVolume(std::move(*edits));
   }
 
 private:
@@ -147,20 +149,86 @@ private:
             return edit.error();
           edits.push_back(std::move(*edit));
         }
-    if (edits.empty())
-      return Error::usage("there is nothing to edit; give --clear, --fill or --paste");
     return edits;
   }
 
+  Expected<void> addToJournal(const std::vector<VoxelEdit> &edits) {
+    Expected<EditJournal> journal = EditJournal::open(volume_.path());
+    if (!journal)
+      return volumeFailure(journal.error());
+    if (Expected<void> appended = journal->append(edits); !appended)
+      return appended;
+    Json figures;
+    figures["edits"] = edits.size();
+    figures["transactions"] = journal->transactions();
+    addWritten(figures, journalPathOf(volume_.path()));
+    return tellFigures(common_, figures);
+  }
+
+  Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
+    if (Expected<void> writable = checkOutputFile(output_); !writable)
+      return writable;
+    std::optional<EditJournal> journal; // Held, so that no edit comes to it meanwhile.
+    if (replaces()) {
+      Expected<EditJournal> opened = EditJournal::open(volume_.path());
+      if (!opened)
+        return volumeFailure(opened.error());
+      journal.emplace(std::move(*opened));
+    }
+    Expected<Volume> loaded = volume_.loadFile();
+    if (!loaded)
+      return loaded.error();
+    const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+    Expected<std::vector<VoxelEdit>> waiting = readJournal(volume_.path());
+    if (!waiting)
+      return waiting.error();
+    edits.insert(edits.begin(), waiting->begin(), waiting->end());
+    if (volume->streams().size() > 1 && !common_.quiet)
+      printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
+    ProgressBar bar(common_.quiet);
+    Json figures;
+    if (Expected<void> edited = journal ? foldIn(*journal, volume, edits, bar.progress(), figures)
+                                        : edit(volume, edits, output_, bar.progress(), figures);
+        !edited)
+      return edited;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+  /// True if the volume takes the place of the one that is read, which has a journal.
+  bool replaces() const {
+    std::error_code ignored;
+    return std::filesystem::equivalent(volume_.path(), output_, ignored) &&
+           std::filesystem::exists(journalPathOf(volume_.path()), ignored);
+  }
+
+  /// Writes the file under another name first, and says in the journal that it has all edits: whenever the
+  /// process ends, file and journal fit each other.
+  Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
+                        const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) const {
+    const std::string folded = output_ + ".folded";
+    if (Expected<void> edited = edit(volume, edits, folded, progress, figures); !edited)
+      return edited;
+    if (Expected<void> closed = journal.close(folded); !closed)
+      return closed;
+    std::error_code failure;
+    std::filesystem::rename(folded, output_, failure);
+    if (failure)
+      return Error::environment("cannot write '" + output_ + "': " + failure.message());
+    std::filesystem::remove(journalPathOf(volume_.path()), failure);
+    addWritten(figures, output_);
+    return {};
+  }
+
   Expected<void> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
-                      const Progress &progress, Json &figures) const {
+                      const std::string &path, const Progress &progress, Json &figures) const {
     Expected<Constructor> constructor = Constructor::compile(volume->format(), compileCache());
     if (!constructor)
       return constructor.error();
     BuildOptions options;
     options.provenance = provenanceOf(*volume, edits.size());
     options.memory = makeWorkingMemory(arguments_);
-    options.path = output_;
+    options.path = path;
     options.compress = arguments_.compress;
     options.progress = progress;
     Expected<Built> built = constructor->edit(volume, edits, options);
@@ -169,8 +237,9 @@ private:
     figures["edits"] = edits.size();
     addVolumeFigures(figures, built->volume);
     addBuildFigures(figures, built->report);
-    addFileFigure(figures, output_);
-    addWritten(figures, output_);
+    addFileFigure(figures, path);
+    if (path == output_)
+      addWritten(figures, output_);
     return {};
   }
 
@@ -184,6 +253,8 @@ private:
   std::map<std::string, std::vector<std::string>> written_; ///< What each option was given.
   VolumeArgument volume_;
   std::string output_;
+  bool journal_ = false;
+  bool compact_ = false;
   BuildArguments arguments_;
   CommonOptions common_;
 };

@@ -6,6 +6,8 @@
 
 #include "common/Interrupt.h"
 #include "common/Statistics.h"
+#include "common/UserCache.h"
+#include "voxc/Construct/EditJournal.h"
 #include "voxc/Input/FileFeatures.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Volume/CoarseBlocks.h"
@@ -175,8 +177,17 @@ private:
     if (!summary)
       return summary.error();
     Json figures = figuresOf(*summary);
-    if (tellsOnStdout(common_))
+    const auto edits = readJournal(path_);
+    if (!edits)
+      return edits.error();
+    figures["waiting_edits"] = edits->size();
+    if (tellsOnStdout(common_)) {
       print(*summary);
+      if (!edits->empty())
+        std::printf(
+            "journal     %zu edits that are not in the file yet, of which the lines above say nothing\n",
+            edits->size());
+    }
     if (prove_)
       if (auto proved = prove(figures); !proved)
         return proved;
@@ -187,7 +198,7 @@ private:
     LoadOptions options;
     options.progress.stop = &catchInterrupts();
     const Stopwatch watch;
-    const auto volume = Volume::load(path_, options);
+    const auto volume = loadEdited(path_, options, compileCache());
     if (!volume)
       return volume.error();
     if (const auto coarse = coarseBlocksOf(*volume); !coarse)

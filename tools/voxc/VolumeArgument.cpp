@@ -2,6 +2,8 @@
 #include "VolumeArgument.h"
 
 #include "common/Interrupt.h"
+#include "common/UserCache.h"
+#include "voxc/Construct/EditJournal.h"
 #include "voxc/Input/NumberedPaths.h"
 
 #include <filesystem>
@@ -31,14 +33,25 @@ void VolumeArgument::declareKernelOptions(const CommandLine &command) {
   walkPasses_.declare(command, PassChoice::WalkOnly);
 }
 
-Expected<Volume> VolumeArgument::load() const {
+template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
   LoadOptions options{.trusted = trusted_, .mostCubes = mostCubes_};
   options.progress.stop = &catchInterrupts();
   std::error_code ignored;
   if (!std::filesystem::exists(path_, ignored) && namesFiles(path_))
     return volumeFailure(Error::input("'" + path_ + "' is not a .hvx volume"));
-  Expected<Volume> volume = Volume::load(path_, options);
+  Expected<Volume> volume = load(options);
   return volume ? std::move(volume) : volumeFailure(volume.error());
+}
+
+Expected<Volume> VolumeArgument::load() const {
+  return loadBy([this](const LoadOptions &options) { return loadEdited(path_, options, compileCache()); });
+}
+
+Expected<Volume> VolumeArgument::loadFile() const {
+  return loadBy([this](LoadOptions options) {
+    options.withoutJournal = true;
+    return Volume::load(path_, options);
+  });
 }
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {

@@ -22,7 +22,10 @@ public:
   /// Adds --ray-bounds, for a command that gives its rays bounds.
   void declareBounds(const CommandLine &command) { attributes_.declareBounds(command); }
 
+  /// The volume, with the edits that wait in its journal.
   Expected<Volume> load() const;
+  /// The volume as its file has it.
+  Expected<Volume> loadFile() const;
   const std::string &path() const { return path_; }
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
@@ -30,6 +33,8 @@ public:
   Expected<Format> kernelFormat(const Volume &volume) const;
 
 private:
+  template <typename Load> Expected<Volume> loadBy(const Load &load) const;
+
   std::string path_;
   bool trusted_ = false;
   std::uint64_t mostCubes_ = kMostCubes;

@@ -104,10 +104,10 @@ std::unique_ptr<VoxelChange> randomChange(std::mt19937 &random, Int3 extent) {
 /// Words that follow a volume by what it says has changed.
 class Follower {
 public:
-  explicit Follower(EditableVolume &volume) : words_(wordsOf(volume.volume())) {}
+  explicit Follower(EditableVolume &volume) : words_(wordsOf(*volume.volume())) {}
 
   void follow(EditableVolume &volume) {
-    const auto words = volume.volume().words();
+    const auto words = volume.volume()->words();
     words_.resize(words.size());
     for (const WordRange &range : volume.takeChanges())
       for (std::uint64_t i = range.first; i < range.end; ++i)
@@ -120,7 +120,7 @@ private:
 };
 
 void expectHolds(EditableVolume &edited, const Voxels &voxels, const std::string &what) {
-  const Volume &volume = edited.volume();
+  const Volume &volume = *edited.volume();
   const auto counted = checkStructure(volume.format(), volume.words());
   ASSERT_TRUE(counted) << what << ": " << counted.error().message;
   EXPECT_EQ(*counted, voxels.count()) << what;
@@ -226,7 +226,7 @@ TEST(EditableVolume, KeepsDistancesExact) {
       ASSERT_TRUE(edited->apply(*makeBoxChange(within(random, extent), within(random, {3, 3, 3}),
                                                test::pick(random, 0, 1) == 0 ? 0 : 0xff102030)));
       if (edited->voxels() > 0) {
-        ASSERT_EQ(gridOf(edited->volume()), gridOf(edited->compact()->volume))
+        ASSERT_EQ(gridOf(*edited->volume()), gridOf(edited->compact()->volume))
             << each.format << " edit " << i;
       }
     }
@@ -239,15 +239,15 @@ TEST(EditableVolume, AWordThatTheFormatCannotKeepLeavesAllAsItWas) {
   ASSERT_TRUE(volume);
   auto edited = EditableVolume::create(*volume);
   ASSERT_TRUE(edited) << edited.error().message;
-  const Words before = wordsOf(edited->volume());
+  const Words before = wordsOf(*edited->volume());
   const auto failed = edited->apply(*makeFunctionChange(
       {0, 0, 0}, {32, 32, 32}, [](Int3 at, std::uint32_t) { return at.x < 20 ? 0xff00ff00 : 0x00123456u; }));
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().message.substr(0, 56), "voxel (20, 0, 0) would have an alpha of 0, but the forma");
-  EXPECT_EQ(wordsOf(edited->volume()), before);
+  EXPECT_EQ(wordsOf(*edited->volume()), before);
   EXPECT_EQ(edited->voxels(), volume->info().voxels);
   ASSERT_TRUE(edited->apply(*makeBoxChange({0, 0, 0}, {3, 3, 3}, 0xff00ff00)));
-  EXPECT_EQ(edited->volume().lookup({1, 2, 0}).value, 0xff00ff00);
+  EXPECT_EQ(edited->volume()->lookup({1, 2, 0}).value, 0xff00ff00);
 }
 
 TEST(EditableVolume, SaysWhichFormatsCannotBeEdited) {
@@ -263,7 +263,6 @@ TEST(EditableVolume, SaysWhichFormatsCannotBeEdited) {
       "can be edited");
 }
 
-/// A view is of its snapshot, whatever edits follow.
 TEST(EditableVolume, KeepsNodesSharedWithTheFirst) {
   const auto source = makeBuiltinSource("terrain", 64);
   const auto volume = buildVolume(*parseFormat("G(6)"), **source);
@@ -276,7 +275,33 @@ TEST(EditableVolume, KeepsNodesSharedWithTheFirst) {
   const std::uint64_t edits = edited->words();
   ASSERT_TRUE(edited->apply(*makeBoxChange({10, 3, 10}, {1, 1, 1}, old)));
   EXPECT_EQ(edited->words(), edits) << "all nodes are there already";
-  EXPECT_EQ(wordsOf(edited->volume())[0], volume->words()[0]);
+  EXPECT_EQ(wordsOf(*edited->volume())[0], volume->words()[0]);
+}
+
+/// A view is of its snapshot, whatever edits follow.
+TEST(EditableVolume, ViewsStayWhatTheyWere) {
+  const auto source = makeBuiltinSource("terrain", 64);
+  const auto volume = buildVolume(*parseFormat("R(2^3) D(2^3,4) G(2)"), **source);
+  auto edited = EditableVolume::create(*volume);
+  ASSERT_TRUE(edited);
+  const auto first = edited->snapshot();
+  const auto view = edited->view(first);
+  ASSERT_TRUE(view);
+  ASSERT_TRUE(edited->apply(*makeBoxChange({0, 0, 0}, {64, 64, 64}, 0)));
+  ASSERT_TRUE(edited->apply(*makeSphereChange({30, 30, 30}, 20, 0xff0000ff)));
+  const auto later = edited->view(edited->snapshot());
+  ASSERT_TRUE(later);
+  ASSERT_TRUE(edited->apply(*makeBoxChange({0, 0, 0}, {40, 40, 40}, 0)));
+  int wrong = 0;
+  for (int i = 0; i < 64 * 64 * 64; ++i) {
+    const Int3 at = {i & 63, i >> 6 & 63, i >> 12};
+    wrong += view->lookup(at).value != volume->lookup(at).value ? 1 : 0;
+    const Int3 from = at - Int3{30, 30, 30};
+    const bool isInside = from.x * from.x + from.y * from.y + from.z * from.z <= 400;
+    wrong += later->lookup(at).value != (isInside ? 0xff0000ff : 0) ? 1 : 0;
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(view->info().voxels, volume->info().voxels);
 }
 
 } // namespace

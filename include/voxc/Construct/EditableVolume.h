@@ -7,20 +7,13 @@
 #include "voxc/Support/CompileCache.h"
 #include "voxc/Support/WorkingMemory.h"
 #include "voxc/Volume/Volume.h"
+#include "voxc/Volume/WordRange.h"
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace voxc {
-
-/// Words [first, end) of a volume.
-struct WordRange {
-  std::uint64_t first = 0;
-  std::uint64_t end = 0;
-
-  bool operator==(const WordRange &) const = default;
-};
 
 struct EditableOptions {
   /// Where the words lie; null: `WorkingMemory::createDefault()`.
@@ -65,8 +58,8 @@ public:
   void restore(const Snapshot &snapshot);
 
   /// The volume as it is now. Its words are those that edits change: it is right until the next edit, and
-  /// then asked for again. A tracer that traces it goes on after `Tracer::update`.
-  const Volume &volume();
+  /// then asked for again. A tracer that traces it goes on after `Tracer::follow`.
+  std::shared_ptr<const Volume> volume();
   /// A state as a volume of its own, at the cost of the addresses: it may be traced by other threads while
   /// edits go on. Error: no addresses.
   Expected<Volume> view(const Snapshot &snapshot);

@@ -24,8 +24,11 @@ struct VoxelEdit {
   bool touches(const Cube &cube) const;
 };
 
-/// The voxels of `volume` after the edits, one after the other; the extent stays. Error (`Input`): an edit
-/// that reaches out of the extent, naming its place among them.
+/// Error (`Input`): an edit that reaches out of the extent, naming its place among them.
+Expected<void> checkEdits(std::span<const VoxelEdit> edits, Int3 extent);
+
+/// The voxels of `volume` after the edits, one after the other; the extent stays. Error: as
+/// `checkEdits`.
 Expected<std::unique_ptr<VoxelSource>> makeEditedSource(std::shared_ptr<const Volume> volume,
                                                         std::vector<VoxelEdit> edits);
 

@@ -45,6 +45,7 @@ private:
   std::uint64_t reserved_ = 0; ///< Bytes of addresses, at least `size_`.
   std::uint64_t inMemory_ = 0;
   std::vector<Extent> extents_;
+  int file_ = -1; ///< Of shared memory: what has it.
 };
 
 /// A bound on the memory of a piece of work, and the memory itself.
@@ -83,6 +84,12 @@ public:
   /// be read. Zeros become holes of the file. Error: `Environment`.
   Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
                         std::uint64_t offset);
+  /// The same as `reserve` of memory of which `view` gives further mappings. It never lies in the scratch
+  /// file.
+  Expected<MemoryBlock> reserveShared(std::uint64_t most);
+  /// The first `bytes` of such a block at other addresses. What is written there is seen there alone; what is
+  /// written to the block is seen there too, but for pages that were written to. Error: no addresses.
+  Expected<MemoryBlock> view(const MemoryBlock &block, std::uint64_t bytes);
   /// Bytes of a page.
   static std::uint64_t pageBytes();
 
@@ -100,6 +107,7 @@ private:
 
   explicit WorkingMemory(std::uint64_t bound, std::string scratchFolder);
   Expected<void> addMemory(MemoryBlock &block, std::uint64_t bytes);
+  Expected<void> addShared(MemoryBlock &block, std::uint64_t bytes);
   Expected<void> addScratch(MemoryBlock &block, std::uint64_t bytes);
   void release(MemoryBlock &block);
   void relieveNow();

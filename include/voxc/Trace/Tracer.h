@@ -7,6 +7,7 @@
 #include "voxc/Trace/Kernel.h"
 #include "voxc/Trace/RayOrder.h"
 #include "voxc/Volume/Volume.h"
+#include "voxc/Volume/WordRange.h"
 
 #include <cstdint>
 #include <memory>
@@ -135,6 +136,12 @@ public:
   /// which leave it as it was; the device has no room or fails (`Environment`), after which it must not be
   /// used.
   virtual Expected<UpdateReport> update(const Volume & /*before*/, const Volume & /*after*/) {
+    return Error::usage("this tracer traces one volume and takes no other");
+  }
+
+  /// The same where it is known which words of `after` are others than those of the volume that it traces
+  /// now, as `EditableVolume::takeChanges` says: nothing is compared, and no other word is copied.
+  virtual Expected<UpdateReport> follow(const Volume & /*after*/, std::span<const WordRange> /*changed*/) {
     return Error::usage("this tracer traces one volume and takes no other");
   }
 };

@@ -51,6 +51,8 @@ struct LoadOptions {
   std::shared_ptr<WorkingMemory> memory;
   unsigned threads = 0; ///< That decode a compressed file; 0: as many as the machine has.
   Progress progress;    ///< Loading ends early where it is stopped.
+  /// Takes the file as it is where edits wait in a journal beside it; else that is an error.
+  bool withoutJournal = false;
   /// Uniform cubes that `decode` may find: a small file can stand for 2^60, which no one waits for.
   std::uint64_t mostCubes = kMostCubes;
 };
@@ -82,7 +84,7 @@ public:
 
   /// Maps a .hvx file, or decodes one that is compressed. Everything in it is checked, every reachable offset
   /// too unless `trusted`, before the volume is handed out. Errors: no such file, not a .hvx, truncated, a
-  /// wrong checksum, a broken structure; `Environment`, no memory for what is decoded; interrupted.
+  /// wrong checksum, a broken structure, edits that wait in a journal (`loadEdited` has them); `Environment`, no memory for what is decoded; interrupted.
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
   /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
@@ -116,6 +118,12 @@ private:
   Expected<void> saveMapped(const std::string &path) const;
   std::unique_ptr<State> state_;
 };
+
+/// Where edits of a volume file wait that are not in it yet.
+std::string journalPathOf(const std::string &volumePath);
+
+/// Error (`Input`) if there is a journal beside a volume file, naming what puts its edits into the file.
+Expected<void> checkNoJournal(const std::string &volumePath);
 
 /// Asked now and then by work that may take long; false ends it as interrupted.
 using KeepOn = std::function<bool()>;

@@ -8,7 +8,7 @@ namespace voxc {
 using construct::Node;
 
 Adoption::Adoption(const OldNodes &nodes, NodeStore &store, std::uint64_t words)
-    : nodes_(nodes), store_(store), visited_((words >> nodes.layout().log2Granule) + 1) {}
+    : nodes_(nodes), store_(store), visited_(std::size_t{nodes.layout().refOf(words)} + 1) {}
 
 /// A node and a sub-volume that begin at one word are one.
 bool Adoption::isFirstTime(Ref ref) {
@@ -29,7 +29,7 @@ void Adoption::leafWords(unsigned level, const Node &node) {
     return;
   const WordReader words = nodes_.reader();
   stratum.slots->visit(words, stratum, words.wordOf(node.value), [&](Int3, const Child &child) {
-    if (child.leaf)
+    if (child.leaf && isFirstTime(nodes_.layout().refOf(child.at)))
       store_.adoptLeaf(level, words[child.at], nodes_.layout().refOf(child.at));
   });
 }

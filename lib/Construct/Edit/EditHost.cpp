@@ -13,19 +13,15 @@ using construct::Voxel;
 
 Int3 cellOf(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
 
-std::string placeText(Int3 at) {
-  return "(" + std::to_string(at.x) + ", " + std::to_string(at.y) + ", " + std::to_string(at.z) + ")";
-}
-
 EditHost &hostOf(void *self) { return *static_cast<EditHost *>(self); }
 
 } // namespace
 
 EditHost::EditHost(EditStore &store, const Layout &layout, Int3 extent)
     : BuildHost(store.nodes()), words_(store), old_(layout), tally_(old_), extent_(extent),
-      facts_(layout.voxelFacts()), colours_(facts_) {
+      proof_(layout.voxelFacts()) {
   if (layout.hasOneColour() && store.words()[1] != 0)
-    colours_.take(store.words()[1]);
+    proof_.prove({}, store.words()[1]); // All others have this one.
   fillTable();
 }
 
@@ -58,16 +54,11 @@ std::uint32_t EditHost::voxel(Int3 at, std::uint32_t old) {
 
 /// What the volume keeps of a voxel's word. A word that its format cannot keep fails the edit.
 std::uint32_t EditHost::checked(Int3 at, std::uint32_t word) {
-  if (word == 0)
-    return 0;
-  if (facts_.alpha == Alpha::Positive && word >> 24 == 0)
-    store().fail(Error::input("voxel " + placeText(at) +
-                              " would have an alpha of 0, but the format states "
-                              "alpha=positive; a build without visible-voxels can have it"));
-  const bool isOld = word == kOccupied && !kindOf(facts_.payload).varies; // A voxel that stays as it is.
-  if (colours_.isStated() && !isOld && !colours_.take(word))
-    store().fail(colours_.broken("voxel " + placeText(at) + " would be", word));
-  return kindOf(facts_.payload).varies ? word : kOccupied;
+  const bool isOld = word == kOccupied && !proof_.keepsWords(); // A voxel that stays as it is.
+  if (word != 0 && !isOld && proof_.isNeeded())
+    if (auto problem = proof_.prove(at, word, true))
+      store().fail(std::move(*problem));
+  return proof_.kept(word);
 }
 
 void EditHost::keepOthers(unsigned level, Ref old) {

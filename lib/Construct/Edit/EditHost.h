@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Construct/BuildHost.h"
-#include "Construct/ColourFact.h"
+#include "Construct/VoxelProof.h"
 #include "EditStore.h"
 #include "OldNodes.h"
 #include "VoxelTally.h"
@@ -26,7 +26,7 @@ public:
   /// How many voxels more there are after it.
   std::int64_t moreVoxels() const { return more_; }
   /// The one colour of all voxels, of a payload of one; 0: there is none.
-  std::uint32_t colour() const { return colours_.one(); }
+  std::uint32_t colour() const { return proof_.colour(); }
 
 private:
   bool isEmpty(const Cube &) override { return false; }
@@ -43,8 +43,7 @@ private:
   OldNodes old_;
   VoxelTally tally_;
   Int3 extent_;
-  VoxelFacts facts_;
-  ColourFact colours_;
+  VoxelProof proof_;
   construct::EditHost edits_{};
   VoxelChange *change_ = nullptr;
   std::int64_t more_ = 0;

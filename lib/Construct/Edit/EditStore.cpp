@@ -15,7 +15,7 @@ constexpr std::uint64_t kJoinedWords = 64;
 Expected<std::unique_ptr<EditStore>> EditStore::create(std::span<const std::uint32_t> words,
                                                        const Layout &layout,
                                                        const std::shared_ptr<WorkingMemory> &memory) {
-  auto store = WordStore::create(memory, {}, layout.maxWords());
+  auto store = WordStore::createShared(memory, layout.maxWords());
   if (!store)
     return store.error();
   if (auto appended = store->append(words.subspan(1)); !appended)
@@ -28,7 +28,7 @@ Expected<std::unique_ptr<EditStore>> EditStore::create(std::span<const std::uint
 
 std::uint32_t *EditStore::open(unsigned level, Ref old, std::uint64_t count) {
   OpenGrid &grid = open_[level - 1];
-  const std::uint64_t at = std::uint64_t{old} << layout_.log2Granule;
+  const std::uint64_t at = layout_.reader(words()).wordOf(old);
   const bool isAlone = level == 1 && layout_.strata[0].sharing != Sharing::Level;
   grid = {nullptr, count, old, isAlone && old != 0 && at >= sealed_};
   if (grid.inPlace)
@@ -95,6 +95,13 @@ void EditStore::setHead(Ref root, std::uint32_t colour) {
     nodes_.words().setHead(1, colour);
     changed_.push_back({1, 2});
   }
+}
+
+Expected<MemoryBlock> EditStore::view(Ref root) const {
+  auto view = nodes_.words().view();
+  if (view)
+    *reinterpret_cast<std::uint32_t *>(view->data()) = root;
+  return view;
 }
 
 std::vector<WordRange> EditStore::takeChanges() {

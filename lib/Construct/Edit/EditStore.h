@@ -21,8 +21,8 @@ public:
                                                      const std::shared_ptr<WorkingMemory> &memory);
 
   NodeStore &nodes() { return nodes_; }
-  std::span<const std::uint32_t> words() { return nodes_.words().span(); }
-  Ref root() { return words()[0]; }
+  std::span<const std::uint32_t> words() const { return nodes_.words().span(); }
+  Ref root() const { return words()[0]; }
 
   /// From now on no word changes that is there, but those of the head.
   void seal() { sealed_ = words().size(); }
@@ -39,6 +39,9 @@ public:
   void rollBack();
   /// Puts another root, and the one colour of all voxels where there is one.
   void setHead(Ref root, std::uint32_t colour);
+
+  /// The words with another root, at other addresses. Error: no addresses.
+  Expected<MemoryBlock> view(Ref root) const;
 
   /// The words that are others since the last call, in rising order, none of them twice.
   std::vector<WordRange> takeChanges();

@@ -18,10 +18,10 @@ struct EditableVolume::State {
   EditCode code;
   double compileSeconds = 0;
   const CompileCache *cache = nullptr;
-  std::unique_ptr<EditStore> store;
+  std::shared_ptr<EditStore> store; ///< Which volumes of the words keep.
   std::unique_ptr<EditHost> host;
   std::uint64_t firstWords = 0;
-  std::optional<Volume> volume;           ///< As it is now, once it was asked for.
+  std::shared_ptr<const Volume> volume;   ///< As it is now, once it was asked for.
   std::optional<Constructor> constructor; ///< Once there was a compaction.
 
   Volume asVolume(std::span<const std::uint32_t> words, std::uint64_t voxels,
@@ -94,10 +94,20 @@ void EditableVolume::restore(const Snapshot &snapshot) {
   state_->volume.reset();
 }
 
-const Volume &EditableVolume::volume() {
+std::shared_ptr<const Volume> EditableVolume::volume() {
   if (!state_->volume)
-    state_->volume = state_->asVolume(state_->store->words(), state_->info.voxels, nullptr);
-  return *state_->volume;
+    state_->volume = std::make_shared<const Volume>(
+        state_->asVolume(state_->store->words(), state_->info.voxels, state_->store));
+  return state_->volume;
+}
+
+Expected<Volume> EditableVolume::view(const Snapshot &snapshot) {
+  auto words = state_->store->view(snapshot.root);
+  if (!words)
+    return words.error();
+  const std::span<const std::uint32_t> span(reinterpret_cast<const std::uint32_t *>(words->data()),
+                                            state_->store->words().size());
+  return state_->asVolume(span, snapshot.voxels, std::make_shared<const MemoryBlock>(std::move(*words)));
 }
 
 std::uint64_t EditableVolume::voxels() const { return state_->info.voxels; }
@@ -114,8 +124,8 @@ BuildResult EditableVolume::compact(const BuildOptions &options) const {
       return constructor.error();
     state_->constructor.emplace(std::move(*constructor));
   }
-  const auto volume =
-      std::make_shared<const Volume>(state_->asVolume(state_->store->words(), state_->info.voxels, nullptr));
+  const auto volume = std::make_shared<const Volume>(
+      state_->asVolume(state_->store->words(), state_->info.voxels, state_->store));
   const auto source = makeVolumeSource(volume);
   return state_->constructor->build(*source, options);
 }

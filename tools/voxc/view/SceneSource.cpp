@@ -3,10 +3,12 @@
 
 #include "Tracing.h"
 
+#include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "search/Suggestion.h"
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Construct/EditJournal.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
 
@@ -118,7 +120,7 @@ Expected<view::Model> SceneSource::openPages() {
 
 Expected<view::Model> SceneSource::loadVolume(const Progress &progress) const {
   LoadOptions options{.trusted = trusted_, .threads = building_.threads, .progress = progress};
-  Expected<Volume> volume = Volume::load(input_, options);
+  Expected<Volume> volume = loadEdited(input_, options, compileCache());
   return volume ? modelOf(std::move(*volume)) : Expected<view::Model>(volume.error());
 }
 

@@ -1,0 +1,62 @@
+// A journal of edits beside a volume file: an edit is on the disk in the time that writing it takes, and the
+// file is built anew when that is asked for.
+#pragma once
+
+#include "voxc/Source/Edit.h"
+#include "voxc/Support/CompileCache.h"
+#include "voxc/Support/Error.h"
+#include "voxc/Volume/Volume.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace voxc {
+
+/// The journal `journalPathOf(path)` of the volume file `path`, opened for adding. No other process has it
+/// open so.
+class EditJournal {
+public:
+  /// Opens it, or begins one. What a process that was killed has left of a last transaction is cut off.
+  /// Errors: no volume file; a journal of another file (`Input`); another process has it; nothing can be
+  /// written there
+  /// (`Environment`).
+  static Expected<EditJournal> open(const std::string &path);
+  ~EditJournal();
+  EditJournal(EditJournal &&) noexcept;
+  EditJournal &operator=(EditJournal &&) = delete;
+
+  /// What the file says of itself.
+  const VolumeInfo &volume() const { return info_; }
+  /// Transactions so far.
+  std::uint64_t transactions() const { return transactions_; }
+
+  /// Adds edits as one transaction; it is on the disk on return. Volumes that they paste are kept in the
+  /// journal. Errors: an edit that reaches out of the extent, naming its place among them (`Input`);
+  /// `Environment`.
+  Expected<void> append(const std::vector<VoxelEdit> &edits);
+
+  /// Says that a file of this identity, which is about to take the name of the volume, has all edits: where
+  /// the journal is then found beside it, it counts for nothing.
+  Expected<void> close(const std::string &compacted);
+
+private:
+  EditJournal(std::string path, int file) : path_(std::move(path)), file_(file) {}
+  Expected<void> write(const std::string &record);
+
+  std::string path_;
+  int file_ = -1;
+  VolumeInfo info_;
+  std::uint64_t transactions_ = 0;
+};
+
+/// The edits of all whole transactions of the journal beside a volume file, in their order; none where there
+/// is no journal. Errors (`Input`): a journal of another file, or a broken one.
+Expected<std::vector<VoxelEdit>> readJournal(const std::string &path);
+
+/// A volume file with the edits of its journal. Errors: as `Volume::load`, `readJournal` and
+/// `EditableVolume`.
+Expected<Volume> loadEdited(const std::string &path, const LoadOptions &options = {},
+                            const CompileCache *cache = nullptr);
+
+} // namespace voxc

@@ -1,0 +1,123 @@
+// Editable volumes in C.
+#include "C/BuildOptions.h"
+#include "C/Handles.h"
+#include "voxc/Construct/EditableVolume.h"
+
+#include <voxc-c/voxc.h>
+
+using namespace voxc;
+using namespace voxc::c;
+
+struct voxc_editable {
+  EditableVolume volume;
+};
+
+namespace {
+
+Int3 int3(const int32_t values[3]) { return {values[0], values[1], values[2]}; }
+
+EditableVolume::Snapshot snapshotOf(voxc_snapshot snapshot) {
+  return {static_cast<Ref>(snapshot.root), snapshot.voxels};
+}
+
+voxc_error *edit(voxc_editable *editable, const std::unique_ptr<VoxelChange> &change) {
+  const auto report = editable->volume.apply(*change);
+  return report ? nullptr : wrap(report.error());
+}
+
+} // namespace
+
+voxc_error *voxc_editable_create(const voxc_volume *volume, voxc_editable **editable) {
+  return guarded([&]() -> voxc_error * {
+    auto made = EditableVolume::create(*volume->volume);
+    if (!made)
+      return wrap(made.error());
+    *editable = new voxc_editable{std::move(*made)};
+    return nullptr;
+  });
+}
+
+void voxc_editable_free(voxc_editable *editable) { delete editable; }
+
+voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3], const int32_t size[3],
+                                  uint32_t word) {
+  return guarded([&] { return edit(editable, makeBoxChange(int3(low), int3(size), word)); });
+}
+
+voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t centre[3], int32_t radius,
+                                     uint32_t word) {
+  return guarded([&] { return edit(editable, makeSphereChange(int3(centre), radius, word)); });
+}
+
+voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int32_t *places, const uint32_t *words,
+                                     uint64_t count) {
+  return guarded([&]() -> voxc_error * {
+    std::vector<VoxelWord> voxels;
+    voxels.reserve(count);
+    for (uint64_t i = 0; i < count; ++i) {
+      const Int3 at = int3(places + 3 * i);
+      if (((at.x | at.y | at.z) >> kMaxLog2Extent) != 0)
+        return wrap(Error::usage("voxel " + std::to_string(i) + " of the list lies outside of all volumes"));
+      voxels.push_back({at, words[i]});
+    }
+    return edit(editable, makeListChange(std::move(voxels)));
+  });
+}
+
+voxc_error *voxc_editable_paste(voxc_editable *editable, const voxc_volume *volume, const int32_t low[3]) {
+  return guarded([&] { return edit(editable, makePasteChange(volume->volume, int3(low))); });
+}
+
+voxc_error *voxc_editable_apply(voxc_editable *editable, const int32_t low[3], const int32_t size[3],
+                                uint32_t (*function)(void *user, int32_t x, int32_t y, int32_t z,
+                                                     uint32_t word),
+                                void *user) {
+  return guarded([&] {
+    const auto voxel = [&](Int3 at, std::uint32_t word) { return function(user, at.x, at.y, at.z, word); };
+    return edit(editable, makeFunctionChange(int3(low), int3(size), voxel));
+  });
+}
+
+voxc_snapshot voxc_editable_snapshot(voxc_editable *editable) {
+  const auto snapshot = editable->volume.snapshot();
+  return {snapshot.root, snapshot.voxels};
+}
+
+void voxc_editable_restore(voxc_editable *editable, voxc_snapshot snapshot) {
+  editable->volume.restore(snapshotOf(snapshot));
+}
+
+voxc_error *voxc_editable_view(voxc_editable *editable, voxc_snapshot snapshot, voxc_volume **volume) {
+  return guarded([&] { return handOver(editable->volume.view(snapshotOf(snapshot)), volume); });
+}
+
+uint64_t voxc_editable_voxels(const voxc_editable *editable) { return editable->volume.voxels(); }
+uint64_t voxc_editable_words(const voxc_editable *editable) { return editable->volume.words(); }
+int voxc_editable_wants_compaction(const voxc_editable *editable) {
+  return editable->volume.wantsCompaction() ? 1 : 0;
+}
+
+voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_build_options *options,
+                                  voxc_volume **volume) {
+  return guarded([&] {
+    const voxc_build_options given = optionsOf(options);
+    const CallersProgress progress(given.progress);
+    BuildOptions building = buildOptionsOf(given, progress.get());
+    building.memory = memoryOf(given);
+    auto built = editable->volume.compact(building);
+    return handOver(built ? Expected<Volume>(std::move(built->volume)) : built.error(), volume);
+  });
+}
+
+voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes) {
+  return guarded([&]() -> voxc_error * {
+    const auto volume = editable->volume.volume();
+    const auto followed = tracer->tracer->follow(*volume, editable->volume.takeChanges());
+    if (!followed)
+      return wrap(followed.error());
+    tracer->volume = volume;
+    if (copied_bytes)
+      *copied_bytes = followed->copiedBytes;
+    return nullptr;
+  });
+}

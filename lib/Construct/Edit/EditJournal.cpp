@@ -1,0 +1,218 @@
+// Adding to a journal, and what it makes of a volume.
+#include "voxc/Construct/EditJournal.h"
+
+#include "JournalFormat.h"
+
+#include "Support/UnnamedFile.h"
+#include "voxc/Construct/EditableVolume.h"
+#include "voxc/Layout/Edits.h"
+#include "voxc/Support/File.h"
+#include "voxc/Volume/VolumeSummary.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace voxc {
+namespace {
+
+Error cannotWrite(const std::string &path) {
+  return Error::environment("cannot write '" + path + "': " + std::strerror(errno));
+}
+
+/// The journal of a volume file; one of another file is an error, unless its edits are in this one already.
+Expected<journal::Contents> contentsFor(const std::string &volumePath, std::span<const std::byte> file) {
+  const std::string path = journalPathOf(volumePath);
+  auto contents = journal::parse(file, path);
+  if (!contents || contents->end == 0)
+    return contents;
+  const auto identity = journal::identityOf(volumePath);
+  if (!identity)
+    return identity.error();
+  if (contents->identity == *identity)
+    return contents;
+  const auto isOfThis = [&](const journal::Record &record) {
+    return record.kind == journal::RecordKind::Closed && record.bytes.size() == sizeof *identity &&
+           std::memcmp(record.bytes.data(), identity->data(), sizeof *identity) == 0;
+  };
+  if (!contents->records.empty() && isOfThis(contents->records.back()))
+    return journal::Contents{};
+  return Error::input("the journal '" + path + "' is of another file than '" + volumePath +
+                      "', which was written since; put that file back, or remove the journal");
+}
+
+/// All of a descriptor, from its beginning.
+Expected<std::string> readAll(int file, const std::string &path) {
+  std::string text;
+  char piece[1 << 16];
+  for (ssize_t count = 0;
+       (count = ::pread(file, piece, sizeof piece, static_cast<off_t>(text.size()))) != 0;) {
+    if (count < 0)
+      return Error::environment("cannot read '" + path + "': " + std::strerror(errno));
+    text.append(piece, static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
+/// True if a descriptor's file still has this name: a journal whose edits were put into the file loses it.
+bool hasName(int file, const std::string &path) {
+  struct stat own{}, named{};
+  return ::fstat(file, &own) == 0 && ::stat(path.c_str(), &named) == 0 && own.st_ino == named.st_ino &&
+         own.st_dev == named.st_dev;
+}
+
+/// Sees onto the disk that a folder has a file.
+void syncFolderOf(const std::string &path) {
+  const int folder = ::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0)
+    return;
+  ::fsync(folder);
+  ::close(folder);
+}
+
+} // namespace
+
+EditJournal::~EditJournal() {
+  if (file_ >= 0)
+    ::close(file_);
+}
+
+EditJournal::EditJournal(EditJournal &&other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), info_(std::move(other.info_)),
+      transactions_(other.transactions_) {}
+
+Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
+  auto summary = summarizeVolume(volumePath);
+  const auto identity =
+      summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error());
+  if (!identity)
+    return identity.error();
+  const std::string path = journalPathOf(volumePath);
+  EditJournal journal(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (journal.file_ < 0)
+    return cannotWrite(path);
+  if (::flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
+    return Error::environment("another process writes '" + path + "'; try again when it has ended");
+  if (!hasName(journal.file_, path))
+    return open(volumePath);
+  auto text = readAll(journal.file_, path);
+  if (!text)
+    return text.error();
+  const auto contents = contentsFor(volumePath, std::as_bytes(std::span(text->data(), text->size())));
+  if (!contents)
+    return contents.error();
+  journal.info_ = std::move(summary->info);
+  journal.transactions_ = contents->records.size();
+  if (::ftruncate(journal.file_, static_cast<off_t>(contents->end)) != 0)
+    return cannotWrite(path);
+  if (contents->end > 0)
+    return journal;
+  journal::Head head = journal::kHead;
+  head.identity = *identity;
+  if (auto begun = journal.write(std::string(reinterpret_cast<const char *>(&head), sizeof head)); !begun)
+    return begun.error();
+  syncFolderOf(path);
+  return journal;
+}
+
+/// Adds bytes at the end and sees them onto the disk.
+Expected<void> EditJournal::write(const std::string &record) {
+  ::lseek(file_, 0, SEEK_END);
+  for (std::size_t done = 0; done < record.size();) {
+    const ssize_t written = ::write(file_, record.data() + done, record.size() - done);
+    if (written <= 0)
+      return cannotWrite(path_);
+    done += static_cast<std::size_t>(written);
+  }
+  return ::fdatasync(file_) == 0 ? Expected<void>() : cannotWrite(path_);
+}
+
+Expected<void> EditJournal::append(const std::vector<VoxelEdit> &edits) {
+  if (auto checked = checkEdits(edits, info_.extent); !checked)
+    return checked;
+  const auto bytes = journal::editsText(edits);
+  if (!bytes)
+    return bytes.error();
+  auto written = write(journal::recordText(journal::RecordKind::Edits, transactions_, *bytes));
+  transactions_ += written ? 1 : 0;
+  return written;
+}
+
+Expected<void> EditJournal::close(const std::string &compacted) {
+  const auto identity = journal::identityOf(compacted);
+  if (!identity)
+    return identity.error();
+  const std::string bytes(reinterpret_cast<const char *>(identity->data()), sizeof *identity);
+  auto written = write(journal::recordText(journal::RecordKind::Closed, transactions_, bytes));
+  transactions_ += written ? 1 : 0;
+  return written;
+}
+
+Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath) {
+  std::vector<VoxelEdit> edits;
+  const std::string path = journalPathOf(volumePath);
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+    return edits;
+  auto file = MappedFile::open(path);
+  if (!file)
+    return file.error();
+  const auto contents = contentsFor(volumePath, file->bytes());
+  if (!contents)
+    return contents.error();
+  for (const journal::Record &record : contents->records)
+    if (record.kind == journal::RecordKind::Edits)
+      if (auto parsed = journal::parseEdits(record.bytes, edits); !parsed)
+        return Error::input("'" + path + "' is broken: " + parsed.error().message);
+  return edits;
+}
+
+namespace {
+
+/// Edits in place, where the format allows it; else a build of what they make of the volume.
+Expected<Volume> edited(Volume volume, const std::vector<VoxelEdit> &edits, const LoadOptions &options,
+                        const CompileCache *cache) {
+  if (!whyNoEdits(volume.layout()).empty()) {
+    auto constructor = Constructor::compile(volume.format(), cache);
+    if (!constructor)
+      return constructor.error();
+    BuildOptions building;
+    building.memory = options.memory;
+    building.progress = options.progress;
+    building.provenance = volume.info().provenance;
+    auto built = constructor->edit(std::make_shared<const Volume>(std::move(volume)), edits, building);
+    return built ? Expected<Volume>(std::move(built->volume)) : built.error();
+  }
+  auto editable =
+      EditableVolume::create(volume, {.memory = options.memory, .cache = cache, .shareWithFirst = false});
+  if (!editable)
+    return editable.error();
+  for (const VoxelEdit &edit : edits)
+    if (auto applied = editable->apply(*makeChange(edit)); !applied)
+      return applied.error();
+  return editable->view(editable->snapshot());
+}
+
+} // namespace
+
+Expected<Volume> loadEdited(const std::string &path, const LoadOptions &options, const CompileCache *cache) {
+  LoadOptions loading = options;
+  loading.withoutJournal = true;
+  auto volume = Volume::load(path, loading);
+  if (!volume)
+    return volume;
+  const auto edits = readJournal(path);
+  if (!edits)
+    return edits.error();
+  if (auto checked = checkEdits(*edits, volume->info().extent); !checked)
+    return Error::input("'" + journalPathOf(path) + "' is broken: " + checked.error().message);
+  return edits->empty() ? std::move(volume) : edited(std::move(*volume), *edits, options, cache);
+}
+
+} // namespace voxc

@@ -1,0 +1,180 @@
+// Journals as bytes.
+#include "JournalFormat.h"
+
+#include "Volume/Checksum.h"
+#include "voxc/Support/File.h"
+
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace voxc::journal {
+namespace {
+
+/// Where the head of a volume file has its checksum, and its size behind it (docs/hvx.md).
+constexpr std::size_t kIdentityAt = 16;
+
+/// An edit, whose pasted volume follows as a .hvx file of so many bytes; 0: none.
+struct EditHead {
+  std::int32_t low[3];
+  std::int32_t size[3];
+  std::uint32_t word;
+  std::uint32_t unused;
+  std::uint64_t pastedBytes;
+};
+
+template <typename T> void add(std::string &bytes, const T &value) {
+  bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
+}
+
+/// Takes a value off the front of bytes. False if they are too few.
+template <typename T> bool take(std::span<const std::byte> &bytes, T &value) {
+  if (bytes.size() < sizeof value)
+    return false;
+  std::memcpy(&value, bytes.data(), sizeof value);
+  bytes = bytes.subspan(sizeof value);
+  return true;
+}
+
+std::uint64_t checksumOf(RecordKind kind, std::uint64_t number, std::span<const std::byte> bytes) {
+  Checksum checksum;
+  checksum.add(&kind, sizeof kind);
+  checksum.add(&number, sizeof number);
+  checksum.add(bytes.data(), bytes.size());
+  return checksum.digest();
+}
+
+/// A file in memory, for what is written and read by path alone.
+class MemoryFile {
+public:
+  MemoryFile() : file_(::memfd_create("voxc", MFD_CLOEXEC)) {}
+  ~MemoryFile() {
+    if (file_ >= 0)
+      ::close(file_);
+  }
+  MemoryFile(const MemoryFile &) = delete;
+  MemoryFile &operator=(const MemoryFile &) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
+  bool write(std::span<const std::byte> bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+      if (written <= 0)
+        return false;
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+private:
+  int file_;
+};
+
+/// The bytes of a compressed .hvx file.
+Expected<std::string> fileOf(const Volume &volume) {
+  std::string path = (std::filesystem::temp_directory_path() / "voxc-paste.XXXXXX").string();
+  const int file = ::mkstemp(path.data());
+  if (file < 0)
+    return Error::environment("cannot write '" + path + "'");
+  ::close(file);
+  auto saved = volume.save(path, {.compress = true});
+  auto text = saved ? readTextFile(path) : Expected<std::string>(saved.error());
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  return text;
+}
+
+Expected<std::shared_ptr<const Volume>> volumeOf(std::span<const std::byte> file) {
+  const MemoryFile memory;
+  if (!memory.write(file))
+    return Error::environment("there is no memory for a volume that was pasted");
+  auto volume = Volume::load(memory.path(), {.withoutJournal = true});
+  if (!volume)
+    return volume.error();
+  return std::make_shared<const Volume>(std::move(*volume));
+}
+
+} // namespace
+
+std::string recordText(RecordKind kind, std::uint64_t number, const std::string &bytes) {
+  std::string text;
+  add(text, RecordHead{kind, 0, bytes.size(),
+                       checksumOf(kind, number, std::as_bytes(std::span(bytes.data(), bytes.size())))});
+  return text + bytes;
+}
+
+Expected<Contents> parse(std::span<const std::byte> file, const std::string &path) {
+  Contents contents;
+  Head head = kHead;
+  std::span<const std::byte> rest = file;
+  if (!take(rest, head)) // It was being begun.
+    return contents;
+  contents.identity = std::exchange(head.identity, {});
+  if (std::memcmp(&head, &kHead, sizeof head) != 0)
+    return Error::input("'" + path + "' is no journal of edits");
+  contents.end = sizeof(Head);
+  RecordHead record{};
+  while (take(rest, record) && record.bytes <= rest.size()) {
+    const auto bytes = rest.first(static_cast<std::size_t>(record.bytes));
+    if (record.checksum != checksumOf(record.kind, contents.records.size(), bytes))
+      break;
+    contents.records.push_back({record.kind, bytes});
+    contents.end += sizeof record + bytes.size();
+    rest = rest.subspan(bytes.size());
+  }
+  return contents;
+}
+
+Expected<Identity> identityOf(const std::string &volumePath) {
+  auto file = MappedFile::open(volumePath);
+  if (!file)
+    return file.error();
+  Identity identity{};
+  auto bytes = file->bytes();
+  if (bytes.size() < kIdentityAt + sizeof identity)
+    return Error::input("'" + volumePath + "' is not a .hvx volume");
+  std::memcpy(&identity, bytes.data() + kIdentityAt, sizeof identity);
+  return identity;
+}
+
+Expected<std::string> editsText(const std::vector<VoxelEdit> &edits) {
+  std::string bytes;
+  for (const VoxelEdit &edit : edits) {
+    auto pasted = edit.pasted ? fileOf(*edit.pasted) : Expected<std::string>(std::string());
+    if (!pasted)
+      return pasted.error();
+    add(bytes, EditHead{{edit.low.x, edit.low.y, edit.low.z},
+                        {edit.size.x, edit.size.y, edit.size.z},
+                        edit.word,
+                        0,
+                        pasted->size()});
+    bytes += *pasted;
+  }
+  return bytes;
+}
+
+Expected<void> parseEdits(std::span<const std::byte> bytes, std::vector<VoxelEdit> &edits) {
+  EditHead head{};
+  while (take(bytes, head)) {
+    if (head.pastedBytes > bytes.size())
+      return Error::input("a journal of edits has a volume that is cut short");
+    VoxelEdit edit{
+        {head.low[0], head.low[1], head.low[2]}, {head.size[0], head.size[1], head.size[2]}, head.word, {}};
+    if (head.pastedBytes > 0) {
+      auto pasted = volumeOf(bytes.first(static_cast<std::size_t>(head.pastedBytes)));
+      if (!pasted)
+        return pasted.error();
+      edit.pasted = std::move(*pasted);
+      edit.size = edit.pasted->info().extent;
+      bytes = bytes.subspan(static_cast<std::size_t>(head.pastedBytes));
+    }
+    edits.push_back(std::move(edit));
+  }
+  return bytes.empty() ? Expected<void>() : Error::input("a journal of edits has an edit that is cut short");
+}
+
+} // namespace voxc::journal
