@@ -122,37 +122,61 @@ private:
   std::vector<Entry> entries_;
 };
 
-/// Reads the pasted volume by its own bricks, of which the last is kept.
+/// Reads the pasted volume by its own bricks, of which some are kept: a cube of the edited volume may lie
+/// across eight of them.
 class PasteChange final : public VoxelChange {
 public:
   PasteChange(std::shared_ptr<const Volume> pasted, Int3 low)
-      : box_(low, pasted->info().extent), source_(makeVolumeSource(std::move(pasted))) {}
+      : box_(low, pasted->info().extent), source_(makeVolumeSource(std::move(pasted))),
+        bricks_(std::size_t{1} << 3 * kLog2Kept) {}
 
   CubeChange of(const Cube &cube) override {
-    return {box_.meets(cube) == Meeting::Outside ? CubeChange::Keep : CubeChange::Some};
+    return {box_.meets(cube) == Meeting::Outside || isEmpty(cube) ? CubeChange::Keep : CubeChange::Some};
   }
   std::uint32_t voxel(Int3 at, std::uint32_t old) override {
     if (!box_.holds(at))
       return old;
     const Int3 inside = at - box_.low;
-    const Int3 low = {inside.x & -kSide, inside.y & -kSide, inside.z & -kSide};
-    if (!brick_ || !(*brick_ == low)) {
-      brick_ = low;
-      if (!source_->read({low, kLog2Side}, words_.data()))
-        words_.fill(0); // A volume in memory does not fail.
-    }
     const std::uint32_t word =
-        words_[mortonCode({inside.x & kInside, inside.y & kInside, inside.z & kInside})];
+        brickAt({inside.x >> kLog2Side, inside.y >> kLog2Side, inside.z >> kLog2Side})
+            .words[mortonCode({inside.x & kInside, inside.y & kInside, inside.z & kInside})];
     return word != 0 ? word : old;
   }
 
 private:
-  static constexpr int kLog2Side = 3, kSide = 1 << kLog2Side, kInside = kSide - 1;
+  static constexpr int kLog2Side = 3, kInside = (1 << kLog2Side) - 1;
+  static constexpr int kLog2Kept = 2, kKept = (1 << kLog2Kept) - 1;
+
+  struct Brick {
+    std::optional<Int3> place; ///< In bricks; none: there is none here yet.
+    std::array<std::uint32_t, std::size_t{1} << 3 * kLog2Side> words;
+  };
+
+  const Brick &brickAt(Int3 place) {
+    Brick &brick = bricks_[mortonCode({place.x & kKept, place.y & kKept, place.z & kKept})];
+    if (!brick.place || !(*brick.place == place)) {
+      brick.place = place;
+      if (!source_->read({place * (1 << kLog2Side), kLog2Side}, brick.words.data()))
+        brick.words.fill(0); // A volume in memory does not fail.
+    }
+    return brick;
+  }
+
+  /// True if the aligned cubes of the pasted volume that the cube touches are empty.
+  bool isEmpty(const Cube &cube) {
+    const Int3 first = cube.low - box_.low, last = first + Int3{1, 1, 1} * static_cast<int>(cube.side() - 1);
+    const auto alignedLow = [&](int coordinate) { return coordinate >> cube.log2Side << cube.log2Side; };
+    for (int z = alignedLow(first.z); z <= last.z; z += 1 << cube.log2Side)
+      for (int y = alignedLow(first.y); y <= last.y; y += 1 << cube.log2Side)
+        for (int x = alignedLow(first.x); x <= last.x; x += 1 << cube.log2Side)
+          if ((x | y | z) >= 0 && !source_->empty({{x, y, z}, cube.log2Side}))
+            return false;
+    return true;
+  }
 
   Box box_;
   std::unique_ptr<VoxelSource> source_;
-  std::optional<Int3> brick_;
-  std::array<std::uint32_t, std::size_t{1} << 3 * kLog2Side> words_{};
+  std::vector<Brick> bricks_;
 };
 
 class FunctionChange final : public VoxelChange {

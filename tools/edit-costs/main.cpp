@@ -1,6 +1,7 @@
 // voxc-edit-costs: how long edits of a volume take, how many words they add and how many bytes a copy of the
 // volume asks for, beside the same edits by OpenVDB.
 #include "Edits.h"
+#include "TraceCosts.h"
 #include "VdbEdits.h"
 
 #include "common/Command.h"
@@ -16,7 +17,7 @@ namespace voxc::edits {
 namespace {
 
 struct Options {
-  std::string volume, pasted;
+  std::string volume, pasted, rays, device = "cpu";
   bool comparesVdb = false;
 };
 
@@ -96,6 +97,16 @@ private:
   std::vector<Int3> places_;
 };
 
+/// A thousand spheres of 16^3, every second of which clears, and then rays.
+Expected<void> traceAfterEdits(EditableVolume &edited, const Options &options) {
+  const std::vector<Int3> places = placesOn(*edited.volume(), 1000);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (auto applied = edited.apply(*makeSphereChange(places[i], 8, i % 2 == 0 ? 0 : rgba(255, 0, 255)));
+        !applied)
+      return applied.error();
+  return compareTraces(edited, options.rays, options.device);
+}
+
 Expected<void> measure(const Options &options) {
   auto volume = Volume::load(options.volume, {.trusted = true});
   if (!volume)
@@ -114,6 +125,8 @@ Expected<void> measure(const Options &options) {
   std::printf("made editable in %.3f s, of which %.3f compiling\n", watch.seconds(),
               edited->compileSeconds());
   const auto vdb = options.comparesVdb ? VdbEdits::create(*volume) : nullptr;
+  if (!options.rays.empty())
+    return traceAfterEdits(*edited, options);
   return Measuring(*volume, pasted, std::move(*edited)).run(vdb.get());
 }
 
@@ -126,5 +139,11 @@ int main(int argc, char **argv) {
   command.add("VOLUME", options.volume, "A .hvx file").required().takes("");
   command.add("--paste", options.pasted, "A .hvx file that is pasted").takes("W.hvx");
   command.addFlag("--openvdb", options.comparesVdb, "Do the same edits by OpenVDB's accessor, in turn");
+  command
+      .add("--rays", options.rays,
+           "Do a thousand edits of 16^3, and trace these rays then, through the edited volume and a build of "
+           "it in turn")
+      .takes("FILE");
+  command.add("--device", options.device, "Where to trace").takes("NAME").showsDefault();
   return voxc::tool::runTool(command, argc, argv, [&] { return voxc::edits::measure(options); });
 }
