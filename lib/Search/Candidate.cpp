@@ -83,16 +83,17 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
     applyPass(candidate, "visible-voxels");
   for (const char *pass : {"whole-level-dedup", "share-grids", "octant-distances", "df-packing"})
     applyPass(candidate, pass);
-  applyPass(candidate, traits.oneColour         ? "constant-colour"
-                       : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
-                                                : "values-apart");
-  if (choices.grids != SmallGrids::Pointed) {
+  if (traits.oneColour || !traits.editable)
+    applyPass(candidate, traits.oneColour         ? "constant-colour"
+                         : traits.paletteBits > 0 ? "palette=" + std::to_string(traits.paletteBits)
+                                                  : "values-apart");
+  if (choices.grids != SmallGrids::Pointed && !traits.editable) {
     applyPass(candidate, "short-pointers=" + std::to_string(traits.pointerBits));
     for (const Pass &pass : passes())
       if (pass.besidePointers)
         applyPass(candidate, std::string(pass.name));
   }
-  if (choices.grids == SmallGrids::ByOctants)
+  if (choices.grids == SmallGrids::ByOctants && !traits.editable)
     applyPass(candidate, "octant-masks");
   if (!choices.walk.empty())
     applyPass(candidate, std::string(choices.walk));

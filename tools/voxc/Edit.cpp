@@ -166,10 +166,11 @@ private:
   }
 
   Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
     std::optional<EditJournal> journal; // Held, so that no edit comes to it meanwhile.
-    if (replaces()) {
+    if (!replaces()) {
+      if (Expected<void> writable = checkOutputFile(output_); !writable)
+        return writable;
+    } else {
       Expected<EditJournal> opened = EditJournal::open(volume_.path());
       if (!opened)
         return volumeFailure(opened.error());

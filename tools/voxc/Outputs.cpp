@@ -1,6 +1,8 @@
 // Checks of output paths.
 #include "Outputs.h"
 
+#include "voxc/Volume/Volume.h"
+
 #include <filesystem>
 #include <system_error>
 
@@ -17,7 +19,7 @@ Expected<void> checkOutputFile(const std::string &path) {
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, ignored))
     return Error::input("output '" + path + "' lies in a folder that does not exist; make it first");
-  return {};
+  return checkNoJournal(path); // Its edits would be of no file.
 }
 
 Expected<void> checkOutput(const std::string &path, const CommonOptions &common) {

@@ -36,6 +36,7 @@ public:
              "Choose from these in place of those that voxc knows: \"F;F;F\", or a file with one a line, a "
              "label and a tab before it if you like")
         .takes("LIST");
+    command.addFlag("--editable", request_.editable, "Only formats whose volumes can be edited in place");
     command.addFlag("--all", all_, "List all formats that no other beats in both size and speed");
     addMemoryArguments(command, buildArguments_);
     addCommonOptions(command, common_);

@@ -55,6 +55,15 @@ std::string table(const Suggestion &suggestion) {
   return text;
 }
 
+/// Of a format whose colours stand apart from its levels, or are one: ", of which 20 % are colours".
+std::string shareOfColours(const Suggestion &suggestion, const RatedFormat &format) {
+  const Layout layout = layoutOf(format.candidate.format);
+  if (!layout.ranksVoxels() && !layout.hasOneColour())
+    return "";
+  return print(", of which %.0f %% are colours",
+               100 * static_cast<double>(4 * suggestion.valueWords) / static_cast<double>(format.bytes()));
+}
+
 /// How far off speeds may be, and how that is mended.
 std::string trustIn(const Suggestion &suggestion) {
   if (suggestion.areSpeedsMeasured)
@@ -72,11 +81,10 @@ std::string suggestReport(const Suggestion &suggestion, bool all) {
   const auto fastest = std::ranges::min_element(suggestion.rated, {}, &RatedFormat::time);
   const auto smallest = std::ranges::min_element(suggestion.rated, {}, &RatedFormat::bytes);
   std::string text = nameOf(choice.candidate) + "\n";
-  text += print("  %.3f MiB, %.2f bits a voxel, of which %.0f %% are colours; about %s on one core (%s)\n",
-                mebibytes(choice.bytes()),
+  text += print("  %.3f MiB, %.2f bits a voxel%s; about %s on one core (%s)\n", mebibytes(choice.bytes()),
                 8 * static_cast<double>(choice.bytes()) / static_cast<double>(suggestion.voxels),
-                100 * static_cast<double>(4 * suggestion.valueWords) / static_cast<double>(choice.bytes()),
-                speedsOf(suggestion, choice).c_str(), suggestion.device.c_str());
+                shareOfColours(suggestion, choice).c_str(), speedsOf(suggestion, choice).c_str(),
+                suggestion.device.c_str());
   if (fastest->time() < choice.time())
     text += besides("fastest", *fastest, choice);
   if (smallest->bytes() < choice.bytes())

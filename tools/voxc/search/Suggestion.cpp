@@ -52,6 +52,7 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
       readScene(request.input, suggestion.arguments, request.memory, common, progress, figures);
   if (!scene)
     return scene.error();
+  scene->traits.editable = request.editable;
   Expected<std::vector<Candidate>> candidates = readCandidates(request.formatList, *scene);
   if (!candidates)
     return candidates.error();

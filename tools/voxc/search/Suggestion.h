@@ -16,6 +16,7 @@ struct SuggestRequest {
   std::string input;
   InputArguments arguments; ///< Without a resolution it is the usual one.
   Wish wish;
+  bool editable = false; ///< Only formats that can be edited in place.
   std::string device = "cpu";
   std::vector<std::string> rayFiles; ///< None: sampled rays.
   std::string formatList;            ///< "": formats that voxc knows.
