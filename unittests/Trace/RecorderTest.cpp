@@ -4,6 +4,7 @@
 #include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Construct/EditableVolume.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Trace/Recorder.h"
@@ -117,6 +118,43 @@ TEST_F(RecorderTest, TracesTwoVolumesInOneCommandBuffer) {
   });
   expectHits(a, tree);
   expectHits(b, grids);
+}
+
+/// The frames of a game: an edit, what brings it to the device and what traces are one command buffer.
+TEST_F(RecorderTest, FollowsEditsInTheHostsCommandBuffer) {
+  Model model = makeModel("R(1,1,1) G(3)", 7, 3000);
+  auto edited = EditableVolume::create(model.volume);
+  ASSERT_TRUE(edited) << edited.error().message;
+  const std::uint64_t room = 4 * DeviceVolume::bytesFor(model.volume.words().size());
+  const test::Host::Buffer words = host_->makeBuffer(room);
+  std::memcpy(words.bytes, model.volume.words().data(), model.volume.words().size_bytes());
+  Placed placed = place(model, model.rays.size());
+  placed.volume = *DeviceVolume::withRoom({words.buffer, 0, room}, model.volume);
+  placed.trace.emplace(*placed.recorder.bind(placed.volume, buffersOf(placed, model, model.rays.size())));
+  for (int frame = 0; frame < 4; ++frame) {
+    ASSERT_TRUE(
+        edited->apply(*makeSphereChange({3 * frame, 8, 7}, 3 + frame, frame % 2 == 0 ? 0xff00ffff : 0)));
+    const auto volume = edited->volume();
+    const std::vector<WordRange> changes = edited->takeChanges();
+    std::uint64_t changed = 0;
+    for (const WordRange &range : changes)
+      changed += (range.end - range.first) * sizeof(std::uint32_t);
+    host_->submit([&](VkCommandBuffer commands) {
+      const auto bytes = recordUpdate(*device_, commands, placed.volume, *volume, changes);
+      ASSERT_TRUE(bytes) << bytes.error().message;
+      EXPECT_EQ(*bytes, changed);
+      ASSERT_TRUE(recordTrace(commands, {&*placed.trace, countOf(model)}));
+    });
+    const CpuKernel kernel = *compileCpuKernel(volume->format(), {.start = CpuStart::Fast});
+    ASSERT_TRUE((*createCpuTracer(kernel, *volume))->trace(model.rays, model.expected));
+    expectHits(placed, model);
+  }
+  const auto small = DeviceVolume::withRoom(
+      {words.buffer, 0, DeviceVolume::bytesFor(model.volume.words().size())}, model.volume);
+  ASSERT_TRUE(small);
+  const auto failed = recordUpdate(*device_, VK_NULL_HANDLE, *small, *edited->volume(), {});
+  ASSERT_FALSE(failed);
+  EXPECT_THAT(failed.error().message, HasSubstr("one with more room is bound anew"));
 }
 
 TEST_F(RecorderTest, TracesRaysWithBounds) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "voxc/Trace/HostDevice.h"
+#include "voxc/Volume/WordRange.h"
 
 #include <cstdint>
 #include <memory>
@@ -27,6 +28,9 @@ public:
   /// Says that they lie in a storage buffer of the host's, who has brought them there: `Volume::words()`, and
   /// room for as many more as a multiple of four needs (`bytesFor`). Error (`Usage`): there is less room.
   static Expected<DeviceVolume> in(const BufferRange &words, const Volume &volume);
+  /// The same for a volume that will change: all of the range is its room, and what is bound to it goes on
+  /// after `recordUpdate`.
+  static Expected<DeviceVolume> withRoom(const BufferRange &room, const Volume &volume);
 
   /// The bytes that so many words take.
   static std::uint64_t bytesFor(std::uint64_t words);
@@ -42,6 +46,16 @@ private:
   explicit DeviceVolume(std::shared_ptr<const State> state) : state_(std::move(state)) {}
   std::shared_ptr<const State> state_;
 };
+
+/// Records into a command buffer, outside of a render pass, what brings the words of a volume `withRoom` to
+/// those of `after`: `changed` says which are others, as `EditableVolume::takeChanges` does. They are copied
+/// into the commands in pieces of 4 KiB at most, so that the volume may be edited on at once; traces that are
+/// recorded before read the words as they were, and those after it as they are. The buffer needs
+/// VK_BUFFER_USAGE_TRANSFER_DST_BIT. Returns the bytes. Errors: `after` is of other storage (`Input`); it has
+/// more words than there is room for: the host takes a larger buffer
+/// (`Usage`). Nothing is recorded then.
+Expected<std::uint64_t> recordUpdate(Device &device, VkCommandBuffer commands, const DeviceVolume &volume,
+                                     const Volume &after, std::span<const WordRange> changed);
 
 /// Where a trace reads and writes: buffers of the host's, all with VK_BUFFER_USAGE_STORAGE_BUFFER_BIT.
 struct TraceBuffers {
