@@ -21,6 +21,9 @@ public:
   Expected<UpdateReport> update(const Volume &before, const Volume &after) override {
     return tracer_->update(before, after);
   }
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override {
+    return tracer_->follow(after, changed);
+  }
 
 private:
   std::unique_ptr<Device> owned_; // Outlives the tracer.

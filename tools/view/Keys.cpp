@@ -35,6 +35,14 @@ constexpr KeyKind kKeys[] = {
     {Action::EditFormat, "T", "write another format; Enter loads it", false},
     {Action::PreviousPoint, "[", "load the next smaller format of the search's frontier", false},
     {Action::NextPoint, "]", "load the next larger format of the search's frontier", false},
+    {Action::NextBrush, "B", "next brush: add, erase, paint, paste what was copied, or none", false},
+    {Action::BrushShape, "N", "a brush of a box, or again of a sphere", false},
+    {Action::BrushSmaller, ",", "a smaller brush", false},
+    {Action::BrushLarger, ".", "a larger brush", false},
+    {Action::BrushColour, "K", "take the colour of the voxel that was clicked", false},
+    {Action::BrushCopy, "J", "copy what the brush covers at the voxel that was clicked", false},
+    {Action::UndoStroke, "Z", "undo the last stroke of a brush", false},
+    {Action::RedoStroke, "Y", "redo it", false},
     {Action::CopyCamera, "C", "copy the camera as options, and print it", false},
     {Action::Screenshot, "P", "write the picture as a PNG", false},
     {Action::TogglePanel, "Tab", "show or hide the panel", false},
@@ -44,7 +52,7 @@ constexpr KeyKind kKeys[] = {
 };
 
 constexpr MouseKind kMouse[] = {
-    {"left drag", "turn"},
+    {"left drag", "turn; or with a brush, edit"},
     {"right drag", "move sideways and up"},
     {"wheel", "go nearer or further"},
     {"left click", "tell the voxel there, and what the oracle says of it"},

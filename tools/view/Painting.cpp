@@ -48,7 +48,7 @@ Expected<Picture> paint(const Shot &shot, const RefinementStep &step, const Prog
   options.threads = scene->threads;
   options.clip = look.clip.cutsNothing() ? nullptr : &look.clip;
   options.progress = progress;
-  Expected<Rendering> rendering = render(*scene->model.volume, small, {trace, trace}, options);
+  Expected<Rendering> rendering = render(*scene->volume(), small, {trace, trace}, options);
   if (!rendering)
     return rendering.error();
   const StyleKind &kind = kindOf(look.style);

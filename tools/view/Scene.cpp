@@ -34,6 +34,10 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   auto scene = std::make_shared<Scene>();
   if (old && wish.format == old->model.text) {
     scene->model = old->model;
+    scene->model.volume = old->frozen();
+  } else if (old && old->frozen() != old->model.volume) {
+    return Error::usage(
+        "the volume was edited in the format that is shown; undo all strokes (Z) to load another");
   } else {
     Expected<Model> model = maker.makeModel(wish.format, progress);
     if (!model)
@@ -52,6 +56,8 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   scene->tracer = endsLate ? inSlices(std::move(tracers->tracer), kSlice) : std::move(tracers->tracer);
   scene->paging = std::move(tracers->paging);
   scene->scout = scoutOf(scene->model, *tracers);
+  if (scene->model.pagedBytes == 0)
+    scene->sculpture = std::make_unique<Sculpture>(scene->model.volume);
   scene->normals = normalsOf(scene->model, *tracers, maker.threads);
   scene->threads = maker.threads;
   return scene;

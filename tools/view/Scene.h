@@ -1,6 +1,8 @@
 // What the viewer shows: a volume in a format, and a tracer for it on a device.
 #pragma once
 
+#include "view/Sculpture.h"
+
 #include "voxc/IR/Format.h"
 #include "voxc/Render/SurfaceNormals.h"
 #include "voxc/Support/Error.h"
@@ -42,7 +44,16 @@ struct Scene {
   std::function<PagingReport()> paging;    ///< As in `Tracers`; asked by the thread that traces.
   std::shared_ptr<const Scene> scout;      ///< The same model, traced by the scout; or null.
   std::unique_ptr<SurfaceNormals> normals; ///< That its pictures have found.
+  std::unique_ptr<Sculpture> sculpture;    ///< Its volume while it is edited; null of a model in pages.
   unsigned threads = 0;                    ///< That shade; 0: all of the machine.
+
+  /// The volume as it is to be seen now, for the thread that paints.
+  std::shared_ptr<const Volume> volume() const { return sculpture ? sculpture->volume() : model.volume; }
+  /// The same for any other, which stays as it is.
+  std::shared_ptr<const Volume> frozen() const {
+    auto edited = sculpture ? sculpture->frozen() : nullptr;
+    return edited ? edited : model.volume;
+  }
 };
 
 /// Makes what scenes are made of. The functions are called on a thread of the viewer, one call at a time.

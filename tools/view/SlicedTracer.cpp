@@ -39,6 +39,10 @@ public:
     return all;
   }
 
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override {
+    return tracer_->follow(after, changed);
+  }
+
 private:
   static void add(const TraceReport &report, TraceReport &all) {
     for (const TraceTime &time : report.repeats) {

@@ -144,7 +144,8 @@ void Viewer::show() {
     return;
   const std::uint64_t number = painter_.show(shot());
   if (!waiting_)
-    waiting_ = Waiting{number, {}};
+    waiting_ = Waiting{number, acted_.value_or(Stopwatch())};
+  acted_.reset();
 }
 
 void Viewer::takePainting(Painting painting) {
@@ -199,6 +200,8 @@ bool Viewer::advance(double seconds) {
   take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
   take(touch_, [this](const Expected<Touch> &touch) { takeTouch(touch); });
   take(screenshots_, [this](const Expected<std::string> &path) { takeScreenshot(path); });
+  take(carving_, [this](const Expected<Carving> &carving) { takeCarving(carving); });
+  take(cut_, [this](const auto &cut) { takeCut(cut); });
   take(placed_, [this](const Expected<Camera> &camera) { takeCamera(camera); });
   take(witness_, [this](const Expected<Testimony> &testimony) {
     if (!testimony)

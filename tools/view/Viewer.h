@@ -1,6 +1,7 @@
 // The viewer without its window: what is shown, what input does to it, and what threads bring.
 #pragma once
 
+#include "view/Carving.h"
 #include "view/EventLog.h"
 #include "view/Motion.h"
 #include "view/Painter.h"
@@ -40,6 +41,7 @@ struct ViewerState {
   std::string error;          ///< Of what was asked for last.
   std::string picture;        ///< How fine it is.
   std::string touched;        ///< What a click told.
+  std::string brush;          ///< What the mouse edits; "": it turns.
   bool isFlying = false;
   bool showsPanel = true, showsHelp = false;
   bool isLeaving = false; ///< Escape was pressed where it ends nothing: once more, and it closes.
@@ -62,6 +64,9 @@ public:
   /// Asks what is to be seen at a pixel.
   void click(int column, int row);
   void resize(int width, int height);
+  /// Whether the mouse edits; a stroke of the brush at a pixel: the first of a drag, or one more.
+  bool isBrushing() const { return brush_.kind != BrushKind::None; }
+  void stroke(int column, int row, bool isFirst);
 
   void setStyle(Style style);
   /// Loads a format, with passes, or the scene on another device. What is shown stays until it is there, and
@@ -118,6 +123,15 @@ private:
   void setCamera(const ViewCamera &camera);
   void setFlying(bool isFlying);
   bool isInside(const Camera &camera) const;
+  void setBrush(const Brush &brush);
+  void nextBrush();
+  void toggleBrushShape();
+  void resizeBrush(int by);
+  void takeBrushColour();
+  void copyUnderBrush();
+  void takeCut(const Expected<std::shared_ptr<const Volume>> &cut);
+  void act(Deed deed);
+  void takeCarving(const Expected<Carving> &carving);
   void copyCamera();
   void writeScreenshot();
   void takeScreenshot(const Expected<std::string> &path);
@@ -151,11 +165,15 @@ private:
     Stopwatch watch;
   };
   std::optional<Waiting> waiting_;
+  std::optional<Stopwatch> acted_; ///< Since a brush did what no picture shows yet.
+  Brush brush_;
 
   Mailbox<Loaded> loaded_;
   Mailbox<std::string> work_;
   Mailbox<Expected<Touch>> touch_;
   Mailbox<Expected<Camera>> placed_;
+  Mailbox<Expected<Carving>> carving_;
+  Mailbox<Expected<std::shared_ptr<const Volume>>> cut_;
   Screenshots screenshots_;
   Witness witness_;
   Painter painter_;

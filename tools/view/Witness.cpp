@@ -43,13 +43,13 @@ void Witness::ask(const Touch &touch) {
 Expected<Testimony> Witness::answer(const Touch &touch, const std::atomic<bool> &stop) {
   if (touch.shot.scene->model.pagedBytes > 0)
     return Error::usage(describe(touch.hit) + "; no oracle has a volume in pages");
-  if (volume_ != touch.shot.scene->model.volume) {
+  if (const auto volume = touch.shot.scene->frozen(); volume_ != volume) {
     oracle_.reset();
-    Expected<Oracle> oracle = Oracle::of(*touch.shot.scene->model.volume, {.stop = &stop});
+    Expected<Oracle> oracle = Oracle::of(*volume, {.stop = &stop});
     if (!oracle)
       return oracle.error();
     oracle_.emplace(std::move(*oracle));
-    volume_ = touch.shot.scene->model.volume;
+    volume_ = volume;
   }
   const Explanation explanation = oracle_->explain(touch.ray.ray(), kMostCells, touch.ray.bounds());
   return Testimony{touch, explanation.hit, explanation.face, explanation.cells.size()};

@@ -20,12 +20,23 @@ std::string bytesText(double bytes) {
 
 } // namespace
 
+namespace {
+
+std::string sizeText(Int3 extent, std::uint64_t voxels, std::uint64_t bytes) {
+  return std::to_string(extent.x) + " x " + std::to_string(extent.y) + " x " + std::to_string(extent.z) +
+         ", " + std::to_string(voxels) + " voxels, " + bytesText(double(bytes));
+}
+
+} // namespace
+
 std::string sizeText(const Model &model) {
   const VolumeInfo &info = model.volume->info();
-  return std::to_string(info.extent.x) + " x " + std::to_string(info.extent.y) + " x " +
-         std::to_string(info.extent.z) + ", " + std::to_string(info.voxels) + " voxels, " +
-         (model.pagedBytes > 0 ? bytesText(double(model.pagedBytes)) + " in pages"
-                               : bytesText(double(model.volume->bytes())));
+  return model.pagedBytes > 0 ? sizeText(info.extent, info.voxels, model.pagedBytes) + " in pages"
+                              : sizeText(info.extent, info.voxels, model.volume->bytes());
+}
+
+std::string sizeText(const Model &model, const Carving &carving) {
+  return sizeText(model.volume->info().extent, carving.voxels, carving.bytes);
 }
 
 std::string stepText(const Painting &painting) {

@@ -54,6 +54,11 @@ public:
   /// The same without figures.
   Expected<TraceReport> trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
 
+  /// As `Tracer::follow`.
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) {
+    return tracer_->follow(after, changed);
+  }
+
   /// Makes the prepared tracer count words read where that takes another kernel; from then on it traces with
   /// `TraceOptions::countWords` alone. `volume` and `format` are those of `prepare`.
   Expected<void> prepareToCountWords(const Volume &volume, const Format &format);

@@ -137,6 +137,10 @@ void Panel::drawPicture(Viewer &viewer) {
 }
 
 void Panel::drawPick(const Viewer &viewer) {
+  if (!viewer.state().brush.empty()) {
+    heading("brush");
+    wrapped(viewer.state().brush);
+  }
   heading("click");
   if (viewer.state().touched.empty())
     ImGui::TextDisabled("a click tells the voxel");

@@ -70,6 +70,9 @@ private:
   /// picture: a frame before that would take time from it.
   void wake() { frames_ = kFramesOfInput; }
 
+  /// Whether the button that is down edits.
+  bool strokes() const { return viewer_.isBrushing() && button_ == GLFW_MOUSE_BUTTON_LEFT; }
+
   struct Released {
     int key, code, modifiers;
   };
@@ -132,8 +135,10 @@ void Window::onButton(int button, int event, int modifiers) {
     button_ = button;
     pressed_ = mouse_;
     isDragging_ = false;
+    if (strokes())
+      viewer_.stroke(int(pressed_.x), int(pressed_.y), true);
   } else if (event == GLFW_RELEASE && button == button_) {
-    if (!isDragging_ && button == GLFW_MOUSE_BUTTON_LEFT)
+    if (!isDragging_ && button == GLFW_MOUSE_BUTTON_LEFT && !strokes())
       viewer_.click(int(pressed_.x), int(pressed_.y));
     button_ = -1;
   }
@@ -147,7 +152,9 @@ void Window::onMove(double column, double row) {
   if (button_ < 0)
     return;
   isDragging_ = isDragging_ || glm::distance(place, pressed_) >= kClick;
-  if (isDragging_)
+  if (strokes())
+    viewer_.stroke(int(column), int(row), false);
+  else if (isDragging_)
     viewer_.drag(column - before.x, row - before.y, button_ != GLFW_MOUSE_BUTTON_LEFT);
 }
 

@@ -209,6 +209,9 @@ TEST(Update, GoesThroughATracerThatOwnsItsDevice) {
   ASSERT_TRUE((*tracer)->update(*volume, *edited));
   const Ray ray{{16.5f, 16.5f, -2}, {0, 0, 1}};
   EXPECT_FALSE(hitsOf(**tracer, {&ray, 1})[0].isHit());
+  const WordRange all{0, volume->words().size()};
+  ASSERT_TRUE((*tracer)->follow(*volume, {&all, 1}));
+  EXPECT_TRUE(hitsOf(**tracer, {&ray, 1})[0].isHit());
 }
 
 } // namespace

@@ -26,6 +26,9 @@ public:
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override {
     return tracing_.trace(rays, hits, options);
   }
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override {
+    return tracing_.follow(after, changed);
+  }
   /// Of one that has pages.
   PagingReport paging() const { return *tracing_.paging(); }
 

@@ -1,0 +1,82 @@
+// States of an edited volume.
+#include "view/Sculpture.h"
+
+#include "common/UserCache.h"
+
+#include <utility>
+
+namespace voxc::view {
+
+void Sculpture::add(Deed deed) {
+  const std::lock_guard lock(mutex_);
+  deeds_.push_back(std::move(deed));
+}
+
+std::vector<Deed> Sculpture::takeDeeds() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(deeds_, {});
+}
+
+Expected<void> Sculpture::prepare() {
+  const std::lock_guard lock(mutex_);
+  if (edited_)
+    return {};
+  // Strokes are few beside the scene: to go through all of it would keep the first one waiting.
+  auto edited = EditableVolume::create(*first_, {.cache = tool::compileCache(), .shareWithFirst = false});
+  if (!edited)
+    return edited.error();
+  edited_.emplace(std::move(*edited));
+  return {};
+}
+
+void Sculpture::begin() {
+  const std::lock_guard lock(mutex_);
+  done_.push_back(edited_->snapshot());
+  undone_.clear();
+}
+
+Expected<void> Sculpture::apply(VoxelChange &change) {
+  const std::lock_guard lock(mutex_);
+  const auto report = edited_->apply(change);
+  return report ? Expected<void>() : report.error();
+}
+
+bool Sculpture::undo() {
+  const std::lock_guard lock(mutex_);
+  if (done_.empty())
+    return false;
+  undone_.push_back(edited_->snapshot());
+  edited_->restore(done_.back());
+  done_.pop_back();
+  return true;
+}
+
+bool Sculpture::redo() {
+  const std::lock_guard lock(mutex_);
+  if (undone_.empty())
+    return false;
+  done_.push_back(edited_->snapshot());
+  edited_->restore(undone_.back());
+  undone_.pop_back();
+  return true;
+}
+
+Expected<UpdateReport> Sculpture::show(Tracer &tracer) {
+  const std::lock_guard lock(mutex_);
+  return tracer.follow(*edited_->volume(), edited_->takeChanges());
+}
+
+std::shared_ptr<const Volume> Sculpture::volume() const {
+  const std::lock_guard lock(mutex_);
+  return edited_ ? edited_->volume() : first_;
+}
+
+std::shared_ptr<const Volume> Sculpture::frozen() const {
+  const std::lock_guard lock(mutex_);
+  if (!edited_ || done_.empty())
+    return nullptr;
+  auto view = edited_->view(edited_->snapshot());
+  return view ? std::make_shared<const Volume>(std::move(*view)) : nullptr;
+}
+
+} // namespace voxc::view

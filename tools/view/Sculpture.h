@@ -1,0 +1,65 @@
+// A volume of a scene while it is edited: what waits to be done to it, and its states.
+#pragma once
+
+#include "view/Brush.h"
+
+#include "voxc/Construct/EditableVolume.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace voxc::view {
+
+/// What is done to a volume.
+struct Stroke {
+  Brush brush;
+  int column = 0, row = 0; ///< The pixel of a stamp.
+  bool isFirst = false;    ///< Of a stroke, which is undone as a whole.
+};
+struct Undo {};
+struct Redo {};
+/// Makes the volume ready, so that the first stamp is not kept waiting.
+struct Prepare {};
+using Deed = std::variant<Prepare, Stroke, Undo, Redo>;
+
+/// Deeds come from one thread, and are done by another, which also traces the volume.
+class Sculpture {
+public:
+  /// The volume of the beginning, which is not in pages.
+  explicit Sculpture(std::shared_ptr<const Volume> volume) : first_(std::move(volume)) {}
+
+  void add(Deed deed);
+  /// What waits, in its order.
+  std::vector<Deed> takeDeeds();
+
+  /// Copies the volume, if that is not done yet. Errors: as of `EditableVolume::create`.
+  Expected<void> prepare();
+  /// Begins what is undone as a whole.
+  void begin();
+  /// Errors: as of `EditableVolume::apply`.
+  Expected<void> apply(VoxelChange &change);
+  /// False if there is nothing to undo, or to redo.
+  bool undo();
+  bool redo();
+  /// Brings what was done to a tracer of the volume.
+  Expected<UpdateReport> show(Tracer &tracer);
+
+  /// The volume as it is now; it is right until the next deed.
+  std::shared_ptr<const Volume> volume() const;
+  /// The same, which stays as it is. Null if nothing was edited. Of any thread.
+  std::shared_ptr<const Volume> frozen() const;
+
+private:
+  std::shared_ptr<const Volume> first_;
+  mutable std::mutex mutex_; ///< Guards all that follows.
+  std::vector<Deed> deeds_;
+  mutable std::optional<EditableVolume> edited_;
+  std::vector<EditableVolume::Snapshot> undone_, done_; ///< States to go back to, and on to.
+};
+
+} // namespace voxc::view
