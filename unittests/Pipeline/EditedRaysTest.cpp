@@ -20,6 +20,9 @@ namespace {
 
 constexpr int kLog2Side = 5, kSide = 1 << kLog2Side;
 constexpr Int3 kExtent = {kSide, kSide, kSide};
+/// Between two looks at the hits, and how many rays look.
+constexpr int kEdits = 100;
+constexpr std::size_t kRaysOfClass = 400;
 
 /// A random format of all voxels that can be edited, with exact hits of voxels.
 Format editableFormat(std::mt19937 &random) {
@@ -42,7 +45,7 @@ std::unique_ptr<VoxelChange> randomChange(std::mt19937 &random) {
 std::vector<Ray> hardRaysOf(std::uint64_t seed) {
   std::vector<Ray> rays;
   for (const test::HardRayClass &row : test::hardRayClasses()) {
-    const std::vector<Ray> more = test::hardRays(kExtent, row.name, 60, seed);
+    const std::vector<Ray> more = test::hardRays(kExtent, row.name, kRaysOfClass, seed);
     rays.insert(rays.end(), more.begin(), more.end());
   }
   return rays;
@@ -94,8 +97,8 @@ TEST_P(EditedRays, AreThoseOfTheEditedVoxels) {
     Voxels voxels(built->volume);
     auto tracer = tracerOf(*edited->volume(), format);
     ASSERT_TRUE(tracer) << tracer.error().message;
-    for (int step = 0; step < 3; ++step) {
-      for (int edit = 0; edit < 8; ++edit) {
+    for (int step = 0; step < 2; ++step) {
+      for (int edit = 0; edit < kEdits; ++edit) {
         const auto change = randomChange(random);
         if (edited->apply(*change)) // Else the payload has no such colour.
           voxels.apply(*change);
