@@ -1,7 +1,7 @@
 // Fuzzes lines of rays with their exact hits (test/hard-rays): what is read must come back from its own line.
 #include "FuzzedFile.h"
 
-#include "voxc/HardRayCorpus.h"
+#include "hard-rays/HardRayCorpus.h"
 
 #include <cstdlib>
 

@@ -21,7 +21,7 @@ if "VOXC_SEED" in os.environ:
 config.environment["PATH"] = os.pathsep.join([config.llvm_tools_dir, config.environment["PATH"]])
 
 # Longer names first: lit replaces them in this order, and %voxc begins the others.
-for tool in ["voxc-cliffs", "voxc-edit-costs", "voxc-gpu-day", "voxc-opt", "voxc-trace", "voxc"]:
+for tool in ["voxc-cliffs", "voxc-edit-costs", "voxc-gpu-day", "voxc-hard-rays", "voxc-opt", "voxc-trace", "voxc"]:
     config.substitutions.append(("%" + tool + r"\b", os.path.join(bin_dir, tool)))
 config.substitutions += [
     ("%shared", os.path.normpath(shared_dir)),

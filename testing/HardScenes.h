@@ -1,4 +1,4 @@
-// Scenes that are chosen to hurt: for tests of whole pipelines and for `voxc hard-rays`.
+// Scenes that are chosen to hurt: for tests of whole pipelines and for `voxc-hard-rays`.
 #pragma once
 
 #include "voxc/Source/VoxelSource.h"

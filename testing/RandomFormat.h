@@ -1,4 +1,4 @@
-// Random formats of a given size, for property tests and for `voxc hard-rays`.
+// Random formats of a given size, for property tests and for `voxc-hard-rays`.
 #pragma once
 
 #include "voxc/IR/Format.h"

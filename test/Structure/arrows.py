@@ -9,7 +9,7 @@ import re
 import sys
 from pathlib import Path
 
-LINE = re.compile(r"^(\w+) *->(.*)$", re.MULTILINE)
+LINE = re.compile(r"^([\w-]+) *->(.*)$", re.MULTILINE)
 EXCEPTION = re.compile(r"^(\S+) *=> *(\S+)$", re.MULTILINE)
 INCLUDE = re.compile(r'^ *# *include *([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_HEADER = re.compile(r"[a-z_]+")

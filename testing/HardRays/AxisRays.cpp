@@ -7,10 +7,6 @@
 
 namespace voxc::test {
 
-Ray axisCentreRay(RandomSource &random, const RayTarget &target) { return axisParallel(random, target, 0); }
-Ray axisFaceRay(RandomSource &random, const RayTarget &target) { return axisParallel(random, target, 1); }
-Ray axisEdgeRay(RandomSource &random, const RayTarget &target) { return axisParallel(random, target, 2); }
-
 Ray boundaryUlpRay(RandomSource &random, const RayTarget &target) {
   Ray ray = random.flip() ? axisParallel(random, target, random.integer(1, 2)) : diagonalRay(random, target);
   for (float &component : ray.origin)

@@ -1,20 +1,15 @@
 // The generators of hard rays, one a class: each makes a ray for a grid and the voxels in it. The table of
-// HardRays.cpp says what they are.
+// HardRays.cpp says what they are; the first are those of `voxc verify`.
 #pragma once
 
 #include "testing/HardRays.h"
 
+#include "Oracle/VerifyRays/RayKinds.h"
+
 namespace voxc::test {
 
-class RandomSource;
+using namespace oracle;
 
-Ray cameraRay(RandomSource &random, const RayTarget &target);
-Ray outsideRay(RandomSource &random, const RayTarget &target);
-Ray insideRay(RandomSource &random, const RayTarget &target);
-Ray axisCentreRay(RandomSource &random, const RayTarget &target);
-Ray axisFaceRay(RandomSource &random, const RayTarget &target);
-Ray axisEdgeRay(RandomSource &random, const RayTarget &target);
-Ray diagonalRay(RandomSource &random, const RayTarget &target);
 Ray cornerRay(RandomSource &random, const RayTarget &target);
 Ray wholeRay(RandomSource &random, const RayTarget &target);
 Ray touchRay(RandomSource &random, const RayTarget &target);

@@ -7,20 +7,6 @@
 
 namespace voxc::test {
 
-Ray diagonalRay(RandomSource &random, const RayTarget &target) {
-  Point point, direction;
-  latticePoint(random, target, point);
-  wholeDirection(random, direction);
-  const Int3 extent = target.extent;
-  const int longest = std::max({extent.x, extent.y, extent.z});
-  const int steps = random.flip() ? 0 : random.integer(0, longest);
-  Ray ray = backedOff(point, direction, static_cast<float>(steps));
-  const float scale = std::ldexp(1.0f, random.integer(-3, 3));
-  for (float &component : ray.direction)
-    component *= scale;
-  return ray;
-}
-
 /// Through a corner of the grid, or a lattice point of one of its edges.
 Ray cornerRay(RandomSource &random, const RayTarget &target) {
   Point point, direction;

@@ -1,27 +1,13 @@
-// Points, directions and lines that the classes of hard rays are made of.
+// What the classes of hard rays are made of: the points and lines of the rays of `voxc verify`, and numbers.
 #pragma once
-
-#include "RandomSource.h"
 
 #include "testing/HardRays.h"
 
+#include "Oracle/VerifyRays/Points.h"
+
 namespace voxc::test {
 
-using Point = float[3];
-
-/// A ray from `point` - `steps` * `direction`: exact for small integers and halves.
-Ray backedOff(const Point &point, const Point &direction, float steps);
-/// A ray from `origin` towards `aim`, which it reaches at about t = 1.
-Ray between(const Point &origin, const Point &aim);
-
-/// A point of the grid grown on each side by `reach` of its extent.
-void randomPoint(RandomSource &random, const RayTarget &target, Point &point, double reach = 0);
-/// A corner of a cell; every other time one of a voxel of the target, if it has any.
-void latticePoint(RandomSource &random, const RayTarget &target, Point &point);
-/// A cell of the grid; every other time one of the target's voxels, if it has any.
-Int3 randomCell(RandomSource &random, const RayTarget &target);
-/// Whole components from -`most` to `most`, not all of them zero.
-void wholeDirection(RandomSource &random, Point &direction, int most = 3);
+using namespace oracle;
 
 /// Plus or minus 2^e, e in [low, high].
 float signedPower(RandomSource &random, int low, int high);
@@ -29,8 +15,5 @@ float signedPower(RandomSource &random, int low, int high);
 double scaledReal(RandomSource &random, int low, int high);
 /// The value, or a float32 next to it.
 float nudged(RandomSource &random, float value);
-
-/// Along an axis, with `onLattice` of the two other coordinates whole and the rest at a cell's centre.
-Ray axisParallel(RandomSource &random, const RayTarget &target, int onLattice);
 
 } // namespace voxc::test

@@ -1,32 +1,10 @@
-// Random numbers that are the same on every machine, unlike those of the standard distributions.
+// Random numbers that are the same on every machine: those of the rays of `voxc verify`.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <random>
+#include "Oracle/VerifyRays/RandomSource.h"
 
 namespace voxc::test {
 
-class RandomSource {
-public:
-  explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
-
-  /// A whole number in [low, high]; low, if that is empty.
-  int integer(int low, int high) {
-    if (high <= low)
-      return low;
-    const auto choices = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
-    return static_cast<int>(low + static_cast<std::int64_t>(engine_() % choices));
-  }
-  /// A number in [low, high).
-  double real(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-  bool flip() { return engine_() >> 63 != 0; }
-  float sign() { return flip() ? 1.0f : -1.0f; }
-
-private:
-  std::mt19937_64 engine_;
-};
+using oracle::RandomSource;
 
 } // namespace voxc::test

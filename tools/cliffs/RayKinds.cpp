@@ -251,7 +251,7 @@ Rays shadows(RandomSource &random, const RayScene &scene, std::size_t count) {
 
 /// One of the classes that kernels are verified with, which are hard on purpose.
 Rays hard(RandomSource &random, const RayScene &scene, std::size_t count) {
-  return test::verifyRays(scene.extent, count, static_cast<std::uint64_t>(random.integer(0, 1 << 30)));
+  return verifyRays(scene.extent, count, static_cast<std::uint64_t>(random.integer(0, 1 << 30)));
 }
 
 constexpr std::array<RayKind, 20> kKinds = {{{"near", near},

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace voxc::test {
+namespace voxc::oracle {
 class RandomSource;
 }
 
@@ -29,7 +29,7 @@ struct RayScene {
 struct RayKind {
   std::string_view name;
   /// Makes at least `count` rays.
-  std::vector<Ray> (*make)(test::RandomSource &random, const RayScene &scene, std::size_t count);
+  std::vector<Ray> (*make)(oracle::RandomSource &random, const RayScene &scene, std::size_t count);
 };
 
 /// All of them.

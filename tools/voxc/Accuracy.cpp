@@ -1,15 +1,15 @@
 // voxc accuracy: speed against error of every precision, walk and device, on the same rays.
-#include "Figures.h"
-#include "Outputs.h"
 #include "PythonProgram.h"
 #include "Subcommand.h"
-#include "VolumeArgument.h"
 
 #include "accuracy/Findings.h"
 #include "common/CameraOptions.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
 #include "voxc/IR/Query.h"
 
 #include <filesystem>

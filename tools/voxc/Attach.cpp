@@ -1,14 +1,14 @@
 // voxc attach: gives the voxels of a volume named attributes, or takes them away.
 #include "AttachedData.h"
-#include "BuildArguments.h"
-#include "Figures.h"
-#include "Outputs.h"
 #include "Subcommand.h"
-#include "VolumeArgument.h"
 
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/BuildArguments.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
 #include "voxc/Render/NormalAttribute.h"
 
 namespace voxc::tool {

@@ -1,8 +1,7 @@
 // Reading what is attached to voxels.
 #include "AttachedData.h"
 
-#include "InputArguments.h"
-
+#include "options/InputArguments.h"
 #include "voxc/Input/EmissionStrength.h"
 #include "voxc/Support/File.h"
 

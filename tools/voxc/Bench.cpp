@@ -1,12 +1,12 @@
 // voxc bench: formats on models, size against speed with the error beside it, resumable; and what is done
 // with its results.
-#include "Figures.h"
-#include "Outputs.h"
 #include "Subcommand.h"
 
 #include "common/ShellWord.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 #include "sweep/Machine.h"
 #include "sweep/SharedSweep.h"
 #include "sweep/Summary.h"

@@ -1,10 +1,10 @@
 // voxc bench export: packs the cells of a sweep for a machine that has voxc-trace alone.
-#include "Figures.h"
-#include "Outputs.h"
 #include "Subcommand.h"
 
 #include "bench/RecordFile.h"
 #include "common/Statistics.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 #include "sweep/Pack.h"
 
 #include <set>

@@ -1,10 +1,10 @@
 // voxc bench import: takes in what another machine found when it traced the packs of a sweep.
-#include "Figures.h"
 #include "Subcommand.h"
 
 #include "bench/RecordFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
+#include "options/Figures.h"
 #include "sweep/SampleCheck.h"
 #include "voxc/Support/File.h"
 

@@ -1,14 +1,14 @@
 // voxc build: voxelizes an input and writes its volume.
 #include "Building.h"
-#include "Figures.h"
 #include "FragmentOption.h"
-#include "Outputs.h"
 #include "PlanOption.h"
 #include "PlanTasks.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 
 namespace voxc::tool {
 

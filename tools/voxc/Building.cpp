@@ -1,11 +1,10 @@
 // Building volumes for the driver.
 #include "Building.h"
 
-#include "Figures.h"
-
 #include "common/Statistics.h"
 #include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
+#include "options/Figures.h"
 #include "search/BuildCommand.h"
 #include "search/Suggestion.h"
 #include "voxc/Facts/PointerChoice.h"

@@ -1,15 +1,15 @@
 // From a format and an input to a volume: what `build` and `run` share.
 #pragma once
 
-#include "BuildArguments.h"
-#include "BuildFigures.h"
 #include "ColourLoss.h"
-#include "InputArguments.h"
 #include "PayloadOption.h"
 
 #include "common/Command.h"
 #include "common/Json.h"
 #include "frontend/PassOptions.h"
+#include "options/BuildArguments.h"
+#include "options/BuildFigures.h"
+#include "options/InputArguments.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Volume/Volume.h"

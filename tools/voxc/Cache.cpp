@@ -1,10 +1,10 @@
 // voxc cache: what is kept of kernels and construction code that were compiled before.
-#include "Figures.h"
 #include "Subcommand.h"
 
 #include "common/Json.h"
 #include "common/Statistics.h"
 #include "common/UserCache.h"
+#include "options/Figures.h"
 
 #include <cstdio>
 

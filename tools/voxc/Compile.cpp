@@ -1,7 +1,5 @@
 // voxc compile: writes what voxc generates for a format.
 #include "Artefacts.h"
-#include "Figures.h"
-#include "Outputs.h"
 #include "Subcommand.h"
 
 #include "common/Files.h"
@@ -9,6 +7,8 @@
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "frontend/PlanArgument.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // voxc devices: what this machine can trace on.
-#include "Figures.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
+#include "options/Figures.h"
 #include "voxc/Trace/CpuKernel.h"
 
 #include <cstdio>

@@ -42,8 +42,6 @@ constexpr Example kExamples[] = {
     {"verify", "voxc verify terrain.hvx --rays 100000",
      "the file's structure, and rays against the exact oracle"},
     {"verify", "voxc verify terrain.hvx --against builtin:terrain", "that it has every voxel of its input"},
-    {"hard-rays", "voxc hard-rays --random 3 --rays 100000",
-     "random formats on the rays that go wrong elsewhere"},
     {"accuracy", "voxc accuracy terrain.hvx -o accuracy", "exact and fast kernels: speed beside error"},
     {"bench", "voxc bench model.obj --formats 'G(9);R(4, 4, 4) G(5)' -o results",
      "size, speed and error of two formats"},

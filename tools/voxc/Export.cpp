@@ -1,17 +1,17 @@
 // voxc export: the voxels of a volume as a file of another kind, the volume itself, stored otherwise, or a
 // page that shows it.
-#include "BuildArguments.h"
-#include "BuildFigures.h"
 #include "ColourLoss.h"
-#include "Figures.h"
-#include "Outputs.h"
 #include "PageExport.h"
 #include "Subcommand.h"
-#include "VolumeArgument.h"
 
 #include "common/NumberedName.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/BuildArguments.h"
+#include "options/BuildFigures.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
 #include "voxc/Components/Components.h"
 #include "voxc/Source/Export.h"
 #include "voxc/Volume/CoarseBlocks.h"

@@ -1,13 +1,13 @@
 // voxc facts: what an input is like, to choose a format by.
-#include "BuildArguments.h"
-#include "BuildFigures.h"
 #include "FactsFigures.h"
-#include "Figures.h"
-#include "InputArguments.h"
 #include "Subcommand.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/BuildArguments.h"
+#include "options/BuildFigures.h"
+#include "options/Figures.h"
+#include "options/InputArguments.h"
 
 #include <cstdio>
 

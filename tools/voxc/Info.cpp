@@ -1,6 +1,5 @@
 // voxc info: what the head of a volume says, and on request what a walk over all of it proves; of other
 // inputs what they say of themselves.
-#include "Figures.h"
 #include "InputReport.h"
 #include "Subcommand.h"
 
@@ -8,6 +7,7 @@
 #include "common/Statistics.h"
 #include "common/UserCache.h"
 #include "voxc/Construct/EditJournal.h"
+#include "options/Figures.h"
 #include "voxc/Input/FileFeatures.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Volume/CoarseBlocks.h"

@@ -1,10 +1,9 @@
 // Facts of inputs.
 #include "InputReport.h"
 
-#include "BuildArguments.h"
-#include "InputArguments.h"
-
 #include "common/Terminal.h"
+#include "options/BuildArguments.h"
+#include "options/InputArguments.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What an input that is no volume yet says of itself, as text and as figures.
 #pragma once
 
-#include "Figures.h"
+#include "options/Figures.h"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 // voxc manual: a page of the manual for each command, from the tables that its help is printed from.
 #include "Examples.h"
-#include "Outputs.h"
 #include "Subcommand.h"
 
 #include "common/Help.h"
 #include "common/ManualPage.h"
+#include "options/Outputs.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>

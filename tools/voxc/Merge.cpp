@@ -1,7 +1,4 @@
 // voxc merge: joins the fragments of a volume.
-#include "BuildFigures.h"
-#include "Figures.h"
-#include "Outputs.h"
 #include "PlanOption.h"
 #include "PlanTasks.h"
 #include "Subcommand.h"
@@ -9,6 +6,9 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "common/UserCache.h"
+#include "options/BuildFigures.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 #include "voxc/Construct/Constructor.h"
 
 namespace voxc::tool {

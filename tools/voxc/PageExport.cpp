@@ -1,13 +1,13 @@
 // A volume as a page for browsers.
 #include "PageExport.h"
 
-#include "BuildArguments.h"
-#include "ErrorCheck.h"
 #include "PictureRays.h"
 
 #include "common/Files.h"
+#include "options/BuildArguments.h"
 #include "page/CheckRays.h"
 #include "page/FirstPages.h"
+#include "tracing/ErrorCheck.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Oracle/Oracle.h"

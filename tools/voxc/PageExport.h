@@ -1,12 +1,11 @@
 // A volume as a page for browsers: its options, and what is measured for it.
 #pragma once
 
-#include "Tracing.h"
-#include "common/CommandLine.h"
-
 #include "common/ClipOptions.h"
+#include "common/CommandLine.h"
 #include "common/PictureOptions.h"
 #include "page/Page.h"
+#include "tracing/Tracing.h"
 #include "voxc/Volume/Volume.h"
 
 #include <string>

@@ -1,10 +1,9 @@
 // The rays of pictures of one volume, and what they come to over all of them.
 #pragma once
 
-#include "Tracing.h"
-
 #include "common/PictureOptions.h"
 #include "common/RayTally.h"
+#include "tracing/Tracing.h"
 #include "voxc/Trace/Clip.h"
 
 #include <optional>

@@ -1,7 +1,5 @@
 // voxc plan: cuts the building of a volume into parts of equal foretold cost.
 #include "Building.h"
-#include "Figures.h"
-#include "Outputs.h"
 #include "Subcommand.h"
 
 #include "cluster/BuildPlan.h"
@@ -9,6 +7,8 @@
 #include "cluster/EvenCut.h"
 #include "common/Files.h"
 #include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 #include "sweep/Model.h"
 
 #include <filesystem>

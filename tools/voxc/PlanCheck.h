@@ -1,10 +1,10 @@
 // Holding what stands of a build plan against its input.
 #pragma once
 
-#include "BuildArguments.h"
 #include "Comparison.h"
 
 #include "cluster/MergeTree.h"
+#include "options/BuildArguments.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
 

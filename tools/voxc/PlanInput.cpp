@@ -1,7 +1,7 @@
 // The options that a plan keeps, and the boxes around some of its cubes.
 #include "PlanInput.h"
 
-#include "InputArguments.h"
+#include "options/InputArguments.h"
 
 #include <array>
 #include <string>

@@ -1,11 +1,10 @@
 // Carrying out a build plan: its parts and merges as jobs.
 #pragma once
 
-#include "BuildArguments.h"
-#include "jobs/Jobs.h"
-
 #include "cluster/BuildPlan.h"
 #include "cluster/PlanFiles.h"
+#include "jobs/Jobs.h"
+#include "options/BuildArguments.h"
 
 #include <string>
 #include <vector>

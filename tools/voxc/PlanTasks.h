@@ -1,9 +1,8 @@
 // The tasks of a build plan, as idempotent commands: what stands already is left as it is.
 #pragma once
 
-#include "BuildArguments.h"
-
 #include "common/Json.h"
+#include "options/BuildArguments.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
 

@@ -1,13 +1,13 @@
 // voxc render: a picture of a volume.
-#include "DeviceMemory.h"
-#include "Figures.h"
 #include "Rendering.h"
-#include "Stages.h"
 #include "Subcommand.h"
-#include "VolumeArgument.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Stages.h"
+#include "options/VolumeArgument.h"
+#include "tracing/DeviceMemory.h"
 
 namespace voxc::tool {
 

@@ -1,12 +1,11 @@
 // Pictures for the driver.
 #include "Rendering.h"
 
-#include "Figures.h"
-#include "Outputs.h"
-
 #include "common/NumberedName.h"
 #include "common/PictureFile.h"
 #include "common/Statistics.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
 #include "voxc/IR/Query.h"
 
 #include <utility>

@@ -1,15 +1,15 @@
 // From a prepared volume to a picture file, or to those of a flight: what `render` and `run` share.
 #pragma once
 
-#include "ErrorCheck.h"
 #include "FlightOption.h"
 #include "PictureRays.h"
-#include "Tracing.h"
 
 #include "common/ClipOptions.h"
 #include "common/Command.h"
 #include "common/PictureOptions.h"
 #include "common/Terminal.h"
+#include "tracing/ErrorCheck.h"
+#include "tracing/Tracing.h"
 
 #include <optional>
 #include <string>

@@ -1,14 +1,14 @@
 // voxc run: compiles, builds and renders in one go.
 #include "Building.h"
-#include "Figures.h"
-#include "InputArguments.h"
-#include "Outputs.h"
 #include "Rendering.h"
-#include "Stages.h"
 #include "Subcommand.h"
 
 #include "common/Terminal.h"
 #include "frontend/AttributeOptions.h"
+#include "options/Figures.h"
+#include "options/InputArguments.h"
+#include "options/Outputs.h"
+#include "options/Stages.h"
 
 namespace voxc::tool {
 

@@ -1,6 +1,5 @@
 // voxc search: the formats that are best for an input, these rays and this device, found by measuring those
 // that promise most.
-#include "Outputs.h"
 #include "PythonProgram.h"
 #include "Subcommand.h"
 
@@ -8,6 +7,7 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "common/TimeBudget.h"
+#include "options/Outputs.h"
 #include "search/KeptWeights.h"
 #include "search/SearchCells.h"
 #include "search/SearchRays.h"

@@ -1,13 +1,13 @@
 // voxc split: cuts a finished volume into fragments, which voxc merge joins again.
-#include "BuildFigures.h"
-#include "Figures.h"
 #include "FragmentOption.h"
-#include "Outputs.h"
 #include "Subcommand.h"
-#include "VolumeArgument.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/BuildFigures.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
 #include "voxc/Construct/Split.h"
 
 namespace voxc::tool {

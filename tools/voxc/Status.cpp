@@ -1,11 +1,11 @@
 // voxc status: what stands of a build plan, and what waits or runs.
-#include "Figures.h"
 #include "PlanRun.h"
 #include "Subcommand.h"
 
 #include "cluster/NumberList.h"
 #include "common/Statistics.h"
 #include "jobs/SlurmRun.h"
+#include "options/Figures.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -31,7 +31,6 @@ std::unique_ptr<Subcommand> makeRunCommand();
 std::unique_ptr<Subcommand> makeViewCommand();
 std::unique_ptr<Subcommand> makeTraceCommand();
 std::unique_ptr<Subcommand> makeVerifyCommand();
-std::unique_ptr<Subcommand> makeHardRaysCommand();
 std::unique_ptr<Subcommand> makeAccuracyCommand();
 std::unique_ptr<Subcommand> makeBenchCommand();
 std::unique_ptr<Subcommand> makeBenchExportCommand();

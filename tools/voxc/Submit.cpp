@@ -1,5 +1,4 @@
 // voxc submit: carries out a build plan.
-#include "Figures.h"
 #include "PlanRun.h"
 #include "Subcommand.h"
 
@@ -7,6 +6,7 @@
 #include "common/Command.h"
 #include "common/Terminal.h"
 #include "jobs/JobOptions.h"
+#include "options/Figures.h"
 
 #include <filesystem>
 

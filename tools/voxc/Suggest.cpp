@@ -1,10 +1,10 @@
 // voxc suggest: the format that an input asks for, found without building any.
-#include "BuildArguments.h"
 #include "Subcommand.h"
 #include "SuggestReport.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/BuildArguments.h"
 #include "search/ObjectiveOption.h"
 
 #include <cstdio>

@@ -1,15 +1,15 @@
 // voxc trace: the hits of the rays of a file.
-#include "DeviceMemory.h"
-#include "ErrorCheck.h"
-#include "Figures.h"
-#include "Outputs.h"
 #include "Subcommand.h"
-#include "Tracing.h"
-#include "VolumeArgument.h"
 
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
+#include "tracing/DeviceMemory.h"
+#include "tracing/ErrorCheck.h"
+#include "tracing/Tracing.h"
 #include "voxc/IR/Query.h"
 
 #include <optional>

@@ -1,19 +1,18 @@
 // voxc verify: a volume's structure, its losslessness, and its kernel against the exact oracle.
 #include "ColourLoss.h"
 #include "Comparison.h"
-#include "ErrorCheck.h"
-#include "Figures.h"
-#include "InputArguments.h"
 #include "PlanCheck.h"
 #include "Subcommand.h"
-#include "Tracing.h"
-#include "VolumeArgument.h"
 
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "testing/HardBounds.h"
-#include "testing/HardRays.h"
+#include "options/Figures.h"
+#include "options/InputArguments.h"
+#include "options/VolumeArgument.h"
+#include "tracing/ErrorCheck.h"
+#include "tracing/Tracing.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Source/Sources.h"
 #include "voxc/Volume/CoarseBlocks.h"
 
@@ -185,10 +184,10 @@ Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &
   const Expected<Oracle> oracle = Oracle::of(volume, progress);
   if (!oracle)
     return oracle.error();
-  const std::vector<Ray> plain = test::verifyRays(volume.info().extent, rays_, seed_);
+  const std::vector<Ray> plain = verifyRays(volume.info().extent, rays_, seed_);
   std::vector<BoundedRay> bounded;
   if (questionOf(*format).bounds)
-    bounded = test::withHardBounds(*oracle, plain, seed_);
+    bounded = withHardBounds(*oracle, plain, seed_);
   const RaySpan rays = bounded.empty() ? RaySpan(plain) : RaySpan(bounded);
   std::vector<Hit> hits(rays.size());
   if (Expected<void> traced = tracing_.trace(rays, hits, {.progress = progress}, figures_); !traced)

@@ -53,8 +53,6 @@ constexpr CommandKind kCommands[] = {
     {kChoose, "search", "Find the best formats for an input by measuring those that promise most",
      makeSearchCommand},
     {kCheck, "verify", "Check a volume, and its kernel against an exact oracle", makeVerifyCommand},
-    {kCheck, "hard-rays", "Check the kernels of many formats on rays that are hard to trace",
-     makeHardRaysCommand},
     {kCheck, "accuracy", "Compare speed and error of a volume's kernels", makeAccuracyCommand},
     {kLarge, "plan", "Cut the building of a volume into parts, for many processes or machines",
      makePlanCommand},
@@ -80,7 +78,20 @@ bool isStrayOption(const CommandLine &program, std::string_view word) {
   return word.starts_with('-') && !program.find(word);
 }
 
+/// What has been a command, and where it is now.
+struct MovedCommand {
+  const char *name;
+  const char *place;
+};
+
+constexpr MovedCommand kMovedCommands[] = {
+    {"hard-rays", "the program voxc-hard-rays does it, which a build of the sources has beside voxc"},
+};
+
 Error unknownCommand(std::string_view word) {
+  const auto moved = std::ranges::find(kMovedCommands, word, &MovedCommand::name);
+  if (moved != std::end(kMovedCommands))
+    return Error::usage("'" + std::string(word) + "' is no command any more; " + moved->place);
   std::string names;
   for (const CommandKind &kind : kCommands)
     names += (names.empty() ? "" : ", ") + std::string(kind.name);

@@ -1,9 +1,9 @@
 // The oracle between two moments: by rationals, voxel by voxel.
 #include "BruteForce.h"
 
-#include "testing/HardBounds.h"
 #include "testing/HardRays.h"
 #include "testing/HardScenes.h"
+#include "voxc/Oracle/VerifyRays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The oracle on volumes, and the figures of doctored hits.
 #include "voxc/Oracle/Oracle.h"
-#include "testing/HardRays.h"
+#include "voxc/Oracle/VerifyRays.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ TEST(Oracle, DecodesWhatTheVolumeHolds) {
 
 TEST(Oracle, EmptyVolumeIsNeverHit) {
   const Oracle oracle = *Oracle::of(Volume({formatOf("R(9,9,9) G(12)"), {1, 1, 1}}, {0}));
-  for (const Ray &ray : test::verifyRays({1 << 21, 1 << 21, 1 << 21}, 200, 1))
+  for (const Ray &ray : verifyRays(Int3{1 << 21, 1 << 21, 1 << 21}, 200, 1))
     EXPECT_FALSE(oracle.trace(ray).isHit());
 }
 
@@ -91,7 +91,7 @@ TEST(Oracle, UniformLeavesAreVoxels) {
 }
 
 TEST_F(OracleFigures, OwnHitsAreClean) {
-  const std::vector<Ray> rays = test::verifyRays({kSide, kSide, kSide}, 2000, 4);
+  const std::vector<Ray> rays = verifyRays(Int3{kSide, kSide, kSide}, 2000, 4);
   std::vector<Hit> hits;
   for (const Ray &ray : rays)
     hits.push_back(oracle_.trace(ray));

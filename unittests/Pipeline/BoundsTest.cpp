@@ -2,7 +2,6 @@
 #include "DeviceTesting.h"
 #include "TestLength.h"
 
-#include "testing/HardBounds.h"
 #include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
@@ -10,6 +9,7 @@
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Kernel/OpenTracer.h"
+#include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Trace/PagedTracer.h"
 
 #include <gmock/gmock.h>
@@ -78,12 +78,12 @@ Volume build(const Format &format, const test::HardScene &scene) {
 std::vector<BoundedRay> raysThrough(const Oracle &oracle, Int3 extent, std::size_t count,
                                     std::uint64_t seed) {
   const std::vector<Int3> voxels = oracle.sampleVoxels(64);
-  std::vector<Ray> rays = test::verifyRays(extent, 4 * count, seed);
+  std::vector<Ray> rays = verifyRays(extent, 4 * count, seed);
   for (const test::HardRayClass &row : test::hardRayClasses()) {
     const std::vector<Ray> more = test::hardRays({extent, voxels}, row.name, count, seed);
     rays.insert(rays.end(), more.begin(), more.end());
   }
-  return test::withHardBounds(oracle, rays, seed);
+  return withHardBounds(oracle, rays, seed);
 }
 
 class Bounds : public test::OnDevice {
@@ -140,7 +140,7 @@ TEST_P(Bounds, AreKeptExactlyInDeepSolids) {
   const Volume volume = build(format, full);
   const Oracle oracle = *Oracle::of(volume);
   std::vector<BoundedRay> rays;
-  for (const Ray &ray : test::verifyRays(format.extent(), 2000, 3))
+  for (const Ray &ray : verifyRays(format.extent(), 2000, 3))
     rays.push_back(bounded(ray, {100.0f + 0.37f * static_cast<float>(rays.size() % 1000), 700.0f}));
   expectAnswers(volume, format, oracle, rays, kQuestions[1]);
 }
@@ -151,7 +151,7 @@ TEST_P(Bounds, AreKeptByFastKernelsButForRounding) {
   const Volume volume = build(format, test::hardScenes(format.extent())[6]);
   const Oracle oracle = *Oracle::of(volume);
   std::vector<BoundedRay> rays;
-  for (const Ray &ray : test::verifyRays(format.extent(), 3000, 5))
+  for (const Ray &ray : verifyRays(format.extent(), 3000, 5))
     rays.push_back(bounded(ray, {3.0f + 0.01f * static_cast<float>(rays.size()), 200.0f}));
   const Format asked = asking(format, kQuestions[0]);
   const auto tracer = tracerOf(volume, asked);
@@ -164,7 +164,7 @@ TEST_P(Bounds, AreKeptByFastKernelsButForRounding) {
 TEST_P(Bounds, OfRaysWithoutAnyAreAllThatThereIs) {
   const Format format = *parseFormat("R(2^3) G(3)");
   const Volume volume = build(format, test::hardScenes(format.extent())[7]);
-  const auto rays = test::verifyRays(format.extent(), 40000, 9);
+  const auto rays = verifyRays(format.extent(), 40000, 9);
   std::vector<Hit> plain(rays.size()), bound(rays.size());
   ASSERT_TRUE((*tracerOf(volume, format))->trace(rays, plain));
   ASSERT_TRUE(

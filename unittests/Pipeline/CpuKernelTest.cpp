@@ -2,13 +2,13 @@
 #include "TestLength.h"
 
 #include "Jit/Jit.h"
-#include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Passes/Pass.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ protected:
                                        std::size_t count) {
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
-    const auto rays = test::verifyRays(scene.extent, count, 3);
+    const auto rays = verifyRays(scene.extent, count, 3);
     const auto stack = cpuHits(*volume, format, rays);
     for (const char *pass : {"restart-sv", "unroll-sv"}) {
       Format walked = format;
@@ -106,7 +106,7 @@ protected:
   static void expectHits(Format format, const test::HardScene &scene, std::uint64_t seed) {
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
-    const auto rays = test::verifyRays(scene.extent, 2000, seed);
+    const auto rays = verifyRays(scene.extent, 2000, seed);
     const auto oracle = Oracle::of(*volume);
     const ErrorFigures exact = compare(*oracle, rays, cpuHits(*volume, format, rays));
     EXPECT_TRUE(exact.clean()) << printIr(format) << scene.name;
@@ -188,7 +188,7 @@ TEST_F(CpuKernels, AreExactWithAnyNumberOfLanes) {
                            storageDigest(format)};
     // One ray, packets that are not full, and more than a batch.
     for (const std::size_t count : {1, 37, 5000}) {
-      const auto rays = test::verifyRays(scene.extent, count, 5);
+      const auto rays = verifyRays(scene.extent, count, 5);
       EXPECT_TRUE(compare(*oracle, rays, traced(createCpuTracer(kernel, *volume, 1), rays, false)).clean())
           << processor << ", " << count << " rays";
     }
@@ -201,7 +201,7 @@ TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   const test::HardScene scene = test::hardScenes(format.extent())[7];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
-  const auto rays = test::verifyRays(scene.extent, 2000, 11);
+  const auto rays = verifyRays(scene.extent, 2000, 11);
   const auto words = countedWords(
       createCpuTracer(*compileCpuKernel(format, {.countWords = true, .start = CpuStart::Fast}), *volume, 2),
       rays);
@@ -260,7 +260,7 @@ TEST_F(CpuKernels, AnswerOneRayAtATimeFromAnyThread) {
   ASSERT_TRUE(volume) << volume.error().message;
   const auto kernel = compileCpuKernel(format, {.start = CpuStart::Fast});
   ASSERT_TRUE(kernel) << kernel.error().message;
-  const auto rays = test::verifyRays(scene.extent, 2000, 5);
+  const auto rays = verifyRays(scene.extent, 2000, 5);
   const auto expected = cpuHits(*volume, format, rays);
   const auto ask = [&](std::vector<Hit> &hits) {
     for (const Ray &ray : rays)

@@ -1,8 +1,8 @@
 // Kernels that are compiled in parts: the hits are the same whichever parts there are.
-#include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Oracle/VerifyRays.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(CpuStart, GivesTheHitsOfPacketsWithoutThem) {
     const auto fast = compileCpuKernel(format, {.start = CpuStart::Fast});
     ASSERT_TRUE(soon) << soon.error().message;
     ASSERT_TRUE(fast) << fast.error().message;
-    const auto numbers = numbersOf(test::verifyRays(scene.extent, kFewRays, 11), fast->bounded);
+    const auto numbers = numbersOf(verifyRays(scene.extent, kFewRays, 11), fast->bounded);
     for (const bool hasPackets : {false, true}) {
       if (hasPackets)
         traceMany(*soon, volume);

@@ -1,12 +1,12 @@
 // Kernels that stop at what looks small: every walk and addressing, and what they stop at.
 #include "TestLength.h"
 
-#include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Trace/Tracer.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ bool areSame(std::span<const Hit> a, std::span<const Hit> b) {
 std::vector<Ray> raysFromOutside(Int3 extent, std::size_t count) {
   std::vector<Ray> outside;
   const float size[3] = {float(extent.x), float(extent.y), float(extent.z)};
-  for (const Ray &ray : test::verifyRays(extent, count, 5)) {
+  for (const Ray &ray : verifyRays(extent, count, 5)) {
     bool isOutside = false;
     for (int axis = 0; axis < 3; ++axis)
       isOutside |= ray.origin[axis] < -1 || ray.origin[axis] > size[axis] + 1;
@@ -66,7 +66,7 @@ TEST_F(DetailKernels, StopAtVoxelsWithoutSpread) {
     const Format format = test::randomFormat(random, test::pick(random, 4, 6));
     const auto scenes = test::hardScenes(format.extent());
     const auto built = Constructor::compile(format)->build(*scenes[random() % scenes.size()].source());
-    const auto rays = test::verifyRays(format.extent(), 2000, random());
+    const auto rays = verifyRays(format.extent(), 2000, random());
     EXPECT_TRUE(areSame(hitsOf(built->volume, format, "full", 0, rays),
                         hitsOf(built->volume, format, "cone", 0, rays)))
         << printIr(format);
@@ -119,7 +119,7 @@ TEST_F(DetailKernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   for (Level &level : unrolled.levels)
     level.setAttribute(kWalkAttribute, "unrolled");
   const auto built = Constructor::compile(stack)->build(*test::hardScenes(stack.extent())[7].source());
-  const auto rays = test::verifyRays(stack.extent(), 10000, 3);
+  const auto rays = verifyRays(stack.extent(), 10000, 3);
   const auto full = hitsOf(built->volume, stack, "full", 0, rays);
   for (const float spread : {0.01f, 0.05f, 0.2f, 3.0f}) {
     const auto hits = hitsOf(built->volume, stack, "cone", spread, rays);

@@ -3,12 +3,12 @@
 #include "GranuleTesting.h"
 #include "TestLength.h"
 
-#include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Trace/Tracer.h"
 

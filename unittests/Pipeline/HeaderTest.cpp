@@ -135,7 +135,7 @@ extern "C" bool any(const unsigned *words, const HeaderQuery *q) {
 std::vector<Ray> raysThrough(Int3 extent, const Oracle &oracle, int count, std::uint32_t seed) {
   const std::vector<Int3> voxels = oracle.sampleVoxels(16);
   const auto classes = test::hardRayClasses();
-  std::vector<Ray> rays = test::verifyRays(extent, count, seed);
+  std::vector<Ray> rays = verifyRays(extent, count, seed);
   for (const test::HardRayClass &kind : classes) {
     const auto hard = test::hardRays({extent, voxels}, kind.name, 1 + count / classes.size(), seed);
     rays.insert(rays.end(), hard.begin(), hard.end());

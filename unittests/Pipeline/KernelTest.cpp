@@ -66,8 +66,7 @@ protected:
     const auto built = constructor->build(*scene.source());
     ASSERT_TRUE(built) << built.error().message;
     const bool fast = format.attributes.value(kPrecisionAttribute) == "fast";
-    const auto rays =
-        fast ? test::verifyRays(scene.extent, 2000, seed) : everyHardRay(scene.extent, 150, seed);
+    const auto rays = fast ? verifyRays(scene.extent, 2000, seed) : everyHardRay(scene.extent, 150, seed);
     const auto hits = hitsOf(built->volume, format, addressing, rays);
     const ErrorFigures figures = compare(*Oracle::of(built->volume), rays, hits);
     const std::uint64_t wrong = figures.missed + figures.ghost + figures.wrong;
@@ -130,7 +129,7 @@ TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
   const test::HardScene scene = test::hardScenes(format.extent())[6];
   const auto built = Constructor::compile(format)->build(*scene.source());
-  const auto rays = test::verifyRays(scene.extent, 20000, 3);
+  const auto rays = verifyRays(scene.extent, 20000, 3);
   const auto stack = hitsOf(built->volume, format, Addressing::Buffer, rays);
   const auto segments = hitsOf(built->volume, format, Addressing::Segments, rays);
   const auto bytes = stack.size() * sizeof(Hit);

@@ -2,8 +2,8 @@
 #include "PagingTesting.h"
 #include "TestLength.h"
 
-#include "testing/HardRays.h"
 #include "testing/RandomFormat.h"
+#include "voxc/Oracle/VerifyRays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Kernels by choices that no format leads to, from the text of a plan: all hit what those that passes choose
 // do.
-#include "testing/HardRays.h"
 #include "testing/HardScenes.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Plan/Plan.h"
 #include "voxc/Trace/Tracer.h"
@@ -63,7 +63,7 @@ protected:
     auto built = Constructor::compile(*format_)->build(*scenes.back().source());
     ASSERT_TRUE(built) << built.error().message;
     volume_ = std::make_unique<Volume>(std::move(built->volume));
-    rays_ = test::verifyRays(format_->extent(), 4000, 41);
+    rays_ = verifyRays(format_->extent(), 4000, 41);
   }
 
   Expected<Hits> traced(Expected<std::unique_ptr<Tracer>> tracer) const {

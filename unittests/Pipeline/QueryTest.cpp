@@ -144,7 +144,7 @@ Hit reduced(Hit hit, const Outputs &outputs) {
 TEST_P(Queries, FindTheHitsOfKernelsThatAreAskedForAll) {
   Format format = *parseFormat("R(1^3) S(1) G(3)");
   const auto built = Constructor::compile(format)->build(*test::hardScenes(format.extent())[6].source());
-  const auto rays = test::verifyRays(format.extent(), 3000, 5);
+  const auto rays = verifyRays(format.extent(), 3000, 5);
   const auto expectSame = [&](const TraceOptions &options) {
     const auto all = hitsOf(built->volume, format, rays, options);
     for (const Query query : {Query::Any, Query::Distance}) {
@@ -210,7 +210,7 @@ TEST_P(Queries, TellTheNumbersOfVoxels) {
 TEST_P(Queries, CountLookupsInPlaceOfFaces) {
   const Format format = *parseFormat("R(1^3) G(3)");
   const auto built = Constructor::compile(format)->build(*test::hardScenes(format.extent())[7].source());
-  const auto rays = test::verifyRays(format.extent(), 2000, 7);
+  const auto rays = verifyRays(format.extent(), 2000, 7);
   const auto plain = hitsOf(built->volume, format, rays, {.countSteps = true});
   const auto faces =
       hitsOf(built->volume, asking(format, {Query::Closest, {.face = true}}), rays, {.countSteps = true});

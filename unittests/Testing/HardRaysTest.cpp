@@ -24,7 +24,6 @@ TEST(HardRays, SameArgumentsGiveTheSameRays) {
     EXPECT_TRUE(equal(hardRays(kExtent, row.name, 50, 5), hardRays(kExtent, row.name, 50, 5))) << row.name;
     EXPECT_FALSE(equal(hardRays(kExtent, row.name, 50, 5), hardRays(kExtent, row.name, 50, 6))) << row.name;
   }
-  EXPECT_TRUE(equal(verifyRays(kExtent, 500, 1), verifyRays(kExtent, 500, 1)));
 }
 
 TEST(HardRays, UnknownClassHasNone) { EXPECT_TRUE(hardRays(kExtent, "easy", 10, 1).empty()); }
@@ -119,18 +118,6 @@ TEST(HardRays, TiesAreExactAndBrokenByAnUlp) {
   EXPECT_GT(ties("exact-tie"), 250);
   EXPECT_LT(ties("broken-tie"), 250);
   EXPECT_LT(ties("near-tie"), 100);
-}
-
-TEST(HardRays, VerifyMixesItsShares) {
-  unsigned percent = 0;
-  for (const HardRayClass &row : hardRayClasses())
-    percent += row.verifyShare;
-  EXPECT_EQ(percent, 100u);
-  const std::vector<Ray> rays = verifyRays(kExtent, 10000, 3);
-  const auto axisParallel = std::ranges::count_if(
-      rays, [](const Ray &ray) { return std::ranges::count(ray.direction, 0.0f) == 2; });
-  EXPECT_GT(axisParallel, 1800); // 18 %, and the lines through lattice points that happen to be.
-  EXPECT_LT(axisParallel, 2400);
 }
 
 } // namespace

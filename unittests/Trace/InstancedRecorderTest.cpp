@@ -83,7 +83,7 @@ protected:
 
   /// Rays as of cameras, and some of every hard class.
   static std::vector<Ray> hardRaysOf(std::size_t count) {
-    std::vector<Ray> rays = test::verifyRays(kExtent, count, 23);
+    std::vector<Ray> rays = verifyRays(kExtent, count, 23);
     for (const test::HardRayClass &kind : test::hardRayClasses()) {
       const auto hard = test::hardRays({kExtent}, kind.name, count / 40, 24);
       rays.insert(rays.end(), hard.begin(), hard.end());

@@ -61,7 +61,7 @@ std::vector<InstanceHit> traced(const std::vector<Instance> &instances, const st
 }
 
 std::vector<Ray> raysAround(std::size_t count) {
-  std::vector<Ray> rays = test::verifyRays({16, 16, 16}, count, 3);
+  std::vector<Ray> rays = verifyRays(Int3{16, 16, 16}, count, 3);
   for (const test::HardRayClass &kind : test::hardRayClasses()) {
     const auto hard = test::hardRays({{16, 16, 16}}, kind.name, count / 10, 4);
     rays.insert(rays.end(), hard.begin(), hard.end());

@@ -30,7 +30,7 @@ Model makeModel(const char *text, std::size_t scene, std::size_t rayCount) {
   auto built = Constructor::compile(format)->build(*test::hardScenes(format.extent())[scene].source());
   EXPECT_TRUE(built) << built.error().message;
   Model model{std::move(built->volume), {}, {}};
-  model.rays = test::verifyRays(format.extent(), rayCount / 2, 1);
+  model.rays = verifyRays(format.extent(), rayCount / 2, 1);
   for (const test::HardRayClass &kind : test::hardRayClasses()) {
     const auto hard = test::hardRays({format.extent()}, kind.name, rayCount / 24, 2);
     model.rays.insert(model.rays.end(), hard.begin(), hard.end());

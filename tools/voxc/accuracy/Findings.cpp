@@ -1,7 +1,7 @@
 // Findings as tables and as JSON.
 #include "accuracy/Findings.h"
 
-#include "ErrorCheck.h"
+#include "tracing/ErrorCheck.h"
 
 #include <cinttypes>
 #include <cmath>

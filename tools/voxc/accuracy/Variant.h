@@ -1,11 +1,10 @@
 // Variants: one kernel on one device each, whose speeds and errors are compared on the same rays.
 #pragma once
 
-#include "Tracing.h"
-
 #include "common/Json.h"
 #include "common/OrderOption.h"
 #include "common/Repeats.h"
+#include "tracing/Tracing.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Progress.h"
 

@@ -1,11 +1,10 @@
 // voxc doctor: whether this machine has what voxc needs, and how to mend what it lacks.
 #include "doctor/Checks.h"
 
-#include "Figures.h"
 #include "Subcommand.h"
-
 #include "common/Json.h"
 #include "common/Statistics.h"
+#include "options/Figures.h"
 
 #include <algorithm>
 #include <cstdio>

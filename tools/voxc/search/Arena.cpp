@@ -1,13 +1,13 @@
 // Building and tracing the formats of a search.
 #include "search/Arena.h"
 
-#include "BuildFigures.h"
-#include "Building.h"
-
-#include "bench/Digest.h"
-#include "common/Files.h"
 #include "search/KeptVolume.h"
 #include "search/SearchCells.h"
+
+#include "Building.h"
+#include "bench/Digest.h"
+#include "common/Files.h"
+#include "options/BuildFigures.h"
 #include "sweep/Group.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/IR/Query.h"

@@ -1,8 +1,7 @@
 // A candidate in words: what it is called, and the command that builds it.
 #pragma once
 
-#include "InputArguments.h"
-
+#include "options/InputArguments.h"
 #include "voxc/Search/Candidate.h"
 
 #include <string>

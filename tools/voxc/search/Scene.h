@@ -1,11 +1,10 @@
 // What suggest and search know of an input: it is read once, into a graph.
 #pragma once
 
-#include "BuildFigures.h"
-#include "InputArguments.h"
-
 #include "common/Command.h"
 #include "common/Json.h"
+#include "options/BuildFigures.h"
+#include "options/InputArguments.h"
 #include "voxc/Search/Candidate.h"
 #include "voxc/Search/Rater.h"
 #include "voxc/Search/SceneDag.h"

@@ -1,10 +1,9 @@
 // What the command line says to voxc search.
 #pragma once
 
-#include "BuildArguments.h"
-#include "InputArguments.h"
-
 #include "common/Command.h"
+#include "options/BuildArguments.h"
+#include "options/InputArguments.h"
 #include "sweep/RaySet.h"
 #include "sweep/ShareOptions.h"
 #include "voxc/Search/Explore.h"

@@ -1,11 +1,11 @@
 // What voxc search says at the end.
 #pragma once
 
-#include "InputArguments.h"
+#include "search/Contest.h"
 
 #include "bench/SearchVerdict.h"
 #include "common/Json.h"
-#include "search/Contest.h"
+#include "options/InputArguments.h"
 
 #include <string>
 #include <vector>

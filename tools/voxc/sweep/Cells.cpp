@@ -1,9 +1,8 @@
 // Multiplying the axes of a sweep.
 #include "sweep/Cells.h"
 
-#include "Tracing.h"
-
 #include "bench/Digest.h"
+#include "tracing/Tracing.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Passes/Pass.h"
 

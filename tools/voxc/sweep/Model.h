@@ -1,7 +1,7 @@
 // The models of a sweep: inputs with a name and with how they become voxels.
 #pragma once
 
-#include "InputArguments.h"
+#include "options/InputArguments.h"
 
 #include <string>
 #include <vector>

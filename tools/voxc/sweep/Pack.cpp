@@ -1,11 +1,11 @@
 // Writing packs.
 #include "sweep/Pack.h"
 
-#include "Outputs.h"
 #include "sweep/SampleCheck.h"
 
 #include "bench/Digest.h"
 #include "common/Files.h"
+#include "options/Outputs.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Passes/Pass.h"

@@ -1,9 +1,8 @@
 // Which shares are left, and what came of them.
 #include "sweep/SharedSweep.h"
 
-#include "Outputs.h"
-
 #include "bench/Digest.h"
+#include "options/Outputs.h"
 
 #include <filesystem>
 #include <set>

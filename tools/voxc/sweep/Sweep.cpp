@@ -1,9 +1,9 @@
 // Running a sweep: model by model, first the volumes, then the rays in groups.
 #include "sweep/Sweep.h"
 
-#include "Outputs.h"
-
 #include "sweep/Shares.h"
+
+#include "options/Outputs.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,10 +1,10 @@
 // The options that say what a sweep measures, and how.
 #pragma once
 
-#include "BuildArguments.h"
-#include "InputArguments.h"
-
 #include "sweep/Sweep.h"
+
+#include "options/BuildArguments.h"
+#include "options/InputArguments.h"
 
 #include <string>
 #include <vector>

@@ -1,11 +1,10 @@
 // Scenes for the viewer.
 #include "view/SceneSource.h"
 
-#include "Tracing.h"
-
 #include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "search/Suggestion.h"
+#include "tracing/Tracing.h"
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Construct/EditJournal.h"

@@ -1,13 +1,12 @@
 // Where the viewer's scenes come from: a volume or an input, and the devices that trace.
 #pragma once
 
-#include "BuildArguments.h"
-#include "DeviceMemory.h"
-#include "InputArguments.h"
-#include "common/CommandLine.h"
-
 #include "common/Command.h"
+#include "common/CommandLine.h"
 #include "frontend/PassOptions.h"
+#include "options/BuildArguments.h"
+#include "options/InputArguments.h"
+#include "tracing/DeviceMemory.h"
 #include "view/Scene.h"
 
 #include <string>
