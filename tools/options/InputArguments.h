@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voxc::tool {
 
@@ -23,6 +24,9 @@ Option addVolumePath(const CommandLine &command, std::string &path, InputArgumen
 
 /// Fills what was left out with what a volume says of how it was voxelized ("resolution=512 up=z ...").
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance);
+
+/// The arguments as words for a command line.
+std::vector<std::string> toWords(const InputArguments &arguments);
 
 /// The options for an input that shall fit into `formatExtent`, which optional components may read.
 InputOptions makeInputOptions(const InputArguments &arguments, Int3 formatExtent);

@@ -1,10 +1,9 @@
-// voxc: the driver. A thin client of the libraries; each command is a file of this folder.
-#include "Examples.h"
-#include "Subcommand.h"
-
+// voxc: the driver. A thin client of the libraries; each command is a file of the folder commands.
+#include "commands/Subcommand.h"
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/Misspelling.h"
+#include "help/Examples.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 // What the processor and the devices are.
 #include "doctor/Checks.h"
 
+#include "bench/Machine.h"
 #include "common/Command.h"
-#include "sweep/Machine.h"
 #include "voxc/Trace/CpuKernel.h"
 #include "voxc/Trace/Tracer.h"
 

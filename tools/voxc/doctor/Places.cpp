@@ -1,9 +1,9 @@
 // Where voxc keeps things, and what stands beside it.
 #include "doctor/Checks.h"
 
+#include "bench/Machine.h"
 #include "common/Command.h"
 #include "common/UserCache.h"
-#include "sweep/Machine.h"
 #include "voxc/Components/Components.h"
 #include "window/Window.h"
 

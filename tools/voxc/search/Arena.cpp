@@ -4,7 +4,6 @@
 #include "search/KeptVolume.h"
 #include "search/SearchCells.h"
 
-#include "Building.h"
 #include "bench/Digest.h"
 #include "common/Files.h"
 #include "options/BuildFigures.h"

@@ -1,12 +1,11 @@
 // Where formats of a search are built, traced in turn and checked.
 #pragma once
 
-#include "search/Scene.h"
-#include "sweep/Cells.h"
-
 #include "accuracy/Variant.h"
 #include "bench/Record.h"
+#include "choosing/Scene.h"
 #include "common/TimeBudget.h"
+#include "sweep/Cells.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Search/Rater.h"
 #include "voxc/Volume/Volume.h"

@@ -2,7 +2,7 @@
 #include "search/SearchCells.h"
 
 #include "bench/Digest.h"
-#include "sweep/Machine.h"
+#include "bench/Machine.h"
 
 #include <map>
 #include <utility>

@@ -1,10 +1,9 @@
 // The cells of a search, as records know them, and cut into shares.
 #pragma once
 
-#include "search/Scene.h"
+#include "choosing/Scene.h"
 #include "sweep/Cells.h"
 #include "sweep/SharedSweep.h"
-
 #include "voxc/Search/Rater.h"
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // The options of voxc search.
 #include "search/SearchOptions.h"
 
+#include "bench/Machine.h"
+#include "choosing/ObjectiveOption.h"
 #include "common/ShellWord.h"
-#include "search/ObjectiveOption.h"
-#include "sweep/Machine.h"
 #include "sweep/Model.h"
 #include "voxc/IR/Query.h"
 
@@ -110,7 +110,7 @@ Expected<void> SearchOptions::read() {
 
 std::string SearchOptions::commandText() const {
   std::string text = "voxc search " + shellWord(input);
-  for (const std::string &word : bench::toWords(inputArguments))
+  for (const std::string &word : toWords(inputArguments))
     text += " " + word;
   if (wish.objective != Wish::Objective::Balanced)
     text += " --objective " + objective_;

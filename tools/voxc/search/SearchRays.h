@@ -1,8 +1,9 @@
 // The rays of a search: those that formats are measured by, and some of them to be replayed.
 #pragma once
 
-#include "search/Scene.h"
 #include "search/SearchOptions.h"
+
+#include "choosing/Scene.h"
 #include "sweep/Cells.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // The verdict in words.
 #include "search/SearchReport.h"
 
-#include "search/BuildCommand.h"
-#include "search/RatedFigures.h"
+#include "choosing/BuildCommand.h"
+#include "choosing/RatedFigures.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include "sweep/Model.h"
 
 #include "bench/Digest.h"
+#include "bench/InputContent.h"
 #include "common/NumberedName.h"
 
 #include <algorithm>
@@ -36,20 +37,6 @@ Expected<void> parseOptions(const std::string &text, InputArguments &arguments) 
   return {};
 }
 
-/// A number so that it comes back as it was.
-std::string exact(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", number);
-  return text;
-}
-
-std::string joined(const std::vector<double> &numbers) {
-  std::string text;
-  for (const double number : numbers)
-    text += (text.empty() ? "" : ",") + exact(number);
-  return text;
-}
-
 } // namespace
 
 std::string nameOfInput(const std::string &input) {
@@ -58,32 +45,6 @@ std::string nameOfInput(const std::string &input) {
                                                  : stemOfNumbered(input.substr(input.rfind(':') + 1));
   std::ranges::replace_if(name, [](char c) { return !isNameCharacter(c); }, '-');
   return isName(name) ? name : "model";
-}
-
-std::vector<std::string> toWords(const InputArguments &arguments) {
-  std::vector<std::string> words;
-  const auto add = [&](const char *option, const std::string &value) {
-    if (!value.empty())
-      words.push_back(std::string(option) + "=" + value);
-  };
-  add("--resolution", arguments.resolution == 0 ? "" : std::to_string(arguments.resolution));
-  add("--voxel-size", arguments.voxelSize);
-  add("--unit", arguments.unit);
-  add("--align", joined(arguments.align));
-  add("--bounds", joined(arguments.bounds));
-  add("--up", arguments.up);
-  add("--coverage", arguments.coverage);
-  add("--colour", arguments.colour);
-  add("--threshold", arguments.threshold ? exact(*arguments.threshold) : "");
-  add("--colour-map", arguments.colourMap);
-  add("--window", joined(arguments.window));
-  add("--volume", arguments.volume == 0 ? "" : std::to_string(arguments.volume));
-  add("--grid", arguments.grid);
-  add("--interior", arguments.interior);
-  add("--fill-colour", arguments.fillColour);
-  if (arguments.crop)
-    words.push_back("--crop");
-  return words;
 }
 
 Expected<Model> readModel(const std::string &text, const InputArguments &defaults) {

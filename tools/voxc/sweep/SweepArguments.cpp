@@ -1,7 +1,7 @@
 // Reading what a sweep is told.
 #include "sweep/SweepArguments.h"
 
-#include "sweep/Machine.h"
+#include "bench/Machine.h"
 #include "voxc/IR/Query.h"
 
 #include <algorithm>

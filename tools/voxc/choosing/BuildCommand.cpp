@@ -1,0 +1,29 @@
+// Candidates in words.
+#include "choosing/BuildCommand.h"
+
+#include "bench/SearchVerdict.h"
+#include "common/ShellWord.h"
+
+namespace voxc::tool {
+
+std::string nameOf(const Candidate &candidate) { return bench::plainName(candidate.text, candidate.passes); }
+
+std::string searchCommand(const std::string &input, const InputArguments &arguments,
+                          const std::string &device) {
+  std::string text = "voxc search " + shellWord(input);
+  for (const std::string &word : toWords(arguments))
+    text += " " + word;
+  return text + " --device " + shellWord(device) + " -o found";
+}
+
+std::string buildCommand(const std::string &input, const InputArguments &arguments,
+                         const Candidate &candidate) {
+  std::string text = "voxc build " + shellWord(candidate.text) + " " + shellWord(input);
+  for (const std::string &word : toWords(arguments))
+    text += " " + word;
+  for (const std::string &pass : candidate.passes)
+    text += " --" + pass;
+  return text + " -o scene.hvx";
+}
+
+} // namespace voxc::tool

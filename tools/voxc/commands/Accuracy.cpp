@@ -1,0 +1,279 @@
+// voxc accuracy: speed against error of every precision, walk and device, on the same rays.
+#include "commands/Subcommand.h"
+
+#include "accuracy/Findings.h"
+#include "common/CameraOptions.h"
+#include "common/Files.h"
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "jobs/PythonProgram.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
+#include "voxc/IR/Query.h"
+
+#include <filesystem>
+
+namespace voxc::tool {
+
+namespace {
+
+/// The rays that all variants trace, and the picture that they make; 0 x 0 if they come from a file.
+struct Rays {
+  std::vector<Ray> rays;
+  Camera camera{.width = 0, .height = 0};
+  bool arePicture() const { return camera.width > 0; }
+};
+
+std::vector<std::string> precisions() { return {precisionNames().begin(), precisionNames().end()}; }
+
+class AccuracyCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override;
+  Expected<void> run() override;
+
+private:
+  void declareChoice(const CommandLine &command);
+  Expected<void> checkUsage() const;
+  Expected<Rays> loadRays(const VolumeInfo &volume) const;
+  Expected<Findings> compete(const Volume &volume, const Rays &rays, const Progress &progress);
+  Expected<std::vector<std::unique_ptr<Contestant>>> prepareAll(const std::vector<Variant> &variants,
+                                                                const Volume &volume) const;
+  Expected<std::vector<LodFinding>> findLods(const Variant &variant, const Volume &volume, const Rays &rays,
+                                             const Progress &progress) const;
+  Expected<void> findSeries(const std::vector<Variant> &variants, const Volume &volume, const Oracle &oracle,
+                            const Progress &progress, Findings &findings) const;
+  Expected<void> tell(const Volume &volume, const Findings &findings) const;
+  void drawPlots() const;
+
+  VolumeArgument volume_;
+  std::string raysPath_;
+  CameraOptions camera_;
+  std::string folder_;
+  VariantChoice choice_{precisions(), walksOfTrees(), {""}};
+  std::vector<double> lods_;
+  unsigned rounds_ = 5;
+  std::size_t check_ = 20000;
+  bool series_ = false;
+  std::size_t seriesRays_ = 10000;
+  CommonOptions common_;
+};
+
+void declareValues(const CommandLine &command, const char *name, std::vector<std::string> &values,
+                   const char *summary) {
+  std::string defaults;
+  for (const std::string &value : values)
+    defaults += (defaults.empty() ? "" : ",") + value;
+  command.add(name, values, summary).list().takes("A,B").oneOf(values).showsDefault(defaults).repeated();
+}
+
+void AccuracyCommand::declareChoice(const CommandLine &command) {
+  command
+      .add("--device", choice_.devices,
+           "Trace on the device whose name contains this; may be given several times")
+      .takes("NAME")
+      .showsDefault("")
+      .repeated();
+  command.add("--threads", choice_.threads, "Threads of a device that is this processor; default: all")
+      .takes("N")
+      .between(1u, 1024u);
+  declareValues(command, "--precisions", choice_.precisions, "Precisions to compare, separated by commas");
+  declareValues(command, "--walks", choice_.walks, "Walks of trees to compare, separated by commas");
+  command
+      .add("--lods", lods_,
+           "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
+           "first of the others")
+      .list()
+      .takes("A,B")
+      .between(0.0, 1e6)
+      .repeated();
+}
+
+void AccuracyCommand::declare(const CommandLine &command) {
+  volume_.declare(command);
+  command.add("--rays", raysPath_, "Rays to trace, in place of a camera's; - for standard input")
+      .takes("R.bin");
+  addCameraOptions(command, camera_);
+  declareChoice(command);
+  command.add("--repeat", rounds_, "Rounds in which all are timed in turn")
+      .takes("N")
+      .between(3u, 1000u)
+      .showsDefault();
+  command.add("--check", check_, "Rays, evenly spread, whose hits are compared with the exact oracle's")
+      .takes("N")
+      .positive()
+      .showsDefault();
+  command.addFlag(
+      "--series", series_,
+      "Also trace from origins up to 10^9 voxels away, and volumes of 2^4 to 2^16 voxels an axis");
+  command.add("--series-rays", seriesRays_, "Rays at each place of a series")
+      .takes("N")
+      .positive()
+      .showsDefault();
+  command.add("-o,--output", folder_, "Folder for accuracy.json and the plots, accuracy.svg and others")
+      .takes("DIR");
+  addCommonOptions(command, common_);
+}
+
+Expected<void> AccuracyCommand::checkUsage() const {
+  const bool isPicture = !camera_.camera.empty() || !camera_.size.empty() || camera_.fov != 0 ||
+                         isOrthographic(camera_) || camera_.cubicVoxels || !lods_.empty();
+  if (!raysPath_.empty() && isPicture)
+    return Error::usage("--rays is no picture: --camera, --size, --fov and --lods are for cameras");
+  if (Expected<Camera> camera = makeCamera(camera_, {1, 1, 1}); !camera)
+    return camera.error();
+  return folder_.empty() ? Expected<void>() : makeOutputFolder(folder_);
+}
+
+Expected<Rays> AccuracyCommand::loadRays(const VolumeInfo &volume) const {
+  Rays rays;
+  if (!raysPath_.empty()) {
+    Expected<std::vector<Ray>> read = readRays(raysPath_);
+    if (!read)
+      return read.error();
+    if (read->empty())
+      return Error::input("ray file '" + raysPath_ + "' is empty; it should hold one ray at least");
+    rays.rays = std::move(*read);
+    return rays;
+  }
+  Expected<Camera> camera = makeCamera(camera_, volume.extent, volume.voxelToModel);
+  if (!camera)
+    return camera.error();
+  rays.camera = *camera;
+  rays.rays = cameraRays(*camera);
+  return rays;
+}
+
+Expected<std::vector<std::unique_ptr<Contestant>>>
+AccuracyCommand::prepareAll(const std::vector<Variant> &variants, const Volume &volume) const {
+  std::vector<std::unique_ptr<Contestant>> contestants;
+  for (const Variant &variant : variants) {
+    Expected<std::unique_ptr<Contestant>> contestant = prepare(variant, volume, choice_.threads);
+    if (!contestant)
+      return contestant.error();
+    contestants.push_back(std::move(*contestant));
+  }
+  return contestants;
+}
+
+Expected<std::vector<LodFinding>> AccuracyCommand::findLods(const Variant &variant, const Volume &volume,
+                                                            const Rays &rays,
+                                                            const Progress &progress) const {
+  std::vector<Variant> variants{variant};
+  for (const double pixels : lods_)
+    variants.push_back(withLod(variant, pixels));
+  auto contestants = prepareAll(variants, volume);
+  if (!contestants)
+    return contestants.error();
+  for (const auto &contestant : *contestants)
+    contestant->spread = static_cast<float>(contestant->variant.lod * pixelSpread(rays.camera));
+  if (Expected<void> traced = traceInTurn(*contestants, rays.rays, rounds_, progress); !traced)
+    return traced.error();
+
+  const auto pictureOf = [&](const Contestant &contestant) {
+    return shade(rays.rays, contestant.hits, rays.camera.width, rays.camera.height);
+  };
+  const Contestant &full = *contestants->front();
+  const Picture reference = pictureOf(full);
+  std::vector<LodFinding> findings;
+  for (std::size_t i = 1; i < contestants->size(); ++i) {
+    const Contestant &coarse = *(*contestants)[i];
+    findings.push_back(
+        {coarse.variant.lod, mraysPerCpuSecond(coarse), median(full.cpuSeconds) / median(coarse.cpuSeconds),
+         areEqual(full.cpuSeconds, coarse.cpuSeconds), difference(reference, pictureOf(coarse))});
+  }
+  return findings;
+}
+
+Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &rays,
+                                            const Progress &progress) {
+  Findings findings;
+  findings.rounds = rounds_;
+  const std::vector<Variant> variants = makeVariants(volume.format(), choice_);
+  auto contestants = prepareAll(variants, volume);
+  if (!contestants)
+    return contestants.error();
+  if (Expected<void> traced = traceInTurn(*contestants, rays.rays, rounds_, progress); !traced)
+    return traced.error();
+  const Expected<Oracle> oracle = Oracle::of(volume, progress);
+  if (!oracle)
+    return oracle.error();
+  check(*contestants, *oracle, rays.rays, check_);
+  findings.contestants = std::move(*contestants);
+
+  if (!lods_.empty()) {
+    auto lods = findLods(variants.front(), volume, rays, progress);
+    if (!lods)
+      return lods.error();
+    findings.lods = std::move(*lods);
+  }
+  if (series_)
+    if (Expected<void> found = findSeries(variants, volume, *oracle, progress, findings); !found)
+      return found.error();
+  return findings;
+}
+
+Expected<void> AccuracyCommand::findSeries(const std::vector<Variant> &variants, const Volume &volume,
+                                           const Oracle &oracle, const Progress &progress,
+                                           Findings &findings) const {
+  const SeriesOptions options{seriesRays_, rounds_, choice_.threads, progress};
+  const auto contestants = prepareAll(variants, volume);
+  if (!contestants)
+    return contestants.error();
+  auto distances = distanceSeries(*contestants, oracle, volume.info().extent, options);
+  if (!distances)
+    return distances.error();
+  auto resolutions = resolutionSeries(choice_, options);
+  if (!resolutions)
+    return resolutions.error();
+  findings.distances = std::move(*distances);
+  findings.resolutions = std::move(*resolutions);
+  return {};
+}
+
+/// The figures stand without plots, which need more than voxc.
+void AccuracyCommand::drawPlots() const {
+  ProgressBar bar(true);
+  const auto drawn = runPythonProgram("accuracy-plots.py", {folder_}, bar.progress());
+  if (!drawn && !common_.quiet)
+    printNote("there are no plots: " + drawn.error().message);
+}
+
+Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findings) const {
+  if (tellsOnStdout(common_))
+    printTables(findings);
+  Json figures{{"schema", "voxc accuracy 1"}};
+  addVolumeFigures(figures, volume);
+  figures["rays"] = findings.contestants[0]->hits.size();
+  addFindings(figures, findings);
+  if (!folder_.empty()) {
+    const std::string path = (std::filesystem::path(folder_) / "accuracy.json").string();
+    if (Expected<void> written = writeStatistics(path, figures); !written)
+      return written;
+    drawPlots();
+  }
+  return writeStatistics(common_.stats, figures);
+}
+
+Expected<void> AccuracyCommand::run() {
+  if (Expected<void> usable = checkUsage(); !usable)
+    return usable;
+  ProgressBar bar(common_.quiet);
+  Expected<Volume> volume = volume_.load();
+  if (!volume)
+    return volume.error();
+  Expected<Rays> rays = loadRays(volume->info());
+  if (!rays)
+    return rays.error();
+  Expected<Findings> findings = compete(*volume, *rays, bar.progress());
+  if (!findings)
+    return findings.error();
+  bar.clear();
+  return tell(*volume, *findings);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeAccuracyCommand() { return std::make_unique<AccuracyCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,82 @@
+// voxc build: voxelizes an input and writes its volume.
+#include "commands/Subcommand.h"
+
+#include "building/Building.h"
+#include "building/FragmentOption.h"
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "jobs/PlanOption.h"
+#include "jobs/PlanTasks.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+
+namespace voxc::tool {
+
+namespace {
+
+class BuildCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override {
+    building_.declare(command);
+    building_.declareThreads(command);
+    building_.declareMaxBytes(command);
+    building_.declareCompress(command);
+    fragment_.declare(command, "Build one of N fragments only, for voxc merge");
+    command.add("-o,--output", output_, "Volume to write, or fragment").takes("FILE").required();
+    addCommonOptions(command, common_);
+    plan_.declare(command, "--task", "Parts of the plan to build, such as 0,3,5-9; those that stand are left",
+                  {"FORMAT", "INPUT", "--output"},
+                  {"--memory", "--scratch", "--threads", "--stats", "--quiet"});
+  }
+
+  Expected<void> run() override { return plan_.isGiven() ? runTask() : runWhole(); }
+
+private:
+  Expected<void> runTask() {
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (auto built = buildParts(plan_.path(), plan_.numbers(), building_.means(), bar.progress(), figures);
+        !built)
+      return built;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+  Expected<void> runWhole() {
+    if (Expected<void> writable = checkOutputFile(output_); !writable)
+      return writable;
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    Expected<Format> format = building_.readFormat("cpu", common_, bar.progress(), figures);
+    if (!format)
+      return format.error();
+    if (Expected<void> built = build(*format, bar.progress(), figures); !built) {
+      // How far it came; that this cannot be written as well is no news.
+      figures["failed"] = built.error().message;
+      static_cast<void>(writeStatistics(common_.stats, figures));
+      return built;
+    }
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+  Expected<void> build(Format &format, const Progress &progress, Json &figures) {
+    if (const auto fragment = fragment_.choice())
+      return building_.buildFragment(format, fragment->index, fragment->count, output_, common_, progress,
+                                     figures);
+    Expected<Volume> volume = building_.build(format, output_, common_, progress, figures);
+    return volume ? Expected<void>() : volume.error();
+  }
+
+  Building building_;
+  FragmentOption fragment_;
+  PlanOption plan_;
+  std::string output_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeBuildCommand() { return std::make_unique<BuildCommand>(); }
+
+} // namespace voxc::tool

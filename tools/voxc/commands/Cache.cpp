@@ -1,0 +1,55 @@
+// voxc cache: what is kept of kernels and construction code that were compiled before.
+#include "commands/Subcommand.h"
+
+#include "common/Json.h"
+#include "common/Statistics.h"
+#include "common/UserCache.h"
+#include "options/Figures.h"
+
+#include <cstdio>
+
+namespace voxc::tool {
+
+namespace {
+
+class CacheCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override {
+    command.addFlag("--clear", clear_, "Removes all that is kept");
+    addCommonOptions(command, common_);
+  }
+
+  Expected<void> run() override {
+    const std::string folder = compileCacheFolder();
+    if (folder.empty()) {
+      std::printf("there is no cache: VOXC_CACHE is off, or there is no home folder\n");
+      return {};
+    }
+    const Expected<CompileCache> cache = CompileCache::open(folder);
+    if (!cache)
+      return cache.error();
+    if (clear_)
+      if (Expected<void> cleared = cache->clear(); !cleared)
+        return cleared;
+    const CompileCache::Usage usage = cache->usage();
+    constexpr double kMiB = 1 << 20;
+    if (tellsOnStdout(common_))
+      std::printf("%s: %llu entries, %.1f of at most %.0f MiB\n", folder.c_str(),
+                  static_cast<unsigned long long>(usage.entries), double(usage.bytes) / kMiB,
+                  double(cache->mostBytes()) / kMiB);
+    return writeStatistics(common_.stats, {{"folder", folder},
+                                           {"entries", usage.entries},
+                                           {"bytes", usage.bytes},
+                                           {"most_bytes", cache->mostBytes()}});
+  }
+
+private:
+  bool clear_ = false;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeCacheCommand() { return std::make_unique<CacheCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,213 @@
+// voxc compile: writes what voxc generates for a format.
+#include "commands/Subcommand.h"
+
+#include "building/Artefacts.h"
+#include "common/Files.h"
+#include "common/Statistics.h"
+#include "frontend/AttributeOptions.h"
+#include "frontend/PassOptions.h"
+#include "frontend/PlanArgument.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <variant>
+
+namespace voxc::tool {
+
+namespace {
+
+/// Those of volumes that are on a device as a whole.
+constexpr std::array kAddressings = {Addressing::Buffer, Addressing::Segments, Addressing::Texels};
+
+std::vector<std::string> addressingNames() {
+  std::vector<std::string> names;
+  names.reserve(std::size(kAddressings));
+  for (const Addressing addressing : kAddressings)
+    names.emplace_back(toString(addressing));
+  return names;
+}
+
+template <typename Enum> std::vector<std::string> namesOf() {
+  return {kEnumNames<Enum>.begin(), kEnumNames<Enum>.end()};
+}
+
+class CompileCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override;
+  Expected<void> run() override;
+
+private:
+  Expected<std::variant<Format, Plan>> readSource() const;
+  Expected<void> applyChoices(Format &format) const;
+  Expected<std::vector<Artefact>> generate(const std::variant<Format, Plan> &source) const;
+  Expected<void> write(const std::vector<Artefact> &artefacts) const;
+
+  std::optional<CommandLine> command_;
+  std::vector<std::string> planOptions_; ///< The options that a plan is made by, by name.
+  CommonOptions common_;
+  AttributeOptions attributes_;
+  PassOptions passes_;
+  std::string format_;
+  std::string folder_ = ".";
+  std::vector<std::string> kinds_{"construct", "glsl"};
+  std::string addressing_{toString(Addressing::Buffer)};
+  std::string loops_{toString(Loops::Cut)};
+  std::string arithmetic_{toString(Arithmetic::Any)};
+  std::string language_{toString(HeaderLanguage::Shared)};
+  bool optimise_ = false;
+  CpuObjectOptions cpu_;
+  std::string name_;
+};
+
+void CompileCommand::declare(const CommandLine &command) {
+  command_ = command;
+  command.add("FORMAT", format_, "Format string, .vir file, the plan of a kernel, or - for standard input")
+      .required()
+      .takes("");
+  command.add("-o,--output", folder_, "Folder to write to, or - to print one kind")
+      .takes("DIR")
+      .showsDefault();
+  command
+      .add("--emit", kinds_,
+           "What to write, of ir, plan, cpu-plan, header-plan, construct, edit, glsl, spirv, spvasm, "
+           "interface, hlsl, msl, cpp, cpu, header, c, webgl, rint, separated by commas")
+      .list()
+      .takes("KINDS")
+      .oneOf(artefactNames())
+      .showsDefault("construct,glsl");
+  const Option addressing =
+      command
+          .add("--addressing", addressing_,
+               "How the kernel reaches the words: in one buffer, in segments, or as texels")
+          .takes("buffer|segments")
+          .oneOf(addressingNames())
+          .showsDefault();
+  const Option loops =
+      command
+          .add("--loops", loops_,
+               "Whether the device runs every loop to its end, as GPUs do, or may cut it short")
+          .takes("whole|cut")
+          .oneOf(namesOf<Loops>())
+          .showsDefault();
+  const Option arithmetic = command
+                                .add("--arithmetic", arithmetic_,
+                                     "What the kernel relies on: that the device rounds float32 to nearest "
+                                     "if it is told to, or that "
+                                     "it counts as IEEE 754 says; any is right everywhere")
+                                .takes("any|nearest|ieee")
+                                .oneOf(namesOf<Arithmetic>())
+                                .showsDefault();
+  command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+  command.add("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
+      .takes("NAME")
+      .showsDefault();
+  command
+      .add("--processor", cpu_.processor,
+           "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
+           "architecture, as fast as each can")
+      .takes("NAME");
+  command
+      .add("--name", name_,
+           "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
+      .takes("NAME");
+  command
+      .add("--language", language_,
+           "Language of a header: GLSL, that of WebGL 2, C++20, CUDA, HLSL, or that of WebGPU; shared is "
+           "GLSL and C++ in "
+           "one text")
+      .takes("shared|glsl|essl|cpp|cuda|hlsl|wgsl")
+      .oneOf(namesOf<HeaderLanguage>())
+      .showsDefault();
+  planOptions_ = {addressing.name(), loops.name(), arithmetic.name()};
+  const std::size_t before = command.options().size();
+  attributes_.declare(command);
+  attributes_.declareBounds(command);
+  passes_.declare(command, PassChoice::All);
+  const std::vector<Option> options = command.options();
+  for (std::size_t i = before; i < options.size(); ++i)
+    planOptions_.push_back(options[i].name());
+  addCommonOptions(command, common_);
+}
+
+Expected<void> CompileCommand::applyChoices(Format &format) const {
+  if (Expected<void> passed = passes_.apply(format, tellingMissed(common_.quiet)); !passed)
+    return passed;
+  return attributes_.apply(format);
+}
+
+/// A plan has made its choices already.
+Expected<std::variant<Format, Plan>> CompileCommand::readSource() const {
+  Expected<std::variant<Format, Plan>> source = readFormatOrPlan(format_);
+  if (!source)
+    return source;
+  if (Format *const format = std::get_if<Format>(&*source)) {
+    if (Expected<void> applied = applyChoices(*format); !applied)
+      return applied.error();
+    return source;
+  }
+  for (const Option &option : command_->given())
+    if (std::ranges::find(planOptions_, option.name()) != planOptions_.end())
+      return Error::usage("a plan has made its choices; leave out " + option.name() +
+                          ", and change the field of the plan that says it");
+  return source;
+}
+
+Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Format, Plan> &source) const {
+  const auto *addressing =
+      std::ranges::find(kAddressings, addressing_, [](Addressing each) { return toString(each); });
+  const HeaderLanguage language = *fromString<HeaderLanguage>(language_);
+  const PlanOptions device = {*addressing, *fromString<Loops>(loops_), *fromString<Arithmetic>(arithmetic_)};
+  const KernelChoices choices = {device, optimise_, cpu_, name_, language};
+  return makeArtefacts(source, kinds_, choices, folder_ == "-");
+}
+
+Expected<void> CompileCommand::write(const std::vector<Artefact> &artefacts) const {
+  if (folder_ == "-")
+    return writeText("-", artefacts.front().contents);
+  if (Expected<void> made = makeOutputFolder(folder_); !made)
+    return made;
+  for (const Artefact &artefact : artefacts)
+    if (Expected<void> written =
+            writeText((std::filesystem::path(folder_) / artefact.file).string(), artefact.contents);
+        !written)
+      return written;
+  return {};
+}
+
+Expected<void> CompileCommand::run() {
+  if (folder_ == "-" && kinds_.size() != 1)
+    return Error::usage("-o - prints one kind, but --emit names " + std::to_string(kinds_.size()));
+  if (folder_ == "-")
+    if (Expected<void> free = checkOutput(folder_, common_); !free)
+      return free;
+  const Expected<std::variant<Format, Plan>> source = readSource();
+  if (!source)
+    return source.error();
+
+  const Stopwatch watch;
+  Expected<std::vector<Artefact>> artefacts = generate(*source);
+  if (!artefacts)
+    return artefacts.error();
+  const Format *const format = std::get_if<Format>(&*source);
+  Json figures{{"format", format ? toString(*format) : std::get<Plan>(*source).layout.format},
+               {"emit_seconds", watch.seconds()}};
+  for (const Artefact &artefact : *artefacts)
+    figures["files"].push_back(artefact.file);
+  if (Expected<void> written = write(*artefacts); !written)
+    return written;
+  if (folder_ != "-" && !common_.quiet)
+    for (const Artefact &artefact : *artefacts)
+      printNote("wrote " + (std::filesystem::path(folder_) / artefact.file).string());
+  return writeStatistics(common_.stats, figures);
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeCompileCommand() { return std::make_unique<CompileCommand>(); }
+
+} // namespace voxc::tool

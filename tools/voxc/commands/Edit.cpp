@@ -1,0 +1,267 @@
+// voxc edit: replaces boxes of a volume: in a journal beside it, or by a build of what they touch.
+#include "commands/Subcommand.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "common/UserCache.h"
+#include "options/BuildArguments.h"
+#include "options/BuildFigures.h"
+#include "options/Figures.h"
+#include "options/InputArguments.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Construct/EditJournal.h"
+#include "voxc/Source/Edit.h"
+#include "voxc/Support/Stopwatch.h"
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace voxc::tool {
+
+namespace {
+
+/// Whole numbers with commas between; nothing if that is not what the text is.
+template <std::size_t N> std::optional<std::array<std::int32_t, N>> parseInts(std::string_view text) {
+  std::array<std::int32_t, N> values{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), values[i]);
+    text.remove_prefix(std::size_t(end - text.data()));
+    if (failure != std::errc() || (i + 1 < N ? !text.starts_with(',') : !text.empty()))
+      return std::nullopt;
+    if (i + 1 < N)
+      text.remove_prefix(1);
+  }
+  return values;
+}
+
+/// "X0,Y0,Z0,X1,Y1,Z1": voxels from the first place up to, and without, the second.
+Expected<VoxelEdit> parseBox(const std::string &text) {
+  const auto ends = parseInts<6>(text);
+  if (!ends)
+    return Error::usage("'" + text +
+                        "' is no box; write X0,Y0,Z0,X1,Y1,Z1, the first voxel and the one behind the last");
+  const auto &[x0, y0, z0, x1, y1, z1] = *ends;
+  if (x1 < x0 || y1 < y0 || z1 < z0 || x0 < 0 || y0 < 0 || z0 < 0)
+    return Error::usage("the box '" + text + "' begins behind its end, or below 0");
+  return VoxelEdit{{x0, y0, z0}, {x1 - x0, y1 - y0, z1 - z0}, 0, nullptr};
+}
+
+Expected<VoxelEdit> parseClear(const std::string &text) { return parseBox(text); }
+
+/// "BOX=COLOUR".
+Expected<VoxelEdit> parseFill(const std::string &text) {
+  const std::size_t equals = text.find('=');
+  const auto colour = equals == std::string::npos ? std::nullopt : parseColour(text.substr(equals + 1));
+  if (!colour || *colour == 0)
+    return Error::usage("'" + text +
+                        "' fills nothing; write X0,Y0,Z0,X1,Y1,Z1=RRGGBB, or --clear to empty a box");
+  Expected<VoxelEdit> edit = parseBox(text.substr(0, equals));
+  if (edit)
+    edit->word = *colour;
+  return edit;
+}
+
+/// "FILE.hvx@X,Y,Z".
+Expected<VoxelEdit> parsePaste(const std::string &text) {
+  const std::size_t at = text.rfind('@');
+  const auto low =
+      at == std::string::npos ? std::nullopt : parseInts<3>(std::string_view(text).substr(at + 1));
+  if (!low)
+    return Error::usage("'" + text + "' does not say where to; write FILE.hvx@X,Y,Z");
+  Expected<Volume> volume = loadEdited(text.substr(0, at), {}, compileCache());
+  if (!volume)
+    return volume.error();
+  const Int3 extent = volume->info().extent;
+  return VoxelEdit{
+      {(*low)[0], (*low)[1], (*low)[2]}, extent, 0, std::make_shared<const Volume>(std::move(*volume))};
+}
+
+/// The kinds of edits, each an option.
+struct EditKind {
+  const char *option;
+  const char *type;
+  const char *summary;
+  Expected<VoxelEdit> (*parse)(const std::string &text);
+};
+
+constexpr EditKind kKinds[] = {
+    {"--clear", "X0,Y0,Z0,X1,Y1,Z1", "Empties the voxels from the first place up to, and without, the second",
+     parseClear},
+    {"--fill", "BOX=RRGGBB", "Fills such a box with a colour", parseFill},
+    {"--paste", "W.hvx@X,Y,Z",
+     "Puts the voxels of another volume, from this place on; where it is empty nothing changes", parsePaste},
+};
+
+class EditCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override {
+    command_ = command;
+    volume_.declare(command);
+    for (const EditKind &kind : kKinds)
+      command
+          .add(kind.option, written_[kind.option], std::string(kind.summary) + "; may be given several times")
+          .takes(kind.type)
+          .repeated();
+    const Option output =
+        command.add("-o,--output", output_, "Volume to write; may be the one that is read").takes("V.hvx");
+    command
+        .addFlag("--journal", journal_,
+                 "Add the edits to the journal beside the volume in place of writing a file: at once on the "
+                 "disk, and "
+                 "part of the volume for every command")
+        .excludes(output);
+    command
+        .addFlag("--compact", compact_,
+                 "Write the volume with all edits of its journal, and others if there are any")
+        .needs(output);
+    addMemoryArguments(command, arguments_);
+    addCompressArgument(command, arguments_.compress);
+    addCommonOptions(command, common_);
+  }
+
+  Expected<void> run() override {
+    if (!journal_ && output_.empty())
+      return Error::usage("it is not said where the edits go; give -o V.hvx, or --journal");
+    Expected<std::vector<VoxelEdit>> edits = readEdits();
+    if (!edits)
+      return edits.error();
+    if (edits->empty() && !compact_)
+      return Error::usage("there is nothing to edit; give --clear, --fill or --paste");
+    return journal_ ? addToJournal(*edits) : writeVolume(std::move(*edits));
+  }
+
+private:
+  /// The edits in the order in which they were written.
+  Expected<std::vector<VoxelEdit>> readEdits() const {
+    std::vector<VoxelEdit> edits;
+    std::map<std::string, std::size_t> used; // Of each option, how many of its values.
+    for (const Option &option : command_->given())
+      for (const EditKind &kind : kKinds)
+        if (option.name() == kind.option) {
+          Expected<VoxelEdit> edit = kind.parse(written_.at(kind.option)[used[kind.option]++]);
+          if (!edit)
+            return edit.error();
+          edits.push_back(std::move(*edit));
+        }
+    return edits;
+  }
+
+  Expected<void> addToJournal(const std::vector<VoxelEdit> &edits) {
+    Expected<EditJournal> journal = EditJournal::open(volume_.path());
+    if (!journal)
+      return volumeFailure(journal.error());
+    if (Expected<void> appended = journal->append(edits); !appended)
+      return appended;
+    Json figures;
+    figures["edits"] = edits.size();
+    figures["transactions"] = journal->transactions();
+    addWritten(figures, journalPathOf(volume_.path()));
+    return tellFigures(common_, figures);
+  }
+
+  Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
+    std::optional<EditJournal> journal; // Held, so that no edit comes to it meanwhile.
+    if (!replaces()) {
+      if (Expected<void> writable = checkOutputFile(output_); !writable)
+        return writable;
+    } else {
+      Expected<EditJournal> opened = EditJournal::open(volume_.path());
+      if (!opened)
+        return volumeFailure(opened.error());
+      journal.emplace(std::move(*opened));
+    }
+    Expected<Volume> loaded = volume_.loadFile();
+    if (!loaded)
+      return loaded.error();
+    const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+    Expected<std::vector<VoxelEdit>> waiting = readJournal(volume_.path());
+    if (!waiting)
+      return waiting.error();
+    edits.insert(edits.begin(), waiting->begin(), waiting->end());
+    if (volume->streams().size() > 1 && !common_.quiet)
+      printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
+    ProgressBar bar(common_.quiet);
+    Json figures;
+    if (Expected<void> edited = journal ? foldIn(*journal, volume, edits, bar.progress(), figures)
+                                        : edit(volume, edits, output_, bar.progress(), figures);
+        !edited)
+      return edited;
+    bar.clear();
+    return tellFigures(common_, figures);
+  }
+
+  /// True if the volume takes the place of the one that is read, which has a journal.
+  bool replaces() const {
+    std::error_code ignored;
+    return std::filesystem::equivalent(volume_.path(), output_, ignored) &&
+           std::filesystem::exists(journalPathOf(volume_.path()), ignored);
+  }
+
+  /// Writes the file under another name first, and says in the journal that it has all edits: whenever the
+  /// process ends, file and journal fit each other.
+  Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
+                        const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) const {
+    const std::string folded = output_ + ".folded";
+    if (Expected<void> edited = edit(volume, edits, folded, progress, figures); !edited)
+      return edited;
+    if (Expected<void> closed = journal.close(folded); !closed)
+      return closed;
+    std::error_code failure;
+    std::filesystem::rename(folded, output_, failure);
+    if (failure)
+      return Error::environment("cannot write '" + output_ + "': " + failure.message());
+    std::filesystem::remove(journalPathOf(volume_.path()), failure);
+    addWritten(figures, output_);
+    return {};
+  }
+
+  Expected<void> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
+                      const std::string &path, const Progress &progress, Json &figures) const {
+    Expected<Constructor> constructor = Constructor::compile(volume->format(), compileCache());
+    if (!constructor)
+      return constructor.error();
+    BuildOptions options;
+    options.provenance = provenanceOf(*volume, edits.size());
+    options.memory = makeWorkingMemory(arguments_);
+    options.path = path;
+    options.compress = arguments_.compress;
+    options.progress = progress;
+    Expected<Built> built = constructor->edit(volume, edits, options);
+    if (!built)
+      return built.error();
+    figures["edits"] = edits.size();
+    addVolumeFigures(figures, built->volume);
+    addBuildFigures(figures, built->report);
+    addFileFigure(figures, path);
+    if (path == output_)
+      addWritten(figures, output_);
+    return {};
+  }
+
+  /// What the volume was made of before, and how many edits there were since.
+  static std::string provenanceOf(const Volume &volume, std::size_t edits) {
+    const std::string &before = volume.info().provenance;
+    return before + (before.empty() ? "" : " ") + "edits=" + std::to_string(edits);
+  }
+
+  std::optional<CommandLine> command_;
+  std::map<std::string, std::vector<std::string>> written_; ///< What each option was given.
+  VolumeArgument volume_;
+  std::string output_;
+  bool journal_ = false;
+  bool compact_ = false;
+  BuildArguments arguments_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeEditCommand() { return std::make_unique<EditCommand>(); }
+
+} // namespace voxc::tool

@@ -1,0 +1,95 @@
+// voxc render: a picture of a volume.
+#include "commands/Subcommand.h"
+
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "options/Figures.h"
+#include "options/Stages.h"
+#include "options/VolumeArgument.h"
+#include "pictures/Rendering.h"
+#include "tracing/DeviceMemory.h"
+
+namespace voxc::tool {
+
+namespace {
+
+class RenderCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
+    rendering_.declare(command);
+    tracing_.declare(command);
+    memory_.declare(command);
+    command.option("--device-memory").excludes(command.option("--check"));
+    memory_.declareCoarse(command);
+    volume_.declareKernelOptions(command);
+    addCommonOptions(command, common_);
+  }
+
+  Expected<void> run() override {
+    rendering_.allowCoarse(memory_.allowedCoarse());
+    if (Expected<void> checked = rendering_.check(volume_.path(), common_); !checked)
+      return checked;
+    Json figures;
+    ProgressBar bar(common_.quiet);
+    if (Expected<void> rendered = render(bar, figures); !rendered)
+      return rendered;
+    bar.clear();
+    addStages(figures, watch_.seconds());
+    return tellFigures(common_, figures);
+  }
+
+private:
+  Expected<void> render(ProgressBar &bar, Json &figures) {
+    const Stopwatch watch;
+    Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
+    if (!volume)
+      return volume.error();
+    if (!memory_.isGiven())
+      addVolumeFigures(figures, *volume);
+    figures["load_seconds"] = watch.seconds();
+    Expected<Format> format = volume_.kernelFormat(*volume);
+    if (!format)
+      return format.error();
+    if (Expected<void> applied = rendering_.applyTo(*format); !applied)
+      return applied;
+    tracing_.useCache();
+    const Stopwatch opening;
+    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
+      return opened;
+    figures["open_seconds"] = opening.seconds();
+    if (memory_.isGiven())
+      return renderPages(*volume, *format, bar, figures);
+    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
+      return prepared;
+    SurfaceNormals normals(*volume, tracing_.threads());
+    return rendering_.render(*volume, normals, tracing_, common_, bar, figures);
+  }
+
+  // What rays and normals read lies on a shelf, so that each finds what the other has read.
+  Expected<void> renderPages(const Volume &outline, const Format &format, ProgressBar &bar, Json &figures) {
+    const auto shelf = memory_.makeShelf();
+    PagingOptions options;
+    if (rendering_.looksAround(outline.info()))
+      options.takesFrom = options.putsOn = shelf;
+    if (Expected<void> prepared = memory_.prepare(tracing_, format, figures, std::move(options)); !prepared)
+      return prepared;
+    SurfaceNormals normals = memory_.makeNormals(shelf, tracing_.threads());
+    Expected<void> rendered = rendering_.render(outline, normals, tracing_, common_, bar, figures);
+    figures["normal_pages_read"] = normals.pagesRead();
+    return rendered;
+  }
+
+  Stopwatch watch_; ///< Of all.
+  VolumeArgument volume_;
+  Rendering rendering_;
+  DeviceMemory memory_; // Outlives the tracer.
+  Tracing tracing_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeRenderCommand() { return std::make_unique<RenderCommand>(); }
+
+} // namespace voxc::tool

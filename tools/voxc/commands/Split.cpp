@@ -1,0 +1,57 @@
+// voxc split: cuts a finished volume into fragments, which voxc merge joins again.
+#include "commands/Subcommand.h"
+
+#include "building/FragmentOption.h"
+#include "common/Statistics.h"
+#include "common/Terminal.h"
+#include "options/BuildFigures.h"
+#include "options/Figures.h"
+#include "options/Outputs.h"
+#include "options/VolumeArgument.h"
+#include "voxc/Construct/Split.h"
+
+namespace voxc::tool {
+
+namespace {
+
+class SplitCommand final : public Subcommand {
+public:
+  void declare(const CommandLine &command) override {
+    volume_.declare(command);
+    fragment_.declare(command, "Write one of N fragments only; all of the volume is fragment 0/1");
+    command.add("-o,--output", output_, "Fragment to write").takes("F.hvf").required();
+    addCommonOptions(command, common_);
+  }
+
+  Expected<void> run() override {
+    if (Expected<void> writable = checkOutputFile(output_); !writable)
+      return writable;
+    Expected<Volume> volume = volume_.load();
+    if (!volume)
+      return volume.error();
+    const FragmentChoice fragment = fragment_.choice().value_or(FragmentChoice{});
+    ProgressBar bar(common_.quiet);
+    const auto report = splitVolume(*volume, fragment.index, fragment.count, output_, bar.progress());
+    if (!report)
+      return report.error();
+    bar.clear();
+    Json figures;
+    figures["voxels"] = report->voxels;
+    figures["split_seconds"] = report->seconds;
+    addFileFigure(figures, output_);
+    addWritten(figures, output_);
+    return tellFigures(common_, figures);
+  }
+
+private:
+  VolumeArgument volume_;
+  FragmentOption fragment_;
+  std::string output_;
+  CommonOptions common_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> makeSplitCommand() { return std::make_unique<SplitCommand>(); }
+
+} // namespace voxc::tool
