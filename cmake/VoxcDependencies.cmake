@@ -54,6 +54,9 @@ find_package(CLI11 REQUIRED CONFIG)
 
 # The window of `voxc view`, where there is all that it needs: GLFW, Dear ImGui (which needs stb's library) and a Vulkan loader.
 option(VOXC_VIEW "Build the window of voxc view, if GLFW and Dear ImGui are found" ON)
+if(NOT VOXC_APPS)
+  set(VOXC_VIEW OFF)
+endif()
 if(VOXC_VIEW)
   find_package(glfw3 3.3 CONFIG QUIET)
   find_path(VOXC_IMGUI_INCLUDE imgui.h PATH_SUFFIXES imgui)

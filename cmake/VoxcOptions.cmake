@@ -1,5 +1,6 @@
 # How everything is compiled and linked.
 option(VOXC_BUILD_TESTS "Build the unit tests and configure the lit tests" ON)
+option(VOXC_APPS "Build the viewer, pages, measurements and building on many machines, the tests, and the programs of developers" ON)
 option(VOXC_FUZZ "Build the fuzzers and nothing else; needs Clang" OFF)
 option(VOXC_WERROR "Treat warnings as errors" OFF)
 set(VOXC_SANITIZE "" CACHE STRING "Sanitizers, such as address,undefined")

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 LINE = re.compile(r"^(\w+) *\| *(\S+) *\| *(.+)$", re.MULTILINE)
-FOLDERS = ("include", "lib", "tools", "shaders-runtime", "construct-runtime", "cpu-runtime")
+FOLDERS = ("include", "lib", "tools", "apps", "shaders-runtime", "construct-runtime", "cpu-runtime")
 
 
 def files_with(tree, pattern):

@@ -21,7 +21,7 @@ def definitions(text):
 
 def main(tree):
     headers = {}
-    for folder in ("include", "lib", "tools"):
+    for folder in ("include", "lib", "tools", "apps"):
         for path in sorted((Path(tree) / folder).rglob("*.h")):
             for name in definitions(path.read_text()):
                 headers.setdefault(name, []).append(str(path.relative_to(tree)))

@@ -1,9 +1,9 @@
-// voxc: the driver. A thin client of the libraries; each command is a file of the folder commands.
-#include "commands/Subcommand.h"
+// voxc: the driver. A thin client of the libraries; each command is a file of its own.
 #include "common/CommandLine.h"
 #include "common/Interrupt.h"
 #include "common/Misspelling.h"
 #include "help/Examples.h"
+#include "program/Applications.h"
 
 #include <algorithm>
 #include <iterator>
@@ -72,6 +72,13 @@ bool isUnknownCommand(std::string_view word) {
          std::ranges::find(kCommands, word, &CommandKind::name) == std::end(kCommands);
 }
 
+/// A command that other builds have.
+bool isLackingCommand(const CommandLine &program, std::string_view word) {
+  return !word.starts_with('-') &&
+         std::ranges::none_of(program.commands(),
+                              [word](const CommandLine &command) { return command.name() == word; });
+}
+
 /// An option before any command that voxc itself does not have.
 bool isStrayOption(const CommandLine &program, std::string_view word) {
   return word.starts_with('-') && !program.find(word);
@@ -128,8 +135,11 @@ int main(int count, char **given) {
 
   std::vector<std::pair<CommandLine, std::unique_ptr<Subcommand>>> commands;
   for (const CommandKind &kind : kCommands) {
+    std::unique_ptr<Subcommand> action = kind.make();
+    if (!action)
+      continue; // One of an application that this build has not.
     const CommandLine command = program.addCommand(kind.name, kind.summary, kind.group);
-    commands.emplace_back(command, kind.make()).second->declare(command);
+    commands.emplace_back(command, std::move(action)).second->declare(command);
     addExamples(command);
   }
   // Last, for commands take over what there is when they are added.
@@ -144,6 +154,12 @@ int main(int count, char **given) {
   }
   if (argc > 1 && isUnknownCommand(argv[1])) {
     printError(unknownCommand(argv[1]));
+    return exitCode(ErrorKind::Usage);
+  }
+  if (argc > 1 && isLackingCommand(program, argv[1])) {
+    printError(Error::usage("'" + std::string(argv[1]) +
+                            "' is a command of an application, and this build has none; one with "
+                            "-DVOXC_APPS=ON has"));
     return exitCode(ErrorKind::Usage);
   }
   return runTool(program, argc, argv, [&]() -> Expected<void> {

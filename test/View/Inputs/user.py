@@ -8,7 +8,7 @@ from desktop import Viewer
 voxc, volume, search, folder = sys.argv[1:]
 done = 0
 
-# The colour of points that lead (tools/window/Chart.cpp).
+# The colour of points that lead (apps/window/Chart.cpp).
 LEADING = (110, 180, 255)
 
 

@@ -1,6 +1,4 @@
 // voxc attach: gives the voxels of a volume named attributes, or takes them away.
-#include "commands/Subcommand.h"
-
 #include "building/AttachedData.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
@@ -9,6 +7,7 @@
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
+#include "program/Subcommand.h"
 #include "voxc/Render/NormalAttribute.h"
 
 namespace voxc::tool {

@@ -1,14 +1,11 @@
 // voxc build: voxelizes an input and writes its volume.
-#include "commands/Subcommand.h"
-
 #include "building/Building.h"
 #include "building/FragmentOption.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "jobs/PlanOption.h"
-#include "jobs/PlanTasks.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
+#include "program/Applications.h"
 
 namespace voxc::tool {
 
@@ -24,19 +21,17 @@ public:
     fragment_.declare(command, "Build one of N fragments only, for voxc merge");
     command.add("-o,--output", output_, "Volume to write, or fragment").takes("FILE").required();
     addCommonOptions(command, common_);
-    plan_.declare(command, "--task", "Parts of the plan to build, such as 0,3,5-9; those that stand are left",
-                  {"FORMAT", "INPUT", "--output"},
-                  {"--memory", "--scratch", "--threads", "--stats", "--quiet"});
+    if (tasks_)
+      tasks_->declare(command);
   }
 
-  Expected<void> run() override { return plan_.isGiven() ? runTask() : runWhole(); }
+  Expected<void> run() override { return tasks_ && tasks_->isGiven() ? runTasks() : runWhole(); }
 
 private:
-  Expected<void> runTask() {
+  Expected<void> runTasks() {
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (auto built = buildParts(plan_.path(), plan_.numbers(), building_.means(), bar.progress(), figures);
-        !built)
+    if (Expected<void> built = tasks_->run(building_.means(), bar.progress(), figures); !built)
       return built;
     bar.clear();
     return tellFigures(common_, figures);
@@ -70,7 +65,7 @@ private:
 
   Building building_;
   FragmentOption fragment_;
-  PlanOption plan_;
+  std::unique_ptr<TaskOption> tasks_ = makeBuildTasks();
   std::string output_;
   CommonOptions common_;
 };

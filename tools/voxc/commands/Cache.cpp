@@ -1,10 +1,9 @@
 // voxc cache: what is kept of kernels and construction code that were compiled before.
-#include "commands/Subcommand.h"
-
 #include "common/Json.h"
 #include "common/Statistics.h"
 #include "common/UserCache.h"
 #include "options/Figures.h"
+#include "program/Subcommand.h"
 
 #include <cstdio>
 

@@ -1,6 +1,4 @@
 // voxc compile: writes what voxc generates for a format.
-#include "commands/Subcommand.h"
-
 #include "building/Artefacts.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
@@ -9,6 +7,7 @@
 #include "frontend/PlanArgument.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
+#include "program/Subcommand.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 // voxc completion: what a shell needs to complete commands, options and their values.
-#include "commands/Subcommand.h"
-
 #include "help/CompletionTable.h"
+#include "program/Subcommand.h"
 #include "voxc/Support/EmbeddedFile.h"
 
 #include <cstdio>

@@ -1,8 +1,7 @@
 // voxc devices: what this machine can trace on.
-#include "commands/Subcommand.h"
-
 #include "common/Statistics.h"
 #include "options/Figures.h"
+#include "program/Subcommand.h"
 #include "voxc/Trace/CpuKernel.h"
 
 #include <cstdio>

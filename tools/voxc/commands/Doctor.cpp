@@ -1,10 +1,9 @@
 // voxc doctor: whether this machine has what voxc needs, and how to mend what it lacks.
-#include "commands/Subcommand.h"
-
 #include "common/Json.h"
 #include "common/Statistics.h"
 #include "doctor/Checks.h"
 #include "options/Figures.h"
+#include "program/Subcommand.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,5 @@
 // voxc edit: replaces boxes of a volume: in a journal beside it, or by a build of what they touch.
-#include "commands/Subcommand.h"
-
+#include "voxc/Source/Edit.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "common/UserCache.h"
@@ -10,9 +9,9 @@
 #include "options/InputArguments.h"
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
+#include "program/Subcommand.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Construct/EditJournal.h"
-#include "voxc/Source/Edit.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <array>

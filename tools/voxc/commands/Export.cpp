@@ -1,7 +1,6 @@
 // voxc export: the voxels of a volume as a file of another kind, the volume itself, stored otherwise, or a
 // page that shows it.
-#include "commands/Subcommand.h"
-
+#include "voxc/Source/Export.h"
 #include "building/ColourLoss.h"
 #include "common/NumberedName.h"
 #include "common/Statistics.h"
@@ -11,9 +10,8 @@
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
-#include "pictures/PageExport.h"
+#include "program/Applications.h"
 #include "voxc/Components/Components.h"
-#include "voxc/Source/Export.h"
 #include "voxc/Volume/CoarseBlocks.h"
 
 #include <algorithm>
@@ -48,7 +46,8 @@ public:
         "Of a .glb file: colours in a texture, with fewer and larger faces that meet without gaps, "
         "rather than one a vertex");
     addCompressArgument(command, options_.save.compress);
-    page_.declare(command);
+    if (page_)
+      page_->declare(command);
     command
         .add("--page-bytes", pageBytes_,
              "Bytes of a page of a compressed volume, a power of two from 4KiB to 1MiB: small ones are read "
@@ -70,7 +69,7 @@ public:
   Expected<void> run() override {
     if (Expected<void> writable = checkOutputFile(output_); !writable)
       return writable;
-    if (Expected<void> checked = page_.check(output_); !checked)
+    if (Expected<void> checked = page_ ? page_->check(output_) : Expected<void>(); !checked)
       return checked;
     Expected<Volume> volume = volume_.load();
     if (!volume)
@@ -102,7 +101,9 @@ private:
     std::string text;
     for (const ExportFormat &format : exportFormats())
       text += std::string(format.ending) + ", " + std::string(format.holds) + "; ";
-    return text + "or .html, a page that shows it in a browser, with the words and the kernel in it";
+    if (makePageWriter())
+      return text + "or .html, a page that shows it in a browser, with the words and the kernel in it";
+    return text.substr(0, text.size() - 2);
   }
 
   Expected<void> write(const Volume &volume, Json &figures) {
@@ -115,11 +116,11 @@ private:
       numbered_ = parseNumberedName(output_);
     if (options_.lossy && !isVox)
       return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
-    if (isPage(output_)) {
+    if (page_ && page_->isPage(output_)) {
       if (options_.save.compress)
         return Error::usage(
             "--compress is for a file that ends in .hvx; the words of a page are always compressed");
-      return page_.write(volume, volume_.path(), output_, options_.save.progress, figures);
+      return page_->write(volume, volume_.path(), output_, options_.save.progress, figures);
     }
     options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
     options_.otherKinds = componentExports();
@@ -178,7 +179,7 @@ private:
   VolumeArgument volume_;
   std::string output_;
   ExportOptions options_;
-  PageExport page_;
+  std::unique_ptr<PageWriter> page_ = makePageWriter();
   std::string pageBytes_ = "256KiB";
   std::string coarseSide_;               ///< Empty: none.
   std::string slices_;                   ///< Empty: the default.

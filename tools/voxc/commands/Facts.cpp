@@ -1,6 +1,4 @@
 // voxc facts: what an input is like, to choose a format by.
-#include "commands/Subcommand.h"
-
 #include "choosing/FactsFigures.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
@@ -8,6 +6,7 @@
 #include "options/BuildFigures.h"
 #include "options/Figures.h"
 #include "options/InputArguments.h"
+#include "program/Subcommand.h"
 
 #include <cstdio>
 

@@ -1,13 +1,12 @@
 // voxc info: what the head of a volume says, and on request what a walk over all of it proves; of other
 // inputs what they say of themselves.
-#include "commands/Subcommand.h"
-
 #include "building/InputReport.h"
 #include "common/Interrupt.h"
 #include "common/Statistics.h"
 #include "common/UserCache.h"
 #include "voxc/Construct/EditJournal.h"
 #include "options/Figures.h"
+#include "program/Subcommand.h"
 #include "voxc/Input/FileFeatures.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Volume/CoarseBlocks.h"

@@ -1,10 +1,9 @@
 // voxc manual: a page of the manual for each command, from the tables that its help is printed from.
-#include "commands/Subcommand.h"
-
 #include "common/Help.h"
 #include "common/ManualPage.h"
 #include "help/Examples.h"
 #include "options/Outputs.h"
+#include "program/Subcommand.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>

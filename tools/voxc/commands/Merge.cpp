@@ -1,14 +1,11 @@
 // voxc merge: joins the fragments of a volume.
-#include "commands/Subcommand.h"
-
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "common/UserCache.h"
-#include "jobs/PlanOption.h"
-#include "jobs/PlanTasks.h"
 #include "options/BuildFigures.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
+#include "program/Applications.h"
 #include "voxc/Construct/Constructor.h"
 
 namespace voxc::tool {
@@ -23,17 +20,17 @@ public:
     addMemoryArguments(command, arguments_);
     addCompressArgument(command, arguments_.compress);
     addCommonOptions(command, common_);
-    plan_.declare(command, "--node", "Merges of the plan to do, such as 0,3,5-9; those that stand are left",
-                  {"FRAGMENT", "--output"}, {"--memory", "--scratch", "--stats", "--quiet"});
+    if (tasks_)
+      tasks_->declare(command);
   }
 
-  Expected<void> run() override { return plan_.isGiven() ? runNodes() : runWhole(); }
+  Expected<void> run() override { return tasks_ && tasks_->isGiven() ? runTasks() : runWhole(); }
 
 private:
-  Expected<void> runNodes() {
+  Expected<void> runTasks() {
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (auto merged = mergeParts(plan_.path(), plan_.numbers(), arguments_, bar.progress(), figures); !merged)
+    if (Expected<void> merged = tasks_->run(arguments_, bar.progress(), figures); !merged)
       return merged;
     bar.clear();
     return tellFigures(common_, figures);
@@ -75,7 +72,7 @@ private:
 
   std::vector<std::string> fragments_;
   std::string output_;
-  PlanOption plan_;
+  std::unique_ptr<TaskOption> tasks_ = makeMergeTasks();
   BuildArguments arguments_;
   CommonOptions common_;
 };

@@ -1,12 +1,11 @@
 // voxc render: a picture of a volume.
-#include "commands/Subcommand.h"
-
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/Figures.h"
 #include "options/Stages.h"
 #include "options/VolumeArgument.h"
 #include "pictures/Rendering.h"
+#include "program/Subcommand.h"
 #include "tracing/DeviceMemory.h"
 
 namespace voxc::tool {

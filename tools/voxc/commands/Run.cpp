@@ -1,6 +1,4 @@
 // voxc run: compiles, builds and renders in one go.
-#include "commands/Subcommand.h"
-
 #include "building/Building.h"
 #include "common/Terminal.h"
 #include "frontend/AttributeOptions.h"
@@ -9,6 +7,7 @@
 #include "options/Outputs.h"
 #include "options/Stages.h"
 #include "pictures/Rendering.h"
+#include "program/Subcommand.h"
 
 namespace voxc::tool {
 

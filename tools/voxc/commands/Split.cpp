@@ -1,6 +1,5 @@
 // voxc split: cuts a finished volume into fragments, which voxc merge joins again.
-#include "commands/Subcommand.h"
-
+#include "voxc/Construct/Split.h"
 #include "building/FragmentOption.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
@@ -8,7 +7,7 @@
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
-#include "voxc/Construct/Split.h"
+#include "program/Subcommand.h"
 
 namespace voxc::tool {
 

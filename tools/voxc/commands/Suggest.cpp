@@ -1,11 +1,10 @@
 // voxc suggest: the format that an input asks for, found without building any.
-#include "commands/Subcommand.h"
-
 #include "choosing/ObjectiveOption.h"
 #include "choosing/SuggestReport.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/BuildArguments.h"
+#include "program/Subcommand.h"
 
 #include <cstdio>
 

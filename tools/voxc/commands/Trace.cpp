@@ -1,12 +1,11 @@
 // voxc trace: the hits of the rays of a file.
-#include "commands/Subcommand.h"
-
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
+#include "program/Subcommand.h"
 #include "tracing/DeviceMemory.h"
 #include "tracing/ErrorCheck.h"
 #include "tracing/Tracing.h"

@@ -1,14 +1,12 @@
 // voxc verify: a volume's structure, its losslessness, and its kernel against the exact oracle.
-#include "commands/Subcommand.h"
-
 #include "building/ColourLoss.h"
 #include "building/Comparison.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "jobs/PlanCheck.h"
 #include "options/Figures.h"
 #include "options/InputArguments.h"
 #include "options/VolumeArgument.h"
+#include "program/Applications.h"
 #include "tracing/ErrorCheck.h"
 #include "tracing/Tracing.h"
 #include "voxc/Oracle/Oracle.h"

@@ -4,8 +4,8 @@
 #include "bench/Machine.h"
 #include "common/Command.h"
 #include "common/UserCache.h"
+#include "program/Applications.h"
 #include "voxc/Components/Components.h"
-#include "window/Window.h"
 
 #include <array>
 #include <cstdio>
@@ -136,7 +136,7 @@ std::vector<Check> checkFolders() { return {checkCache(), checkScratch()}; }
 
 std::vector<Check> checkPrograms() {
   const Check viewer =
-      view::hasWindows()
+      opensWindows()
           ? Check{"viewer", Check::State::Good, "voxc view opens a window", ""}
           : Check{"viewer", Check::State::Missing, "there is no voxc-viewer beside voxc",
                   "it is built where GLFW and Dear ImGui are installed: cmake --build BUILD --target "

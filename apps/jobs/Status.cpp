@@ -1,11 +1,11 @@
 // voxc status: what stands of a build plan, and what waits or runs.
-#include "commands/Subcommand.h"
+#include "jobs/PlanRun.h"
+#include "jobs/SlurmRun.h"
 
 #include "cluster/NumberList.h"
 #include "common/Statistics.h"
-#include "jobs/PlanRun.h"
-#include "jobs/SlurmRun.h"
 #include "options/Figures.h"
+#include "program/Applications.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -1,13 +1,15 @@
 // A volume as a page for browsers.
-#include "pictures/PageExport.h"
-
-#include "pictures/PictureRays.h"
-
+#include "common/ClipOptions.h"
 #include "common/Files.h"
+#include "common/PictureOptions.h"
 #include "options/BuildArguments.h"
 #include "page/CheckRays.h"
 #include "page/FirstPages.h"
+#include "page/Page.h"
+#include "pictures/PictureRays.h"
+#include "program/Applications.h"
 #include "tracing/ErrorCheck.h"
+#include "tracing/Tracing.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Oracle/Oracle.h"
@@ -100,9 +102,26 @@ Expected<TakenPicture> takePoster(const PictureOptions &options, const Volume &v
   return rays.take(volume, *placed, rendering);
 }
 
-} // namespace
+class PageExport final : public PageWriter {
+public:
+  void declare(const CommandLine &command) override;
+  bool isPage(const std::string &path) const override;
+  Expected<void> check(const std::string &path) const override;
+  Expected<void> write(const Volume &volume, const std::string &source, const std::string &path,
+                       const Progress &progress, Json &figures) override;
 
-bool isPage(const std::string &path) {
+private:
+  bool isGiven() const;
+  Expected<void> stream(const Volume &volume, const std::string &source, page::PageContents &contents) const;
+
+  std::string title_;
+  std::string url_;
+  std::string budget_;
+  PictureOptions picture_;
+  ClipOptions clip_;
+};
+
+bool PageExport::isPage(const std::string &path) const {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   return ending == ".html" || ending == ".htm";
@@ -207,5 +226,9 @@ Expected<void> PageExport::write(const Volume &volume, const std::string &source
   figures["fast_error"] = errorJson(contents.fast);
   return writeText(path, *page);
 }
+
+} // namespace
+
+std::unique_ptr<PageWriter> makePageWriter() { return std::make_unique<PageExport>(); }
 
 } // namespace voxc::tool

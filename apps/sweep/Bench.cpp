@@ -1,6 +1,9 @@
 // voxc bench: formats on models, size against speed with the error beside it, resumable; and what is done
 // with its results.
-#include "commands/Subcommand.h"
+#include "sweep/BenchActions.h"
+#include "sweep/SharedSweep.h"
+#include "sweep/Summary.h"
+#include "sweep/SweepArguments.h"
 
 #include "bench/Machine.h"
 #include "common/ShellWord.h"
@@ -8,9 +11,7 @@
 #include "common/Terminal.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
-#include "sweep/SharedSweep.h"
-#include "sweep/Summary.h"
-#include "sweep/SweepArguments.h"
+#include "program/Applications.h"
 
 #include <algorithm>
 #include <set>

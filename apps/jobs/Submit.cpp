@@ -1,12 +1,12 @@
 // voxc submit: carries out a build plan.
-#include "commands/Subcommand.h"
+#include "jobs/JobOptions.h"
+#include "jobs/PlanRun.h"
 
 #include "cluster/PlanLock.h"
 #include "common/Command.h"
 #include "common/Terminal.h"
-#include "jobs/JobOptions.h"
-#include "jobs/PlanRun.h"
 #include "options/Figures.h"
+#include "program/Applications.h"
 
 #include <filesystem>
 

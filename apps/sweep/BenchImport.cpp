@@ -1,11 +1,11 @@
 // voxc bench import: takes in what another machine found when it traced the packs of a sweep.
-#include "commands/Subcommand.h"
+#include "sweep/BenchActions.h"
+#include "sweep/SampleCheck.h"
 
 #include "bench/RecordFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
-#include "sweep/SampleCheck.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // voxc bench export: packs the cells of a sweep for a machine that has voxc-trace alone.
-#include "commands/Subcommand.h"
+#include "sweep/BenchActions.h"
+#include "sweep/Pack.h"
 
 #include "bench/RecordFile.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
-#include "sweep/Pack.h"
 
 #include <set>
 

@@ -1,6 +1,8 @@
 // voxc search: the formats that are best for an input, these rays and this device, found by measuring those
 // that promise most.
-#include "commands/Subcommand.h"
+#include "search/SearchCells.h"
+#include "search/SearchRays.h"
+#include "search/SearchReport.h"
 
 #include "bench/Machine.h"
 #include "choosing/KeptWeights.h"
@@ -10,9 +12,7 @@
 #include "common/TimeBudget.h"
 #include "jobs/PythonProgram.h"
 #include "options/Outputs.h"
-#include "search/SearchCells.h"
-#include "search/SearchRays.h"
-#include "search/SearchReport.h"
+#include "program/Applications.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-// A command of the driver: its options and what it does. Each command is one file, and a row of the table in
-// main.cpp.
+// A command of the driver: its options and what it does. Each command is one file of the folder commands, or
+// of an application (Applications.h), and a row of the table in main.cpp.
 #pragma once
 
 #include "common/Command.h"
@@ -20,26 +20,16 @@ public:
 
 std::unique_ptr<Subcommand> makeCompileCommand();
 std::unique_ptr<Subcommand> makeBuildCommand();
-std::unique_ptr<Subcommand> makePlanCommand();
-std::unique_ptr<Subcommand> makeSubmitCommand();
-std::unique_ptr<Subcommand> makeStatusCommand();
 std::unique_ptr<Subcommand> makeMergeCommand();
 std::unique_ptr<Subcommand> makeSplitCommand();
 std::unique_ptr<Subcommand> makeAttachCommand();
 std::unique_ptr<Subcommand> makeRenderCommand();
 std::unique_ptr<Subcommand> makeRunCommand();
-std::unique_ptr<Subcommand> makeViewCommand();
 std::unique_ptr<Subcommand> makeTraceCommand();
 std::unique_ptr<Subcommand> makeVerifyCommand();
-std::unique_ptr<Subcommand> makeAccuracyCommand();
-std::unique_ptr<Subcommand> makeBenchCommand();
-std::unique_ptr<Subcommand> makeBenchExportCommand();
-std::unique_ptr<Subcommand> makeBenchImportCommand();
-std::unique_ptr<Subcommand> makeBenchReportCommand();
 std::unique_ptr<Subcommand> makeExportCommand();
 std::unique_ptr<Subcommand> makeFactsCommand();
 std::unique_ptr<Subcommand> makeSuggestCommand();
-std::unique_ptr<Subcommand> makeSearchCommand();
 std::unique_ptr<Subcommand> makeInfoCommand();
 std::unique_ptr<Subcommand> makeDevicesCommand();
 std::unique_ptr<Subcommand> makeDoctorCommand();

@@ -1,6 +1,4 @@
 // voxc plan: cuts the building of a volume into parts of equal foretold cost.
-#include "commands/Subcommand.h"
-
 #include "bench/InputContent.h"
 #include "building/Building.h"
 #include "cluster/BuildPlan.h"
@@ -11,6 +9,7 @@
 #include "options/Figures.h"
 #include "options/InputArguments.h"
 #include "options/Outputs.h"
+#include "program/Applications.h"
 
 #include <filesystem>
 #include <numeric>

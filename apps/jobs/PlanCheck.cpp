@@ -1,11 +1,10 @@
 // A fragment at a time, as a volume that holds its voxels alone.
-#include "jobs/PlanCheck.h"
-
 #include "jobs/PlanInput.h"
 
 #include "building/ColourLoss.h"
 #include "cluster/PlanFiles.h"
 #include "common/UserCache.h"
+#include "program/Applications.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Source/Sources.h"
 #include "voxc/Support/File.h"

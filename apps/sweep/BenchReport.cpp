@@ -1,6 +1,6 @@
 // voxc bench report: one HTML file of the records of voxc bench, and their figures as CSV beside it. What
 // makes them is Python (tools/report).
-#include "commands/Subcommand.h"
+#include "sweep/BenchActions.h"
 
 #include "common/Terminal.h"
 #include "jobs/PythonProgram.h"

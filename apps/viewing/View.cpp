@@ -1,9 +1,9 @@
 // voxc view: a window to walk through a volume.
-#include "commands/Subcommand.h"
+#include "viewing/SceneSource.h"
 
+#include "program/Applications.h"
 #include "view/Keys.h"
 #include "view/Viewer.h"
-#include "viewing/SceneSource.h"
 #include "window/Window.h"
 
 #include <cstdio>
@@ -83,5 +83,7 @@ private:
 } // namespace
 
 std::unique_ptr<Subcommand> makeViewCommand() { return std::make_unique<ViewCommand>(); }
+
+bool opensWindows() { return view::hasWindows(); }
 
 } // namespace voxc::tool

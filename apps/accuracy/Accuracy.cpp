@@ -1,7 +1,6 @@
 // voxc accuracy: speed against error of every precision, walk and device, on the same rays.
-#include "commands/Subcommand.h"
-
 #include "accuracy/Findings.h"
+
 #include "common/CameraOptions.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
@@ -10,6 +9,7 @@
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
+#include "program/Applications.h"
 #include "voxc/IR/Query.h"
 
 #include <filesystem>
