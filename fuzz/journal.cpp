@@ -1,5 +1,5 @@
-// Fuzzes a journal of edits: as it is, and with right checksums, so that what stands behind them is read; then its edits on
-// the voxels of a volume.
+// Fuzzes a journal of edits: as it is, and with right checksums, so that what stands behind them is read;
+// then its edits on the voxels of a volume.
 #include "Expect.h"
 
 #include "Construct/Edit/JournalFormat.h"

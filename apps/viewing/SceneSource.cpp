@@ -1,8 +1,8 @@
 // Scenes for the viewer.
 #include "viewing/SceneSource.h"
 
-#include "common/UserCache.h"
 #include "choosing/Suggestion.h"
+#include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "tracing/Tracing.h"
 #include "view/FormatText.h"

@@ -130,19 +130,19 @@ VOXC_API voxc_error *voxc_build_input(const voxc_format *format, const char *inp
 /* A volume that changes (docs/edits.md). One thread at a time edits it. */
 typedef struct voxc_editable voxc_editable;
 
-/* Copies the words of a volume, and makes its nodes known, so that new ones that are equal are not written. Errors: a
- * format that cannot be edited, naming what stands against it. */
+/* Copies the words of a volume, and makes its nodes known, so that new ones that are equal are not written.
+ * Errors: a format that cannot be edited, naming what stands against it. */
 VOXC_API voxc_error *voxc_editable_create(const voxc_volume *volume, voxc_editable **editable);
 VOXC_API void voxc_editable_free(voxc_editable *editable);
 
-/* Each of these does one edit as a whole; after an error all is as it was. Voxels outside of the volume stay empty. Errors:
- * a word that the format cannot keep. A word of 0 clears. */
+/* Each of these does one edit as a whole; after an error all is as it was. Voxels outside of the volume stay
+ * empty. Errors: a word that the format cannot keep. A word of 0 clears. */
 /* Voxels from `low` on, `size` along each axis. */
-VOXC_API voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3], const int32_t size[3],
-                                           uint32_t word);
+VOXC_API voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3],
+                                           const int32_t size[3], uint32_t word);
 /* Voxels whose centre is no farther than `radius` from that of the voxel `centre`. */
-VOXC_API voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t centre[3], int32_t radius,
-                                              uint32_t word);
+VOXC_API voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t centre[3],
+                                              int32_t radius, uint32_t word);
 /* A list, as voxc_build_voxels takes it. Errors: a place below 0 or from 2^21 on. */
 VOXC_API voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int32_t *places,
                                               const uint32_t *words, uint64_t count);
@@ -164,10 +164,11 @@ VOXC_API voxc_snapshot voxc_editable_snapshot(voxc_editable *editable);
 /* Makes a state that of the volume again, be it older or newer: undo and redo. */
 VOXC_API void voxc_editable_restore(voxc_editable *editable, voxc_snapshot snapshot);
 /* A state as a volume of its own, which may be traced by other threads while edits go on. */
-VOXC_API voxc_error *voxc_editable_view(voxc_editable *editable, voxc_snapshot snapshot, voxc_volume **volume);
+VOXC_API voxc_error *voxc_editable_view(voxc_editable *editable, voxc_snapshot snapshot,
+                                        voxc_volume **volume);
 
-/* How many voxels are not empty; the words of all states; 1 if those are more than half as many again as the first
- * volume had, so that a compaction would gain. */
+/* How many voxels are not empty; the words of all states; 1 if those are more than half as many again as the
+ * first volume had, so that a compaction would gain. */
 VOXC_API uint64_t voxc_editable_voxels(const voxc_editable *editable);
 VOXC_API uint64_t voxc_editable_words(const voxc_editable *editable);
 VOXC_API int voxc_editable_wants_compaction(const voxc_editable *editable);
@@ -182,9 +183,9 @@ VOXC_API voxc_error *voxc_editable_compact(const voxc_editable *editable, const 
 VOXC_API voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_options *options,
                                         voxc_tracer **tracer);
 
-/* Makes a tracer go on with an editable volume as it is now: one of the volume that the editable was made of, or that
- * followed it before. Only words that are others since then are copied to a device; `copied_bytes` may be null. No other
- * tracer may follow the same editable. */
+/* Makes a tracer go on with an editable volume as it is now: one of the volume that the editable was made of,
+ * or that followed it before. Only words that are others since then are copied to a device; `copied_bytes`
+ * may be null. No other tracer may follow the same editable. */
 VOXC_API voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes);
 
 typedef struct voxc_picture_options {

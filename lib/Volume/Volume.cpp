@@ -66,7 +66,8 @@ Expected<void> checkNoJournal(const std::string &volumePath) {
   std::error_code ignored;
   if (std::filesystem::exists(journalPathOf(volumePath), ignored))
     return Error::input("edits of '" + volumePath + "' wait in '" + journalPathOf(volumePath) +
-                        "'; 'voxc edit " + volumePath + " --compact -o " + volumePath + "' puts them into it");
+                        "'; 'voxc edit " + volumePath + " --compact -o " + volumePath +
+                        "' puts them into it");
   return {};
 }
 

@@ -22,7 +22,7 @@ struct CandidateTraits {
   bool oneColour = false; ///< All voxels have one: it is kept once, else values stand apart.
   int paletteBits = 0;    ///< Else, of a palette for values apart; 0: none.
   bool visible = false;   ///< No voxel has an alpha of 0.
-  bool editable = false; ///< The volume will be edited in place: no choice is made that stands against it.
+  bool editable = false;  ///< The volume will be edited in place: no choice is made that stands against it.
   int pointerBits = 20;   ///< Of short pointers: 8 to 24, enough for the different grids of 4^3 voxels.
 };
 

@@ -84,7 +84,8 @@ public:
 
   /// Maps a .hvx file, or decodes one that is compressed. Everything in it is checked, every reachable offset
   /// too unless `trusted`, before the volume is handed out. Errors: no such file, not a .hvx, truncated, a
-  /// wrong checksum, a broken structure, edits that wait in a journal (`loadEdited` has them); `Environment`, no memory for what is decoded; interrupted.
+  /// wrong checksum, a broken structure, edits that wait in a journal (`loadEdited` has them); `Environment`,
+  /// no memory for what is decoded; interrupted.
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
   /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
