@@ -1,0 +1,44 @@
+"""needs.py FILE...: tells what libraries and programs ask of a system, and ends with 1 if it is more than every system with
+glibc 2.28 has: another library than those of glibc, a newer version of a name, or a path of this machine to look for libraries in."""
+import re
+import subprocess
+import sys
+
+NEWEST = (2, 28)
+# The loader's own name, and what glibc 2.28 consists of; libraries of voxc lie beside.
+LIBRARIES = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1", "libvoxc.so.0"}
+
+
+def read(*arguments):
+    return subprocess.run(arguments, capture_output=True, text=True, check=True, env={"PATH": "/usr/bin:/bin", "LC_ALL": "C"}).stdout
+
+
+def needs(path):
+    """What one file asks for, in words, and what of that is too much."""
+    dynamic, symbols = read("readelf", "--dynamic", "--wide", path), read("objdump", "--dynamic-syms", path)
+    libraries = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
+    folders = re.findall(r"\(R(?:UN)?PATH\).*\[(.*)\]", dynamic)
+    versions = set(re.findall(r"\*UND\*.*\b((?:GLIBC|GLIBCXX|CXXABI|GCC)_[A-Z0-9_.]+)", symbols))
+    numbers = {version: tuple(map(int, version[6:].split("."))) for version in versions if re.fullmatch(r"GLIBC_[0-9.]+", version)}
+    # Relocations that are packed are no name, but an old loader would pass them over.
+    packed = ["packed relocations, which glibc knows from 2.36 on"] if "(RELR)" in dynamic else []
+    wrong = ([f"the library {name}" for name in libraries if name not in LIBRARIES] +
+             [f"libraries in {folder}" for folder in folders if not folder.startswith("$ORIGIN")] +
+             sorted(versions - numbers.keys()) + [version for version in sorted(numbers, key=numbers.get) if numbers[version] > NEWEST] +
+             packed)
+    newest = max(numbers, key=numbers.get, default="nothing of glibc")
+    return f"{path} needs {', '.join(libraries) or 'no library'} and {newest}", wrong
+
+
+def main():
+    failed = False
+    for path in sys.argv[1:]:
+        told, wrong = needs(path)
+        print(told)
+        for what in wrong:
+            failed = True
+            print(f"{path} asks for {what}, which not every system with glibc {'.'.join(map(str, NEWEST))} has", file=sys.stderr)
+    sys.exit(failed)
+
+
+main()
