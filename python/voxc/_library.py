@@ -143,8 +143,8 @@ FUNCTIONS = {
 
 
 def installed(*names):
-    """The first of these files in a folder above this module, as an installation has them; None if none is there."""
-    for folder in pathlib.Path(__file__).resolve().parents[1:6]:
+    """The first of these files in the folder of this module, as a wheel has them, or one above, as an installation has; None if none is there."""
+    for folder in list(pathlib.Path(__file__).resolve().parents)[:6]:
         for name in names:
             if (folder / name).exists():
                 return str(folder / name)
