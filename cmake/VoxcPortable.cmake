@@ -27,13 +27,27 @@ add_library(voxc-portable SHARED "${CMAKE_CURRENT_LIST_DIR}/portable/NewerNames.
                                  "${PROJECT_SOURCE_DIR}/tools/voxc/main.cpp" $<TARGET_OBJECTS:voxc-c>)
 voxc_portable(voxc-portable)
 target_include_directories(voxc-portable PRIVATE "${PROJECT_SOURCE_DIR}/tools/voxc")
+if(VOXC_VIEW)
+  # The window within, and what it needs of a system loaded when it opens.
+  add_custom_command(
+    OUTPUT "${portable}/window.s"
+    COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/late_window.py" "${portable}/window.s" $<TARGET_FILE:voxc-window> "${VOXC_IMGUI_LIBRARY}"
+    DEPENDS voxc-window "${CMAKE_CURRENT_LIST_DIR}/portable/late_window.py"
+    VERBATIM)
+  enable_language(ASM)
+  target_sources(voxc-portable PRIVATE "${portable}/window.s" "${CMAKE_CURRENT_LIST_DIR}/portable/LateWindow.c")
+  target_link_libraries(voxc-portable PRIVATE $<TARGET_FILE:voxc-window> "${VOXC_IMGUI_LIBRARY}" stb)
+else()
+  target_link_libraries(voxc-portable PRIVATE voxc-no-window)
+endif()
 set_target_properties(voxc-portable PROPERTIES OUTPUT_NAME voxc SOVERSION 0 VOXC_HAS_LLVM_WITHIN ${VOXC_LLVM_WITHIN}
-                                               LIBRARY_OUTPUT_DIRECTORY "${portable}/lib" SKIP_BUILD_RPATH ON)
+                                               LIBRARY_OUTPUT_DIRECTORY "${portable}/lib" INSTALL_RPATH "$ORIGIN"
+                                               BUILD_WITH_INSTALL_RPATH ON)
 # Newer systems have the names of libpthread and libdl in their libc, older ones in these.
 target_link_options(voxc-portable PRIVATE -Wl,--defsym=voxc_main=main "-Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/C/exports.map"
                                           -Wl,--no-as-needed -lpthread -ldl -Wl,--as-needed
                                           "-Wl,--dependency-file=${portable}/linked.d")
-target_link_libraries(voxc-portable PRIVATE voxc-driver voxc-no-window voxc-components voxc-compiler voxc-flags)
+target_link_libraries(voxc-portable PRIVATE voxc-driver voxc-components voxc-compiler voxc-flags)
 
 add_executable(voxc-portable-program "${CMAKE_CURRENT_LIST_DIR}/portable/Start.c")
 voxc_portable(voxc-portable-program)

@@ -45,3 +45,5 @@ if [ ! -e "$made/libmeshoptimizer.a" ] || [ ! -e "$made/libturbojpeg.a" ]; then
 fi
 cmake --preset release -B "$build" > /dev/null
 cmake --build "$build" --target voxc-portable voxc-portable-program
+# GLFW is loaded when a window opens. Debian's library asks for no newer system than voxc does, but for X11's.
+cp -L "$(cc -print-file-name=libglfw.so.3)" "$build/portable/lib/libglfw.so.3"

@@ -12,7 +12,7 @@ readonly folder=$1 build=${2:-build/release}
 readonly most_bytes=90000000
 
 scripts/portable.sh "$build"
-python3 -B scripts/portable/needs.py "$build"/portable/bin/voxc "$build"/portable/lib/libvoxc.so.0
+python3 -B scripts/portable/needs.py "$build"/portable/bin/voxc "$build"/portable/lib/lib*.so.[0-9]
 version=$("$build"/portable/bin/voxc --version | cut -d ' ' -f 2)
 moment=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}
 contents=$(mktemp -d)

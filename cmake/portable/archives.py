@@ -6,7 +6,7 @@ import sys
 
 # -lNAME: the archives that it stands for. libtiff finds JPEG in libturbojpeg, which has all of libjpeg within, and no JBIG (NoJbig.c).
 ARCHIVES = {
-    "z": ["z"], "zstd": ["zstd"], "bz2": ["bz2"], "expat": ["expat"], "png": ["png16", "z"], "webp": ["webp"], "draco": ["draco"],
+    "z": ["z"], "zstd": ["zstd"], "bz2": ["bz2"], "expat": ["expat"], "png": ["png16", "z"], "webp": ["webp"], "draco": ["draco"], "stb": ["stb"],
     "blosc": ["blosc", "lz4", "snappy", "z", "zstd"],
     "tiff": ["tiff", "lzma", "Lerc", "deflate", "webp", "z", "zstd"],
     "spirv-cross-c-shared": [f"spirv-cross-{part}" for part in ("c", "cpp", "hlsl", "msl", "glsl", "reflect", "util", "core")],

@@ -1,5 +1,6 @@
 """needs.py FILE...: tells what libraries and programs ask of a system, and ends with 1 if it is more than every system with
 glibc 2.28 has: another library than those of glibc, a newer version of a name, or a path of this machine to look for libraries in."""
+import os
 import re
 import subprocess
 import sys
@@ -7,6 +8,8 @@ import sys
 NEWEST = (2, 28)
 # The loader's own name, and what glibc 2.28 consists of; libraries of voxc lie beside.
 LIBRARIES = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1", "libvoxc.so.0"}
+# Loaded when a window is opened, and only then.
+OF_WINDOWS = {"libglfw.so.3": {"libX11.so.6"}}
 
 
 def read(*arguments):
@@ -22,7 +25,8 @@ def needs(path):
     numbers = {version: tuple(map(int, version[6:].split("."))) for version in versions if re.fullmatch(r"GLIBC_[0-9.]+", version)}
     # Relocations that are packed are no name, but an old loader would pass them over.
     packed = ["packed relocations, which glibc knows from 2.36 on"] if "(RELR)" in dynamic else []
-    wrong = ([f"the library {name}" for name in libraries if name not in LIBRARIES] +
+    allowed = LIBRARIES | OF_WINDOWS.get(os.path.basename(path), set())
+    wrong = ([f"the library {name}" for name in libraries if name not in allowed] +
              [f"libraries in {folder}" for folder in folders if not folder.startswith("$ORIGIN")] +
              sorted(versions - numbers.keys()) + [version for version in sorted(numbers, key=numbers.get) if numbers[version] > NEWEST] +
              packed)
