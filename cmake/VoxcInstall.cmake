@@ -95,7 +95,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_
 # The module for Python is text, and finds the C library of the system.
 set(VOXC_PYTHON_DIRECTORY "lib/python3/dist-packages" CACHE STRING "Where Python looks for modules, below the prefix")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/voxc" DESTINATION "${VOXC_PYTHON_DIRECTORY}" COMPONENT python
-        FILES_MATCHING PATTERN "*.py")
+        FILES_MATCHING PATTERN "*.py" PATTERN "py.typed")
 
 # `cmake --build BUILD --target uninstall` removes what was installed.
 add_custom_target(uninstall COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" -P "${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake" VERBATIM)

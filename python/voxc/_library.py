@@ -5,20 +5,11 @@ import os
 import pathlib
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint, c_uint32, c_uint64, c_void_p
 
+from ._errors import Error, error_of
 from ._interrupts import Interrupts
+from ._progress import report_of
 
 ABI_VERSION = 0
-
-
-class Error(Exception):
-    """What went wrong, in one sentence; `kind` is "input", "usage", "environment" or "interrupted"."""
-
-    __module__ = "voxc"
-    KINDS = {1: "input", 2: "usage", 3: "environment", 130: "interrupted"}
-
-    def __init__(self, message, kind):
-        super().__init__(message)
-        self.kind = self.KINDS.get(kind, "input")
 
 
 REPORT = ctypes.CFUNCTYPE(c_int, c_void_p, c_char_p, c_double, c_uint64)
@@ -103,6 +94,7 @@ FUNCTIONS = {
     "voxc_volume_words": (POINTER(c_uint32), [c_void_p, POINTER(c_uint64)]),
     "voxc_volume_to_model": (None, [c_void_p, POINTER(c_double)]),
     "voxc_volume_read": (c_void_p, [c_void_p, POINTER(c_int32), POINTER(c_int32), c_void_p]),
+    "voxc_volume_list": (c_void_p, [c_void_p, c_void_p, c_void_p]),
     "voxc_devices": (c_size_t, [POINTER(DeviceInfo), c_size_t]),
     "voxc_tracer_free": (None, [c_void_p]),
     "voxc_tracer_device": (c_char_p, [c_void_p]),
@@ -115,6 +107,7 @@ FUNCTIONS = {
     "voxc_format_ir": (c_char_p, [c_void_p]),
     "voxc_format_extent": (None, [c_void_p, POINTER(c_int32)]),
     "voxc_emit_header": (c_void_p, [c_void_p, c_char_p, POINTER(c_void_p)]),
+    "voxc_emit_header_in": (c_void_p, [c_void_p, c_char_p, c_char_p, POINTER(c_void_p)]),
     "voxc_emit_glsl": (c_void_p, [c_void_p, POINTER(c_void_p)]),
     "voxc_build_grid": (c_void_p, [c_void_p, c_void_p, POINTER(c_int32), POINTER(BuildOptions), POINTER(c_void_p)]),
     "voxc_build_voxels": (c_void_p, [c_void_p, c_void_p, c_void_p, c_uint64, POINTER(c_int32), POINTER(BuildOptions),
@@ -171,7 +164,7 @@ def check(error):
     if error:
         kind, message = lib.voxc_error_get_kind(error), lib.voxc_error_message(error).decode()
         lib.voxc_error_free(error)
-        raise KeyboardInterrupt if kind == 130 else Error(message, kind)
+        raise KeyboardInterrupt if kind == 130 else error_of(message, kind)
 
 
 def make(function, *arguments):
@@ -196,12 +189,12 @@ def options(kind, **members):
 
 
 class Reporter:
-    """A function (stage, fraction, done) as the library's progress. What it raises ends the work and is raised again, and so does
+    """A function (stage, fraction, done), or a bar of tqdm's kind, as the library's progress. What it raises ends the work and is raised again, and so does
     Control-C: nothing is raised within a callback."""
 
     def __init__(self, function):
         self.failure = None
-        self.function = function
+        self.function = report_of(function)
         self.callback = REPORT(self.report)
         self.progress = Progress(self.callback, None)
         self.interrupts = Interrupts()

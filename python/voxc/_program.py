@@ -1,21 +1,31 @@
 """The program voxc, where the library has no function for what it does."""
+from __future__ import annotations
+
 import os
 import subprocess
+from typing import Any, Callable, Dict, List, Optional
 
-from ._library import Error, installed
+from ._errors import error_of
+from ._library import installed
 
 
-def run(arguments, program=None, said=lambda text: None):
-    """Runs voxc with these arguments; what it says when it fails is raised, and what it said before goes to `said`. Error: the
+def words_of(options: Dict[str, Any]) -> List[str]:
+    """Options as the program takes them: max_bytes="64MiB" as --max-bytes=64MiB. True is an option without a value, and False and None are none."""
+    return ["--" + name.replace("_", "-") + ("" if value is True else f"={value}")
+            for name, value in options.items() if value is not None and value is not False]
+
+
+def run(arguments: List[str], program: Optional[str] = None, said: Callable[[str], Any] = lambda text: None) -> None:
+    """Runs voxc with these arguments; what it says when it fails is raised, and what it said before goes to `said`. MachineError: the
     program is not found."""
     name = program or os.environ.get("VOXC") or installed("bin/voxc") or "voxc"
     try:
         done = subprocess.run([name, *arguments], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-    except OSError as failure:
-        raise Error(f"this runs the program voxc, and '{name}' cannot be run: {failure.strerror}; VOXC names another", 3) from None
+    except OSError as reason:
+        raise error_of(f"this runs the program voxc, and '{name}' cannot be run: {reason.strerror}; VOXC names another", 3) from None
     before, _, failure = done.stderr.rpartition("voxc: error: ")
     said(before if done.returncode else done.stderr)
     if done.returncode == 130:
         raise KeyboardInterrupt
     if done.returncode:
-        raise Error(failure.strip(), done.returncode)
+        raise error_of(failure.strip(), done.returncode)

@@ -5,12 +5,18 @@ ALPHA = np.uint32(0xFF000000)
 SOLID = np.uint32(0xFFFFFFFF)
 MOST_LABEL = 0xFFFF
 INT32 = np.iinfo(np.int32)
+CPU = 1  # As DLPack numbers devices.
 
 
 def array_of(given, what):
-    """An array as it is. One that says of some elements that they have no value is none."""
+    """An array as it is, of NumPy or of another library on this processor. One that says of some elements that they have no value
+    is none."""
     if isinstance(given, np.ma.MaskedArray):
         raise ValueError(f"{what} are a masked array, whose masked elements have no value; filled(0) gives them one")
+    if hasattr(given, "__dlpack_device__") and not isinstance(given, np.ndarray) and given.__dlpack_device__()[0] != CPU:
+        raise ValueError(f"{what} lie in the memory of another device; .cpu() of torch and .get() of CuPy bring them here")
+    if not hasattr(given, "__array__") and hasattr(given, "__dlpack__") and hasattr(np, "from_dlpack"):
+        return np.from_dlpack(given)
     return np.asarray(given)
 
 

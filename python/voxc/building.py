@@ -1,6 +1,10 @@
 """Building volumes from arrays, functions and files."""
+from __future__ import annotations
+
 import ctypes
 import inspect
+import os
+from typing import Any, Callable, Iterable, Optional, Sequence, Tuple, Union
 
 from . import _library as c
 from . import arrays
@@ -15,9 +19,12 @@ INPUT_OPTIONS = ("resolution", "voxel_size", "unit", "align", "bounds", "z_up", 
                  "interior", "fill_colour", "crop")
 
 
-def build(format, input=None, *, voxels=None, labels=None, greys=None, densities=None, threshold=None, window=None, places=None,
-          colours=None, voxel=None, is_empty=None, extent=None, passes=None, threads=None, memory_bytes=None, path=None,
-          compress=False, progress=None, **input_options):
+def build(format: Union[str, Format], input: Union[str, os.PathLike, None] = None, *, voxels: Any = None, labels: Any = None,
+          greys: Any = None, densities: Any = None, threshold: Optional[float] = None, window: Optional[Tuple[float, float]] = None,
+          places: Any = None, colours: Any = None, voxel: Optional[Callable[[int, int, int], int]] = None,
+          is_empty: Optional[Callable[[int, int, int, int], bool]] = None, extent: Optional[Sequence[int]] = None,
+          passes: Union[str, Iterable[str], None] = None, threads: Optional[int] = None, memory_bytes: Optional[int] = None,
+          path: Union[str, os.PathLike, None] = None, compress: bool = False, progress: Any = None, **input_options: Any) -> Volume:
     """Builds a volume in a format (a Format, or a text and `passes`). Its voxels come from one of
 
     input    a file: a mesh, points, .vox, a dense volume, "builtin:terrain"; options are those of `voxc build`: resolution,
@@ -32,12 +39,13 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
     places   whole numbers (n, 3) of x, y, z, with `colours`, which is (n,) words or (n, 4) uint8; the last at a place counts
     voxel    a function of x, y, z that returns a word, with `extent` and, if it is known, `is_empty` of x, y, z, side
 
+    Arrays may be of NumPy, or of others that share memory by DLPack or the array interface, as those of torch and jax on the CPU.
     What cannot be kept as it is raises ValueError: nothing is cast or left out in silence.
 
     With the format "auto" it is the one that `voxc suggest` names, and the program voxc builds it, without `progress`.
 
     With `path` the volume is written to that file while it is built. `progress` is called with a stage, a fraction and a
-    number now and then; what it raises ends the build. `threads` of None are all of the machine.
+    number now and then; what it raises ends the build. A bar of tqdm's will do in its place. `threads` of None are all of the machine.
     """
     if sum(given is not None for given in (input, voxels, labels, greys, densities, places, voxel)) != 1:
         raise TypeError("build takes one of input, voxels, labels, greys, densities, places and voxel")
@@ -56,10 +64,10 @@ def build(format, input=None, *, voxels=None, labels=None, greys=None, densities
     if isinstance(format, str) and format.strip() == "auto":
         if passes is not None or progress is not None:
             raise TypeError("passes and progress are for a format that is named")
-        words = dict(voxels=voxels, labels=labels, greys=greys, densities=densities, window=window, places=places, colours=colours,
+        given = dict(voxels=voxels, labels=labels, greys=greys, densities=densities, window=window, places=places, colours=colours,
                      voxel=voxel, is_empty=is_empty, extent=extent)
         input_options.update(window=window if input is not None else None, threads=threads, memory=memory_bytes)
-        return build_automatic(build, input, words, threshold, path, compress, input_options)
+        return build_automatic(build, input, given, threshold, path, compress, input_options)
     made = format if isinstance(format, Format) else Format(format, passes)
     reporter = c.Reporter(progress)
     if voxel is not None and threads is None:

@@ -1,11 +1,21 @@
 """Tracing rays, and pictures of what they hit."""
+from __future__ import annotations
+
 import ctypes
+from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _library as c
 from .arrays import bounds_of, rays_of
 from .format import list_of
+from .picture import Picture
+
+if TYPE_CHECKING:
+    from .editable import Editable
+    from .volume import Volume
+
+Names = Union[str, Iterable[str], None]
 
 RAY = np.dtype([("origin", "<f4", 3), ("direction", "<f4", 3)])
 """A ray, in voxels, as it lies in files."""
@@ -19,7 +29,7 @@ HIT = np.dtype([("voxel", "<i4", 3), ("rgba", "<u4"), ("t", "<f4"), ("face", "<u
 the face, if that was asked for: twice its axis, and 1 more for the high one; 6 if the ray begins in the voxel."""
 
 
-def devices():
+def devices() -> List[str]:
     """The names of all devices: those of Vulkan, then "cpu"."""
     count = c.lib.voxc_devices(None, 0)
     infos = (c.DeviceInfo * count)()
@@ -27,7 +37,7 @@ def devices():
     return [info.name.decode() for info in infos[:count]]
 
 
-def normals(hits):
+def normals(hits: np.ndarray) -> np.ndarray:
     """The normals of the faces by which rays enter their voxels, out of these, as an array (..., 3): of hits of a tracer
     whose outputs have the face. Those of misses, and where a ray begins in its voxel, are 0."""
     face = np.where(hits["voxel"][..., 0] >= 0, hits["face"], 6)
@@ -36,7 +46,7 @@ def normals(hits):
     return table[np.minimum(face, 6)]
 
 
-def _rays(origins, directions, tmin, tmax):
+def _rays(origins: Any, directions: Any, tmin: Any, tmax: Any) -> np.ndarray:
     """Rays as the library takes them, with bounds if there are any."""
     is_bounded = tmin is not None or tmax is not None
     if directions is None:
@@ -58,7 +68,7 @@ def _rays(origins, directions, tmin, tmax):
     return rays
 
 
-def _point(given, what):
+def _point(given: Any, what: str) -> Any:
     """A point as three doubles; None stays None."""
     if given is None:
         return None
@@ -68,7 +78,7 @@ def _point(given, what):
     return (ctypes.c_double * 3)(*point)
 
 
-def _clip_box(given):
+def _clip_box(given: Any) -> Any:
     """Two corners as six doubles; None stays None."""
     if given is None:
         return None
@@ -81,7 +91,7 @@ def _clip_box(given):
     return (ctypes.c_double * 6)(*box.reshape(-1))
 
 
-def _clip_planes(given):
+def _clip_planes(given: Any) -> Tuple[Any, int]:
     """One plane or several as four doubles each, and how many there are."""
     if given is None:
         return None, 0
@@ -106,36 +116,36 @@ class Tracer:
     `outputs` names what is stored of the closest hit, of voxel, t, face and colour; `precision` is "exact" or "fast".
     With `bounds` its one kernel is for rays with bounds; without, that is a second one, made when such rays come."""
 
-    def __init__(self, volume, device=None, *, threads=None, query=None, outputs=None, precision=None, passes=None,
-                 bounds=False):
+    def __init__(self, volume: Volume, device: Optional[str] = None, *, threads: Optional[int] = None, query: Optional[str] = None,
+                 outputs: Names = None, precision: Optional[str] = None, passes: Names = None, bounds: bool = False) -> None:
         self._volume = volume
-        self._followed = None
+        self._followed: Optional[Editable] = None
         self._options = dict(device=c.text(device), threads=threads, query=c.text(query), outputs=list_of(outputs),
                              precision=c.text(precision), passes=list_of(passes))
         self._handle = self._create(bounds=int(bounds))
         self._bounded_handle = self._handle if bounds else None
 
-    def _bounded(self):
+    def _bounded(self) -> Any:
         """The tracer for rays with bounds, which is made when it is first asked for."""
         self._bounded_handle = self._bounded_handle or self._create(bounds=1)
         return self._bounded_handle
 
-    def _create(self, bounds):
+    def _create(self, bounds: int) -> Any:
         options = c.options(c.TracerOptions, bounds=bounds, **self._options)
         volume = self._followed.view() if self._followed else self._volume
         return c.make(c.lib.voxc_tracer_create, volume._handle, ctypes.byref(options))
 
-    def __del__(self):
+    def __del__(self) -> None:
         handles = [getattr(self, name, None) for name in ("_handle", "_bounded_handle")]
         for handle in {handle.value: handle for handle in handles if handle}.values():
             c.lib.voxc_tracer_free(handle)
 
     @property
-    def device(self):
+    def device(self) -> str:
         """The name of the device that it traces on."""
         return c.lib.voxc_tracer_device(self._handle).decode()
 
-    def trace(self, origins, directions=None, tmin=None, tmax=None):
+    def trace(self, origins: Any, directions: Any = None, tmin: Any = None, tmax: Any = None) -> np.ndarray:
         """The hits of rays: an array of HIT, of as many and in the shape of the rays. These are (..., 3) origins and
         directions, of which one may be a single one for all, or an array of RAY or BOUNDED_RAY alone. `tmin` and `tmax`,
         a number for all or one for each ray, are the bounds between which voxels are looked for; the kernel for rays
@@ -149,7 +159,7 @@ class Tracer:
         c.check(function(handle, rays.ctypes.data, rays.size, hits.ctypes.data))
         return hits
 
-    def update(self, volume):
+    def update(self, volume: Volume) -> int:
         """Takes another volume of the same format, such as an edited one, in place of its own. Only what differs is brought
         to the device; returns how many bytes that was. A volume of another format takes a tracer of its own:
         `volume.tracer()`."""
@@ -163,7 +173,7 @@ class Tracer:
         self._followed = None
         return total
 
-    def follow(self, editable):
+    def follow(self, editable: Editable) -> int:
         """Goes on with an `Editable` as it is now, which was made of the volume of this tracer, or followed by it before. Only
         what changed since then is brought to the device; returns how many bytes that was. No other tracer may follow the
         same one."""
@@ -175,9 +185,10 @@ class Tracer:
             self._bounded_handle = None
         return copied.value
 
-    def render(self, width=1280, height=720, *, style=None, view=None, eye=None, look=None, fov=None, samples=None,
-               progress=None, clip_box=None, clip_planes=None, orthographic=False, view_height=None):
-        """A picture as an array (height, width, 4) of uint8. `style` and `view` are those of `voxc render`; `eye` and
+    def render(self, width: int = 1280, height: int = 720, *, style: Optional[str] = None, view: Optional[str] = None, eye: Any = None,
+               look: Any = None, fov: Optional[float] = None, samples: Optional[int] = None, progress: Any = None, clip_box: Any = None,
+               clip_planes: Any = None, orthographic: bool = False, view_height: Optional[float] = None) -> Picture:
+        """A picture as an array (height, width, 4) of uint8, which a notebook shows. `style` and `view` are those of `voxc render`; `eye` and
         `look` are points in voxels, both or neither. `clip_box`, two corners in voxels, shows what lies between them,
         and each of `clip_planes`, (nx, ny, nz, d), cuts away where nx x + ny y + nz z is less than d; inner voxels show
         at a cut, and the kernel for rays with bounds is compiled when cuts are first asked for. `orthographic` pictures
@@ -195,4 +206,4 @@ class Tracer:
         pixels = np.empty((height, width, 4), np.uint8)
         handle = self._handle if box is None and planes is None else self._bounded()
         reporter.call(c.lib.voxc_render, handle, ctypes.byref(options), pixels.ctypes.data)
-        return pixels
+        return pixels.view(Picture)

@@ -1,0 +1,52 @@
+// The traversal as functions in a language of choice, in C.
+#include "C/FormatHandle.h"
+#include "voxc/Emit/Emit.h"
+#include "voxc/Plan/Plan.h"
+#include "voxc/Support/EnumText.h"
+
+#include <cstring>
+
+using namespace voxc;
+using namespace voxc::c;
+
+namespace {
+
+std::string allLanguages() {
+  std::string all;
+  for (const std::string_view name : kEnumNames<HeaderLanguage>)
+    all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
+}
+
+/// The functions of a format. Errors: no possible name; a format that they cannot be of.
+Expected<std::string> functionsOf(const Format &format, const char *name, HeaderLanguage language) {
+  const Expected<Plan> plan = makePlan(format, kHeaderPlan);
+  if (!plan)
+    return plan.error();
+  if (const std::string problem = problemOf(*plan, EmitTarget::Functions); !problem.empty())
+    return Error::input(problem);
+  const std::string chosen = name ? name : headerName(plan->layout);
+  if (!isHeaderName(chosen))
+    return Error::usage("a name has letters, digits and single underscores between them, unlike '" + chosen +
+                        "'");
+  return emitHeader(*plan, chosen, language);
+}
+
+} // namespace
+
+voxc_error *voxc_emit_header_in(const voxc_format *format, const char *language, const char *name,
+                                char **text) {
+  return guarded([&]() -> voxc_error * {
+    const std::optional<HeaderLanguage> chosen = fromString<HeaderLanguage>(language);
+    if (!chosen)
+      return wrap(
+          Error::usage("there are no headers in '" + std::string(language) + "'; there are " + allLanguages()));
+    const Expected<std::string> functions = functionsOf(format->format, name, *chosen);
+    if (!functions)
+      return wrap(functions.error());
+    *text = ::strdup(functions->c_str());
+    if (!*text)
+      throw std::bad_alloc();
+    return nullptr;
+  });
+}
