@@ -16,7 +16,7 @@ add_custom_target(voxc-portable-libraries DEPENDS "${portable}/libc.so")
 
 # voxc_portable(TARGET): how one of them is linked.
 function(voxc_portable target)
-  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+  set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON LINK_DEPENDS "${portable}/libc.so;${PROJECT_SOURCE_DIR}/lib/C/exports.map")
   add_dependencies(${target} voxc-portable-libraries)
   target_link_directories(${target} BEFORE PRIVATE "${portable}")
   target_link_options(${target} PRIVATE -static-libgcc -static-libstdc++ -Wl,-z,defs -Wl,--gc-sections -Wl,--strip-all
@@ -43,9 +43,7 @@ endif()
 set_target_properties(voxc-portable PROPERTIES OUTPUT_NAME voxc SOVERSION 0 VOXC_HAS_LLVM_WITHIN ${VOXC_LLVM_WITHIN}
                                                LIBRARY_OUTPUT_DIRECTORY "${portable}/lib" INSTALL_RPATH "$ORIGIN"
                                                BUILD_WITH_INSTALL_RPATH ON)
-# Newer systems have the names of libpthread and libdl in their libc, older ones in these.
-target_link_options(voxc-portable PRIVATE -Wl,--defsym=voxc_main=main "-Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/C/exports.map"
-                                          -Wl,--no-as-needed -lpthread -ldl -Wl,--as-needed
+target_link_options(voxc-portable PRIVATE -Wl,--defsym=voxc_main=main "-Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/C/exports.map" -lpthread -ldl -lrt
                                           "-Wl,--dependency-file=${portable}/linked.d")
 target_link_libraries(voxc-portable PRIVATE voxc-driver voxc-components voxc-compiler voxc-flags)
 

@@ -39,8 +39,8 @@ voxc_error *voxc_emit_header_in(const voxc_format *format, const char *language,
   return guarded([&]() -> voxc_error * {
     const std::optional<HeaderLanguage> chosen = fromString<HeaderLanguage>(language);
     if (!chosen)
-      return wrap(
-          Error::usage("there are no headers in '" + std::string(language) + "'; there are " + allLanguages()));
+      return wrap(Error::usage("there are no headers in '" + std::string(language) + "'; there are " +
+                               allLanguages()));
     const Expected<std::string> functions = functionsOf(format->format, name, *chosen);
     if (!functions)
       return wrap(functions.error());

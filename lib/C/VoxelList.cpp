@@ -10,7 +10,8 @@ voxc_error *voxc_volume_list(const voxc_volume *volume, int32_t *places, uint32_
     const std::uint64_t most = volume->volume->info().voxels;
     const auto list = [&](const Cube &cube, std::uint32_t word) {
       const std::uint64_t cells = word == 0 ? 0 : std::uint64_t{1} << (3 * cube.log2Side);
-      if (cells > most - count) // Only a file that was trusted unseen has more than it says; `decode` tells it.
+      if (cells >
+          most - count) // Only a file that was trusted unseen has more than it says; `decode` tells it.
         return true;
       for (std::uint64_t i = 0; places && i < cells; ++i) {
         const Int3 place = cube.low + mortonCell(i);
