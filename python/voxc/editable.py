@@ -1,5 +1,9 @@
 """Volumes that change."""
+from __future__ import annotations
+
 import ctypes
+import os
+from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
@@ -10,12 +14,12 @@ from .volume import Volume
 class Snapshot:
     """A state of an `Editable`, to come back to with `restore` or to look at with `view`."""
 
-    def __init__(self, owner, state):
+    def __init__(self, owner: Editable, state: Any) -> None:
         self._owner = owner
         self._state = state
 
     @property
-    def voxels(self):
+    def voxels(self) -> int:
         """How many are not empty."""
         return self._state.voxels
 
@@ -26,40 +30,40 @@ class Editable:
 
     Raises `voxc.Error` for a format that cannot be edited, and says what stands against it."""
 
-    def __init__(self, volume):
+    def __init__(self, volume: Volume) -> None:
         self._handle = c.make(c.lib.voxc_editable_create, volume._handle)
 
-    def __del__(self):
+    def __del__(self) -> None:
         if getattr(self, "_handle", None):
             c.lib.voxc_editable_free(self._handle)
 
-    def set_box(self, low, size, word):
+    def set_box(self, low: Sequence[int], size: Sequence[int], word: int) -> None:
         """Voxels [low, low + size) become `word`; 0 clears them."""
         c.check(c.lib.voxc_editable_set_box(self._handle, _ints(low), _ints(size), word))
 
-    def set_sphere(self, centre, radius, word):
+    def set_sphere(self, centre: Sequence[int], radius: float, word: int) -> None:
         """Voxels whose centre is no farther than `radius` voxels from that of the voxel `centre` become `word`."""
         c.check(c.lib.voxc_editable_set_sphere(self._handle, _ints(centre), radius, word))
 
-    def set_voxels(self, places, words):
+    def set_voxels(self, places: Any, words: Any) -> None:
         """Single voxels: places (N, 3) of x, y, z, and N words, or one for all. Of several at one place the last counts."""
         places = np.ascontiguousarray(places, np.int32).reshape(-1, 3)
         words = np.ascontiguousarray(np.broadcast_to(np.asarray(words, np.uint32), len(places)))
         c.check(c.lib.voxc_editable_set_voxels(self._handle, places.ctypes.data, words.ctypes.data, len(places)))
 
-    def paste(self, volume, low=(0, 0, 0)):
+    def paste(self, volume: Volume, low: Sequence[int] = (0, 0, 0)) -> None:
         """Puts the voxels of another volume from `low` on; where it is empty nothing changes."""
         c.check(c.lib.voxc_editable_paste(self._handle, volume._handle, _ints(low)))
 
-    def clear(self, low, size):
+    def clear(self, low: Sequence[int], size: Sequence[int]) -> None:
         """Empties the voxels [low, low + size)."""
         self.set_box(low, size, 0)
 
-    def apply(self, low, size, function):
+    def apply(self, low: Sequence[int], size: Sequence[int], function: Callable[[int, int, int, int], int]) -> None:
         """Each voxel of a box becomes what `function(x, y, z, word)` says of it."""
-        raised = []
+        raised: list = []
 
-        def voxel(_, x, y, z, word):
+        def voxel(_: Any, x: int, y: int, z: int, word: int) -> int:
             try:
                 return word if raised else int(function(x, y, z, word))
             except BaseException as error:  # noqa: BLE001 - it goes on behind the library.
@@ -72,45 +76,45 @@ class Editable:
             self.restore(before)
             raise raised[0]
 
-    def snapshot(self):
+    def snapshot(self) -> Snapshot:
         """The state now, which costs nothing."""
         return Snapshot(self, c.lib.voxc_editable_snapshot(self._handle))
 
-    def restore(self, snapshot):
+    def restore(self, snapshot: Snapshot) -> None:
         """Makes a state that of the volume again, be it older or newer: undo and redo."""
         if snapshot._owner is not self:
             raise ValueError("the snapshot is of another volume")
         c.lib.voxc_editable_restore(self._handle, snapshot._state)
 
-    def view(self, snapshot=None):
+    def view(self, snapshot: Optional[Snapshot] = None) -> Volume:
         """A state, or that of now, as a Volume, which stays what it is while edits go on."""
         state = (snapshot or self.snapshot())._state
         return Volume(c.make(c.lib.voxc_editable_view, self._handle, state))
 
-    def compact(self, path=None, compress=False):
+    def compact(self, path: Union[str, os.PathLike, None] = None, compress: bool = False) -> Volume:
         """The Volume of the voxels as they are, by a build: the words are those of any build of them. With `path` it is
         written there."""
         options = c.options(c.BuildOptions, path=c.text(path) if path is not None else None, compress=int(compress))
         return Volume(c.make(c.lib.voxc_editable_compact, self._handle, ctypes.byref(options)))
 
     @property
-    def voxels(self):
+    def voxels(self) -> int:
         """How many are not empty."""
         return c.lib.voxc_editable_voxels(self._handle)
 
     @property
-    def words(self):
+    def words(self) -> int:
         """How many words all states have together."""
         return c.lib.voxc_editable_words(self._handle)
 
     @property
-    def wants_compaction(self):
+    def wants_compaction(self) -> bool:
         """True if these are more than half as many again as those of the first volume."""
         return bool(c.lib.voxc_editable_wants_compaction(self._handle))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<voxc.Editable of {self.voxels} voxels, {4 * self.words} bytes>"
 
 
-def _ints(values):
+def _ints(values: Sequence[int]) -> Any:
     return (ctypes.c_int32 * 3)(*values)

@@ -86,6 +86,10 @@ std::optional<fs::path> findModule(bool &isOnPath) {
       return fs::path(folder);
     }
   const fs::path own = fs::read_symlink("/proc/self/exe", failure).parent_path();
+  if (fs::exists(own / ".." / "__init__.py", failure)) { // A wheel's, which lies where Python looks.
+    isOnPath = true;
+    return fs::weakly_canonical(own / ".." / "..", failure);
+  }
   for (const fs::path &place : {own / ".." / "lib" / "python3" / "dist-packages", // As installed.
                                 own / ".." / ".." / ".." / "python"})             // As built.
     if (fs::exists(place / "voxc" / "__init__.py", failure)) {
