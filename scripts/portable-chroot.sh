@@ -18,7 +18,7 @@ readonly desk=/srv/check # In the root.
 mirror="$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' | awk '$2 == "bookworm" { print $1; exit }')"
 work="$(mktemp -d -p "${TMPDIR:-/var/tmp}" portable.XXXXXX)"
 root=
-trap '[ -z "$root" ] || umount -q "$root/proc" "$root/dev" || true; rm -rf --one-file-system "$work"' EXIT
+trap '[ -z "$root" ] || umount -q "$root/proc" || true; rm -rf --one-file-system "$work"' EXIT
 
 inside() { chroot "$root" /usr/bin/env -i PATH="$desk/venv/bin:/usr/bin:/bin" HOME="$desk" LC_ALL=C.UTF-8 "$@"; }
 
@@ -29,8 +29,7 @@ make_root() { # SUITE MIRROR
   */ubuntu*) options+=(--components=main,universe --no-check-gpg) && set -- "$1" "$2" /usr/share/debootstrap/scripts/gutsy ;;
   esac
   debootstrap "${options[@]}" "$1" "$root" "${@:2}" > "$work/log" || { tail "$work/log"; exit 1; }
-  mount -t proc proc "$root/proc"
-  mount --bind /dev "$root/dev"
+  mount -t proc proc "$root/proc" # Devices are those that debootstrap made: nothing of this machine's is in the root.
 }
 
 is_picture() { [ "$(head -c 4 "$root$1" | tail -c 3)" = PNG ]; }
@@ -80,7 +79,7 @@ for suite; do
   if inside python3 -c 'import sys; sys.exit(sys.version_info < (3, 9))'; then
     try_wheel "${suite%%=*}"
   fi
-  umount "$root/proc" "$root/dev"
+  umount "$root/proc"
   rm -rf --one-file-system "$root"
   root=
 done
