@@ -40,10 +40,11 @@ if(VOXC_VIEW)
 else()
   target_link_libraries(voxc-portable PRIVATE voxc-no-window)
 endif()
-set_target_properties(voxc-portable PROPERTIES OUTPUT_NAME voxc SOVERSION 0 VOXC_HAS_LLVM_WITHIN ${VOXC_LLVM_WITHIN}
-                                               LIBRARY_OUTPUT_DIRECTORY "${portable}/lib" INSTALL_RPATH "$ORIGIN"
+# Its name here is not that of the C library, which is a target too; scripts/portable.sh gives it that.
+set_target_properties(voxc-portable PROPERTIES NO_SONAME ON VOXC_HAS_LLVM_WITHIN ${VOXC_LLVM_WITHIN}
+                                               LIBRARY_OUTPUT_DIRECTORY "${portable}" INSTALL_RPATH "$ORIGIN"
                                                BUILD_WITH_INSTALL_RPATH ON)
-target_link_options(voxc-portable PRIVATE -Wl,--defsym=voxc_main=main "-Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/C/exports.map" -lpthread -ldl -lrt
+target_link_options(voxc-portable PRIVATE -Wl,-soname,libvoxc.so.0 -Wl,--defsym=voxc_main=main "-Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/C/exports.map" -lpthread -ldl -lrt
                                           "-Wl,--dependency-file=${portable}/linked.d")
 target_link_libraries(voxc-portable PRIVATE voxc-driver voxc-components voxc-compiler voxc-flags)
 
@@ -51,6 +52,6 @@ add_executable(voxc-portable-program "${CMAKE_CURRENT_LIST_DIR}/portable/Start.c
 voxc_portable(voxc-portable-program)
 target_compile_options(voxc-portable-program PRIVATE -fno-stack-protector)
 target_link_options(voxc-portable-program PRIVATE -pie -nostartfiles)
-set_target_properties(voxc-portable-program PROPERTIES OUTPUT_NAME voxc RUNTIME_OUTPUT_DIRECTORY "${portable}/bin"
+set_target_properties(voxc-portable-program PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${portable}"
                                                        INSTALL_RPATH "$ORIGIN/../lib" BUILD_WITH_INSTALL_RPATH ON)
 target_link_libraries(voxc-portable-program PRIVATE voxc-portable)

@@ -45,5 +45,11 @@ if [ ! -e "$made/libmeshoptimizer.a" ] || [ ! -e "$made/libturbojpeg.a" ]; then
 fi
 cmake --preset release -B "$build" > /dev/null
 cmake --build "$build" --target voxc-portable voxc-portable-program
+
+rm -rf "$build"/portable/{bin,lib}
+mkdir "$build"/portable/{bin,lib}
+cp "$build/portable/voxc-portable-program" "$build/portable/bin/voxc"
+cp "$build/portable/libvoxc-portable.so" "$build/portable/lib/libvoxc.so.0"
+ln -s libvoxc.so.0 "$build/portable/lib/libvoxc.so"
 # GLFW is loaded when a window opens. Debian's library asks for no newer system than voxc does, but for X11's.
 cp -L "$(cc -print-file-name=libglfw.so.3)" "$build/portable/lib/libglfw.so.3"
