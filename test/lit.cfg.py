@@ -69,7 +69,7 @@ for module, feature, name in [("numpy", "numpy", "%numpython"), ("matplotlib, PI
             config.substitutions.insert(0, (name, python))
             break
 # Programs that some tests need, and that a machine may lack.
-for program in ["readelf", "zsh", "fish"]:
+for program in ["readelf", "zsh", "fish", "mypy"]:
     if shutil.which(program):
         config.available_features.add(program)
 config.available_features.update(name for name, is_built in config.components.items() if is_built)
