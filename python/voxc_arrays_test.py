@@ -53,8 +53,7 @@ class Points(unittest.TestCase):
     # R(3, 3, 3) M(3, 3, 3) numbers its voxels otherwise than in Morton order.
     FORMATS = ("G(5)", "R(2, 2, 2) G(3)", "R(2^3) M(3, 3, 3)", "R(1^3) M(1^3) M(1^3) M(2^3)", "S(5)")
 
-    def test_points_are_all_voxels_in_morton_order(self):
-        words = ball()
+    def check(self, words):
         z, y, x = np.nonzero(words)
         codes = spread(x) | spread(y) << np.uint64(1) | spread(z) << np.uint64(2)
         order = np.argsort(codes)
@@ -63,6 +62,12 @@ class Points(unittest.TestCase):
             self.assertEqual((places.dtype, colours.dtype, colours.shape), (np.int32, np.uint8, (len(x), 4)))
             np.testing.assert_array_equal(places, np.stack([x, y, z], -1)[order])
             np.testing.assert_array_equal(colours.view("<u4")[:, 0], words[z, y, x][order])
+
+    def test_points_are_all_voxels_in_morton_order(self):
+        self.check(ball())
+
+    def test_points_of_cubes_of_one_colour_are_all_their_voxels(self):
+        self.check(np.where(ball() != 0, np.uint32(0xFF0080FF), np.uint32(0)))
 
     def test_build_takes_them(self):
         volume = voxc.build("R(2, 2, 2) G(3)", "builtin:terrain:32", passes="whole-level-dedup")
