@@ -46,7 +46,7 @@ set_target_properties(voxc-portable PROPERTIES NO_SONAME ON VOXC_HAS_LLVM_WITHIN
                                                BUILD_WITH_INSTALL_RPATH ON)
 target_link_options(voxc-portable PRIVATE -Wl,-soname,libvoxc.so.0 -Wl,--defsym=voxc_main=main "-Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/C/exports.map" -lpthread -ldl -lrt
                                           "-Wl,--dependency-file=${portable}/linked.d")
-target_link_libraries(voxc-portable PRIVATE voxc-driver voxc-components voxc-compiler voxc-flags)
+target_link_libraries(voxc-portable PRIVATE voxc-driver voxc-applications voxc-components voxc-compiler voxc-flags)
 
 add_executable(voxc-portable-program "${CMAKE_CURRENT_LIST_DIR}/portable/Start.c")
 voxc_portable(voxc-portable-program)

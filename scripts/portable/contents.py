@@ -26,7 +26,7 @@ def included(build):
     headers, ours = set(), False
     for line in subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout.splitlines():
         if not line.startswith(" "):
-            ours = re.match(r"(lib|tools|CMakeFiles/voxc-portable)/?.*\.o: ", line) is not None
+            ours = re.match(r"(lib|tools|apps|CMakeFiles/voxc-portable)/?.*\.o: ", line) is not None
         elif ours and line.strip().startswith("/usr/"):
             headers.add(line.strip())
     return headers
