@@ -112,10 +112,10 @@ VOXC_API uint32_t voxc_volume_lookup(const voxc_volume *volume, const int32_t vo
  * size below 0 or of more than 2^40 voxels. */
 VOXC_API voxc_error *voxc_volume_read(const voxc_volume *volume, const int32_t low[3], const int32_t size[3],
                                       uint32_t *words);
-/* All voxels that are not empty, in Morton order (of two places, that comes first which is less in the highest
- * bit in which they differ, where a bit of z counts more than that of y, and that more than that of x):
- * voxc_volume_voxels of them, of which number i lies at places[3 * i] to places[3 * i + 2] and has words[i].
- * Either may be null. voxc_build_voxels takes the same. */
+/* All voxels that are not empty, in Morton order (of two places, that comes first which is less in the
+ * highest bit in which they differ, where a bit of z counts more than that of y, and that more than that of
+ * x): voxc_volume_voxels of them, of which number i lies at places[3 * i] to places[3 * i + 2] and has
+ * words[i]. Either may be null. voxc_build_voxels takes the same. */
 VOXC_API voxc_error *voxc_volume_list(const voxc_volume *volume, int32_t *places, uint32_t *words);
 
 /* Devices. */
