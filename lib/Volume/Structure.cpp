@@ -99,8 +99,7 @@ public:
                           std::to_string(std::bit_width(layout_.maxWords()) - 1) + " words, not " +
                           std::to_string(words_.size()));
     const std::uint32_t root = words_[0];
-    // Behind a root of nothing may be words that an edit has left.
-    if (root == 0 && (words_.size() == layout_.headWords() || !layout_.ranksVoxels()))
+    if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
     enterSubVolume(0, root);
     if (layout_.hasOneColour() && words_[1] == 0)

@@ -8,6 +8,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 import numpy as np
 
 from . import _library as c
+from . import arrays
 from .volume import Volume
 
 
@@ -46,9 +47,13 @@ class Editable:
         c.check(c.lib.voxc_editable_set_sphere(self._handle, _ints(centre), radius, word))
 
     def set_voxels(self, places: Any, words: Any) -> None:
-        """Single voxels: places (N, 3) of x, y, z, and N words, or one for all. Of several at one place the last counts."""
-        places = np.ascontiguousarray(places, np.int32).reshape(-1, 3)
-        words = np.ascontiguousarray(np.broadcast_to(np.asarray(words, np.uint32), len(places)))
+        """Single voxels: places (N, 3) of x, y, z, and N words or colours as `voxc.build` takes them, or one word for all. Of
+        several at one place the last counts."""
+        places = arrays.places_of(places)
+        if np.ndim(words) == 0:
+            words = np.full(len(places), arrays.word_of(words), np.uint32)
+        else:
+            words = arrays.colours_of(words, len(places))
         c.check(c.lib.voxc_editable_set_voxels(self._handle, places.ctypes.data, words.ctypes.data, len(places)))
 
     def paste(self, volume: Volume, low: Sequence[int] = (0, 0, 0)) -> None:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace voxc {
 namespace {
@@ -106,6 +107,12 @@ Expected<MemoryBlock> EditStore::view(Ref root) const {
 
 std::vector<WordRange> EditStore::takeChanges() {
   std::vector<WordRange> changes = std::exchange(changed_, {});
+  if (root() == 0) { // What is not of the head is of the volume when it has voxels again.
+    const auto isOfHead = [this](const WordRange &range) { return range.first < layout_.headWords(); };
+    std::ranges::remove_copy_if(changes, std::back_inserter(changed_), isOfHead);
+    std::erase_if(changes, [&](const WordRange &range) { return !isOfHead(range); });
+    return changes;
+  }
   if (words().size() > known_)
     changes.push_back({known_, words().size()});
   known_ = words().size();

@@ -29,7 +29,8 @@ struct EditableVolume::State {
     VolumeInfo own = info;
     own.voxels = voxels;
     own.wordCounts.reset(); // Words that no state has are of no level.
-    return {std::move(own), words, std::move(owner)};
+    // A volume without voxels has no words but those of its head.
+    return {std::move(own), words[0] == 0 ? words.first(layout.headWords()) : words, std::move(owner)};
   }
 };
 

@@ -59,6 +59,10 @@ def refuse(*_):
     raise ValueError("no")
 
 
+try:
+    world.set_voxels([[0.5, 0, 0]], 0xFF123456)
+except ValueError as error:
+    print("ValueError", error)
 before = world.voxels
 try:
     world.apply((0, 0, 0), (2, 2, 2), refuse)
