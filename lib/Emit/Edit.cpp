@@ -31,7 +31,7 @@ std::vector<std::string> filesOf(const Stratum &stratum) {
   return files;
 }
 
-std::string functions(const Plan &plan, std::size_t index) {
+std::string editFunctions(const Plan &plan, std::size_t index) {
   std::string lines;
   for (const std::string &file : filesOf(plan.layout.strata[index]))
     lines += constructLeaf(plan, index, file);
@@ -53,7 +53,7 @@ std::string emitEdit(const Plan &given) {
   std::string levels = constructPlanes(plan);
   for (std::size_t i = plan.layout.strata.size(); i-- > 0;)
     levels += levelComment(plan, i) + constructConstants(plan, i) + sideConstant(plan.layout.strata[i], i) +
-              functions(plan, i);
+              editFunctions(plan, i);
   names.holes["LEVELS"] = levels;
   return fillFile(constructFiles(), "edit/edit.cpp", names);
 }

@@ -15,11 +15,11 @@ namespace {
 enum class Meeting { Outside, Inside, Across };
 
 /// Voxels [low, end).
-struct Box {
+struct EditedBox {
   Int3 low;
   std::array<std::int64_t, 3> end;
 
-  Box(Int3 low, Int3 size) : low(low) {
+  EditedBox(Int3 low, Int3 size) : low(low) {
     for (int axis = 0; axis < 3; ++axis)
       end[static_cast<std::size_t>(axis)] = std::int64_t{low[axis]} + size[axis];
   }
@@ -40,7 +40,7 @@ struct Box {
 
 class BoxChange final : public VoxelChange {
 public:
-  BoxChange(Box box, std::uint32_t word) : box_(box), word_(word) {}
+  BoxChange(EditedBox box, std::uint32_t word) : box_(box), word_(word) {}
 
   CubeChange of(const Cube &cube) override {
     const Meeting meeting = box_.meets(cube);
@@ -51,7 +51,7 @@ public:
   std::uint32_t voxel(Int3 at, std::uint32_t old) override { return box_.holds(at) ? word_ : old; }
 
 private:
-  Box box_;
+  EditedBox box_;
   std::uint32_t word_;
 };
 
@@ -174,14 +174,14 @@ private:
     return true;
   }
 
-  Box box_;
+  EditedBox box_;
   std::unique_ptr<VoxelSource> source_;
   std::vector<Brick> bricks_;
 };
 
 class FunctionChange final : public VoxelChange {
 public:
-  FunctionChange(Box box, std::function<std::uint32_t(Int3, std::uint32_t)> function)
+  FunctionChange(EditedBox box, std::function<std::uint32_t(Int3, std::uint32_t)> function)
       : box_(box), function_(std::move(function)) {}
 
   CubeChange of(const Cube &cube) override {
@@ -192,14 +192,14 @@ public:
   }
 
 private:
-  Box box_;
+  EditedBox box_;
   std::function<std::uint32_t(Int3, std::uint32_t)> function_;
 };
 
 } // namespace
 
 std::unique_ptr<VoxelChange> makeBoxChange(Int3 low, Int3 size, std::uint32_t word) {
-  return std::make_unique<BoxChange>(Box(low, size), word);
+  return std::make_unique<BoxChange>(EditedBox(low, size), word);
 }
 
 std::unique_ptr<VoxelChange> makeSphereChange(Int3 centre, int radius, std::uint32_t word) {
@@ -216,7 +216,7 @@ std::unique_ptr<VoxelChange> makePasteChange(std::shared_ptr<const Volume> paste
 
 std::unique_ptr<VoxelChange> makeFunctionChange(Int3 low, Int3 size,
                                                 std::function<std::uint32_t(Int3, std::uint32_t)> function) {
-  return std::make_unique<FunctionChange>(Box(low, size), std::move(function));
+  return std::make_unique<FunctionChange>(EditedBox(low, size), std::move(function));
 }
 
 std::unique_ptr<VoxelChange> makeChange(const VoxelEdit &edit) {

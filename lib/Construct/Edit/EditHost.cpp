@@ -11,7 +11,7 @@ namespace {
 using construct::Node;
 using construct::Voxel;
 
-Int3 cellOf(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
+Int3 int3Of(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
 
 EditHost &hostOf(void *self) { return *static_cast<EditHost *>(self); }
 
@@ -88,13 +88,13 @@ void EditHost::fillTable() {
   table.self = this;
   table.effect = [](void *self, Voxel low, int log2Side, std::uint32_t *value) {
     EditHost &host = hostOf(self);
-    const CubeChange change = host.store().failure() ? CubeChange{} : host.changeOf({cellOf(low), log2Side});
+    const CubeChange change = host.store().failure() ? CubeChange{} : host.changeOf({int3Of(low), log2Side});
     *value = change.word;
     return change.kind == CubeChange::Keep  ? construct::Effect::Keep
            : change.kind == CubeChange::Set ? construct::Effect::Set
                                             : construct::Effect::Change;
   };
-  table.voxel = [](void *self, Voxel at, std::uint32_t old) { return hostOf(self).voxel(cellOf(at), old); };
+  table.voxel = [](void *self, Voxel at, std::uint32_t old) { return hostOf(self).voxel(int3Of(at), old); };
   table.root = [](void *self, unsigned level, std::uint32_t old, Node *root) {
     *root = hostOf(self).old_.root(level, old);
   };
