@@ -1,16 +1,14 @@
 // Blocks in memory or in an unnamed scratch file, and what keeps the process within its bound.
 #include "voxc/Support/WorkingMemory.h"
 
+#include "ResidentSize.h"
 #include "UnnamedFile.h"
 
-#include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <fcntl.h>
 #include <mutex>
-#include <string_view>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -100,32 +98,6 @@ bool writeWithHoles(int file, std::span<const std::byte> bytes, std::uint64_t of
   return ::fstat(file, &status) == 0 && (static_cast<std::uint64_t>(status.st_size) >= end ||
                                          ::ftruncate(file, static_cast<off_t>(end)) == 0);
 }
-
-/// Bytes of this process that are in memory now; 0 where the system does not tell.
-class ResidentSize {
-public:
-  ResidentSize() : file_(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC)) {}
-  ~ResidentSize() {
-    if (file_ >= 0)
-      ::close(file_);
-  }
-  ResidentSize(const ResidentSize &) = delete;
-  ResidentSize &operator=(const ResidentSize &) = delete;
-
-  std::uint64_t now() const {
-    std::array<char, 128> text{};
-    if (file_ < 0 || ::pread(file_, text.data(), text.size() - 1, 0) <= 0)
-      return 0;
-    const std::string_view numbers(text.data());
-    const std::size_t blank = std::min(numbers.find(' '), numbers.size() - 1);
-    std::uint64_t pages = 0;
-    std::from_chars(numbers.data() + blank + 1, numbers.data() + numbers.size(), pages);
-    return pages * WorkingMemory::pageBytes();
-  }
-
-private:
-  int file_;
-};
 
 } // namespace
 
