@@ -207,7 +207,7 @@ TEST(Update, GoesThroughATracerThatOwnsItsDevice) {
   auto tracer = openTracer(*volume);
   ASSERT_TRUE(tracer) << tracer.error().message;
   ASSERT_TRUE((*tracer)->update(*volume, *edited));
-  const Ray ray{{16.5f, 16.5f, -2}, {0, 0, 1}};
+  const Ray ray{{16.5f, 40, 16.5f}, {0, -1, 0}};
   EXPECT_FALSE(hitsOf(**tracer, {&ray, 1})[0].isHit());
   const WordRange all{0, volume->words().size()};
   ASSERT_TRUE((*tracer)->follow(*volume, {&all, 1}));
