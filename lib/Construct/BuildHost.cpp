@@ -1,9 +1,10 @@
 // From the table of functions to the members of the host.
 #include "BuildHost.h"
 
+#include "Serve.h"
+
 #include <algorithm>
 #include <cstddef>
-#include <new>
 
 namespace voxc {
 namespace {
@@ -12,38 +13,18 @@ using construct::Voxel;
 
 Int3 cellOf(Voxel voxel) { return {voxel.x, voxel.y, voxel.z}; }
 
-/// Calls `work(host)` for generated code, which no exception can leave: where there is no memory the store
-/// fails, and the code gets `otherwise`.
-template <typename Result, typename Work> Result serve(void *self, Result otherwise, const Work &work) {
-  BuildHost &host = *static_cast<BuildHost *>(self);
-  try {
-    return work(host);
-  } catch (const std::bad_alloc &) {
-    host.store().fail(Error::environment("out of memory"));
-    return otherwise;
-  }
-}
-
-/// The same for what returns nothing.
-template <typename Work> void serve(void *self, const Work &work) {
-  serve(self, true, [&](BuildHost &host) {
-    work(host);
-    return true;
-  });
-}
-
 } // namespace
 
 BuildHost::BuildHost(NodeStore &store) : store_(store) {
   construct::Host &table = table_;
   table.self = this;
   table.is_empty = [](void *self, Voxel low, int log2Side) {
-    return serve(self, true, [&](BuildHost &host) {
+    return serve<BuildHost>(self, true, [&](BuildHost &host) {
       return host.store_.failure() || host.isEmpty({cellOf(low), log2Side});
     });
   };
   table.read_brick = [](void *self, Voxel low, construct::Brick *brick) {
-    const bool isRead = serve(self, false, [&](BuildHost &host) {
+    const bool isRead = serve<BuildHost>(self, false, [&](BuildHost &host) {
       host.readBrick(cellOf(low), *brick);
       return true;
     });
@@ -51,13 +32,16 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
       *brick = {};
   };
   table.append = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
-    return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.append(level, {words, count}); });
+    return serve<BuildHost>(self, Ref{1},
+                            [&](BuildHost &host) { return host.store_.append(level, {words, count}); });
   };
   table.intern = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
-    return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.intern(level, {words, count}); });
+    return serve<BuildHost>(self, Ref{1},
+                            [&](BuildHost &host) { return host.store_.intern(level, {words, count}); });
   };
   table.intern_leaf = [](void *self, unsigned level, std::uint32_t value) {
-    return serve(self, Ref{1}, [&](BuildHost &host) { return host.store_.internLeaf(level, value); });
+    return serve<BuildHost>(self, Ref{1},
+                            [&](BuildHost &host) { return host.store_.internLeaf(level, value); });
   };
   table.find_leaf = [](void *self, unsigned level, std::uint32_t value) {
     return static_cast<BuildHost *>(self)->store_.leafAt(level, value);
@@ -69,20 +53,20 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
     static_cast<BuildHost *>(self)->store_.endAnnouncing(level);
   };
   table.put_value = [](void *self, std::uint32_t value) {
-    serve(self, [&](BuildHost &host) { host.putValue(value); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.putValue(value); });
   };
   table.forget = [](void *self, unsigned level) {
-    serve(self, [&](BuildHost &host) { host.store_.forget(level); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.store_.forget(level); });
   };
   table.allocate = [](void *self, unsigned level, construct::uint64_t count) {
-    return serve(self, static_cast<std::uint32_t *>(nullptr),
-                 [&](BuildHost &host) { return host.store_.allocate(level, count); });
+    return serve<BuildHost>(self, static_cast<std::uint32_t *>(nullptr),
+                            [&](BuildHost &host) { return host.store_.allocate(level, count); });
   };
   table.release = [](void *self, unsigned level) {
-    serve(self, [&](BuildHost &host) { host.store_.release(level); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.store_.release(level); });
   };
   table.keep = [](void *self, unsigned level, std::uint32_t cell, std::uint32_t value) {
-    serve(self, [&](BuildHost &host) { host.store_.keep(level, cell, value); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.store_.keep(level, cell, value); });
   };
   table.kept = [](void *self, unsigned level, construct::uint64_t *count) {
     const auto kept = static_cast<BuildHost *>(self)->store_.kept(level);
@@ -90,20 +74,21 @@ BuildHost::BuildHost(NodeStore &store) : store_(store) {
     return reinterpret_cast<const std::uint32_t *>(kept.data());
   };
   table.drop = [](void *self, unsigned level) {
-    serve(self, [&](BuildHost &host) { host.store_.drop(level); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.store_.drop(level); });
   };
   table.pause = [](void *self, construct::uint64_t words) {
-    serve(self, [&](BuildHost &host) { host.store_.pause(words); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.store_.pause(words); });
   };
   table.log2_part = -1;
   table.take_part = [](void *self, Voxel low, construct::Part *part) {
-    *part = serve(self, construct::Part{}, [&](BuildHost &host) { return host.takePart(cellOf(low)); });
+    *part = serve<BuildHost>(self, construct::Part{},
+                             [&](BuildHost &host) { return host.takePart(cellOf(low)); });
   };
   table.finish_node = [](void *self, const construct::Node *node) {
-    serve(self, [&](BuildHost &host) { host.finishNode(*node); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.finishNode(*node); });
   };
   table.finish_cell = [](void *self, const construct::PlacedCell *cell) {
-    serve(self, [&](BuildHost &host) { host.finishCell(*cell); });
+    serve<BuildHost>(self, [&](BuildHost &host) { host.finishCell(*cell); });
   };
 }
 

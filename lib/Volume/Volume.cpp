@@ -63,8 +63,10 @@ void Volume::allowCubes(std::uint64_t most) { state_->mostCubes = most; }
 std::string journalPathOf(const std::string &volumePath) { return volumePath + ".journal"; }
 
 Expected<void> checkNoJournal(const std::string &volumePath) {
-  std::error_code ignored;
-  if (std::filesystem::exists(journalPathOf(volumePath), ignored))
+  constexpr std::uintmax_t kHeadBytes = 32; // Of a journal that was begun, and has no edits.
+  std::error_code failure;
+  const std::uintmax_t bytes = std::filesystem::file_size(journalPathOf(volumePath), failure);
+  if (!failure && bytes > kHeadBytes)
     return Error::input("edits of '" + volumePath + "' wait in '" + journalPathOf(volumePath) +
                         "'; 'voxc edit " + volumePath + " --compact -o " + volumePath +
                         "' puts them into it");

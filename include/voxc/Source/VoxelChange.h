@@ -22,7 +22,7 @@ struct CubeChange {
   std::uint32_t word = 0;
 };
 
-/// Asked by one thread at a time.
+/// Asked by one thread at a time. Its functions throw nothing but `std::bad_alloc`, which fails the edit.
 class VoxelChange {
 public:
   virtual ~VoxelChange() = default;

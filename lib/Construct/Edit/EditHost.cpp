@@ -1,6 +1,8 @@
 // From the table of functions to the change and the store.
 #include "EditHost.h"
 
+#include "Construct/Serve.h"
+
 #include <algorithm>
 #include <new>
 #include <unordered_set>
@@ -87,14 +89,17 @@ void EditHost::fillTable() {
   construct::EditHost &table = edits_;
   table.self = this;
   table.effect = [](void *self, Voxel low, int log2Side, std::uint32_t *value) {
-    EditHost &host = hostOf(self);
-    const CubeChange change = host.store().failure() ? CubeChange{} : host.changeOf({int3Of(low), log2Side});
+    const CubeChange change = serve<EditHost>(self, CubeChange{}, [&](EditHost &host) {
+      return host.store().failure() ? CubeChange{} : host.changeOf({int3Of(low), log2Side});
+    });
     *value = change.word;
     return change.kind == CubeChange::Keep  ? construct::Effect::Keep
            : change.kind == CubeChange::Set ? construct::Effect::Set
                                             : construct::Effect::Change;
   };
-  table.voxel = [](void *self, Voxel at, std::uint32_t old) { return hostOf(self).voxel(int3Of(at), old); };
+  table.voxel = [](void *self, Voxel at, std::uint32_t old) {
+    return serve<EditHost>(self, old, [&](EditHost &host) { return host.voxel(int3Of(at), old); });
+  };
   table.root = [](void *self, unsigned level, std::uint32_t old, Node *root) {
     *root = hostOf(self).old_.root(level, old);
   };
@@ -103,27 +108,31 @@ void EditHost::fillTable() {
                                [&](std::uint64_t index, const Node &child) { children[index] = child; });
   };
   table.read_cells = [](void *self, unsigned level, std::uint32_t old, std::uint32_t *cells) {
-    hostOf(self).old_.cells(level, old,
-                            [&](std::uint64_t cell, std::uint32_t value) { cells[cell] = value; });
+    serve<EditHost>(self, [&](EditHost &host) {
+      host.old_.cells(level, old, [&](std::uint64_t cell, std::uint32_t value) { cells[cell] = value; });
+    });
   };
   table.cell = [](void *self, unsigned level, std::uint32_t old, std::uint32_t cell) {
     return hostOf(self).old_.cell(level, old, cell);
   };
   table.keep_others = [](void *self, unsigned level, std::uint32_t old) {
-    hostOf(self).keepOthers(level, old);
+    serve<EditHost>(self, [&](EditHost &host) { host.keepOthers(level, old); });
   };
   table.open = [](void *self, unsigned level, std::uint32_t old, construct::uint64_t count) {
-    return hostOf(self).words_.open(level, old, count);
+    return serve<EditHost>(self, static_cast<std::uint32_t *>(nullptr),
+                           [&](EditHost &host) { return host.words_.open(level, old, count); });
   };
   table.touch = [](void *self, unsigned level, const std::uint32_t *words, construct::uint64_t count) {
-    hostOf(self).words_.touch(level, words, count);
+    serve<EditHost>(self, [&](EditHost &host) { host.words_.touch(level, words, count); });
   };
   table.close = [](void *self, unsigned level, bool shared) {
-    return hostOf(self).words_.close(level, shared);
+    return serve<EditHost>(self, Ref{1}, [&](EditHost &host) { return host.words_.close(level, shared); });
   };
   table.abandon = [](void *self, unsigned level) { hostOf(self).words_.abandon(level); };
   table.replaced = [](void *self, unsigned level, int layers, const Node *old, int log2Side,
-                      std::uint32_t word) { hostOf(self).replaced(level, layers, *old, log2Side, word); };
+                      std::uint32_t word) {
+    serve<EditHost>(self, [&](EditHost &host) { host.replaced(level, layers, *old, log2Side, word); });
+  };
 }
 
 } // namespace voxc

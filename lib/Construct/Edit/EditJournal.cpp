@@ -30,8 +30,8 @@ Error cannotWrite(const std::string &path) {
 Expected<journal::Contents> contentsFor(const std::string &volumePath, std::span<const std::byte> file) {
   const std::string path = journalPathOf(volumePath);
   auto contents = journal::parse(file, path);
-  if (!contents || contents->end == 0)
-    return contents;
+  if (!contents || contents->records.empty()) // One without edits is none, of whatever file it was begun for.
+    return contents ? Expected<journal::Contents>(journal::Contents{}) : contents;
   const auto identity = journal::identityOf(volumePath);
   if (!identity)
     return identity.error();
