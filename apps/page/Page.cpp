@@ -8,6 +8,7 @@
 
 #include "Emit/Template.h"
 #include "common/Command.h"
+#include "voxc/Volume/Frames.h"
 
 #include <glm/common.hpp>
 
@@ -65,6 +66,16 @@ std::string factsOf(const Volume &volume) {
          fact("Made by", tool::versionText());
 }
 
+/// What chooses a frame of an animation, and plays it.
+std::string frameControls(std::size_t frames) {
+  const std::string count = std::to_string(frames);
+  return "<p id=\"frames\"><button id=\"play\" type=\"button\">Play</button> <input id=\"frame\" "
+         "type=\"range\" "
+         "min=\"1\" max=\"" +
+         count + "\" value=\"1\" aria-label=\"Frame\"> <output id=\"number\" for=\"frame\">1 of " + count +
+         "</output></p>\n";
+}
+
 /// Those of what a page reads.
 std::string factsOf(const StreamedVolume &streamed) {
   return fact("Read from", escaped(streamed.url) + ", " + bytesText(streamed.fileBytes)) +
@@ -96,6 +107,7 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
   if (!script)
     return script.error();
   const std::string packed = deflated(*script + planesOf(words) + contents.checks);
+  const std::size_t frames = streamed ? 0 : framesOf(volume).size();
   TemplateNames names;
   names.holes = {
       {"BYTES", std::to_string(packed.size())},
@@ -105,6 +117,8 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
       {"TITLE", escaped(contents.title)},
       {"STYLE", tersely("style.css")},
       {"FACTS", factsOf(volume) + (streamed ? factsOf(*streamed) : "")},
+      {"FRAMES", frames > 0 ? frameControls(frames) : ""},
+      {"FRAME_KEYS", frames > 0 ? "; space plays, comma and full stop step" : ""},
       {"WAIT", std::string(kWait)},
       {"POSTER", posterHtml(contents.picture, contents.camera, volume.info().extent, packed.size())},
       // Whoever is on a server is asked for an icon.

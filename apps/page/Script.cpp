@@ -4,6 +4,7 @@
 #include "page/Shaders.h"
 
 #include "common/Json.h"
+#include "voxc/Volume/Frames.h"
 
 #include <glm/geometric.hpp>
 
@@ -15,13 +16,14 @@ namespace {
 using tool::Json;
 
 /// In the order in which they build on each other.
-constexpr const char *kScripts[] = {
-    "script/passes",   "script/webgl",    "script/webgpu",  "script/arithmetic", "script/camera",
-    "script/controls", "script/resident", "script/picture", "script/rays",       "script/main"};
+constexpr const char *kScripts[] = {"script/passes",  "script/webgl",  "script/webgpu",   "script/arithmetic",
+                                    "script/camera",  "script/frames", "script/controls", "script/resident",
+                                    "script/picture", "script/rays",   "script/main"};
 constexpr const char *kStreamedScripts[] = {
-    "pages/xxh3",        "pages/zstd",     "pages/reader",    "pages/start", "script/passes", "script/webgl",
-    "script/arithmetic", "script/camera",  "script/controls", "pages/pool",  "pages/volume",  "pages/waiting",
-    "pages/telling",     "script/picture", "script/rays",     "script/main"};
+    "pages/xxh3",   "pages/zstd",        "pages/reader",  "pages/start",   "script/passes",
+    "script/webgl", "script/arithmetic", "script/camera", "script/frames", "script/controls",
+    "pages/pool",   "pages/volume",      "pages/waiting", "pages/telling", "script/picture",
+    "script/rays",  "script/main"};
 
 Json numbers(const glm::dvec3 &v) { return {v.x, v.y, v.z}; }
 
@@ -42,6 +44,15 @@ Json stepsOf(const std::vector<std::uint32_t> &numbers) {
     before = number;
   }
   return steps;
+}
+
+/// The roots of an animation, of a page that holds all its words; else none.
+Json rootsOf(const Volume &volume, bool isStreamed) {
+  Json roots = Json::array();
+  if (!isStreamed)
+    for (const Frame &frame : framesOf(volume))
+      roots.push_back(frame.root);
+  return roots;
 }
 
 /// What a page knows of a volume that it reads.
@@ -74,6 +85,7 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
             {"fov", camera.verticalFov},
             {"height", camera.orthographicHeight}, // 0: a pinhole.
             {"aspect", double(camera.width) / camera.height}}},
+          {"frames", rootsOf(volume, contents.streamed.has_value())},
           {"cuts", planesOf(contents.clip)},
           {"sun", numbers(glm::normalize(contents.sun))},
           {"smooth", contents.smooth},

@@ -65,6 +65,8 @@ Expected<Carving> carve(Scene &scene, const Shot &shot) {
       carving.isChanged |= sculpture.undo();
     else if (std::holds_alternative<Redo>(deed))
       carving.isChanged |= sculpture.redo();
+    else if (const ShowFrame *const frame = std::get_if<ShowFrame>(&deed))
+      carving.isChanged |= sculpture.showFrame(frame->index);
     else if (std::holds_alternative<Stroke>(deed))
       if (auto pressed = press(sculpture, *next++, carving); !pressed && !failure)
         failure = pressed.error();

@@ -25,8 +25,6 @@ public:
   std::optional<Expected<std::string>> take() { return written_.take(); }
 
 private:
-  std::string nextPath();
-
   std::string folder_;
   std::function<void()> wake_;
   int number_ = 0;

@@ -2,10 +2,15 @@
 #include "view/Sculpture.h"
 
 #include "common/UserCache.h"
+#include "voxc/Volume/Frames.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace voxc::view {
+
+Sculpture::Sculpture(std::shared_ptr<const Volume> volume)
+    : first_(std::move(volume)), frameCount_(std::max<std::size_t>(framesOf(*first_).size(), 1)) {}
 
 void Sculpture::add(Deed deed) {
   const std::lock_guard lock(mutex_);
@@ -26,6 +31,7 @@ Expected<void> Sculpture::prepare() {
   if (!edited)
     return edited.error();
   edited_.emplace(std::move(*edited));
+  frames_ = edited_->frames();
   return {};
 }
 
@@ -61,6 +67,26 @@ bool Sculpture::redo() {
   return true;
 }
 
+bool Sculpture::showFrame(std::size_t index) {
+  const std::lock_guard lock(mutex_);
+  if (index == frame_ || index >= frames_.size())
+    return false;
+  frames_[frame_] = edited_->snapshot();
+  edited_->restore(frames_[index]);
+  frame_ = index;
+  done_.clear();
+  undone_.clear();
+  return true;
+}
+
+/// Precondition: `mutex_` is held, and the volume is ready.
+std::vector<EditableVolume::Snapshot> Sculpture::framesNow() const {
+  std::vector<EditableVolume::Snapshot> frames = frames_;
+  if (!frames.empty())
+    frames[frame_] = edited_->snapshot();
+  return frames;
+}
+
 Expected<UpdateReport> Sculpture::show(Tracer &tracer) {
   const std::lock_guard lock(mutex_);
   return tracer.follow(*edited_->volume(), edited_->takeChanges());
@@ -73,10 +99,20 @@ std::shared_ptr<const Volume> Sculpture::volume() const {
 
 std::shared_ptr<const Volume> Sculpture::frozen() const {
   const std::lock_guard lock(mutex_);
-  if (!edited_ || done_.empty())
+  if (!edited_ || (done_.empty() && frame_ == 0))
     return nullptr;
   auto view = edited_->view(edited_->snapshot());
   return view ? std::make_shared<const Volume>(std::move(*view)) : nullptr;
+}
+
+Expected<std::shared_ptr<const Volume>> Sculpture::frozenFrames() const {
+  const std::lock_guard lock(mutex_);
+  if (frameCount_ < 2 || !edited_)
+    return frameCount_ < 2 ? nullptr : first_;
+  auto framed = edited_->framed(framesNow());
+  if (!framed)
+    return framed.error();
+  return std::make_shared<const Volume>(std::move(*framed));
 }
 
 } // namespace voxc::view

@@ -6,6 +6,7 @@
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Trace/Tracer.h"
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -23,15 +24,22 @@ struct Stroke {
 };
 struct Undo {};
 struct Redo {};
+/// Of an animation.
+struct ShowFrame {
+  std::size_t index = 0;
+};
 /// Makes the volume ready, so that the first stamp is not kept waiting.
 struct Prepare {};
-using Deed = std::variant<Prepare, Stroke, Undo, Redo>;
+using Deed = std::variant<Prepare, Stroke, Undo, Redo, ShowFrame>;
 
 /// Deeds come from one thread, and are done by another, which also traces the volume.
 class Sculpture {
 public:
   /// The volume of the beginning, which is not in pages.
-  explicit Sculpture(std::shared_ptr<const Volume> volume) : first_(std::move(volume)) {}
+  explicit Sculpture(std::shared_ptr<const Volume> volume);
+
+  /// At least one.
+  std::size_t frames() const { return frameCount_; }
 
   void add(Deed deed);
   /// What waits, in its order.
@@ -46,6 +54,9 @@ public:
   /// False if there is nothing to undo, or to redo.
   bool undo();
   bool redo();
+  /// The frame is to be seen and edited from now on; strokes of the one before stay, and cannot be undone any
+  /// more. False if it is that already.
+  bool showFrame(std::size_t index);
   /// Brings what was done to a tracer of the volume.
   Expected<UpdateReport> show(Tracer &tracer);
 
@@ -53,13 +64,21 @@ public:
   std::shared_ptr<const Volume> volume() const;
   /// The same, which stays as it is. Null if nothing was edited. Of any thread.
   std::shared_ptr<const Volume> frozen() const;
+  /// All frames as they are now, in one volume, if there are several; else null. Of any thread. Error: no
+  /// addresses.
+  Expected<std::shared_ptr<const Volume>> frozenFrames() const;
 
 private:
+  std::vector<EditableVolume::Snapshot> framesNow() const;
+
   std::shared_ptr<const Volume> first_;
   mutable std::mutex mutex_; ///< Guards all that follows.
   std::vector<Deed> deeds_;
   mutable std::optional<EditableVolume> edited_;
   std::vector<EditableVolume::Snapshot> undone_, done_; ///< States to go back to, and on to.
+  const std::size_t frameCount_;
+  std::size_t frame_ = 0;
+  std::vector<EditableVolume::Snapshot> frames_; ///< As they were when another was chosen.
 };
 
 } // namespace voxc::view

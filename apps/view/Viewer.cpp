@@ -48,7 +48,7 @@ Clip clipIn(const Scene &scene, const tool::ClipOptions &options) {
 
 Viewer::Viewer(ViewerOptions options, SceneMaker maker, EventLog &log, std::function<void()> wake)
     : options_(std::move(options)), maker_(std::move(maker)), log_(log), wake_(std::move(wake)),
-      screenshots_(options_.screenshots, wake_), witness_(wake_),
+      screenshots_(options_.screenshots, wake_), saver_(options_.screenshots, wake_), witness_(wake_),
       painter_({kBudget, options_.picture.samples > 0 ? options_.picture.samples : kFinest}, wake_) {
   state_.style = tool::styleOf(options_.picture);
   request(options_.wish);
@@ -123,6 +123,9 @@ void Viewer::takeLoaded(Loaded loaded) {
   state_.format = scene_->model.text;
   state_.device = scene_->device;
   state_.size = sizeText(scene_->model);
+  state_.frame = 0;
+  state_.frames = scene_->sculpture ? scene_->sculpture->frames() : 1;
+  isPlaying_ = isPlaying_ && state_.frames > 1;
   log_.tell("scene " + state_.format + " on " + state_.device + ": " + state_.size);
   if (!loaded.placed)
     show();
@@ -183,6 +186,7 @@ bool Viewer::advance(double seconds) {
     const double stride = kStride * std::max({sides.x, sides.y, sides.z});
     if (motion_.advance(*camera_, std::min(seconds, kLongestStep), stride))
       show();
+    playOn(seconds);
     scout_.follow(shot(), *camera_, seconds);
   }
   bool hasChanged = false;
@@ -200,6 +204,7 @@ bool Viewer::advance(double seconds) {
   take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
   take(touch_, [this](const Expected<Touch> &touch) { takeTouch(touch); });
   take(screenshots_, [this](const Expected<std::string> &path) { takeScreenshot(path); });
+  take(saver_, [this](const Expected<std::string> &path) { takeSaved(path); });
   take(carving_, [this](const Expected<Carving> &carving) { takeCarving(carving); });
   take(cut_, [this](const auto &cut) { takeCut(cut); });
   take(placed_, [this](const Expected<Camera> &camera) { takeCamera(camera); });

@@ -8,6 +8,7 @@
 #include "view/Scout.h"
 #include "view/Screenshots.h"
 #include "view/SearchPoints.h"
+#include "view/VolumeSaver.h"
 #include "view/Witness.h"
 
 #include "common/ClipOptions.h"
@@ -29,19 +30,21 @@ struct ViewerOptions {
   SceneWish wish;                   ///< The first scene.
   std::vector<std::string> devices; ///< Names that a scene may wish for.
   SearchPoints search;              ///< Empty: none.
-  std::string screenshots;          ///< The folder that they are written to.
+  std::string screenshots;          ///< The folder that they and volumes are written to.
+  double framesPerSecond = 12;      ///< Of an animation.
 };
 
 /// What the panel shows. Texts are "" where there is nothing to say.
 struct ViewerState {
   Style style = Style::Lit;
-  std::string format, device; ///< Of the scene.
-  std::string size;           ///< Of its volume, in words.
-  std::string work;           ///< What is being loaded, and how far.
-  std::string error;          ///< Of what was asked for last.
-  std::string picture;        ///< How fine it is.
-  std::string touched;        ///< What a click told.
-  std::string brush;          ///< What the mouse edits; "": it turns.
+  std::string format, device;        ///< Of the scene.
+  std::string size;                  ///< Of its volume, in words.
+  std::string work;                  ///< What is being loaded, and how far.
+  std::string error;                 ///< Of what was asked for last.
+  std::string picture;               ///< How fine it is.
+  std::string touched;               ///< What a click told.
+  std::string brush;                 ///< What the mouse edits; "": it turns.
+  std::size_t frame = 0, frames = 1; ///< Of an animation.
   bool isFlying = false;
   bool showsPanel = true, showsHelp = false;
   bool isLeaving = false; ///< Escape was pressed where it ends nothing: once more, and it closes.
@@ -77,8 +80,11 @@ public:
   /// Goes on by so many seconds: moves by held keys, takes what threads brought. True if there is something
   /// new to be seen.
   bool advance(double seconds);
-  /// Whether keys are held that move.
-  bool isMoving() const { return motion_.isMoving(); }
+  /// Whether something moves: keys are held, or frames are played.
+  bool isMoving() const { return motion_.isMoving() || isPlaying_; }
+  /// Shows a frame of an animation, from 0 on, and stops playing.
+  void showFrame(std::size_t index);
+  bool isPlaying() const { return isPlaying_; }
 
   /// Why there is nothing to see, and will not be: the first scene failed.
   const std::optional<Error> &failure() const { return failure_; }
@@ -132,6 +138,12 @@ private:
   void takeCut(const Expected<std::shared_ptr<const Volume>> &cut);
   void act(Deed deed);
   void takeCarving(const Expected<Carving> &carving);
+  void chooseFrame(std::size_t index);
+  void stepFrame(int by);
+  void setPlaying(bool isPlaying);
+  void playOn(double seconds);
+  void saveVolume();
+  void takeSaved(const Expected<std::string> &path);
   void copyCamera();
   void writeScreenshot();
   void takeScreenshot(const Expected<std::string> &path);
@@ -167,6 +179,8 @@ private:
   std::optional<Waiting> waiting_;
   std::optional<Stopwatch> acted_; ///< Since a brush did what no picture shows yet.
   Brush brush_;
+  bool isPlaying_ = false;
+  double playedSeconds_ = 0; ///< Since the frame was chosen.
 
   Mailbox<Loaded> loaded_;
   Mailbox<std::string> work_;
@@ -175,6 +189,7 @@ private:
   Mailbox<Expected<Carving>> carving_;
   Mailbox<Expected<std::shared_ptr<const Volume>>> cut_;
   Screenshots screenshots_;
+  VolumeSaver saver_;
   Witness witness_;
   Painter painter_;
   Scout scout_;

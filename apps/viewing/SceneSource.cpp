@@ -4,12 +4,15 @@
 #include "choosing/Suggestion.h"
 #include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
+#include "options/FrameInputs.h"
 #include "tracing/Tracing.h"
 #include "view/FormatText.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Construct/EditJournal.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Layout/Edits.h"
+#include "voxc/Volume/Frames.h"
 
 #include <algorithm>
 
@@ -61,7 +64,7 @@ void SceneSource::declare(const CommandLine &command) {
   passes_.declare(command, PassChoice::All);
 }
 
-bool SceneSource::isVolume() const { return input_.ends_with(".hvx"); }
+bool SceneSource::isVolume() const { return withoutFrame(input_).ends_with(".hvx"); }
 
 Expected<void> SceneSource::check() const {
   if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
@@ -111,7 +114,10 @@ Expected<view::Model> SceneSource::makeModel(const std::string &text, const Comm
 
 Expected<view::Model> SceneSource::openPages() {
   Json figures;
-  Expected<Volume> outline = memory_.open(input_, figures);
+  const Expected<FramePath> named = parseFramePath(input_);
+  if (!named)
+    return named.error();
+  Expected<Volume> outline = memory_.open(named->path, named->frame, figures);
   if (!outline)
     return outline.error();
   Expected<view::Model> model = modelOf(std::move(*outline));
@@ -121,8 +127,12 @@ Expected<view::Model> SceneSource::openPages() {
 }
 
 Expected<view::Model> SceneSource::loadVolume(const Progress &progress) const {
-  LoadOptions options{.trusted = trusted_, .threads = building_.threads, .progress = progress};
-  Expected<Volume> volume = loadEdited(input_, options, compileCache());
+  const Expected<FramePath> named = parseFramePath(input_);
+  if (!named)
+    return named.error();
+  LoadOptions options{
+      .trusted = trusted_, .threads = building_.threads, .progress = progress, .frame = named->frame};
+  Expected<Volume> volume = loadEdited(named->path, options, compileCache());
   return volume ? modelOf(std::move(*volume)) : Expected<view::Model>(volume.error());
 }
 
@@ -142,6 +152,7 @@ Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, con
   request.device = device_.empty() ? "cpu" : device_;
   request.memory = makeWorkingMemory(building_);
   request.wish.maxBytes = kMaxWords * sizeof(std::uint32_t);
+  request.editable = withoutFrame(input_).ends_with(".vox"); // It may be an animation.
   Json figures;
   CommonOptions quietly = common;
   quietly.quiet = true;
@@ -160,22 +171,44 @@ Expected<view::Model> SceneSource::buildModel(const std::string &text, const Pro
   options.progress = progress;
   options.memory = makeWorkingMemory(building_);
   options.threads = threadsOf(building_);
+  options.boxOfAllFrames = true;
   Expected<Input> input = openInput(input_, options);
   if (!input)
     return input.error();
-  const Expected<Constructor> constructor = Constructor::compile(*format);
-  if (!constructor)
-    return constructor.error();
   BuildOptions building;
   building.provenance = input->provenance;
   building.threads = options.threads;
   building.memory = options.memory;
   building.progress = progress;
-  Expected<Built> built = constructor->build(*input->source, building);
-  if (!built)
-    return built.error();
-  return view::Model{std::make_shared<const Volume>(std::move(built->volume)), std::move(*format),
+  Expected<Volume> volume = isAnimation(*input, *format)
+                                ? buildFrames(*format, std::move(*input), options, building)
+                                : buildAlone(*format, *input->source, building);
+  if (!volume)
+    return volume.error();
+  return view::Model{std::make_shared<const Volume>(std::move(*volume)), std::move(*format),
                      view::spelledText(text)};
+}
+
+/// Whether all frames are to be in the volume: none was named, and the format can be edited.
+bool SceneSource::isAnimation(const Input &input, const Format &format) const {
+  return input.frames > 1 && withoutFrame(input_) == input_ && whyNoEdits(layoutOf(format)).empty();
+}
+
+Expected<Volume> SceneSource::buildFrames(const Format &format, Input input, const InputOptions &options,
+                                          const BuildOptions &building) const {
+  const std::size_t count = input.frames;
+  auto built =
+      voxc::buildFrames(format, count, makeFrameInputs(input_, std::move(input.source), options), building);
+  return built ? Expected<Volume>(std::move(built->volume)) : built.error();
+}
+
+Expected<Volume> SceneSource::buildAlone(const Format &format, VoxelSource &source,
+                                         const BuildOptions &building) {
+  const Expected<Constructor> constructor = Constructor::compile(format);
+  if (!constructor)
+    return constructor.error();
+  Expected<Built> built = constructor->build(source, building);
+  return built ? Expected<Volume>(std::move(built->volume)) : built.error();
 }
 
 Expected<Tracing> SceneSource::openTracing(const std::string &device, unsigned threads,

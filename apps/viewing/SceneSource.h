@@ -8,6 +8,7 @@
 #include "options/InputArguments.h"
 #include "tracing/DeviceMemory.h"
 #include "view/Scene.h"
+#include "voxc/Construct/Constructor.h"
 
 #include <string>
 #include <vector>
@@ -39,6 +40,10 @@ private:
   Expected<view::Model> loadVolume(const Progress &progress) const;
   Expected<view::Model> modelOf(Volume volume) const;
   Expected<view::Model> buildModel(const std::string &text, const Progress &progress) const;
+  bool isAnimation(const Input &input, const Format &format) const;
+  Expected<Volume> buildFrames(const Format &format, Input input, const InputOptions &options,
+                               const BuildOptions &building) const;
+  static Expected<Volume> buildAlone(const Format &format, VoxelSource &source, const BuildOptions &building);
   Expected<view::Model> suggestModel(const CommonOptions &common, const Progress &progress) const;
   Expected<view::Model> makeModel(const std::string &text, const CommonOptions &common,
                                   const Progress &progress);

@@ -24,8 +24,12 @@ public:
     command.option("--size").text("Pixels of the window; the default is the camera file's, or 1280x720");
     command.add("--search", search_, "Shows what voxc search measured as a chart, whose points load formats")
         .takes("DIR");
-    command.add("--screenshots", screenshots_, "Folder that pictures are written to")
+    command.add("--screenshots", screenshots_, "Folder that pictures and volumes are written to")
         .takes("DIR")
+        .showsDefault();
+    command.add("--fps", framesPerSecond_, "Frames of an animation that are played in a second")
+        .takes("N")
+        .between(0.01, 1000.0)
         .showsDefault();
     command.add("--log", log_, "Writes all that happens, with its time, to a file").takes("FILE");
     addCommonOptions(command, common_);
@@ -56,7 +60,8 @@ public:
                                 .height = camera->height,
                                 .wish = source_.wish(),
                                 .devices = deviceNames(),
-                                .screenshots = screenshots_};
+                                .screenshots = screenshots_,
+                                .framesPerSecond = framesPerSecond_};
     if (!search_.empty()) {
       auto points = view::readSearchPoints(search_);
       if (!points)
@@ -77,6 +82,7 @@ private:
   PictureOptions picture_;
   ClipOptions clip_;
   std::string search_, screenshots_ = ".", log_;
+  double framesPerSecond_ = view::ViewerOptions().framesPerSecond;
   CommonOptions common_;
 };
 

@@ -52,6 +52,7 @@ void Panel::draw(Viewer &viewer) {
         ImGui::SetKeyboardFocusHere();
       drawFormat(viewer);
       drawScene(viewer);
+      drawFrames(viewer);
       drawPicture(viewer);
       drawPick(viewer);
       drawChart(viewer);
@@ -118,6 +119,18 @@ void Panel::drawScene(Viewer &viewer) {
         viewer.useDevice(device);
     ImGui::EndCombo();
   }
+}
+
+void Panel::drawFrames(Viewer &viewer) {
+  const ViewerState &state = viewer.state();
+  if (state.frames < 2)
+    return;
+  heading(viewer.isPlaying() ? "frames, playing (Space)" : "frames (Space plays)");
+  const std::string text = "%d of " + std::to_string(state.frames);
+  int number = int(state.frame) + 1;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##frame", &number, 1, int(state.frames), text.c_str(), ImGuiSliderFlags_AlwaysClamp))
+    viewer.showFrame(std::size_t(number) - 1);
 }
 
 void Panel::drawPicture(Viewer &viewer) {

@@ -24,6 +24,7 @@ public:
 private:
   void drawScene(Viewer &viewer);
   void drawFormat(Viewer &viewer);
+  void drawFrames(Viewer &viewer);
   void drawPicture(Viewer &viewer);
   void drawPick(const Viewer &viewer);
   void drawChart(Viewer &viewer);

@@ -28,8 +28,17 @@ constexpr double kClick = 4;
 
 /// Keys whose name is not the character on them.
 constexpr std::pair<int, std::string_view> kNamedKeys[] = {
-    {GLFW_KEY_LEFT, "Left"}, {GLFW_KEY_RIGHT, "Right"},   {GLFW_KEY_UP, "Up"}, {GLFW_KEY_DOWN, "Down"},
-    {GLFW_KEY_TAB, "Tab"},   {GLFW_KEY_ESCAPE, "Escape"}, {GLFW_KEY_F1, "F1"},
+    {GLFW_KEY_LEFT, "Left"},
+    {GLFW_KEY_RIGHT, "Right"},
+    {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},
+    {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_ESCAPE, "Escape"},
+    {GLFW_KEY_F1, "F1"},
+    {GLFW_KEY_F2, "F2"},
+    {GLFW_KEY_SPACE, "Space"},
+    {GLFW_KEY_PAGE_UP, "PageUp"},
+    {GLFW_KEY_PAGE_DOWN, "PageDown"},
 };
 
 /// The action of a key by its place: the letter that it has on a keyboard of the United States.

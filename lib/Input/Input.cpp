@@ -6,6 +6,7 @@
 #include "Input/Openers/Openers.h"
 #include "Source/GridExtent.h"
 #include "Support/Text.h"
+#include "voxc/Volume/Frames.h"
 
 #include <glm/geometric.hpp>
 

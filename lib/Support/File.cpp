@@ -73,6 +73,18 @@ void MappedFile::letGo() const {
     ::madvise(const_cast<std::byte *>(data_), size_, MADV_DONTNEED);
 }
 
+Expected<void> writeOver(std::span<const std::byte> at, std::span<const std::byte> bytes) {
+  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  const auto address = reinterpret_cast<std::uintptr_t>(at.data());
+  const std::uintptr_t begin = address / page * page;
+  auto *const pages = reinterpret_cast<void *>(begin);
+  // Mappings are private: what is written to is a copy.
+  if (::mprotect(pages, address + at.size() - begin, PROT_READ | PROT_WRITE) != 0)
+    return Error::environment("cannot write to memory: " + reason());
+  std::memcpy(const_cast<std::byte *>(at.data()), bytes.data(), bytes.size());
+  return {};
+}
+
 MappedFile::MappedFile(MappedFile &&other) noexcept
     : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
 

@@ -44,29 +44,37 @@ std::uint64_t pagesAtOnce(const Layout &layout) {
   return pages;
 }
 
-std::uint64_t tableBytes(const PagedStream &words) { return sizeof(std::uint32_t) * (words.pages() + 1); }
+/// Of the volume, and of what edits may add.
+std::uint64_t pagesOf(const PagedStream &words, std::uint64_t moreWords) {
+  const std::uint64_t bytes = words.bytes + sizeof(std::uint32_t) * moreWords;
+  return bytes / words.pageBytes + (bytes % words.pageBytes != 0);
+}
+
+std::uint64_t tableBytes(std::uint64_t pages) { return sizeof(std::uint32_t) * (pages + 1); }
 
 } // namespace
 
-std::uint64_t leastPagingBytes(const PagedVolume &volume) {
+std::uint64_t leastPagingBytes(const PagedVolume &volume, std::uint64_t moreWords) {
   const PagedStream &words = volume.streams().front();
-  const std::uint64_t most = words.pages() + 1; // All of a small volume, and zeros.
-  return tableBytes(words) + std::min(most, pagesAtOnce(layoutOf(volume.info().format))) * words.pageBytes;
+  const std::uint64_t pages = pagesOf(words, moreWords),
+                      most = pages + 1; // All of a small volume, and zeros.
+  return tableBytes(pages) + std::min(most, pagesAtOnce(layoutOf(volume.info().format))) * words.pageBytes;
 }
 
 Expected<PageCache> PageCache::create(const PagedVolume &volume, const PagingOptions &options,
                                       std::uint64_t mostBytes) {
   const PagedStream &words = volume.streams().front();
-  const std::uint64_t least = leastPagingBytes(volume);
+  const std::uint64_t least = leastPagingBytes(volume, options.moreWords);
+  const std::uint64_t pages = pagesOf(words, options.moreWords);
   if (options.memoryBytes < least)
     return Error::usage("a budget of " + bytesText(options.memoryBytes) +
                         " is too small for this volume: a ray needs up to " + bytesText(least) +
                         " at once; give more, or store it with smaller pages (--page-bytes)");
-  if (words.pages() >= kSlotBits)
-    return Error::usage("this volume has " + std::to_string(words.pages()) +
+  if (pages >= kSlotBits)
+    return Error::usage("this volume has " + std::to_string(pages) +
                         " pages, more than a table tells of: store it with larger pages (--page-bytes)");
-  const std::uint64_t bytes = std::min({options.memoryBytes - tableBytes(words), mostBytes,
-                                        std::uint64_t{4} << 32, (words.pages() + 1) * words.pageBytes});
+  const std::uint64_t bytes = std::min({options.memoryBytes - tableBytes(pages), mostBytes,
+                                        std::uint64_t{4} << 32, (pages + 1) * words.pageBytes});
   PageCache cache(volume, options, bytes / words.pageBytes);
   return cache;
 }
@@ -76,7 +84,8 @@ PageCache::PageCache(const PagedVolume &volume, const PagingOptions &options, st
       threads_(threadsOrAll(options.threads)) {
   const PagedStream &words = volume.streams().front();
   log2PageWords_ = static_cast<std::uint32_t>(std::countr_zero(words.pageBytes) - 2);
-  table_.assign(words.pages() + 1, kAbsent);
+  const std::uint64_t pages = pagesOf(words, options.moreWords);
+  table_.assign(pages + 1, kAbsent);
   table_.back() = kTouched; // What lies beyond all pages is zeros, for ever.
   pageOfSlot_.assign(slots, kNoPage);
   lastUse_.assign(slots, 0);
@@ -84,15 +93,15 @@ PageCache::PageCache(const PagedVolume &volume, const PagingOptions &options, st
   report_.pages = words.pages();
   report_.pageBytes = words.pageBytes;
   report_.slots = slots;
-  report_.memoryBytes = slots * words.pageBytes + tableBytes(words);
-  wasUsed_.assign(words.pages(), false);
-  report_.usedBytes = words.pageBytes + tableBytes(words); // Zeros have a slot, too.
+  report_.memoryBytes = slots * words.pageBytes + tableBytes(pages);
+  wasUsed_.assign(pages, false);
+  report_.usedBytes = words.pageBytes + tableBytes(pages); // Zeros have a slot, too.
   noteUse(0);                                              // Where every ray begins.
 }
 
 Expected<void> PageCache::begin(const Place &place) {
   const std::vector<std::byte> zeros(slotBytes());
-  if (auto placed = place(kZeros, zeros); !placed)
+  if (auto placed = place(kZeros, 0, zeros); !placed)
     return placed;
   const std::uint32_t first = 0;
   if (auto loaded = load({&first, 1}, place); !loaded)
@@ -150,8 +159,24 @@ std::vector<std::uint32_t> PageCache::slotsFor(std::uint64_t count) const {
   return slots;
 }
 
-/// From the shelf, or else from the file; true if it lay on the shelf.
-Expected<bool> PageCache::fetch(std::uint32_t page, std::span<std::byte> room) const {
+/// The bytes that a volume has of a page; none of one behind its end.
+std::span<const std::byte> PageCache::pageOf(const Volume &volume, std::uint32_t page) const {
+  const std::span<const std::byte> bytes = std::as_bytes(volume.words());
+  const std::uint64_t first = std::min<std::uint64_t>(page * slotBytes(), bytes.size());
+  return bytes.subspan(first, std::min<std::uint64_t>(slotBytes(), bytes.size() - first));
+}
+
+/// From the edited volume, the shelf, or else from the file; true if it lay on the shelf.
+Expected<bool> PageCache::fetch(std::uint32_t page, std::span<std::byte> slot) const {
+  std::ranges::fill(slot, std::byte{});
+  if (edited_) {
+    std::ranges::copy(pageOf(*edited_, page), slot.begin());
+    return false;
+  }
+  const PagedStream &words = volume_->streams().front();
+  if (page >= words.pages()) // Of edits that are not there yet.
+    return false;
+  const auto room = slot.first(words.bytesOf(page));
   if (takesFrom_ && takesFrom_->take(page, room))
     return true;
   if (auto decoded = volume_->decode(0, page, room); !decoded)
@@ -163,13 +188,10 @@ Expected<bool> PageCache::fetch(std::uint32_t page, std::span<std::byte> room) c
 
 /// Into `decoded_`, one behind the other.
 Expected<void> PageCache::decode(std::span<const std::uint32_t> pages) {
-  const PagedStream &words = volume_->streams().front();
   decoded_.resize(kRunPages * slotBytes());
   std::atomic<std::uint64_t> ahead = 0;
   const auto decoded = parallelTry(pages.size(), threads_, [&](std::uint64_t i) -> Expected<void> {
-    const std::span room(decoded_.data() + i * slotBytes(), slotBytes());
-    std::ranges::fill(room.subspan(words.bytesOf(pages[i])), std::byte{});
-    const auto fetched = fetch(pages[i], room.first(words.bytesOf(pages[i])));
+    const auto fetched = fetch(pages[i], {decoded_.data() + i * slotBytes(), slotBytes()});
     if (!fetched)
       return fetched.error();
     ahead += *fetched ? 1 : 0;
@@ -201,13 +223,38 @@ Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place
     if (auto decoded = decode(run); !decoded)
       return decoded;
     for (std::size_t i = 0; i < run.size(); ++i) {
-      if (auto placed = place(slots[first + i], {decoded_.data() + i * slotBytes(), slotBytes()}); !placed)
+      if (auto placed = place(slots[first + i], 0, {decoded_.data() + i * slotBytes(), slotBytes()}); !placed)
         return placed;
       settle(run[i], slots[first + i]);
     }
   }
   report_.decodeSeconds += wallSeconds() - begin;
   return {};
+}
+
+Expected<std::uint64_t> PageCache::follow(const Volume &after, std::span<const WordRange> changed,
+                                          const Place &place) {
+  if (after.words().size_bytes() > pages() * slotBytes())
+    return Error::usage("the volume has " + std::to_string(after.words().size()) +
+                        " words, and the table has room for " + std::to_string(pages() * slotBytes() / 4) +
+                        "; make a new tracer");
+  edited_ = &after;
+  std::uint64_t placed = 0;
+  for (const WordRange &range : changed) {
+    const std::uint64_t begin = range.first * 4, end = range.end * 4;
+    for (std::uint64_t page = begin / slotBytes(); page * slotBytes() < end; ++page) {
+      const std::uint32_t entry = table_[page];
+      if ((entry & kAbsent) != 0)
+        continue;
+      const std::uint64_t pageBegin = page * slotBytes();
+      const std::uint64_t from = std::max(begin, pageBegin), to = std::min(end, pageBegin + slotBytes());
+      const auto bytes = std::as_bytes(after.words()).subspan(from, to - from);
+      if (auto done = place(entry & kSlotBits, from - pageBegin, bytes); !done)
+        return done.error();
+      placed += bytes.size();
+    }
+  }
+  return placed;
 }
 
 } // namespace voxc

@@ -19,8 +19,9 @@ struct PageRound {
 /// of the volume, where every ray begins, always stays.
 class PageCache {
 public:
-  /// Brings decoded bytes, of a page or less, into a slot.
-  using Place = std::function<Expected<void>(std::uint32_t slot, std::span<const std::byte> bytes)>;
+  /// Brings decoded bytes, of a page or less, into a slot, from a byte of it on.
+  using Place = std::function<Expected<void>(std::uint32_t slot, std::uint64_t offset,
+                                             std::span<const std::byte> bytes)>;
 
   /// `mostBytes`: of all slots, on this device. Errors: `Usage`, a budget that is too small, or such pages.
   static Expected<PageCache> create(const PagedVolume &volume, const PagingOptions &options,
@@ -44,6 +45,11 @@ public:
   Expected<void> load(std::span<const std::uint32_t> pages, const Place &place,
                       const Progress &progress = {});
 
+  /// Pages are those of `after` from now on, of which these words are others; those that are resident get
+  /// them. Returns how many bytes were placed. Errors: `Usage`, more words than there is room for; those of
+  /// `place`.
+  Expected<std::uint64_t> follow(const Volume &after, std::span<const WordRange> changed, const Place &place);
+
   unsigned threads() const { return threads_; }
   const PagingReport &report() const { return report_; }
 
@@ -52,10 +58,12 @@ private:
   std::vector<std::uint32_t> slotsFor(std::uint64_t count) const;
   Expected<void> decode(std::span<const std::uint32_t> pages);
   Expected<bool> fetch(std::uint32_t page, std::span<std::byte> room) const;
+  std::span<const std::byte> pageOf(const Volume &volume, std::uint32_t page) const;
   void settle(std::uint32_t page, std::uint32_t slot);
   void noteUse(std::uint32_t page);
 
   const PagedVolume *volume_;
+  const Volume *edited_ = nullptr;                ///< In its place, once there were edits.
   std::shared_ptr<PageShelf> takesFrom_, putsOn_; ///< Or null.
   unsigned threads_;
   std::uint32_t log2PageWords_;

@@ -27,8 +27,9 @@ public:
 
   std::uint64_t mostRays() const override { return std::numeric_limits<std::uint64_t>::max(); }
 
-  Expected<void> place(std::uint32_t slot, std::span<const std::byte> bytes) override {
-    std::memcpy(slots_.data() + slot * slotWords_, bytes.data(), bytes.size());
+  Expected<void> place(std::uint32_t slot, std::uint64_t offset, std::span<const std::byte> bytes) override {
+    const auto slots = std::as_writable_bytes(std::span(slots_));
+    std::ranges::copy(bytes, slots.subspan(slot * slotWords_ * sizeof(std::uint32_t) + offset).begin());
     return {};
   }
 

@@ -20,8 +20,9 @@ public:
   virtual ~PagedBackEnd() = default;
   /// The most rays that it holds at once.
   virtual std::uint64_t mostRays() const = 0;
-  /// Brings bytes into a slot; nothing is being traced.
-  virtual Expected<void> place(std::uint32_t slot, std::span<const std::byte> bytes) = 0;
+  /// Brings bytes into a slot, from a byte of it on; nothing is being traced.
+  virtual Expected<void> place(std::uint32_t slot, std::uint64_t offset,
+                               std::span<const std::byte> bytes) = 0;
   /// Takes rays, and room for their hits; both stay until others are taken.
   virtual Expected<void> take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                               TraceReport &report) = 0;

@@ -29,6 +29,7 @@ public:
   Expected<void> begin() { return cache_.begin(place()); }
   PagingReport paging() const override;
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) override;
 
 private:
   /// What is left of a batch, and how its rays are taken.
@@ -44,8 +45,9 @@ private:
   };
 
   PageCache::Place place() {
-    return
-        [this](std::uint32_t slot, std::span<const std::byte> bytes) { return backEnd_->place(slot, bytes); };
+    return [this](std::uint32_t slot, std::uint64_t offset, std::span<const std::byte> bytes) {
+      return backEnd_->place(slot, offset, bytes);
+    };
   }
   Expected<void> traceBatch(Batch &batch);
   Expected<bool> settle(Batch &batch);
@@ -68,6 +70,15 @@ PagingReport Driver::paging() const {
     report.coarseBytes = standIn_->tree().bytes();
   }
   return report;
+}
+
+Expected<UpdateReport> Driver::follow(const Volume &after, std::span<const WordRange> changed) {
+  if (standIn_)
+    return Error::usage("coarse blocks are of the volume as it was stored; leave them out to trace edits");
+  const auto placed = cache_.follow(after, changed, place());
+  if (!placed)
+    return placed.error();
+  return UpdateReport{.copiedBytes = *placed};
 }
 
 Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {

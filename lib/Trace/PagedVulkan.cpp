@@ -30,8 +30,8 @@ public:
     return std::min(kMostRays,
                     std::min(info.maxStorageBufferBytes, info.maxAllocationBytes) / sizeof(BoundedRay));
   }
-  Expected<void> place(std::uint32_t slot, std::span<const std::byte> bytes) override {
-    return transfer_.upload(bytes, slots_, slot * slotBytes_);
+  Expected<void> place(std::uint32_t slot, std::uint64_t offset, std::span<const std::byte> bytes) override {
+    return transfer_.upload(bytes, slots_, slot * slotBytes_ + offset);
   }
   Expected<void> take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                       TraceReport &report) override;

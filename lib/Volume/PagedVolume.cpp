@@ -1,6 +1,7 @@
 // Compressed files: their heads checked at once, their pages when they are decoded.
 #include "voxc/Volume/PagedVolume.h"
 
+#include "Frames.h"
 #include "PageCodec.h"
 #include "PageTable.h"
 #include "VolumeHead.h"
@@ -9,6 +10,8 @@
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
+#include <cstring>
+#include <optional>
 
 namespace voxc {
 
@@ -21,6 +24,7 @@ struct PagedVolume::State {
   std::uint64_t headBytes = 0;
   std::vector<PagedStream> streams;
   std::vector<StreamPages> pages; ///< One a stream.
+  std::optional<Frame> frame;     ///< In place of the first.
 
   Error broken(const std::string &problem) const { return Error::input("'" + name + "' " + problem); }
   /// All that the head says. The error follows the file's name.
@@ -117,6 +121,30 @@ Expected<void> PagedVolume::decode(std::size_t stream, std::uint64_t page, std::
       !decoder.decode(stored, pages.stream.elementBytes, room))
     return state_->broken("is damaged: page " + std::to_string(page) + " of stream '" + pages.stream.name +
                           "' is not what was stored");
+  if (state_->frame && stream == 0 && page == 0)
+    std::memcpy(room.data(), &state_->frame->root, sizeof state_->frame->root);
+  return {};
+}
+
+Expected<void> PagedVolume::chooseFrame(int number) {
+  const auto stream = std::ranges::find(streams(), kFrameStream, &PagedStream::name);
+  std::vector<Frame> frames;
+  if (stream != streams().end() && stream->elementBytes == sizeof(Frame)) {
+    frames.resize(stream->bytes / sizeof(Frame));
+    const auto bytes = std::as_writable_bytes(std::span(frames));
+    for (std::uint64_t page = 0; page < stream->pages(); ++page) {
+      const auto room = bytes.subspan(page * stream->pageBytes, stream->bytesOf(page));
+      if (auto read = decode(std::size_t(stream - streams().begin()), page, room); !read)
+        return read;
+    }
+  }
+  if (frames.empty() && number == 1)
+    return {};
+  const auto frame = findFrame(frames, number);
+  if (!frame)
+    return Error::input("'" + state_->name + "': " + frame.error().message);
+  state_->frame = *frame;
+  state_->info.voxels = frame->voxels;
   return {};
 }
 

@@ -94,23 +94,31 @@ public:
   }
 
   Expected<std::uint64_t> run() {
-    if (words_.size() < layout_.headWords() || words_.size() > layout_.maxWords())
-      return Error::input("a volume of this format has " + std::to_string(layout_.headWords()) + " to 2^" +
-                          std::to_string(std::bit_width(layout_.maxWords()) - 1) + " words, not " +
-                          std::to_string(words_.size()));
+    if (auto sized = checkSize(); !sized)
+      return sized.error();
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
-    enterSubVolume(0, root);
-    if (layout_.hasOneColour() && words_[1] == 0)
-      words_.fail("the colour of all voxels is the word 0, which is no voxel");
+    enterRoot(root);
     if (layout_.ranksVoxels() && !words_.problem())
       checkSection(words_.wordOf(words_[1]));
-    if (interrupted_)
-      return Error::interrupted();
-    if (words_.problem())
-      return Error::input("the volume's structure is broken: " + *words_.problem());
-    return voxels_;
+    return outcome();
+  }
+
+  /// Nodes that an earlier frame had are known, and not gone through again.
+  Expected<void> run(std::span<const Frame> frames) {
+    if (auto sized = checkSize(); !sized)
+      return sized;
+    for (std::size_t i = 0; i < frames.size() && !done(); ++i) {
+      voxels_ = 0;
+      if (frames[i].root != 0)
+        enterRoot(frames[i].root);
+      if (!done() && voxels_ != frames[i].voxels)
+        words_.fail("frame " + std::to_string(i + 1) + " holds " + std::to_string(voxels_) +
+                    " voxels, and is said to hold " + std::to_string(frames[i].voxels));
+    }
+    const auto checked = outcome();
+    return checked ? Expected<void>() : checked.error();
   }
 
   bool enterNode(std::uint64_t offset, int height, Ranks ranks) override {
@@ -187,6 +195,28 @@ public:
   bool done() const override { return interrupted_ || words_.problem().has_value(); }
 
 private:
+  Expected<void> checkSize() const {
+    if (words_.size() < layout_.headWords() || words_.size() > layout_.maxWords())
+      return Error::input("a volume of this format has " + std::to_string(layout_.headWords()) + " to 2^" +
+                          std::to_string(std::bit_width(layout_.maxWords()) - 1) + " words, not " +
+                          std::to_string(words_.size()));
+    return {};
+  }
+
+  void enterRoot(Ref root) {
+    enterSubVolume(0, root);
+    if (layout_.hasOneColour() && words_[1] == 0)
+      words_.fail("the colour of all voxels is the word 0, which is no voxel");
+  }
+
+  Expected<std::uint64_t> outcome() const {
+    if (interrupted_)
+      return Error::interrupted();
+    if (words_.problem())
+      return Error::input("the volume's structure is broken: " + *words_.problem());
+    return voxels_;
+  }
+
   struct Node {
     std::uint64_t offset;
     int height;
@@ -281,6 +311,11 @@ private:
 Expected<std::uint64_t> checkStructure(const Layout &layout, std::span<const std::uint32_t> words,
                                        const KeepOn &keepOn) {
   return StructureCheck(layout, words, keepOn).run();
+}
+
+Expected<void> checkStructure(const Layout &layout, std::span<const std::uint32_t> words,
+                              std::span<const Frame> frames, const KeepOn &keepOn) {
+  return StructureCheck(layout, words, keepOn).run(frames);
 }
 
 Expected<std::uint64_t> checkStructure(const Format &format, std::span<const std::uint32_t> words,

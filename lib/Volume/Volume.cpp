@@ -1,6 +1,7 @@
 // Volumes: streams in memory or in a mapped file, and what is known of them.
 #include "voxc/Volume/Volume.h"
 
+#include "Frames.h"
 #include "PagedFileWriter.h"
 #include "StreamTable.h"
 #include "VolumeFile.h"
@@ -60,6 +61,22 @@ std::uint64_t Volume::bytes() const {
 std::uint64_t Volume::mostCubes() const { return state_->mostCubes; }
 void Volume::allowCubes(std::uint64_t most) { state_->mostCubes = most; }
 
+/// The words are those of all frames, of which this one is at the head.
+Expected<void> Volume::chooseFrame(int number) {
+  if (framesOf(*this).empty() && number == 1)
+    return {};
+  const auto frame = findFrame(framesOf(*this), number);
+  if (!frame)
+    return frame.error();
+  const std::span<const std::uint32_t> root(&frame->root, 1);
+  if (auto written = writeOver(std::as_bytes(words().first(1)), std::as_bytes(root)); !written)
+    return written;
+  state_->info.voxels = frame->voxels;
+  state_->info.wordCounts.reset();
+  std::erase_if(state_->streams, [](const Stream &stream) { return stream.name == kFrameStream; });
+  return {};
+}
+
 std::string journalPathOf(const std::string &volumePath) { return volumePath + ".journal"; }
 
 Expected<void> checkNoJournal(const std::string &volumePath) {
@@ -82,8 +99,12 @@ Expected<Volume> Volume::load(const std::string &path, const LoadOptions &option
     return opened.error();
   const auto file = std::make_shared<const MappedFile>(std::move(*opened));
   auto volume = readVolumeFile(file->bytes(), file, path, options);
-  if (volume)
-    volume->allowCubes(options.mostCubes);
+  if (!volume)
+    return volume;
+  volume->allowCubes(options.mostCubes);
+  if (options.frame != 0)
+    if (auto chosen = volume->chooseFrame(options.frame); !chosen)
+      return Error{chosen.error().kind, "'" + path + "': " + chosen.error().message};
   return volume;
 }
 

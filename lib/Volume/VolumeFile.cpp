@@ -2,6 +2,7 @@
 // table.
 #include "VolumeFile.h"
 
+#include "Frames.h"
 #include "PagedFile.h"
 #include "Structure.h"
 #include "VolumeHead.h"
@@ -49,9 +50,15 @@ Expected<Volume> readPaged(std::span<const std::byte> bytes, const std::string &
   return file ? decodeAll(*file, options) : file.error();
 }
 
-/// Follows every pointer, and counts the voxels.
+/// Follows every pointer of every frame, and counts the voxels.
 Expected<void> checkWords(const Volume &volume, const std::string &name, const Progress &progress) {
-  const auto voxels = checkStructure(volume.layout(), volume.words(), [&] { return !progress.stopped(); });
+  const KeepOn keepOn = [&] { return !progress.stopped(); };
+  if (const auto frames = framesOf(volume); !frames.empty()) {
+    const auto checked = checkStructure(volume.layout(), volume.words(), frames, keepOn);
+    return checked || checked.error().kind == ErrorKind::Interrupted ? checked
+                                                                     : broken(name, checked.error().message);
+  }
+  const auto voxels = checkStructure(volume.layout(), volume.words(), keepOn);
   if (!voxels && voxels.error().kind == ErrorKind::Interrupted)
     return voxels.error();
   if (!voxels)
@@ -71,6 +78,9 @@ Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_pt
     return broken(name, header.error().message);
   auto volume = header->version == kPagedVersion ? readPaged(bytes, name, options)
                                                  : readMapped(*header, bytes, std::move(owner), name);
+  if (volume)
+    if (auto framed = checkFrames(*volume); !framed)
+      return broken(name, framed.error().message);
   if (volume && !options.trusted)
     if (auto checked = checkWords(*volume, name, options.progress); !checked)
       return checked.error();

@@ -41,6 +41,7 @@ function listen(changed, pick) {
     ArrowUp: () => camera.turn(0, 0.1), ArrowDown: () => camera.turn(0, -0.1),
     "+": () => camera.approach(1.15), "=": () => camera.approach(1.15), "-": () => camera.approach(1 / 1.15), 0: () => camera.reset(),
     x: () => camera.setParallel(!camera.isParallel),
+    ...frameKeys,
     w: () => camera.move(0, 0, 0.06), s: () => camera.move(0, 0, -0.06), a: () => camera.move(-0.06, 0), d: () => camera.move(0.06, 0),
   };
   canvas.addEventListener("keydown", event => {

@@ -82,7 +82,7 @@ const isLate = () => moved || asking;
 const placeOfEye = () => String([camera.yaw, camera.pitch, camera.distance, camera.half, camera.isParallel, ...camera.look]), placeOfPoster = placeOfEye();
 function tellPicture(film, part) {
   document.documentElement.dataset.part = part; // Of the canvas's pixels along a side.
-  if (part < 0.5 && placeOfEye() === placeOfPoster && element("poster")) return;
+  if (part < 0.5 && placeOfEye() === placeOfPoster && shownFrame === 0 && element("poster")) return;
   element("poster")?.remove();
   if (part < 1) element("status").textContent = `${english(film.width)} × ${english(film.height)} pixels so far`;
   else tellSamples(film.samples);
@@ -123,6 +123,7 @@ async function show() {
     while (asking) await asking;
     if (moved) {
       moved = false;
+      bringFrame();
       fitCanvas();
       part = await takeQuickPicture(programs, films);
       film = null;
@@ -135,7 +136,7 @@ async function show() {
       if (!await exposeSample(programs, film, isLate, show)) continue;
       show();
       tellPicture(film, part);
-      if (part === 1 && isChecked !== precision) {
+      if (part === 1 && isChecked !== precision && shownFrame === 0) {
         isChecked = precision;
         await checkHere();
       }
@@ -211,7 +212,7 @@ async function chooseDevice() {
     const isLast = make === makers.at(-1);
     try {
       device = await make();
-      [volume, kept] = [makeVolume(), {}];
+      [volume, kept, shownFrame] = [makeVolume(), {}, 0];
       listen(changed, pick);
       if (await choosePrecision(isLast)) return;
     } catch (problem) {
@@ -223,6 +224,7 @@ async function chooseDevice() {
 
 async function start() {
   tellArithmetic();
+  listenToFrames();
   element("switch").hidden = false;
   element("switch").addEventListener("click", () => choose(precision === "exact" ? "fast" : "exact"));
   if (matchMedia("(max-width: 600px)").matches) element("about").open = false;

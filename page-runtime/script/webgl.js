@@ -126,7 +126,8 @@ function makeWebGl() {
     if (rows > most || PLACES_A_ROW > most)
       throw new Error(`the volume has ${words.length} words, and this device holds ${Math.min(most, PLACES_A_ROW) * most}`);
     const texture = integers(PLACES_A_ROW, rows, 1, words);
-    return { textures: ["words"], constants: "", bind: program => program.take({ words: texture }) };
+    return { textures: ["words"], constants: "", bind: program => program.take({ words: texture }),
+      showRoot: root => write(texture, 0, 0, 1, 1, 1, new Uint32Array([root])) };
   }
 
   return {

@@ -97,7 +97,7 @@ async function makeWebGpu() {
   function hold(words) {
     wordBuffer = gpu.createBuffer({ size: Math.max(words.byteLength, 4), usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     queue.writeBuffer(wordBuffer, 0, words);
-    return { bind() {} };
+    return { bind() {}, showRoot: root => queue.writeBuffer(wordBuffer, 0, new Uint32Array([root])) };
   }
 
   return {

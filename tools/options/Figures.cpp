@@ -136,6 +136,19 @@ std::string coarseText(const Json &figures) {
          bytesText(number(figures, "coarse_bytes"));
 }
 
+/// Frames in one volume, and what they share with each other.
+std::string animationText(const Json &figures) {
+  if (!figures.contains("animation"))
+    return {};
+  const Json &frames = figures["animation"];
+  double added = 0;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    added += number(frames[i], "words");
+  const double first = number(frames[0], "words");
+  return countText(double(frames.size())) + ", of " + countText(first) + " words and " +
+         countText(added / double(frames.size() - 1)) + " more for each frame after the first";
+}
+
 std::string flightText(const Json &figures) {
   if (!figures.contains("frames"))
     return {};
@@ -159,9 +172,9 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {"read", readText},   {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
-    {"paged", pagedText}, {"coarse", coarseText}, {"checked", errorText}, {"flight", flightText},
-    {"view", viewText},   {"camera", cameraText}, {"file", exportedText},
+    {"read", readText},        {"volume", volumeText}, {"built", builtText},   {"traced", tracedText},
+    {"paged", pagedText},      {"coarse", coarseText}, {"checked", errorText}, {"flight", flightText},
+    {"frames", animationText}, {"view", viewText},     {"camera", cameraText}, {"file", exportedText},
 };
 
 void printLine(const std::string &label, const std::string &text) {

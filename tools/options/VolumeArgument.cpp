@@ -7,6 +7,7 @@
 #include "voxc/Input/NumberedPaths.h"
 
 #include <filesystem>
+#include <limits>
 
 namespace voxc::tool {
 
@@ -18,6 +19,9 @@ Error volumeFailure(Error error) {
 
 void VolumeArgument::declare(const CommandLine &command, const std::string &help) {
   command.add("VOLUME", path_, help).required().takes("");
+  command.add("--frame", frame_, "Which frame of a volume of several, from 1 on; as V.hvx#N")
+      .takes("N")
+      .between(1, std::numeric_limits<int>::max());
   command.addFlag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
   command
       .add(
@@ -33,24 +37,37 @@ void VolumeArgument::declareKernelOptions(const CommandLine &command) {
   walkPasses_.declare(command, PassChoice::WalkOnly);
 }
 
+Expected<int> VolumeArgument::frame() const {
+  const Expected<FramePath> named = parseFramePath(path_);
+  if (!named)
+    return named.error();
+  if (named->frame > 0 && frame_ > 0 && named->frame != frame_)
+    return Error::usage("'" + path_ + "' names another frame than --frame " + std::to_string(frame_) +
+                        "; give one of them");
+  return named->frame > 0 ? named->frame : frame_;
+}
+
 template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
-  LoadOptions options{.trusted = trusted_, .mostCubes = mostCubes_};
+  const Expected<int> frame = this->frame();
+  if (!frame)
+    return frame.error();
+  LoadOptions options{.trusted = trusted_, .frame = *frame, .mostCubes = mostCubes_};
   options.progress.stop = &catchInterrupts();
   std::error_code ignored;
-  if (!std::filesystem::exists(path_, ignored) && namesFiles(path_))
-    return volumeFailure(Error::input("'" + path_ + "' is not a .hvx volume"));
+  if (!std::filesystem::exists(path(), ignored) && namesFiles(path()))
+    return volumeFailure(Error::input("'" + path() + "' is not a .hvx volume"));
   Expected<Volume> volume = load(options);
   return volume ? std::move(volume) : volumeFailure(volume.error());
 }
 
 Expected<Volume> VolumeArgument::load() const {
-  return loadBy([this](const LoadOptions &options) { return loadEdited(path_, options, compileCache()); });
+  return loadBy([this](const LoadOptions &options) { return loadEdited(path(), options, compileCache()); });
 }
 
 Expected<Volume> VolumeArgument::loadFile() const {
   return loadBy([this](LoadOptions options) {
     options.withoutJournal = true;
-    return Volume::load(path_, options);
+    return Volume::load(path(), options);
   });
 }
 

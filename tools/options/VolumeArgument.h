@@ -4,7 +4,7 @@
 #include "common/CommandLine.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
-#include "voxc/Volume/Volume.h"
+#include "voxc/Volume/Frames.h"
 
 #include <string>
 
@@ -26,7 +26,9 @@ public:
   Expected<Volume> load() const;
   /// The volume as its file has it.
   Expected<Volume> loadFile() const;
-  const std::string &path() const { return path_; }
+  std::string path() const { return withoutFrame(path_); }
+  /// Which frame was asked for, from 1 on, by --frame or behind the path; 0: none.
+  Expected<int> frame() const;
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
   /// The format that a kernel of `volume` shall walk. Error: options that do not go together.
@@ -36,6 +38,7 @@ private:
   template <typename Load> Expected<Volume> loadBy(const Load &load) const;
 
   std::string path_;
+  int frame_ = 0;
   bool trusted_ = false;
   std::uint64_t mostCubes_ = kMostCubes;
   AttributeOptions attributes_;

@@ -28,10 +28,13 @@ void DeviceMemory::declareCoarse(const CommandLine &command) {
       .needs(command.option("--device-memory"));
 }
 
-Expected<Volume> DeviceMemory::open(const std::string &path, Json &figures) {
+Expected<Volume> DeviceMemory::open(const std::string &path, int frame, Json &figures) {
   auto opened = PagedVolume::open(path);
   if (!opened)
     return volumeFailure(opened.error());
+  if (frame > 0)
+    if (Expected<void> chosen = opened->chooseFrame(frame); !chosen)
+      return chosen.error();
   volume_.emplace(std::move(*opened));
   const PagedStream &words = volume_->streams().front();
   Volume outline(volume_->info(), std::vector<std::uint32_t>(2));

@@ -28,9 +28,9 @@ public:
   /// How many bytes of words the open file has.
   std::uint64_t volumeBytes() const { return volume_->streams().front().bytes; }
 
-  /// Maps the page file, and returns what it says of itself, without words. Its figures are added. Error: a
-  /// file that is not compressed has no pages.
-  Expected<Volume> open(const std::string &path, Json &figures);
+  /// Maps the page file, and returns what it says of itself, without words. `frame`: which is to be seen,
+  /// from 1 on; 0: the first. Its figures are added. Error: a file that is not compressed has no pages.
+  Expected<Volume> open(const std::string &path, int frame, Json &figures);
   /// Makes `tracing` trace the open file as `format` says. Errors: the walk cannot wait for pages; as
   /// `createPagedTracer`. `options` tell the shelves; memory and blocks are those of the command.
   Expected<void> prepare(Tracing &tracing, const Format &format, Json &figures,

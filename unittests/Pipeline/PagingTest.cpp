@@ -3,8 +3,10 @@
 #include "TestLength.h"
 
 #include "testing/RandomFormat.h"
+#include "voxc/Construct/EditableVolume.h"
 #include "voxc/Oracle/VerifyRays.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -99,6 +101,66 @@ TEST_F(Paging, LetsPagesComeAndGo) {
     if (auto device = Device::open("llvmpipe"))
       expectSame(onVulkan(*device, pages, format, leastPagingBytes(pages)), rays, expected, text);
   }
+}
+
+/// Words that change, and more of them, with room for few pages.
+void expectFollows(PagedTracer &tracer, EditableVolume &edited, const Format &format,
+                   const std::vector<Ray> &rays, const std::string &what) {
+  std::vector<Hit> hits(rays.size());
+  ASSERT_TRUE(tracer.trace(rays, hits)) << what; // Pages are there that edits change.
+  const auto before = edited.snapshot();
+  for (int i = 0; i < 20; ++i)
+    ASSERT_TRUE(edited.apply(
+        *makeSphereChange({7 * i % 64, 11 * i % 64, 5 * i % 64}, i % 7, i % 3 == 0 ? 0 : 0xff0000ff)));
+  for (const bool isUndone : {false, true}) {
+    if (isUndone)
+      edited.restore(before);
+    const auto followed = tracer.follow(*edited.volume(), edited.takeChanges());
+    ASSERT_TRUE(followed) << what << followed.error().message;
+    ASSERT_TRUE(tracer.trace(rays, hits)) << what;
+    EXPECT_EQ(differences(residentHits(*edited.volume(), format, rays), hits), "") << what;
+  }
+  EXPECT_GT(tracer.paging().reads, tracer.paging().slots) << what;
+}
+
+TEST_F(Paging, FollowsEdits) {
+  constexpr std::uint64_t kMore = 1 << 16;
+  for (const char *text :
+       {"format { level 1: svdag(6) }", "format { level 1: raw(3, 3, 3) level 2: masked(3, 3, 3) }",
+        "format { level 1: raw(6, 6, 6) }"}) {
+    const Format format = *parseFormat(text);
+    const auto volume = build(format, noise(format.extent(), 7));
+    ASSERT_TRUE(volume) << volume.error().message;
+    const PagedVolume pages = paged(*volume);
+    const auto rays = verifyRays(format.extent(), 1000, 3);
+    const std::uint64_t bytes = leastPagingBytes(pages, kMore);
+    const auto follow = [&](MadeTracer tracer, const std::string &what) {
+      ASSERT_TRUE(tracer) << what << tracer.error().message;
+      auto edited = EditableVolume::create(*volume);
+      ASSERT_TRUE(edited) << what << edited.error().message;
+      expectFollows(**tracer, *edited, format, rays, what);
+    };
+    PagingOptions options{bytes, 2};
+    options.moreWords = kMore;
+    follow(createPagedCpuTracer(cpuKernel(format), pages, options), std::string(text) + " cpu");
+    if (auto device = Device::open("llvmpipe"))
+      follow(onVulkan(*device, pages, format, options), std::string(text) + " vulkan");
+  }
+}
+
+TEST_F(Paging, FollowsNoMoreWordsThanThereIsRoomFor) {
+  const Format format = *parseFormat("format { level 1: svdag(6) }");
+  const auto volume = build(format, noise(format.extent(), 7));
+  ASSERT_TRUE(volume);
+  const PagedVolume pages = paged(*volume);
+  auto tracer = createPagedCpuTracer(cpuKernel(format), pages, {leastPagingBytes(pages), 2});
+  auto edited = EditableVolume::create(*volume);
+  ASSERT_TRUE(tracer && edited);
+  for (int i = 0; i < 8; ++i)
+    ASSERT_TRUE(edited->apply(*makeSphereChange({8 * i, 32, 32}, 6, 0xff000000u + unsigned(i))));
+  const auto followed = (*tracer)->follow(*edited->volume(), edited->takeChanges());
+  ASSERT_FALSE(followed);
+  EXPECT_THAT(followed.error().message, testing::HasSubstr("; make a new tracer"));
 }
 
 /// A volume of many pages and its kernel on this processor.

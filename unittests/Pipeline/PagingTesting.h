@@ -82,13 +82,18 @@ inline CpuKernel cpuKernel(const Format &format) {
 }
 
 inline MadeTracer onVulkan(Device &device, const PagedVolume &paged, const Format &format,
-                           std::uint64_t bytes, bool coarse = false) {
+                           const PagingOptions &options) {
   const auto kernel = compileKernel(format, {.addressing = Addressing::Paged,
                                              .loops = device.info().loops,
                                              .arithmetic = device.info().arithmetic});
   if (!kernel)
     return kernel.error();
-  return createPagedTracer(device, *kernel, paged, {bytes, 2, coarse});
+  return createPagedTracer(device, *kernel, paged, options);
+}
+
+inline MadeTracer onVulkan(Device &device, const PagedVolume &paged, const Format &format,
+                           std::uint64_t bytes, bool coarse = false) {
+  return onVulkan(device, paged, format, PagingOptions{bytes, 2, coarse});
 }
 
 } // namespace voxc::test

@@ -34,9 +34,8 @@ struct EditReport {
 /// and of a grid of the first level, until a snapshot is taken. One thread edits; others may trace a `view`.
 class EditableVolume {
 public:
-  /// Copies the words of a volume. Attributes and other streams do not come along. Errors: the format cannot
-  /// be edited
-  /// (`Input`, naming what stands against it); no memory; the compiler's.
+  /// Copies the words of a volume. Attributes and other streams do not come along, but for frames. Errors:
+  /// the format cannot be edited (`Input`, naming what stands against it); no memory; the compiler's.
   static Expected<EditableVolume> create(const Volume &volume, const EditableOptions &options = {});
   ~EditableVolume();
   EditableVolume(EditableVolume &&) noexcept;
@@ -57,12 +56,19 @@ public:
   /// Makes a state that of the volume again, be it older or newer: undo and redo.
   void restore(const Snapshot &snapshot);
 
+  /// The frames of the volume that this began with, if it had several; else none.
+  std::vector<Snapshot> frames() const;
+
   /// The volume as it is now. Its words are those that edits change: it is right until the next edit, and
   /// then asked for again. A tracer that traces it goes on after `Tracer::follow`.
   std::shared_ptr<const Volume> volume();
   /// A state as a volume of its own, at the cost of the addresses: it may be traced by other threads while
   /// edits go on. Error: no addresses.
   Expected<Volume> view(const Snapshot &snapshot);
+
+  /// A volume whose frames are these states, at least one, of which it begins with the first
+  /// (`voxc/Volume/Frames.h`); edits may go on beside it. Error: no addresses.
+  Expected<Volume> framed(const std::vector<Snapshot> &states);
 
   /// Non-empty voxels.
   std::uint64_t voxels() const;

@@ -89,6 +89,7 @@ struct InputOptions {
   bool describe = false;  ///< `Input::facts` are wanted, for which every sample is looked at.
   bool reference = false; ///< Meshes are voxelized by the simple, slow voxelizer: to check the other.
   std::shared_ptr<WorkingMemory> memory; ///< For what is sorted or inflated; null: `createDefault()`.
+  bool boxOfAllFrames = false;       ///< The box of an animation is that of all its frames, not of one alone.
   std::vector<InputKind> otherKinds; ///< What optional components read; asked before the kinds known here.
   Progress progress;
 
@@ -114,6 +115,7 @@ struct Input {
   std::uint64_t interiorVoxels = 0;             ///< how many voxels were left out or added,
   double interiorSeconds = 0;                   ///< and how long it took to find them.
   std::vector<InputFact> facts;                 ///< What was asked for by `InputOptions::describe`.
+  std::size_t frames = 1;                       ///< Of the animation that it is one frame of.
   bool isCropped = false;
   Int3 cropLow; ///< The voxel that became (0, 0, 0).
 };

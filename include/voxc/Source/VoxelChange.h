@@ -3,6 +3,7 @@
 #pragma once
 
 #include "voxc/Source/Edit.h"
+#include "voxc/Source/VoxelSource.h"
 
 #include <cstdint>
 #include <functional>
@@ -47,6 +48,10 @@ struct VoxelWord {
 
 /// Single voxels, in any order; of those given twice the last counts.
 std::unique_ptr<VoxelChange> makeListChange(std::vector<VoxelWord> voxels);
+
+/// Voxels that differ between two sources, as they are in `after`: 0 where it has none. Errors: those of the
+/// sources; more than 2^30 of them (`Input`).
+Expected<std::vector<VoxelWord>> differenceOf(VoxelSource &before, VoxelSource &after);
 
 /// Voxel v of a volume is put at low + v where it is not empty.
 std::unique_ptr<VoxelChange> makePasteChange(std::shared_ptr<const Volume> pasted, Int3 low);

@@ -32,6 +32,10 @@ private:
   std::size_t size_ = 0;
 };
 
+/// Writes over bytes of a file that is mapped, or of other memory of this process: the file itself stays as
+/// it is, and other mappings do. `at` and `bytes` have one length. Error: `Environment`.
+Expected<void> writeOver(std::span<const std::byte> at, std::span<const std::byte> bytes);
+
 /// A file without a name, which takes that of `path` on `commit` and else disappears, however the process
 /// ends. Where a file system has no such files, it has a temporary name beside `path`, which a process that
 /// is killed leaves behind.

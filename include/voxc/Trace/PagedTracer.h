@@ -21,6 +21,9 @@ struct PagingOptions {
   /// Where pages are looked for before they are read, and where those go that were read; null: nowhere. So
   /// what one tracer has read another has at hand. Its memory is not of the above.
   std::shared_ptr<PageShelf> takesFrom = {}, putsOn = {};
+  /// Words that edits may add to the volume while the tracer follows them (`Tracer::follow`); they take an
+  /// entry of the table for each page.
+  std::uint64_t moreWords = 0;
 };
 
 /// What paging has done since the tracer was made.
@@ -45,14 +48,16 @@ struct PagingReport {
 /// A tracer whose hits are those of a resident one, bit by bit, however few pages are there at a time.
 /// Lookups and words that it counts are more: a ray that has waited looks again. `trace` adds these errors: a
 /// page is not what was stored, named (`Input`); a ray needs more pages at once than there is room for
-/// (`Usage`).
+/// (`Usage`). `follow` takes the words of later pages from the edited volume, and brings what changed into
+/// pages that are there; it adds these errors: more words than `PagingOptions::moreWords` leave room for, or
+/// coarse blocks, which are of the volume as it was stored (`Usage`).
 class PagedTracer : public Tracer {
 public:
   virtual PagingReport paging() const = 0;
 };
 
-/// The least budget that lets any ray go on, in bytes.
-std::uint64_t leastPagingBytes(const PagedVolume &volume);
+/// The least budget that lets any ray go on, in bytes; `moreWords` as in `PagingOptions`.
+std::uint64_t leastPagingBytes(const PagedVolume &volume, std::uint64_t moreWords = 0);
 
 /// Prepares `kernel`, of `Addressing::Paged`, on `device`; `volume` must outlive the tracer. Errors: the
 /// kernel was made for other storage or addressing (`Input`), the budget is less than `leastPagingBytes`

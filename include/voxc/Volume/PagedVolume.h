@@ -41,6 +41,10 @@ public:
   PagedVolume(PagedVolume &&) noexcept;
   PagedVolume &operator=(PagedVolume &&) noexcept;
 
+  /// Makes frame `number`, from 1 on, of a volume of several (`voxc/Volume/Frames.h`) the one that its first
+  /// page and `info` tell of. Errors (`Input`): no such frame; a damaged page.
+  Expected<void> chooseFrame(int number);
+
   const VolumeInfo &info() const;
   /// In the order of the file; the first is `words`.
   std::span<const PagedStream> streams() const;

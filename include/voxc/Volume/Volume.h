@@ -53,6 +53,9 @@ struct LoadOptions {
   Progress progress;    ///< Loading ends early where it is stopped.
   /// Takes the file as it is where edits wait in a journal beside it; else that is an error.
   bool withoutJournal = false;
+  /// Which frame of a volume of several it is to be, from 1 on (`voxc/Volume/Frames.h`); 0: the first, with
+  /// all others in its stream of frames, which a volume of one frame alone does not have.
+  int frame = 0;
   /// Uniform cubes that `decode` may find: a small file can stand for 2^60, which no one waits for.
   std::uint64_t mostCubes = kMostCubes;
 };
@@ -84,8 +87,8 @@ public:
 
   /// Maps a .hvx file, or decodes one that is compressed. Everything in it is checked, every reachable offset
   /// too unless `trusted`, before the volume is handed out. Errors: no such file, not a .hvx, truncated, a
-  /// wrong checksum, a broken structure, edits that wait in a journal (`loadEdited` has them); `Environment`,
-  /// no memory for what is decoded; interrupted.
+  /// wrong checksum, a broken structure, no such frame, edits that wait in a journal (`loadEdited` has them);
+  /// `Environment`, no memory for what is decoded; interrupted.
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
   /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
@@ -116,6 +119,7 @@ public:
 private:
   struct State;
   void allowCubes(std::uint64_t most);
+  Expected<void> chooseFrame(int number);
   Expected<void> saveMapped(const std::string &path) const;
   std::unique_ptr<State> state_;
 };

@@ -7,8 +7,10 @@
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Layout/Edits.h"
 #include "voxc/Support/File.h"
+#include "voxc/Volume/Frames.h"
 #include "voxc/Volume/VolumeSummary.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -89,6 +91,11 @@ EditJournal::EditJournal(EditJournal &&other) noexcept
 
 Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
   auto summary = summarizeVolume(volumePath);
+  if (summary &&
+      std::ranges::find(summary->streams, kFrameStream, &StreamSummary::name) != summary->streams.end())
+    return Error::input("'" + volumePath +
+                        "' has frames, which a journal cannot tell apart; --frame N with -o edits "
+                        "one of them");
   const auto identity =
       summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error());
   if (!identity)

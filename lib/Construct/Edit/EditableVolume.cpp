@@ -6,6 +6,7 @@
 
 #include "voxc/Source/Sources.h"
 #include "voxc/Support/Stopwatch.h"
+#include "voxc/Volume/Frames.h"
 
 #include <optional>
 
@@ -21,6 +22,7 @@ struct EditableVolume::State {
   std::shared_ptr<EditStore> store; ///< Which volumes of the words keep.
   std::unique_ptr<EditHost> host;
   std::uint64_t firstWords = 0;
+  std::vector<Snapshot> frames;           ///< Of the first volume.
   std::shared_ptr<const Volume> volume;   ///< As it is now, once it was asked for.
   std::optional<Constructor> constructor; ///< Once there was a compaction.
 
@@ -50,16 +52,23 @@ Expected<EditableVolume> EditableVolume::create(const Volume &volume, const Edit
   state->compileSeconds = watch.seconds();
   state->cache = options.cache;
   state->firstWords = volume.words().size();
+  for (const Frame &frame : framesOf(volume))
+    state->frames.push_back({frame.root, frame.voxels});
   auto store = EditStore::create(volume.words(), state->layout, memory);
   if (!store)
     return store.error();
   state->store = std::move(*store);
+  if (!state->frames.empty())
+    state->store->seal();
   state->host = std::make_unique<EditHost>(*state->store, state->layout, state->info.extent);
   state->code.begin(*state->host);
   if (options.shareWithFirst) {
     OldNodes nodes(state->layout);
     nodes.read(state->store->words());
-    Adoption(nodes, state->store->nodes(), state->firstWords).subVolume(1, state->store->root());
+    Adoption adoption(nodes, state->store->nodes(), state->firstWords);
+    adoption.subVolume(1, state->store->root());
+    for (const Snapshot &frame : state->frames)
+      adoption.subVolume(1, frame.root);
     if (auto failure = state->store->nodes().takeFailure())
       return *failure;
   }
@@ -110,6 +119,28 @@ Expected<Volume> EditableVolume::view(const Snapshot &snapshot) {
   const std::span<const std::uint32_t> span(reinterpret_cast<const std::uint32_t *>(words->data()),
                                             state_->store->words().size());
   return state_->asVolume(span, snapshot.voxels, std::make_shared<const MemoryBlock>(std::move(*words)));
+}
+
+std::vector<EditableVolume::Snapshot> EditableVolume::frames() const { return state_->frames; }
+
+Expected<Volume> EditableVolume::framed(const std::vector<Snapshot> &states) {
+  struct Held {
+    MemoryBlock words;
+    std::vector<Frame> frames;
+  };
+  state_->store->seal();
+  auto words = state_->store->view(states.front().root);
+  if (!words)
+    return words.error();
+  const auto held = std::make_shared<Held>(Held{std::move(*words), {}});
+  for (const Snapshot &state : states)
+    held->frames.push_back({state.root, 0, state.voxels});
+  const std::span<const std::uint32_t> span(reinterpret_cast<const std::uint32_t *>(held->words.data()),
+                                            state_->store->words().size());
+  VolumeInfo info = state_->info;
+  info.voxels = states.front().voxels;
+  info.wordCounts.reset();
+  return Volume(std::move(info), {wordStream(span), frameStream(held->frames)}, held);
 }
 
 std::uint64_t EditableVolume::voxels() const { return state_->info.voxels; }

@@ -11,25 +11,6 @@ namespace voxc {
 
 int longestAxis(Int3 extent) { return std::max({extent.x, extent.y, extent.z}); }
 
-namespace {
-
-/// Where "#N" begins at the end of a path, or npos.
-std::size_t frameMark(const std::string &path) {
-  const std::size_t mark = path.rfind('#');
-  const bool isNumber = mark != std::string::npos && mark + 1 < path.size() &&
-                        path.find_first_not_of("0123456789", mark + 1) == std::string::npos;
-  return isNumber ? mark : std::string::npos;
-}
-
-} // namespace
-
-std::string withoutFrame(const std::string &path) { return path.substr(0, frameMark(path)); }
-
-std::optional<int> frameOf(const std::string &path) {
-  const std::size_t mark = frameMark(path);
-  return mark == std::string::npos ? std::nullopt : parseCount(std::string_view(path).substr(mark + 1));
-}
-
 std::string byThree(const std::array<double, 3> &numbers) {
   std::array<char, 96> text;
   std::snprintf(text.data(), text.size(), "%.6g x %.6g x %.6g", numbers[0], numbers[1], numbers[2]);

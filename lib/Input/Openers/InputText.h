@@ -15,10 +15,6 @@ namespace voxc {
 /// The longest axis of an extent.
 int longestAxis(Int3 extent);
 
-/// A path without the number of a frame behind it, "scene.vox#3"; and that number, from 1 on, if it has one.
-std::string withoutFrame(const std::string &path);
-std::optional<int> frameOf(const std::string &path);
-
 /// "1 x 2 x 3".
 std::string byThree(const std::array<double, 3> &numbers);
 

@@ -13,6 +13,7 @@
 #include "voxc/Input/EmissionStrength.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/Stopwatch.h"
+#include "voxc/Volume/Frames.h"
 
 #include <algorithm>
 #include <array>
@@ -229,10 +230,35 @@ Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> byt
   return {};
 }
 
+/// Makes the box of a part that of all its frames, so that a voxel has one place in all of them.
+Expected<void> coverAllFrames(ScenePart &part) {
+  Long3 &low = part.scene.low, &size = part.scene.size;
+  for (std::int32_t frame = 0; frame < part.scene.frames; ++frame) {
+    const auto file = readVoxFile(part.bytes->bytes(), frame);
+    const auto scene = file ? makeVoxScene(*file, frame) : file.error();
+    if (!scene)
+      return scene.error();
+    if (scene->instances.empty())
+      continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t end = std::max(low[axis] + size[axis], scene->low[axis] + scene->size[axis]);
+      low[axis] = std::min(low[axis], scene->low[axis]);
+      size[axis] = std::min(end - low[axis], kMostSide);
+    }
+  }
+  return {};
+}
+
+std::int32_t framesOf(const SceneParts &parts) {
+  std::int32_t frames = 1;
+  for (const ScenePart &part : parts)
+    frames = std::max(frames, part.scene.frames);
+  return frames;
+}
+
 std::vector<InputFact> factsOf(const SceneParts &parts, const PlacedVoxels &placed, std::size_t colours) {
   InputFact sizes{"model sizes", "", {}};
   std::uint64_t models = 0, instances = 0;
-  std::int32_t frames = 1;
   constexpr std::uint64_t kMostTold = 8;
   for (const ScenePart &part : parts) {
     for (const VoxModel &model : part.file.models) {
@@ -242,13 +268,15 @@ std::vector<InputFact> factsOf(const SceneParts &parts, const PlacedVoxels &plac
       sizes.numbers.insert(sizes.numbers.end(), {double(x), double(y), double(z)});
     }
     instances += part.scene.instances.size();
-    frames = std::max(frames, part.scene.frames);
   }
   if (models > kMostTold)
     sizes.text += " and " + std::to_string(models - kMostTold) + " more";
-  return {countFact("models", models),           std::move(sizes),
-          countFact("placed models", instances), countFact("voxels placed", placed.count()),
-          countFact("colours used", colours),    countFact("frames", static_cast<std::uint64_t>(frames))};
+  return {countFact("models", models),
+          std::move(sizes),
+          countFact("placed models", instances),
+          countFact("voxels placed", placed.count()),
+          countFact("colours used", colours),
+          countFact("frames", static_cast<std::uint64_t>(framesOf(parts)))};
 }
 
 Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) {
@@ -305,6 +333,7 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   if (options.describe)
     input.facts = factsOf(parts, placed, used.count());
   input.source = std::move(*voxels).finish(placed.voxelToModel());
+  input.frames = static_cast<std::size_t>(framesOf(parts));
   input.provenance = "coverage=models";
   if (isLabels)
     input.provenance += " colour-map=" + options.colourMap;
@@ -316,7 +345,10 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
   constexpr std::size_t kMostFiles = 4096;
-  const auto paths = numberedPaths(withoutFrame(path), kMostFiles);
+  const auto named = parseFramePath(path);
+  if (!named)
+    return named.error();
+  const auto paths = numberedPaths(named->path, kMostFiles);
   if (!paths)
     return paths.error();
   const auto broken = [](const std::string &name, const Error &error) {
@@ -324,10 +356,9 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
                ? Error::input("'" + name + "' is not a usable MagicaVoxel file: " + error.message)
                : error;
   };
-  const std::optional<int> number = frameOf(path);
-  if (!number && withoutFrame(path) != path)
-    return Error::input("'" + path + "' names no frame; the first is #1");
-  const std::optional<std::int32_t> frame = number ? std::optional(*number - 1) : std::nullopt;
+  std::optional<std::int32_t> frame;
+  if (named->frame > 0 || options.boxOfAllFrames)
+    frame = std::max(named->frame, 1) - 1;
   SceneParts parts;
   for (const std::string &name : *paths) {
     auto file = WatchedFile::open(name, options.memory);
@@ -335,13 +366,15 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
       return file.error();
     if (auto added = addPart(parts, std::move(*file), frame); !added)
       return broken(name, added.error());
+    if (auto widened = options.boxOfAllFrames ? coverAllFrames(parts.back()) : Expected<void>(); !widened)
+      return broken(name, widened.error());
   }
   auto input = openScene(parts, options);
   if (!input && input.error().kind == ErrorKind::Usage)
     return Error::input("'" + path + "' " + input.error().message);
   if (!input)
     return broken(path, input.error());
-  for (std::string &sentence : saysBesides(withoutFrame(path)))
+  for (std::string &sentence : saysBesides(named->path))
     input->warnings.push_back(std::move(sentence));
   input->loadSeconds = loading.seconds();
   return input;

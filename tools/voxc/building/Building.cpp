@@ -7,8 +7,11 @@
 #include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "options/Figures.h"
+#include "options/FrameInputs.h"
+#include "voxc/Construct/Frames.h"
 #include "voxc/Facts/PointerChoice.h"
 #include "voxc/Layout/Layout.h"
+#include "voxc/Volume/Frames.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -43,6 +46,10 @@ void Building::declareThreads(const CommandLine &command) { addThreadsArgument(c
 
 void Building::declareCompress(const CommandLine &command) {
   addCompressArgument(command, buildArguments_.compress);
+}
+
+void Building::declareFrames(const CommandLine &command) {
+  command.addFlag("--frames", frames_, "All frames of an animation in one volume, which share what is equal");
 }
 
 void Building::declareMaxBytes(const CommandLine &command) { addMaxBytesArgument(command, buildArguments_); }
@@ -192,10 +199,15 @@ Expected<Building::Opened> Building::open(Format &format, const CommonOptions &c
   options.progress = progress;
   options.memory = memory;
   options.threads = threadsOf(buildArguments_);
+  options.boxOfAllFrames = frames_;
   const Stopwatch opening;
+  if (frames_ && withoutFrame(input_) != input_)
+    return Error::usage("'" + input_ + "' names one frame, and --frames takes all; leave one of them out");
   Expected<Input> input = openInput(input_, options);
   if (!input)
     return input.error();
+  if (frames_ && input->frames < 2)
+    return Error::input("'" + input_ + "' has no frames; leave --frames out");
   figures["input_seconds"] = opening.seconds();
   ToldSentences told = told_;
   tellWarnings(*input, common, told);
@@ -218,6 +230,8 @@ Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptio
     return constructor.error();
   options.provenance = input->provenance;
   std::unique_ptr<RoundedSource> reduced;
+  if (lossy_ && frames_)
+    return Error::usage("--lossy takes the colours of one frame; leave it or --frames out");
   if (lossy_) {
     auto made = reduceToPalette(*input->source, format, progress);
     if (!made)
@@ -232,7 +246,8 @@ Expected<Building::Prepared> Building::prepare(Format &format, const CommonOptio
   figures["memory_bound_bytes"] = options.memory->bound();
   figures["compile_seconds"] = constructor->compileSeconds();
   addInputFigures(figures, *input);
-  return Prepared{std::move(*constructor), std::move(*input), std::move(options), std::move(reduced)};
+  return Prepared{std::move(*constructor), std::move(opened->input), std::move(opened->options),
+                  std::move(options), std::move(reduced)};
 }
 
 Expected<Volume> Building::build(Format &format, const std::string &path, const CommonOptions &common,
@@ -243,6 +258,8 @@ Expected<Volume> Building::build(Format &format, const std::string &path, const 
   prepared->options.path = path;
   prepared->options.compress = buildArguments_.compress;
   prepared->options.maxWords = maxWordsOf(buildArguments_);
+  if (frames_)
+    return buildFrames(format, std::move(*prepared), figures);
   BuildResult built = prepared->constructor.build(prepared->source(), prepared->options);
   if (!built) {
     figures["words"] = built.wordsReached();
@@ -258,6 +275,24 @@ Expected<Volume> Building::build(Format &format, const std::string &path, const 
   if (built->volume.info().voxels == 0 && !common.quiet)
     printNote("warning: the volume is empty: the input has no voxel" +
               std::string(inputArguments_.bounds.empty() ? "" : " within --bounds"));
+  return std::move(built->volume);
+}
+
+Expected<Volume> Building::buildFrames(const Format &format, Prepared prepared, Json &figures) const {
+  const std::size_t count = prepared.input.frames;
+  const OpenFrame open = makeFrameInputs(input_, std::move(prepared.input.source), prepared.inputOptions);
+  Expected<BuiltFrames> built = voxc::buildFrames(format, count, open, prepared.options, compileCache());
+  if (!built)
+    return built.error();
+  addVolumeFigures(figures, built->volume);
+  addBuildFigures(figures, built->report);
+  for (const FrameReport &frame : built->frames)
+    figures["animation"].push_back(
+        {{"voxels", frame.voxels}, {"changed_voxels", frame.changed}, {"words", frame.words}});
+  if (!prepared.options.path.empty()) {
+    addFileFigure(figures, prepared.options.path);
+    addWritten(figures, prepared.options.path);
+  }
   return std::move(built->volume);
 }
 

@@ -31,6 +31,8 @@ public:
   const BuildArguments &means() const { return buildArguments_; }
   /// Adds --compress.
   void declareCompress(const CommandLine &command);
+  /// Adds --frames.
+  void declareFrames(const CommandLine &command);
   /// Adds --max-bytes.
   void declareMaxBytes(const CommandLine &command);
   /// The options that say how the input becomes voxels, to be filled by options of the command's own.
@@ -49,6 +51,7 @@ public:
   /// INPUT as it was written, also where it stands alone in FORMAT's place.
   const std::string &input() const { return hasInputAlone() ? format_ : input_; }
   bool isLossy() const { return lossy_; }
+  bool takesFrames() const { return frames_; }
   /// Opens the input for a format, which gets its payload and the bits of short pointers by it if that is
   /// asked for.
   Expected<Opened> open(Format &format, const CommonOptions &common, const Progress &progress,
@@ -59,7 +62,8 @@ public:
   Expected<Format> readFormat(const std::string &device, const CommonOptions &common,
                               const Progress &progress, Json &figures);
   /// Compiles the format's constructor, opens the input and builds the volume; it is written to `path` unless
-  /// that is "". The format gets its payload by the input, if that is asked for. Its figures are added;
+  /// that is ""; with --frames, one of all frames. The format gets its payload by the input, if that is asked
+  /// for. Its figures are added;
   /// `words` also if building fails.
   Expected<Volume> build(Format &format, const std::string &path, const CommonOptions &common,
                          const Progress &progress, Json &figures) const;
@@ -73,6 +77,7 @@ private:
   struct Prepared {
     Constructor constructor;
     Input input;
+    InputOptions inputOptions;
     BuildOptions options;
     std::unique_ptr<RoundedSource> reduced; ///< The input in fewer colours, if that is asked for.
 
@@ -88,6 +93,7 @@ private:
                                const Progress &progress, Json &figures) const;
   static void tellLoss(const Prepared &prepared, const BuildReport &report, const CommonOptions &common,
                        Json &figures);
+  Expected<Volume> buildFrames(const Format &format, Prepared prepared, Json &figures) const;
   Expected<Prepared> prepare(Format &format, const CommonOptions &common, const Progress &progress,
                              Json &figures) const;
 
@@ -103,6 +109,7 @@ private:
   ToldSentences told_;                       ///< Of the input, while a format was suggested.
   PayloadOption payload_;
   bool lossy_ = false;
+  bool frames_ = false;
   InputArguments inputArguments_;
   BuildArguments buildArguments_;
 };

@@ -18,6 +18,7 @@ public:
     building_.declareThreads(command);
     building_.declareMaxBytes(command);
     building_.declareCompress(command);
+    building_.declareFrames(command);
     fragment_.declare(command, "Build one of N fragments only, for voxc merge");
     command.add("-o,--output", output_, "Volume to write, or fragment").takes("FILE").required();
     addCommonOptions(command, common_);
@@ -56,6 +57,8 @@ private:
   }
 
   Expected<void> build(Format &format, const Progress &progress, Json &figures) {
+    if (building_.takesFrames() && fragment_.choice())
+      return Error::usage("fragments are of one frame; leave --frames or --fragment out");
     if (const auto fragment = fragment_.choice())
       return building_.buildFragment(format, fragment->index, fragment->count, output_, common_, progress,
                                      figures);

@@ -73,7 +73,10 @@ Expected<VoxelEdit> parsePaste(const std::string &text) {
       at == std::string::npos ? std::nullopt : parseInts<3>(std::string_view(text).substr(at + 1));
   if (!low)
     return Error::usage("'" + text + "' does not say where to; write FILE.hvx@X,Y,Z");
-  Expected<Volume> volume = loadEdited(text.substr(0, at), {}, compileCache());
+  const Expected<FramePath> named = parseFramePath(text.substr(0, at));
+  if (!named)
+    return named.error();
+  Expected<Volume> volume = loadEdited(named->path, {.frame = named->frame}, compileCache());
   if (!volume)
     return volume.error();
   const Int3 extent = volume->info().extent;
@@ -179,6 +182,9 @@ private:
     if (!loaded)
       return loaded.error();
     const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+    if (!framesOf(*volume).empty())
+      return Error::usage("'" + volume_.path() + "' has " + std::to_string(framesOf(*volume).size()) +
+                          " frames, and edits change one; choose it by --frame N");
     Expected<std::vector<VoxelEdit>> waiting = readJournal(volume_.path());
     if (!waiting)
       return waiting.error();

@@ -10,8 +10,10 @@
 #include "voxc/Input/FileFeatures.h"
 #include "voxc/Layout/PaletteBlocks.h"
 #include "voxc/Volume/CoarseBlocks.h"
+#include "voxc/Volume/Frames.h"
 #include "voxc/Volume/VolumeSummary.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <optional>
@@ -76,6 +78,12 @@ void printTransform(const Transform &voxelToModel) {
                 rows[4 * row], rows[4 * row + 1], rows[4 * row + 2], rows[4 * row + 3]);
 }
 
+/// Frames of a volume that has a stream of them; else the one that it is.
+std::uint64_t framesOf(const VolumeSummary &summary) {
+  const auto found = std::ranges::find(summary.streams, kFrameStream, &StreamSummary::name);
+  return found == summary.streams.end() ? 1 : found->elements();
+}
+
 void print(const VolumeSummary &summary) {
   const VolumeInfo &info = summary.info;
   const Int3 whole = info.format.extent();
@@ -83,6 +91,8 @@ void print(const VolumeSummary &summary) {
   std::printf("extent      %d x %d x %d voxels, in a format of %d x %d x %d\n", info.extent.x, info.extent.y,
               info.extent.z, whole.x, whole.y, whole.z);
   std::printf("voxels      %" PRIu64 "\n", info.voxels);
+  if (const std::uint64_t frames = framesOf(summary); frames > 1)
+    std::printf("frames      %" PRIu64 ", of which all but the streams tells of the first\n", frames);
   printBytes(summary);
   for (const StreamSummary &stream : summary.streams)
     printStream(stream);
@@ -116,6 +126,7 @@ Json figuresOf(const VolumeSummary &summary) {
                   {"storage_digest", digestText(info)},
                   {"provenance", info.provenance},
                   {"voxel_to_model", rowsOf(info.voxelToModel)}};
+  figures["frames"] = framesOf(summary);
   for (const StreamSummary &stream : summary.streams) {
     figures["streams"].push_back({{"name", stream.name},
                                   {"element_bytes", stream.elementBytes},

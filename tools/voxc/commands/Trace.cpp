@@ -131,7 +131,11 @@ private:
 
   Expected<void> trace(Json &figures) {
     const Stopwatch watch;
-    Expected<Volume> volume = memory_.isGiven() ? memory_.open(volume_.path(), figures) : volume_.load();
+    const Expected<int> frame = volume_.frame();
+    if (!frame)
+      return frame.error();
+    Expected<Volume> volume =
+        memory_.isGiven() ? memory_.open(volume_.path(), *frame, figures) : volume_.load();
     if (!volume)
       return volume.error();
     if (!memory_.isGiven())
