@@ -8,7 +8,6 @@ function chooseFrame(index) {
   frame = (index + frameCount) % frameCount;
   element("frame").value = frame + 1;
   element("number").textContent = `${frame + 1} of ${frameCount}`;
-  document.documentElement.dataset.frame = frame + 1;
   changed();
 }
 
@@ -17,6 +16,7 @@ function bringFrame() {
   if (frame === shownFrame) return;
   shownFrame = frame;
   volume.showRoot(scene.frames[frame]);
+  document.documentElement.dataset.frame = frame + 1;
 }
 
 // By the clock: a slow device leaves frames out.

@@ -83,6 +83,26 @@ class PagesOfAnyDevice:
                     rays = page.check_rays(RAYS) + hard_rays([32, 32, 32])
                     self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(volume, rays, self.folder)), 0)
 
+    def test_frames_are_chosen_and_played(self):
+        animation, volume = self.folder / "walk.vox", self.folder / "walk.hvx"
+        subprocess.run([sys.executable, volume_page.HERE.parent / "Edit" / "Inputs" / "animation.py", "write", animation], check=True)
+        voxc("build", "R(2^3) G(3)", animation, "--whole-level-dedup", "--frames", "-o", volume)
+        with self.opened(page_of(volume, self.folder)[0]) as page:
+            rays = page.check_rays(RAYS)
+            self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(volume, rays, self.folder)), 0)
+            for frame in (4, 2, 5, 1):
+                page.evaluate(f"(f => {{ f.value = {frame}; f.dispatchEvent(new Event('input')); }})(document.getElementById('frame'))")
+                page.wait(f"{STATE}.frame === '{frame}'")
+                with self.subTest(frame=frame):
+                    self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(f"{volume}#{frame}", rays, self.folder)), 0)
+            page.evaluate("document.getElementById('play').click()")
+            for frame in (2, 3):
+                page.wait(f"+{STATE}.frame >= {frame}")
+            page.evaluate("document.getElementById('play').click()")
+            self.assertEqual(page.evaluate("document.getElementById('play').textContent"), "Play")
+        with self.opened(self.page) as page:
+            self.assertFalse(page.evaluate("!!document.getElementById('frames')"))
+
     def test_fast_hits_are_seldom_others(self):
         with self.opened(self.page) as page:
             rays = page.check_rays(RAYS)

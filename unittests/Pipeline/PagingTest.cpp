@@ -124,7 +124,7 @@ void expectFollows(PagedTracer &tracer, EditableVolume &edited, const Format &fo
 }
 
 TEST_F(Paging, FollowsEdits) {
-  constexpr std::uint64_t kMore = 1 << 16;
+  constexpr std::uint64_t kMore = 1 << 19; // The grid of the first level is copied once.
   for (const char *text :
        {"format { level 1: svdag(6) }", "format { level 1: raw(3, 3, 3) level 2: masked(3, 3, 3) }",
         "format { level 1: raw(6, 6, 6) }"}) {

@@ -6,7 +6,7 @@ import sys
 from desktop import Viewer
 
 voxc, volume, device, folder = sys.argv[1:]
-COMMON = ["--device", device, "--samples", "1", "--view", "iso", "--screenshots", folder]
+COMMON = ["--device", device, "--samples", "1", "--camera", "40,25,45:12,4,10", "--style", "flat", "--screenshots", folder]
 
 
 def finest(viewer, before=None):
