@@ -66,10 +66,12 @@ typedef struct voxc_load_options {
   unsigned threads;    /* That decode a compressed file; 0: all of the machine. */
   uint64_t most_cubes; /* Uniform cubes that decoding may find; 0: 2^34. A small file may stand for 2^60. */
   const voxc_progress *progress; /* Null: none. */
+  int32_t frame; /* Of an animation, from 1 on: the volume is this frame alone. 0: the first, beside all
+                    others. */
 } voxc_load_options;
 #define VOXC_LOAD_OPTIONS {.struct_size = sizeof(voxc_load_options)}
 
-/* Opens a .hvx file. `options` may be null. Errors: no such file, or one that is broken. */
+/* Opens a .hvx file. `options` may be null. Errors: no such file, one that is broken, or no such frame. */
 VOXC_API voxc_error *voxc_volume_load(const char *path, const voxc_load_options *options,
                                       voxc_volume **volume);
 VOXC_API void voxc_volume_free(voxc_volume *volume);
@@ -91,6 +93,8 @@ VOXC_API const char *voxc_volume_provenance(const voxc_volume *volume);
 VOXC_API void voxc_volume_extent(const voxc_volume *volume, int32_t extent[3]);
 /* Of those that are not empty. */
 VOXC_API uint64_t voxc_volume_voxels(const voxc_volume *volume);
+/* How many frames it has (docs/edits.md, Frames), of which it shows the first; 1 if it is no animation. */
+VOXC_API uint64_t voxc_volume_frames(const voxc_volume *volume);
 /* Of all its streams together. */
 VOXC_API uint64_t voxc_volume_bytes(const voxc_volume *volume);
 /* The words that kernels read. They live as long as the volume. */

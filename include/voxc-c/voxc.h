@@ -171,6 +171,13 @@ VOXC_API void voxc_editable_restore(voxc_editable *editable, voxc_snapshot snaps
 VOXC_API voxc_error *voxc_editable_view(voxc_editable *editable, voxc_snapshot snapshot,
                                         voxc_volume **volume);
 
+/* The frames of the animation that it began with: how many there are, of which the first `most` are written.
+ * 0 if it was none. */
+VOXC_API uint64_t voxc_editable_frames(const voxc_editable *editable, voxc_snapshot *frames, uint64_t most);
+/* A volume whose frames are these states, at least one; `voxc_volume_save` writes all of them. */
+VOXC_API voxc_error *voxc_editable_framed(voxc_editable *editable, const voxc_snapshot *frames,
+                                          uint64_t count, voxc_volume **volume);
+
 /* How many voxels are not empty; the words of all states; 1 if those are more than half as many again as the
  * first volume had, so that a compaction would gain. */
 VOXC_API uint64_t voxc_editable_voxels(const voxc_editable *editable);

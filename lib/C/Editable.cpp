@@ -5,6 +5,10 @@
 
 #include <voxc-c/voxc.h>
 
+#include <algorithm>
+#include <span>
+#include <vector>
+
 using namespace voxc;
 using namespace voxc::c;
 
@@ -89,6 +93,25 @@ void voxc_editable_restore(voxc_editable *editable, voxc_snapshot snapshot) {
 
 voxc_error *voxc_editable_view(voxc_editable *editable, voxc_snapshot snapshot, voxc_volume **volume) {
   return guarded([&] { return handOver(editable->volume.view(snapshotOf(snapshot)), volume); });
+}
+
+uint64_t voxc_editable_frames(const voxc_editable *editable, voxc_snapshot *frames, uint64_t most) {
+  const auto states = editable->volume.frames();
+  for (std::size_t i = 0; i < std::min<std::size_t>(most, states.size()); ++i)
+    frames[i] = {states[i].root, states[i].voxels};
+  return states.size();
+}
+
+voxc_error *voxc_editable_framed(voxc_editable *editable, const voxc_snapshot *frames, uint64_t count,
+                                 voxc_volume **volume) {
+  return guarded([&]() -> voxc_error * {
+    if (count == 0)
+      return wrap(Error::usage("a volume of no frames was asked for; name one state at least"));
+    std::vector<EditableVolume::Snapshot> states;
+    for (const voxc_snapshot &frame : std::span(frames, count))
+      states.push_back(snapshotOf(frame));
+    return handOver(editable->volume.framed(states), volume);
+  });
 }
 
 uint64_t voxc_editable_voxels(const voxc_editable *editable) { return editable->volume.voxels(); }

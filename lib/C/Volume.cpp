@@ -1,7 +1,9 @@
 // Volumes in C.
 #include "C/Handles.h"
 #include "voxc/Volume/Attributes.h"
+#include "voxc/Volume/Frames.h"
 
+#include <algorithm>
 #include <array>
 
 using namespace voxc;
@@ -41,6 +43,7 @@ voxc_error *voxc_volume_load(const char *path, const voxc_load_options *options,
     const voxc_load_options given = optionsOf(options);
     const CallersProgress progress(given.progress);
     LoadOptions load{.trusted = given.trusted != 0, .threads = given.threads, .progress = progress.get()};
+    load.frame = given.frame;
     if (given.most_cubes > 0)
       load.mostCubes = given.most_cubes;
     return handOver(Volume::load(path, load), volume);
@@ -69,6 +72,10 @@ void voxc_volume_extent(const voxc_volume *volume, int32_t extent[3]) {
 }
 
 uint64_t voxc_volume_voxels(const voxc_volume *volume) { return volume->volume->info().voxels; }
+
+uint64_t voxc_volume_frames(const voxc_volume *volume) {
+  return std::max<std::size_t>(framesOf(*volume->volume).size(), 1);
+}
 
 uint64_t voxc_volume_bytes(const voxc_volume *volume) { return volume->volume->bytes(); }
 

@@ -125,18 +125,27 @@ std::string ruleOfPointers(const Facts &facts) {
          " numbers them, where M(2^3) is the last level.";
 }
 
+/// What a volume that is edited in place cannot have.
+std::string ruleOfEdits(const Facts &facts) {
+  if (facts.voxels == 0 || facts.colours.words.count == 1)
+    return "";
+  return "Edits in place (voxc edit --journal) ask for colours in the nodes, 32 bits each: a palette, "
+         "--values-apart and --short-pointers forbid them, and voxc suggest --editable leaves these out.";
+}
+
 struct Rule {
   std::string_view name;
   std::string (*apply)(const Facts &); ///< A sentence, or "".
 };
 
-constexpr std::array<Rule, 7> kRules{{{"voxels", ruleOfVoxels},
+constexpr std::array<Rule, 8> kRules{{{"voxels", ruleOfVoxels},
                                       {"box", ruleOfBox},
                                       {"alpha", ruleOfAlpha},
                                       {"colours", ruleOfColours},
                                       {"interior", ruleOfInterior},
                                       {"repetition", ruleOfRepetition},
-                                      {"pointers", ruleOfPointers}}};
+                                      {"pointers", ruleOfPointers},
+                                      {"edits", ruleOfEdits}}};
 
 } // namespace
 

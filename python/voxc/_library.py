@@ -25,7 +25,7 @@ class Progress(ctypes.Structure):
 
 class LoadOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("trusted", c_int), ("threads", c_uint), ("most_cubes", c_uint64),
-                ("progress", POINTER(Progress))]
+                ("progress", POINTER(Progress)), ("frame", c_int32)]
 
 
 class DeviceInfo(ctypes.Structure):
@@ -88,6 +88,7 @@ FUNCTIONS = {
     "voxc_volume_provenance": (c_char_p, [c_void_p]),
     "voxc_volume_extent": (None, [c_void_p, POINTER(c_int32)]),
     "voxc_volume_voxels": (c_uint64, [c_void_p]),
+    "voxc_volume_frames": (c_uint64, [c_void_p]),
     "voxc_volume_bytes": (c_uint64, [c_void_p]),
     "voxc_volume_attribute": (c_void_p, [c_void_p, c_char_p, POINTER(c_uint32)]),
     "voxc_volume_with_attribute": (c_void_p, [c_void_p, c_char_p, c_uint32, c_void_p, POINTER(c_void_p)]),
@@ -125,6 +126,8 @@ FUNCTIONS = {
     "voxc_editable_snapshot": (Snapshot, [c_void_p]),
     "voxc_editable_restore": (None, [c_void_p, Snapshot]),
     "voxc_editable_view": (c_void_p, [c_void_p, Snapshot, POINTER(c_void_p)]),
+    "voxc_editable_frames": (c_uint64, [c_void_p, POINTER(Snapshot), c_uint64]),
+    "voxc_editable_framed": (c_void_p, [c_void_p, POINTER(Snapshot), c_uint64, POINTER(c_void_p)]),
     "voxc_editable_voxels": (c_uint64, [c_void_p]),
     "voxc_editable_words": (c_uint64, [c_void_p]),
     "voxc_editable_wants_compaction": (c_int, [c_void_p]),

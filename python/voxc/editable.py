@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, List, Optional, Sequence, Union
 
 import numpy as np
 
@@ -95,6 +95,21 @@ class Editable:
         """A state, or that of now, as a Volume, which stays what it is while edits go on."""
         state = (snapshot or self.snapshot())._state
         return Volume(c.make(c.lib.voxc_editable_view, self._handle, state))
+
+    @property
+    def frames(self) -> List[Snapshot]:
+        """The frames of the animation that it began with; none if it was none."""
+        count = c.lib.voxc_editable_frames(self._handle, None, 0)
+        states = (c.Snapshot * count)()
+        c.lib.voxc_editable_frames(self._handle, states, count)
+        return [Snapshot(self, state) for state in states]
+
+    def framed(self, frames: Sequence[Snapshot]) -> Volume:
+        """A Volume whose frames are these states; `save` writes all of them, and it shows the first."""
+        if any(frame._owner is not self for frame in frames):
+            raise ValueError("a frame is of another volume")
+        states = (c.Snapshot * len(frames))(*(frame._state for frame in frames))
+        return Volume(c.make(c.lib.voxc_editable_framed, self._handle, states, len(frames)))
 
     def compact(self, path: Union[str, os.PathLike, None] = None, compress: bool = False) -> Volume:
         """The Volume of the voxels as they are, by a build: the words are those of any build of them. With `path` it is

@@ -32,9 +32,10 @@ class Volume:
             c.lib.voxc_volume_free(self._handle)
 
     @classmethod
-    def load(cls, path: Path, trusted: bool = False, threads: Optional[int] = None) -> Volume:
-        """Opens a .hvx file. `trusted` leaves out the proof that every offset in it is right."""
-        options = c.options(c.LoadOptions, trusted=int(trusted), threads=threads)
+    def load(cls, path: Path, trusted: bool = False, threads: Optional[int] = None, frame: int = 0) -> Volume:
+        """Opens a .hvx file. `trusted` leaves out the proof that every offset in it is right. `frame`, from 1 on: this frame
+        of an animation alone; 0: the first, beside all others."""
+        options = c.options(c.LoadOptions, trusted=int(trusted), threads=threads, frame=frame)
         return cls(c.make(c.lib.voxc_volume_load, c.text(path), ctypes.byref(options)))
 
     def save(self, path: Path, compress: bool = False) -> None:
@@ -45,6 +46,11 @@ class Volume:
     def format(self) -> str:
         """Its format in short, without its passes: "R(4, 4, 4) G(5)"."""
         return c.lib.voxc_volume_format(self._handle).decode()
+
+    @property
+    def frames(self) -> int:
+        """How many frames it has, of which it shows the first; 1 if it is no animation."""
+        return c.lib.voxc_volume_frames(self._handle)
 
     @property
     def ir(self) -> str:

@@ -11,7 +11,7 @@ namespace voxc {
 
 /// One sentence, and the name of the rule that it follows.
 struct Conclusion {
-  std::string_view rule; ///< "voxels", "alpha", "colours", "interior" or "repetition".
+  std::string_view rule; ///< "voxels", "alpha", "colours" and so on: docs/facts.md has them all.
   std::string text;
 };
 

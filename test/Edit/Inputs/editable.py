@@ -47,6 +47,16 @@ for snapshot, words in states:
     column = np.flatnonzero(words[:, 5, 4])
     assert hits["voxel"][0, 2] == column[0], (hits, column)
 assert np.array_equal(world.compact().words, voxc.build("D(2, 2, 2, 4) G(3)", voxels=grid).words)
+animation = world.framed([snapshot for snapshot, _ in states])
+assert animation.frames == len(states) and np.array_equal(animation.read(), states[0][1])
+animation.save("animation.hvx")
+for number, (_, words) in enumerate(states):
+    frame = voxc.Volume.load("animation.hvx", frame=number + 1)
+    assert np.array_equal(frame.read(), words) and frame.frames == 1
+again = voxc.Editable(voxc.Volume.load("animation.hvx"))
+assert [frame.voxels for frame in again.frames] == [snapshot.voxels for snapshot, _ in states]
+again.restore(again.frames[3])
+assert np.array_equal(again.view().read(), states[3][1])
 print("all is as NumPy has it")
 
 try:
