@@ -2,14 +2,14 @@
 // were before, the cells that change. Freestanding: no library.
 #pragma once
 
-#include "voxc_construct.h"
+#include "voxc_grid.h"
 
 inline void *operator new(__SIZE_TYPE__, void *memory) noexcept { return memory; }
 
 namespace voxc::construct {
 
-/// A run of edits of one volume. Words are only added, so that what was found stays right from one edit to the
-/// next.
+/// A run of edits of one volume. Words are only added, so that what was found stays right from one edit to
+/// the next.
 class Edit : public Build {
 public:
   Edit(const Host &host, const EditHost &edits) : Build(host), edits_(edits) {}
@@ -87,9 +87,11 @@ private:
   KnownFill fills_[1u << kLog2Fills];
 };
 
-/// What a voxel becomes, and what fills one.
-inline uint32_t edit_voxel(Edit &edit, uint32_t old, Voxel at) { return edit.voxel(at, old); }
-inline uint32_t filled_voxel(Edit &, uint32_t value) { return value; }
+/// What cells of the last level hold: as a level below.
+struct EditedVoxels {
+  static uint32_t edit(Edit &edit, uint32_t old, Voxel at) { return edit.voxel(at, old); }
+  static uint32_t filled(Edit &, uint32_t value) { return value; }
+};
 
 /// True if two nodes are one, so that nothing above them changes.
 inline bool are_same(const Node &node, const Node &other) {
@@ -134,7 +136,8 @@ private:
 };
 
 /// Visits the cells of a box row by row; along each axis by rising coordinates, or by falling ones.
-template <typename Visit> void for_each_in_order(const CellBox &box, const bool (&rises)[3], const Visit &visit) {
+template <typename Visit>
+void for_each_in_order(const CellBox &box, const bool (&rises)[3], const Visit &visit) {
   const auto at = [](int first, int last, bool rises, int i) { return rises ? first + i : last - i; };
   for (int z = 0; z <= box.last.z - box.first.z; ++z)
     for (int y = 0; y <= box.last.y - box.first.y; ++y)

@@ -136,8 +136,8 @@ struct EditHost {
   Effect (*effect)(void *self, Voxel low, int log2_side, uint32_t *value);
   /// What a voxel becomes.
   uint32_t (*voxel)(void *self, Voxel at, uint32_t old);
-  /// The root of an old sub-volume of a tree; the children of an old inner node, in Morton order, all of which
-  /// are empty before; the cells of an old grid, by their number, all of which are 0 before.
+  /// The root of an old sub-volume of a tree; the children of an old inner node, in Morton order, all of
+  /// which are empty before; the cells of an old grid, by their number, all of which are 0 before.
   void (*root)(void *self, unsigned level, uint32_t old, Node *root);
   void (*children)(void *self, unsigned level, const Node *node, Node *children);
   void (*read_cells)(void *self, unsigned level, uint32_t old, uint32_t *cells);
@@ -145,8 +145,8 @@ struct EditHost {
   /// that were, of which those of value 0 go.
   uint32_t (*cell)(void *self, unsigned level, uint32_t old, uint32_t cell);
   void (*keep_others)(void *self, unsigned level, uint32_t old);
-  /// The words of an old grid to be changed: those of the volume, or a copy; zeros if `old` is 0. Null once the
-  /// edit has failed.
+  /// The words of an old grid to be changed: those of the volume, or a copy; zeros if `old` is 0. Null once
+  /// the edit has failed.
   uint32_t *(*open)(void *self, unsigned level, uint32_t old, uint64_t count);
   /// Words of an open grid that are about to change.
   void (*touch)(void *self, unsigned level, const uint32_t *words, uint64_t count);

@@ -21,16 +21,9 @@ void report(const std::string &file, const std::string &problem) {
 
 /// Names that emitters add to those of the plan.
 TemplateNames allNames() {
-  TemplateNames names = stratumNames(*makePlan(*parseFormat("R(1,1,1) G(1)")), 1);
-  for (const char *hole :
-       {"LEVELS", "PARTS", "symbol", "PREFIX", "count-words", "prefix", "prefix-", "what-colour-is"})
+  TemplateNames names = planNames(*makePlan(*parseFormat("R(1,1,1) G(1)")));
+  for (const char *hole : {"symbol", "PREFIX", "count-words", "prefix", "prefix-", "what-colour-is"})
     names.holes[hole] = "";
-  for (const SlotKind *kind : slotKinds()) {
-    Stratum stratum;
-    stratum.encoding = defaultEncoding(*kind);
-    for (const SlotConstant &own : kind->constants(stratum))
-      addName(names, own.name, std::visit([](auto value) { return ConstantValue(value); }, own.value));
-  }
   return names;
 }
 
@@ -49,6 +42,16 @@ void demand(const std::string &folder, std::span<const EmbeddedFile> files, cons
   report(folder + "/" + path, "is missing, but a table names it");
 }
 
+void demand(const RuntimeClass &needed) {
+  for (const EmbeddedFile &file : constructHeaders())
+    if (needed.name.empty() ||
+        (file.path == needed.header &&
+         file.text.find("struct " + std::string(needed.name) + " ") != std::string_view::npos))
+      return;
+  report("construct-runtime/" + std::string(needed.header),
+         "has no struct " + std::string(needed.name) + ", which a table names");
+}
+
 template <typename Enum> void demandEach(const std::string &folder) {
   for (const std::string_view name : kEnumNames<Enum>)
     demand("shaders-runtime", shaderFiles(), folder + "/" + std::string(name) + ".glsl");
@@ -59,7 +62,6 @@ template <typename Enum> void demandEach(const std::string &folder) {
 
 int main() {
   using namespace voxc;
-  check("construct-runtime", constructFiles());
   check("cpu-runtime", cpuFiles());
   demandEach<Descent>("walk");
   demandEach<Precision>("step");
@@ -79,12 +81,11 @@ int main() {
       stratum.implied = implied;
       for (const std::string_view file : kind->accessor(stratum))
         demand("shaders-runtime", shaderFiles(), "slots/" + std::string(file) + ".glsl");
-      for (const std::string_view file : kind->writing(stratum))
-        demand("construct-runtime", constructFiles(), "slots/" + std::string(file) + ".cpp");
-      if (!kind->construct.empty())
-        demand("construct-runtime", constructFiles(), "slots/" + std::string(kind->construct) + ".cpp");
-      if (!kind->edit.empty())
-        demand("construct-runtime", constructFiles(), "edit/" + std::string(kind->edit) + ".cpp");
+      demand(kind->construct);
+      demand(kind->writing(stratum));
+      demand(kind->edit);
+      if (kind->root)
+        demand({kTree.header, kind->root(stratum)});
     }
   return problems == 0 ? 0 : 1;
 }

@@ -1,51 +1,66 @@
-// Constants and leaves of construct-runtime for a level.
+// Levels as structs: the constants that their headers ask for, and the classes that these are given.
 #include "ConstructLevel.h"
 
+#include "ConstructConstants.h"
 #include "Names.h"
+#include "RuntimeText.h"
 
 #include "voxc/Emit/Emit.h"
-#include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
+#include <set>
 
 namespace voxc {
 namespace {
 
-std::string treeConstants(const Stratum &stratum, const std::string &prefix) {
-  const auto number = [&](const char *name, int value) {
-    return "constexpr int " + prefix + name + " = " + std::to_string(value) + ";\n";
-  };
-  return number("LAYERS", stratum.depth) + number("BRANCH", stratum.log2Shape.x) +
-         number("CHILDREN", 1 << stratum.log2Children()) + number("LOG2_CELL", stratum.log2Cell);
+/// The headers that a level needs, each once.
+std::set<std::string_view> headersOf(const Stratum &stratum, const LevelForm &form) {
+  std::set<std::string_view> headers = {form.header(stratum)};
+  for (const LevelAlias &alias : form.aliases(stratum))
+    if (!alias.of.name.empty())
+      headers.insert(alias.of.header);
+  return headers;
 }
 
-std::string gridConstants(const Stratum &stratum, bool holdsVoxels, const std::string &prefix) {
-  const Int3 size = stratum.log2Shape;
-  std::string lines = "constexpr GridShape " + prefix + "SHAPE = {" + std::to_string(size.x) + ", " +
-                      std::to_string(size.y) + ", " + std::to_string(size.z) + ", " +
-                      std::to_string(stratum.log2Cell) + ", " + (holdsVoxels ? "true" : "false") + "};\n";
-  if (const Distances *const distances = stratum.distances())
-    lines += "constexpr uint32_t " + prefix + "REACH = " + std::to_string(distances->reach) + ";\n";
-  return lines;
+/// Those of `constructConstants` that the headers speak of, and the classes of the level.
+std::string levelText(const Plan &plan, const LevelForm &form, std::size_t index) {
+  const Stratum &stratum = plan.layout.strata[index];
+  const std::string name = levelStruct(index);
+  std::set<std::string, std::less<>> asked;
+  for (const EmbeddedFile &header : includedBy(headersOf(stratum, form), constructHeaders()))
+    asked.merge(namesBehind("Level::", header.text));
+  std::string text = levelComment(plan, index) + "struct " + name + " {\n";
+  for (const ConstructConstant &constant : constructConstants(plan, index))
+    if (asked.contains(constant.name))
+      text += "  static constexpr " + constant.type + " " + constant.name + " = " + constant.value + ";\n";
+  const bool isLast = plan.layout.holdsVoxels(index);
+  text +=
+      "  using Cells = " + (isLast ? std::string(form.voxels) : subVolumeOf(plan, form, index + 1)) + ";\n";
+  for (const LevelAlias &alias : form.aliases(stratum))
+    if (!alias.of.name.empty())
+      text += "  using " + std::string(alias.name) + " = " + std::string(alias.of.name) + "<" + name + ">;\n";
+  return text + "};\n";
 }
 
 } // namespace
 
-std::string constructConstants(const Plan &plan, std::size_t index) {
-  const Stratum &stratum = plan.layout.strata[index];
-  const std::string prefix = "LEVEL_" + std::to_string(index + 1) + "_";
-  return stratum.isGrid() ? gridConstants(stratum, plan.layout.holdsVoxels(index), prefix)
-                          : treeConstants(stratum, prefix);
+std::string levelStruct(std::size_t index) { return "Level" + std::to_string(index + 1); }
+
+std::string subVolumeOf(const Plan &plan, const LevelForm &form, std::size_t index) {
+  return std::string(form.subVolume(plan.layout.strata[index])) + "<" + levelStruct(index) + ">";
 }
 
-std::string constructLeaf(const Plan &plan, std::size_t index, const std::string &file) {
-  return "\n" + fillFile(constructFiles(), file + ".cpp", stratumNames(plan, index));
-}
-
-std::string constructPlanes(const Plan &plan) {
-  return std::ranges::any_of(plan.layout.strata, reportsBall)
-             ? "\n" + fillFile(constructFiles(), "distances/plane.cpp", planNames(plan))
-             : "";
+std::string constructLevels(const Plan &plan, const LevelForm &form) {
+  std::set<std::string_view> headers;
+  for (const Stratum &stratum : plan.layout.strata)
+    headers.merge(headersOf(stratum, form));
+  std::string text;
+  for (const std::string_view header : headers)
+    text += "#include \"" + std::string(header) + "\"\n";
+  text += "\nnamespace {\n\nusing namespace voxc::construct;\n";
+  for (std::size_t i = plan.layout.strata.size(); i-- > 0;)
+    text += levelText(plan, form, i);
+  return text;
 }
 
 } // namespace voxc

@@ -13,50 +13,9 @@
 namespace voxc {
 namespace {
 
-/// How the word of a distance field says that a cell is empty, in generated text.
-void addEmptyCells(TemplateNames &names, const Stratum &stratum) {
-  const bool isTagged = stratum.empty() == Empty::Tagged;
-  const bool hasOctants = stratum.slots->region(stratum) == EmptyRegion::Cube;
-  auto &holes = names.holes;
-  names.conditions["distances"] = stratum.distances() != nullptr;
-  holes["ones"] = stratum.fieldBits() == 4 ? "0x11111111u" : "011111111u";
-  holes["slot-of-value"] =
-      stratum.tagShift() == 0 ? "placed.value" : "placed.value << " + std::to_string(stratum.tagShift());
-  const std::string value =
-      stratum.tagShift() == 0 ? "word" : "word >> " + std::to_string(stratum.tagShift());
-  holes["empty-tag"] = isTagged ? "0x80000000u" : "0u";
-  holes["word-is-empty"] = !isTagged    ? "(word >> 24) == 0"
-                           : hasOctants ? "(word & " + holes["field-mask"] + ") != 0"
-                                        : "(word >> 31) != 0";
-  holes["value-of-slot"] =
-      stratum.empty() == Empty::Zero ? "word" : holes["word-is-empty"] + " ? 0 : " + value;
-}
-
 std::string count(int log2, std::string_view unit) {
   const std::int64_t number = std::int64_t{1} << log2;
   return std::to_string(number) + " " + std::string(unit) + (number == 1 ? "" : "s");
-}
-
-void addWords(TemplateNames &names, const Plan &plan, std::size_t index) {
-  const Stratum &stratum = plan.layout.strata[index];
-  auto &holes = names.holes;
-  holes["N"] = std::to_string(index + 1);
-  holes["NEXT"] = plan.layout.holdsVoxels(index) ? "voxel" : "level_" + std::to_string(index + 2);
-  holes["outside"] = index == 0 ? "empty" : "not known, and taken to be full";
-  holes["outside-side"] = index == 0 ? "LEVEL_" + holes["N"] + "_REACH" : "0";
-  const bool isBeside = stratum.distances() && stratum.distances()->place == DistancePlace::Beside;
-  holes["words-of-slot"] = std::string("terminating integer") + (isBeside ? ", distance" : "") +
-                           (stratum.ranked ? ", voxels before" : "");
-  holes["write"] = stratum.sharing == Sharing::Level ? "intern" : "append";
-  holes["shares-grids"] = stratum.sharing == Sharing::Level ? "true" : "false";
-  holes["slot-words-times"] = stratum.slotWords() == 1 ? "" : std::to_string(stratum.slotWords()) + " * ";
-  holes["slots-of-children"] = stratum.implied ? "children.filled & ~children.leaves" : "children.filled";
-  auto &conditions = names.conditions;
-  conditions["leaves-apart"] = stratum.hasLeafWords();
-  conditions["ranked"] = stratum.ranked;
-  conditions["looks-ahead"] = plan.constructions[index].looksAhead;
-  conditions["slots-count"] = stratum.ranked && !stratum.implied;
-  conditions["shares-sub-volumes-apart"] = stratum.sharing == Sharing::SubVolume;
 }
 
 /// What each query is about, as the head of a kernel says it.
@@ -116,18 +75,6 @@ TemplateNames planNames(const Plan &plan) {
   names.holes["DIGEST"] = hexadecimal(plan.layout.storageDigest);
   names.holes["answers"] = answers(plan.query);
   addPackets(names, plan);
-  return names;
-}
-
-TemplateNames stratumNames(const Plan &plan, std::size_t index) {
-  TemplateNames names = planNames(plan);
-  const Stratum &stratum = plan.layout.strata[index];
-  for (const LevelConstant &constant : levelConstants())
-    addName(names, constant.name, constant.of(plan, index));
-  for (const SlotConstant &own : stratum.slots->constants(stratum))
-    addName(names, own.name, std::visit([](auto value) { return ConstantValue(value); }, own.value));
-  addWords(names, plan, index);
-  addEmptyCells(names, stratum);
   return names;
 }
 

@@ -1,5 +1,5 @@
-// What templates may speak of: the names of a plan, of one of its strata, and of one layer of a tree. All
-// names of a kind are always there, so that a template which is right for one plan is right for all.
+// What templates may speak of: the names of a plan. All are always there, so that a template which is right
+// for one plan is right for all.
 #pragma once
 
 #include "KernelConstants.h"
@@ -16,9 +16,6 @@ namespace voxc {
 
 /// Of the plan as a whole.
 TemplateNames planNames(const Plan &plan);
-
-/// Those, and of the stratum at an index.
-TemplateNames stratumNames(const Plan &plan, std::size_t index);
 
 /// Adds a constant of kernels: GRANULES is a condition, `granules`; HEAD_WORDS a hole, `head-words`.
 void addName(TemplateNames &names, std::string_view constant, const ConstantValue &value);

@@ -83,8 +83,6 @@ constexpr std::array<std::string_view, 5> kAccessor = {"masked/head", "masked/ra
                                                        "masked/slots", "brick/cell"};
 constexpr std::array<std::string_view, 4> kOfVoxels = {"masked/head", "brick/rank", "masked/there",
                                                        "brick/cell"};
-constexpr std::array<std::string_view, 2> kWriting = {"masked/pack", "masked/write"};
-constexpr std::array<std::string_view, 2> kWritingOfVoxels = {"brick/pack", "masked/write"};
 
 std::span<const std::string_view> accessor(const Stratum &stratum) {
   if (stratum.implied)
@@ -92,10 +90,10 @@ std::span<const std::string_view> accessor(const Stratum &stratum) {
   return kAccessor;
 }
 
-std::span<const std::string_view> writing(const Stratum &stratum) {
+RuntimeClass writing(const Stratum &stratum) {
   if (stratum.implied)
-    return kWritingOfVoxels;
-  return kWriting;
+    return {"voxc_brick.h", "BrickWriting"};
+  return {"voxc_masked.h", "MaskWriting"};
 }
 
 } // namespace
@@ -103,9 +101,9 @@ std::span<const std::string_view> writing(const Stratum &stratum) {
 extern const SlotKind kBrickSlots = {.name = "brick",
                                      .summary = "64 bits for 4 x 4 x 4 cells, then a slot for each not empty",
                                      .accessor = accessor,
+                                     .construct = kMaskedGrid,
                                      .writing = writing,
-                                     .construct = "masked/construct",
-                                     .edit = "mask",
+                                     .edit = kEditedMasked,
                                      .numbered = "numbered-brick",
                                      .array = &kArray,
                                      .tellsByMasks = true,

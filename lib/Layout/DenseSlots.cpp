@@ -172,8 +172,6 @@ std::uint64_t line(const Stratum &stratum, std::uint64_t cell) {
 
 std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return std::nullopt; }
 
-/// A grid is its words.
-std::span<const std::string_view> nothing(const Stratum &) { return {}; }
 constexpr std::array<std::string_view, 2> kCells = {"dense", "cell"};
 constexpr std::array<std::string_view, 2> kDistances = {"dense", "distances"};
 std::span<const std::string_view> accessor(const Stratum &stratum) {
@@ -185,9 +183,8 @@ std::span<const std::string_view> accessor(const Stratum &stratum) {
 extern const SlotKind kDenseSlots = {.name = "dense",
                                      .summary = "a slot for each child",
                                      .accessor = accessor,
-                                     .writing = nothing,
-                                     .construct = "dense",
-                                     .edit = "cells",
+                                     .construct = {"voxc_dense.h", "DenseGrid"},
+                                     .edit = {"voxc_edited_dense.h", "EditedDense"},
                                      .encodings = encodingBits<std::monostate, Distances>,
                                      .keepsEmpty = true,
                                      .ranks = true,

@@ -12,7 +12,7 @@ namespace voxc {
 namespace {
 
 constexpr std::uint64_t kHeadWords = 2;
-/// As in construct-runtime/slots/hashed.cpp: tables grow until no probe is longer.
+/// As in construct-runtime/voxc_hashed.h: tables grow until no probe is longer.
 constexpr std::uint32_t kLongestProbe = 64;
 
 std::string problem(const Stratum &stratum) {
@@ -119,17 +119,14 @@ std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return
 
 constexpr std::array<std::string_view, 1> kFiles = {"hashed"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
-constexpr std::array<std::string_view, 1> kWriting = {"hashed/table"};
-std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
 
 } // namespace
 
 extern const SlotKind kHashedSlots = {.name = "hashed",
                                       .summary = "a table of the cells that are not empty, found by probing",
                                       .accessor = files,
-                                      .writing = writing,
-                                      .construct = "hashed/construct",
-                                      .edit = "table",
+                                      .construct = {"voxc_hashed.h", "HashedGrid"},
+                                      .edit = {"voxc_edited_hashed.h", "EditedHashed"},
                                       .lookUpLoops = true,
                                       .cost = {wordsRead, line, noSlotLine},
                                       .problem = problem,

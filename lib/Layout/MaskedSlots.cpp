@@ -41,9 +41,8 @@ double wordsRead(const Stratum &stratum, int, bool isEmpty) {
 
 constexpr std::array<std::string_view, 6> kAccessor = {"masked/head",  "masked/rank", "masked/there",
                                                        "masked/slots", "masked/cell", "cell"};
-constexpr std::array<std::string_view, 2> kWriting = {"masked/pack", "masked/write"};
 std::span<const std::string_view> accessor(const Stratum &) { return kAccessor; }
-std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
+RuntimeClass writing(const Stratum &) { return {"voxc_masked.h", "MaskWriting"}; }
 
 } // namespace
 
@@ -51,9 +50,9 @@ extern const SlotKind kMaskedSlots = {.name = "masked",
                                       .summary =
                                           "a mask of the cells, then a slot for each that is not empty",
                                       .accessor = accessor,
+                                      .construct = kMaskedGrid,
                                       .writing = writing,
-                                      .construct = "masked/construct",
-                                      .edit = "mask",
+                                      .edit = kEditedMasked,
                                       .numbered = "numbered",
                                       .tellsByMasks = true,
                                       .ranks = true,

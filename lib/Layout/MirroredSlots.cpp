@@ -101,17 +101,18 @@ double wordsRead(const Stratum &, int layers, bool isEmpty) { return 2 * layers 
 
 constexpr std::array<std::string_view, 1> kFiles = {"mirrored"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
-std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()->place); }
+RuntimeClass writing(const Stratum &) { return {"voxc_mirrored.h", "MirroredSlots"}; }
 
 } // namespace
 
 extern const SlotKind kMirroredSlots = {.name = "mirrored",
                                         .summary = "masks, then references that may reflect their node",
                                         .accessor = files,
-                                        .writing = files,
+                                        .construct = kTree,
+                                        .writing = writing,
                                         .forbidsEdits = "keeps nodes that may be reflected, and its words do "
                                                         "not tell which of them are their own mirror image",
-                                        .root = root,
+                                        .root = rootOfLeaves,
                                         .encodings = encodingBits<Leaves>,
                                         .sharing = Sharing::SubVolume,
                                         .countsWords = "say in bits of their own how a node is read",

@@ -175,14 +175,13 @@ constexpr std::array<std::string_view, 6> kBrickAccessor = {"numbered/head",  "m
 constexpr std::array<std::string_view, 7> kOctantAccessor = {
     "numbered/head",          "masked/rank",   "masked/there", "numbered/slots",
     "numbered/octant_counts", "numbered/rank", "brick/cell"};
-constexpr std::array<std::string_view, 3> kWriting = {"masked/pack", "numbered/shorten", "numbered/write"};
 std::span<const std::string_view> accessor(const Stratum &) { return kAccessor; }
 std::span<const std::string_view> accessorOfBrick(const Stratum &stratum) {
   if (countsOctants(stratum))
     return kOctantAccessor;
   return kBrickAccessor;
 }
-std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
+RuntimeClass writing(const Stratum &) { return {"voxc_numbered.h", "NumberedWriting"}; }
 
 std::vector<SlotConstant> constants(const Stratum &stratum) {
   const Numbers &numbers = *stratum.numbers();
@@ -198,8 +197,8 @@ std::vector<SlotConstant> constants(const Stratum &stratum) {
 extern const SlotKind kNumberedSlots = {.name = "numbered",
                                         .summary = "a mask of the cells, then a number for each not empty",
                                         .accessor = accessor,
+                                        .construct = kMaskedGrid,
                                         .writing = writing,
-                                        .construct = "masked/construct",
                                         .forbidsEdits = kFixedArray,
                                         .constants = constants,
                                         .encodings = encodingBits<Numbers>,
@@ -223,8 +222,8 @@ extern const SlotKind kNumberedSlots = {.name = "numbered",
 extern const SlotKind kNumberedBrickSlots = {.name = "numbered-brick",
                                              .summary = "64 bits for 4 x 4 x 4 cells, then numbers",
                                              .accessor = accessorOfBrick,
+                                             .construct = kMaskedGrid,
                                              .writing = writing,
-                                             .construct = "masked/construct",
                                              .forbidsEdits = kFixedArray,
                                              .constants = constants,
                                              .encodings = encodingBits<Numbers>,

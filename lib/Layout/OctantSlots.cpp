@@ -95,16 +95,13 @@ std::vector<SlotConstant> constants(const Stratum &stratum) {
 
 constexpr std::array<std::string_view, 1> kFiles = {"octants"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
-/// A grid is its words.
-std::span<const std::string_view> nothing(const Stratum &) { return {}; }
 
 } // namespace
 
 extern const SlotKind kOctantSlots = {.name = "octants",
                                       .summary = "a byte of octants, then one of cells for each not empty",
                                       .accessor = files,
-                                      .writing = nothing,
-                                      .construct = "octants",
+                                      .construct = {"voxc_octant_grid.h", "OctantGrid"},
                                       .forbidsEdits = kFixedArray,
                                       .constants = constants,
                                       .array = &kArray,

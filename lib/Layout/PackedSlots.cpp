@@ -144,18 +144,17 @@ std::span<const std::string_view> accessor(const Stratum &stratum) {
   return MaskShape(stratum).hasTwoSets() ? kWideNode : kNode;
 }
 
-constexpr std::array<std::string_view, 1> kWriting = {"packed"};
-std::span<const std::string_view> writing(const Stratum &) { return kWriting; }
-std::string_view root(const Stratum &stratum) { return toString(stratum.leaves()->place); }
+RuntimeClass writing(const Stratum &) { return {"voxc_packed.h", "PackedSlots"}; }
 
 } // namespace
 
 extern const SlotKind kPackedSlots = {.name = "packed",
                                       .summary = "masks, then a slot for each child that is not empty",
                                       .accessor = accessor,
+                                      .construct = kTree,
                                       .writing = writing,
-                                      .edit = "tree",
-                                      .root = root,
+                                      .edit = kEditedTree,
+                                      .root = rootOfLeaves,
                                       .encodings = encodingBits<Leaves>,
                                       .sharing = Sharing::SubVolume,
                                       .tellsByMasks = true,

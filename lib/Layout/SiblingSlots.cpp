@@ -92,7 +92,8 @@ double wordsRead(const Stratum &, int layers, bool isEmpty) { return 2 * layers 
 
 constexpr std::array<std::string_view, 1> kFiles = {"siblings"};
 std::span<const std::string_view> files(const Stratum &) { return kFiles; }
-std::string_view root(const Stratum &) { return "record"; }
+RuntimeClass writing(const Stratum &) { return {"voxc_siblings.h", "SiblingSlots"}; }
+std::string_view root(const Stratum &) { return "RecordRoot"; }
 
 } // namespace
 
@@ -100,8 +101,9 @@ extern const SlotKind kSiblingSlots = {.name = "siblings",
                                        .summary =
                                            "a record for each child that is not empty, next to each other",
                                        .accessor = files,
-                                       .writing = files,
-                                       .edit = "tree",
+                                       .construct = kTree,
+                                       .writing = writing,
+                                       .edit = kEditedTree,
                                        .root = root,
                                        .encodings = encodingBits<Records>,
                                        .cost = {.words = wordsRead},

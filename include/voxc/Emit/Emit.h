@@ -2,10 +2,12 @@
 #pragma once
 
 #include "voxc/Plan/Plan.h"
+#include "voxc/Support/EmbeddedFile.h"
 #include "voxc/Support/Error.h"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace voxc {
 
@@ -21,12 +23,14 @@ enum class EmitTarget {
 /// that is.
 std::string problemOf(const Plan &plan, EmitTarget target);
 
-/// construct.cpp: one function a level; needs only `constructHeaders()` beside it.
+/// construct.cpp: a struct of constants a level, of which `constructHeaders()` make code.
 std::string emitConstruct(const Plan &plan);
 
-/// edit.cpp: one function a level that changes a sub-volume; needs only `editHeaders()` beside it. The layout
-/// can be edited (`whyNoEdits`).
+/// edit.cpp: the same, to change a sub-volume. The layout can be edited (`whyNoEdits`).
 std::string emitEdit(const Plan &plan);
+
+/// Those of `constructHeaders()` that such a text needs beside it.
+std::vector<EmbeddedFile> constructHeadersOf(std::string_view text);
 
 /// intersect.glsl: a complete compute shader; one function a level, a unit and a root function.
 std::string emitIntersect(const Plan &plan);

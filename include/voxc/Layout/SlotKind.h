@@ -1,6 +1,6 @@
 // The table of slot kinds: each way in which a node keeps its children is described once, with its words, its
 // checks, its runtime files and what a look-up costs. A kind is a file of lib/Layout and one or more in
-// shaders-runtime/slots and in construct-runtime/slots, of which kinds may share some.
+// shaders-runtime/slots and in construct-runtime, of which kinds may share some.
 #pragma once
 
 #include "voxc/Layout/Stratum.h"
@@ -53,11 +53,30 @@ struct SlotConstant {
   std::variant<bool, std::uint32_t> value;
 };
 
+/// A class template over the constants of a level, in a header of construct-runtime. Without a name: none.
+struct RuntimeClass {
+  std::string_view header, name;
+};
+
 /// `SlotKind::constants` of kinds whose files have none of their own.
 inline std::vector<SlotConstant> noConstants(const Stratum &) { return {}; }
 
 /// Receives a child that is not empty, and its place among its siblings.
 using ChildVisit = FunctionRef<void(Int3 place, const Child &child)>;
+
+/// `SlotKind::writing` of kinds whose grids are their words.
+inline RuntimeClass nothingToWrite(const Stratum &) { return {}; }
+
+/// `SlotKind::root` of trees whose leaves have values.
+inline std::string_view rootOfLeaves(const Stratum &stratum) {
+  return stratum.leaves()->place == LeafPlace::Apart ? "ApartRoot" : "InSlotRoot";
+}
+
+/// Trees of all kinds.
+inline constexpr RuntimeClass kTree = {"voxc_tree.h", "Tree"};
+inline constexpr RuntimeClass kEditedTree = {"voxc_edited_tree.h", "EditedTree"};
+inline constexpr RuntimeClass kMaskedGrid = {"voxc_masked.h", "MaskedGrid"};
+inline constexpr RuntimeClass kEditedMasked = {"voxc_edited_masked.h", "EditedMasked"};
 
 /// What construction writes at once.
 enum class Block : std::uint32_t {
@@ -99,19 +118,19 @@ struct ArrayForm {
 struct SlotKind {
   std::string_view name; ///< In plan text.
   std::string_view summary;
-  /// The runtime files of a level: of its accessor, in shaders-runtime/slots; of what writes a node when its
-  /// children are known, in construct-runtime/slots.
+  /// The files of a level's accessor, in shaders-runtime/slots.
   std::span<const std::string_view> (*accessor)(const Stratum &stratum);
-  std::span<const std::string_view> (*writing)(const Stratum &stratum);
-  /// Of grids: the file there that collects the cells of one. "": trees have construct-runtime/descent.
-  std::string_view construct = {};
-  /// The file of construct-runtime/edit that changes a sub-volume. "": none can be changed, for this reason,
-  /// which follows "the level" and has no full stop.
-  std::string_view edit = {};
+  /// What builds a sub-volume, and what writes a node, or a grid, when all of it is known: of grids that need
+  /// this, and of trees.
+  RuntimeClass construct;
+  RuntimeClass (*writing)(const Stratum &stratum) = nothingToWrite;
+  /// What changes a sub-volume. Without a name none can be changed, for this reason, which follows "the
+  /// level" and has no full stop.
+  RuntimeClass edit = {};
   std::string_view forbidsEdits = {};
   /// Those of these files alone, beside those of all.
   std::vector<SlotConstant> (*constants)(const Stratum &stratum) = noConstants;
-  /// Of trees: the file of construct-runtime/root that ends a sub-volume. Null: they are none.
+  /// Of trees: the class of `kTree.header` that ends a sub-volume. Null: they are none.
   std::string_view (*root)(const Stratum &stratum) = nullptr;
   /// Which alternatives of `Encoding` strata may have: a bit for each, the first lowest.
   unsigned encodings = 1;

@@ -15,14 +15,8 @@ struct EmbeddedFile {
 /// The files of shaders-runtime.
 std::span<const EmbeddedFile> shaderFiles();
 
-/// The leaves of construct-runtime.
-std::span<const EmbeddedFile> constructFiles();
-
-/// The headers of construct-runtime: what construct.cpp includes.
+/// The headers of construct-runtime: what construct.cpp and edit.cpp include.
 std::span<const EmbeddedFile> constructHeaders();
-
-/// Those and voxc_edit.h: what edit.cpp includes.
-std::span<const EmbeddedFile> editHeaders();
 
 /// The leaves of cpu-runtime.
 std::span<const EmbeddedFile> cpuFiles();

@@ -15,7 +15,7 @@ Expected<EditCode> EditCode::compile(const Format &format, const CompileCache *c
     return Error::input("the format " + toString(format) + " cannot be edited: " + reason);
   const std::string text = emitEdit(*plan);
   std::vector<MemoryFile> files = {{"edit.cpp", text}};
-  for (const EmbeddedFile &header : editHeaders())
+  for (const EmbeddedFile &header : constructHeaders())
     files.push_back({std::string(header.path), header.text});
   auto compiled = JitCode::compile(files, {.optimisation = 1}, cache, toString(format));
   if (!compiled)

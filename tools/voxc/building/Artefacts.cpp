@@ -238,8 +238,12 @@ std::vector<Artefact> artefactsOf(std::span<const EmbeddedFile> embedded) {
   return files;
 }
 
-std::vector<Artefact> constructCompanions(Generator &) { return artefactsOf(constructHeaders()); }
-std::vector<Artefact> editCompanions(Generator &) { return artefactsOf(editHeaders()); }
+std::vector<Artefact> constructCompanions(Generator &generator) {
+  return artefactsOf(constructHeadersOf(*makeConstruct(generator))); // There is one: it was made before.
+}
+std::vector<Artefact> editCompanions(Generator &generator) {
+  return artefactsOf(constructHeadersOf(*makeEdit(generator)));
+}
 std::vector<Artefact> cppCompanions(Generator &) { return artefactsOf(intersectHeaders()); }
 
 std::vector<Artefact> cpuCompanions(Generator &generator) {
