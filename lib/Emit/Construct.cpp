@@ -6,18 +6,11 @@
 namespace voxc {
 namespace {
 
-RuntimeClass fieldOf(const Stratum &stratum) {
-  if (const Distances *const distances = stratum.distances())
-    return distances->metric == Metric::L1 ? RuntimeClass{"voxc_l1.h", "L1Field"}
-                                           : RuntimeClass{"voxc_octant_cubes.h", "OctantField"};
-  return {};
-}
-
 std::vector<LevelAlias> aliases(const Stratum &stratum) {
   const SlotKind &kind = *stratum.slots;
   if (kind.root)
     return {{"Slots", kind.writing(stratum)}, {"Root", {kTree.header, kind.root(stratum)}}};
-  return {{"Writing", kind.writing(stratum)}, {"Field", fieldOf(stratum)}};
+  return {{"Writing", kind.writing(stratum)}, {"Field", kind.measuring(stratum)}};
 }
 
 constexpr LevelForm kForm = {

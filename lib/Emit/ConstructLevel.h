@@ -12,7 +12,7 @@
 
 namespace voxc {
 
-/// A name that a level gives to a class: `using Slots = PackedSlots<Level3>;`.
+/// A name that a level gives to a class: `using Slots = NAME<Level3>;`.
 struct LevelAlias {
   std::string_view name;
   RuntimeClass of; ///< Without a name: the level has none.

@@ -6,24 +6,14 @@
 namespace voxc {
 namespace {
 
-/// What measures distances, and what mends them.
-std::vector<LevelAlias> distanceAliases(const Stratum &stratum) {
-  const Distances *const distances = stratum.distances();
-  if (!distances)
-    return {};
-  if (distances->metric == Metric::L1)
-    return {{"Field", {"voxc_l1.h", "L1Field"}}, {"Mending", {"voxc_l1_mending.h", "L1Mending"}}};
-  return {{"Field", {"voxc_octant_cubes.h", "OctantField"}},
-          {"Mending", {"voxc_octant_mending.h", "OctantMending"}}};
-}
-
 std::vector<LevelAlias> aliases(const Stratum &stratum) {
   const SlotKind &kind = *stratum.slots;
-  std::vector<LevelAlias> aliases = distanceAliases(stratum);
-  aliases.push_back({kind.root ? "Slots" : "Writing", kind.writing(stratum)});
+  std::vector<LevelAlias> aliases = {{"Field", kind.measuring(stratum)},
+                                     {"Mending", kind.mending(stratum)},
+                                     {kind.root ? "Slots" : "Writing", kind.writing(stratum)},
+                                     {"Editing", kind.edit}};
   if (kind.root)
     aliases.push_back({"Root", {kTree.header, kind.root(stratum)}});
-  aliases.push_back({"Editing", kind.edit});
   return aliases;
 }
 

@@ -172,6 +172,19 @@ std::uint64_t line(const Stratum &stratum, std::uint64_t cell) {
 
 std::optional<std::uint64_t> noSlotLine(const Stratum &, std::uint64_t) { return std::nullopt; }
 
+RuntimeClass measuring(const Stratum &stratum) {
+  if (!stratum.distances())
+    return {};
+  return stratum.measures(Metric::L1) ? RuntimeClass{"voxc_l1.h", "L1Field"}
+                                      : RuntimeClass{"voxc_octant_cubes.h", "OctantField"};
+}
+RuntimeClass mending(const Stratum &stratum) {
+  if (!stratum.distances())
+    return {};
+  return stratum.measures(Metric::L1) ? RuntimeClass{"voxc_l1_mending.h", "L1Mending"}
+                                      : RuntimeClass{"voxc_octant_mending.h", "OctantMending"};
+}
+
 constexpr std::array<std::string_view, 2> kCells = {"dense", "cell"};
 constexpr std::array<std::string_view, 2> kDistances = {"dense", "distances"};
 std::span<const std::string_view> accessor(const Stratum &stratum) {
@@ -184,6 +197,8 @@ extern const SlotKind kDenseSlots = {.name = "dense",
                                      .summary = "a slot for each child",
                                      .accessor = accessor,
                                      .construct = {"voxc_dense.h", "DenseGrid"},
+                                     .measuring = measuring,
+                                     .mending = mending,
                                      .edit = {"voxc_edited_dense.h", "EditedDense"},
                                      .encodings = encodingBits<std::monostate, Distances>,
                                      .keepsEmpty = true,

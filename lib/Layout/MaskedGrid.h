@@ -3,11 +3,16 @@
 
 #include "Masks.h"
 
+#include "voxc/Layout/SlotKind.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
 
 namespace voxc {
+
+inline constexpr RuntimeClass kMaskedGrid = {"voxc_masked.h", "MaskedGrid"};
+inline constexpr RuntimeClass kEditedMasked = {"voxc_edited_masked.h", "EditedMasked"};
 
 /// Words of the mask, and of one slot if there are any.
 std::uint64_t maskedLeastWords(const Stratum &stratum);

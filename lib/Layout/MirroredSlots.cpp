@@ -8,6 +8,7 @@
 #include "Masks.h"
 #include "Places.h"
 #include "TreeCount.h"
+#include "Trees.h"
 
 #include <array>
 

@@ -67,16 +67,8 @@ using ChildVisit = FunctionRef<void(Int3 place, const Child &child)>;
 /// `SlotKind::writing` of kinds whose grids are their words.
 inline RuntimeClass nothingToWrite(const Stratum &) { return {}; }
 
-/// `SlotKind::root` of trees whose leaves have values.
-inline std::string_view rootOfLeaves(const Stratum &stratum) {
-  return stratum.leaves()->place == LeafPlace::Apart ? "ApartRoot" : "InSlotRoot";
-}
-
 /// Trees of all kinds.
 inline constexpr RuntimeClass kTree = {"voxc_tree.h", "Tree"};
-inline constexpr RuntimeClass kEditedTree = {"voxc_edited_tree.h", "EditedTree"};
-inline constexpr RuntimeClass kMaskedGrid = {"voxc_masked.h", "MaskedGrid"};
-inline constexpr RuntimeClass kEditedMasked = {"voxc_edited_masked.h", "EditedMasked"};
 
 /// What construction writes at once.
 enum class Block : std::uint32_t {
@@ -124,6 +116,9 @@ struct SlotKind {
   /// this, and of trees.
   RuntimeClass construct;
   RuntimeClass (*writing)(const Stratum &stratum) = nothingToWrite;
+  /// What measures the distances of a grid, and what mends them after an edit; of those that keep some.
+  RuntimeClass (*measuring)(const Stratum &stratum) = nothingToWrite;
+  RuntimeClass (*mending)(const Stratum &stratum) = nothingToWrite;
   /// What changes a sub-volume. Without a name none can be changed, for this reason, which follows "the
   /// level" and has no full stop.
   RuntimeClass edit = {};
